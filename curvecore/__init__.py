@@ -70,7 +70,6 @@ parametrization      rules for the t_i: `uniform`, `chebyshev`, `chebyshev_roots
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
   limited_tangents   velocities that follow their course: monotone, Akima
-  slopes             slopes of chords, which all of them begin with
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`, `SepticHermiteCurve`,
@@ -130,9 +129,7 @@ rounding.evaluation  curves computed with k decimal digits
   rounded_data       data rounded to so many decimals or digits
   exact              polynomials through data, in integers
 
-scaling, vectors     numbers with separate exponents; lengths, cross products
-double_double        numbers of 106 bits, where plain ones would cancel
-powers               of such numbers
+arithmetic           numbers with exponents of their own; lengths of vectors; numbers of 106 bits
 working_memory       arrays that are kept from call to call
 tridiagonal          systems of splines
 ===================  =======================================================

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.slopes import Steps, in_range, steps_of
+from curvecore.tangents import Steps, in_range, steps_of
 
 _SIDES = slice(-2), slice(2, None)
 """Turns before and after each joint."""

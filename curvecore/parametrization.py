@@ -16,24 +16,37 @@ References
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, finite_number, integer, point_array
-from curvecore.double_double import (
+from curvecore.arithmetic import (
     DoubleDouble,
     add,
     cumulative_sum,
     difference,
     divide,
+    exact_lengths,
     logarithm,
     multiply,
     rescaled,
     square_root,
-    vector_lengths,
 )
+from curvecore.arrays import FloatArray, finite_number, integer, point_array
 from curvecore.errors import CurveError
+
+
+class Spaced(NamedTuple):
+    """Increasing parameters, given by their distances: sums over turns of a closed curve would be rounded.
+
+    Attributes
+    ----------
+    spacing : ndarray, shape (n - 1,)
+        Distances of consecutive ones.
+    """
+
+    spacing: FloatArray
 
 
 def uniform(n: int) -> FloatArray:
@@ -316,7 +329,7 @@ def _relative_distances(points: FloatArray, rule: str) -> DoubleDouble:
         )
     # Each in its own units, which keeps every square in range.
     _, exponent = np.frexp(largest)
-    lengths = vector_lengths(rescaled(step, -exponent[:, None]))
+    lengths = exact_lengths(rescaled(step, -exponent[:, None]))
     return rescaled(lengths, exponent - exponent.max())
 
 

@@ -17,20 +17,69 @@ References
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
-from typing import TypeAlias
+from functools import lru_cache, wraps
+from typing import NamedTuple, ParamSpec, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arrays import FloatArray, point_array, read_only
-from curvecore.parametrization import relative_spacing
-from curvecore.scaling import SMALLEST
-from curvecore.slopes import Steps, differences, in_range, steps_of
+from curvecore.arithmetic import SMALLEST
+from curvecore.arrays import FloatArray, parameter_array, point_array, read_only
+from curvecore.errors import CurveError
+from curvecore.parametrization import Spaced, relative_spacing
 from curvecore.tridiagonal import solve_dominant
 
+_Arguments = ParamSpec("_Arguments")
 _FEW = 48  # segments, up to which a spline under a hand, its parameters at rest, is a matrix that is kept
 _Linear: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
+
+
+def in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, FloatArray]:
+    """Make a rule refuse to return what no double can hold."""
+
+    @wraps(rule)
+    def checked(*args: _Arguments.args, **kwargs: _Arguments.kwargs) -> FloatArray:
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            estimates = rule(*args, **kwargs)
+        if not np.isfinite(estimates).all():
+            i = int(np.argmin(np.isfinite(estimates).all(axis=1)))
+            raise CurveError(
+                f"points around {i} lie too far apart for parameters so close: "
+                "the derivative there exceeds the largest number",
+                (i,),
+            )
+        return estimates
+
+    return checked
+
+
+class Steps(NamedTuple):
+    """Differences of checked points and parameters.
+
+    Attributes
+    ----------
+    spacing : ndarray, shape (n - 1, 1)
+        Segment lengths h_i in t.
+    slope : ndarray, shape (n - 1, dim)
+        (p_(i+1) - p_i) / h_i.
+    """
+
+    spacing: FloatArray
+    slope: FloatArray
+
+
+def steps_of(points: ArrayLike, parameters: ArrayLike) -> Steps:
+    """Check points, (n, dim), and parameters, (n,), and return their differences."""
+    positions = point_array(points)
+    if isinstance(parameters, Spaced):
+        return differences(positions, parameters.spacing)
+    return differences(positions, np.diff(parameter_array(parameters, len(positions))))
+
+
+def differences(points: FloatArray, spacing: FloatArray) -> Steps:
+    """Return the differences of points, (n, dim), so far apart in t, (n - 1,)."""
+    h = spacing[:, None]
+    return Steps(h, (points[1:] - points[:-1]) / h)
 
 
 @in_range

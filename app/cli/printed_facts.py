@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import asdict
 
-from curvecore.scaling import LARGEST
+from curvecore.arithmetic import LARGEST
 
 from ..document.style import NO_PAINT, Style
 from ..document.words import digits_of_range, rounded_up

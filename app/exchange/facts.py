@@ -11,8 +11,8 @@ import numpy as np
 
 from curvecore import Length
 from curvecore.analysis.bounding_boxes import Box, bounding_boxes
+from curvecore.arithmetic import LARGEST, SMALLEST
 from curvecore.bezier.pieces import FINE, BezierPieces, bezier_pieces
-from curvecore.scaling import LARGEST, SMALLEST
 
 from ..document.model import Curve, Document, Parametrization
 from ..document.style import PLAIN_STYLE, Style

@@ -20,8 +20,8 @@ from curvecore import (
     bezier_segments,
     cubic_path,
 )
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
-from curvecore.scaling import LARGEST
 
 from .. import __version__
 from ..document.model import Curve, Document

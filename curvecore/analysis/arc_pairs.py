@@ -26,11 +26,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import SMALLEST, along_last, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.bezier.arcs import Arcs, joined_arcs
 from curvecore.bezier.bernstein_algebra import derivative
-from curvecore.scaling import SMALLEST
-from curvecore.vectors import along_last, vector_lengths
 
 _ROUNDS = 48
 _ARCS = 1 << 11

@@ -30,12 +30,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.estimation import Follow, Rule, follow_rules
+from curvecore.arithmetic import LARGEST, made_finite
 from curvecore.arrays import FloatArray, IntArray, parameter_row, parameter_values, read_only
 from curvecore.bezier.bernstein import controls_between
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LARGEST, made_finite
 
 REACH = 64
 """Joints after which an estimate has forgotten a point: a natural spline forgets half at every one."""

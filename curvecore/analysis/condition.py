@@ -25,11 +25,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray, integer, parameter_array
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.rounding.exact import as_float, interpolated, scaled_integers
-from curvecore.scaling import LARGEST
 
 _MOST = 128  # rows of a matrix that is inverted exactly
 

@@ -16,11 +16,10 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.analysis.curvature import curvature_of
+from curvecore.arithmetic import SMALLEST, UNIT_ROUNDOFF, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS
-from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
-from curvecore.vectors import vector_lengths
 
 _BREAK = -1
 _DATA_ROUNDINGS = 48.0 * UNIT_ROUNDOFF

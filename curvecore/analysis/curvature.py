@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.sensitivity import sums_of_data
+from curvecore.arithmetic import LARGEST, UNIT_ROUNDOFF, cross, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row, parameter_values, require_plane
 from curvecore.bezier.bernstein_algebra import (
     derivative,
@@ -30,8 +31,6 @@ from curvecore.bezier.pieces import BezierPieces, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
-from curvecore.vectors import cross, vector_lengths
 
 _ROUNDINGS = 25.0 * UNIT_ROUNDOFF  # of derivatives, for each unit of the sizes of their terms
 _KINK = 1e-6  # curvatures at a joint that differ by less, relatively, are one extremum and not a jump

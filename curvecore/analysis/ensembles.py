@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.sensitivity import error_sizes
+from curvecore.arithmetic import vector_lengths
 from curvecore.arrays import FloatArray, integer, parameter_row
 from curvecore.errors import CurveError
 from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import ParametricCurve
-from curvecore.vectors import vector_lengths
 
 Remake = Callable[[FloatArray, FloatArray], ParametricCurve]
 """Points (n, dim) and parameters (n,) to a curve."""

@@ -19,11 +19,11 @@ import numpy as np
 
 from curvecore.analysis.arc_pairs import Pairs, close_pairs, simple_arcs
 from curvecore.analysis.clusters import connected_labels, near_pairs
+from curvecore.arithmetic import cross, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray, require_plane, tolerance_value
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.families.curve import ParametricCurve
-from curvecore.vectors import cross, vector_lengths
 
 _FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
 _CUSP = 2.0**-33  # of the size: a cusp whose arms are a rounding apart is as long

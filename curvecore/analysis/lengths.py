@@ -29,12 +29,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.quadrature import SpeedArcs, arcs_of, integrals, made_accurate, places_of
+from curvecore.arithmetic import LARGEST, UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, finite_number, integer, parameter_values, tolerance_value
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.immutable import Immutable
-from curvecore.scaling import LARGEST, UNIT_ROUNDOFF
 
 
 class Length(NamedTuple):

@@ -12,7 +12,7 @@ from functools import cache
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias
 
-from curvecore.scaling import UNIT_ROUNDOFF
+from curvecore.arithmetic import UNIT_ROUNDOFF
 
 MOST_DEGREE = 7
 """Above, arrays are the faster way."""

@@ -12,12 +12,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import SMALLEST, UNIT_ROUNDOFF
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 from curvecore.bezier.bernstein_algebra import halves, weights
 from curvecore.bezier.chebyshev import to_chebyshev
 from curvecore.bezier.pieces import BezierPieces
 from curvecore.parametrization import chebyshev
-from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 _GAUSS_POINTS = 16
 _ROUNDS = 60

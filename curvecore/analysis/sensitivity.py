@@ -28,10 +28,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.cardinal import CardinalBasis
+from curvecore.arithmetic import cross, vector_lengths
 from curvecore.arrays import FloatArray, parameter_row
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.vectors import cross, vector_lengths
 
 
 class Band(NamedTuple):

@@ -24,12 +24,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.analysis.cardinal import CardinalBasis
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray, IntArray, parameter_values
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.control_points import all_joints
 from curvecore.families.curve import ParametricCurve
 from curvecore.parametrization import chebyshev
-from curvecore.scaling import LARGEST
 
 
 class _SearchPlan(NamedTuple):

@@ -18,13 +18,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import LIMIT, vector_lengths
 from curvecore.arrays import FloatArray, IntArray, end_to_end, tolerance_value
 from curvecore.bezier.bernstein import control_points
 from curvecore.bezier.bernstein_algebra import elevated, weights
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LIMIT
-from curvecore.vectors import vector_lengths
 
 MAX_PIECES = 1 << 12
 """`cubic_path` never returns more pieces than this, or one a segment if there are more segments."""

@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import LIMIT, UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, IntArray, box_edges, end_to_end, require_plane, tolerance_value
 from curvecore.bezier.arcs import Arcs
 from curvecore.bezier.bernstein import evaluate_inside, weighted_columns
@@ -28,7 +29,6 @@ from curvecore.bezier.control_points import drawable_pieces, equal_parts
 from curvecore.bezier.flatten_samples import sampled_pieces
 from curvecore.bezier.polylines import MAX_VERTICES, Pieces, chord_bound, may_enter, merged_pieces, points_at
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LIMIT, UNIT_ROUNDOFF
 
 _FINE = 64  # a segment with more pieces is split, so that what is outside the box is left out
 _SPLIT = 8

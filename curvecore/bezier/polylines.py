@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import LIMIT
 from curvecore.arrays import BoolArray, FloatArray
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LIMIT
 
 MAX_VERTICES = 1 << 14
 """A polyline has at most this many vertices, or 4 per joint if that is more."""

@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import DoubleDouble
 from curvecore.arrays import FloatArray, IntArray, read_only
-from curvecore.double_double import DoubleDouble
 from curvecore.families.hermite_forms import hermite_form
 
 _LARGEST_DENOMINATOR = 64

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from curvecore.arithmetic import made_finite
 from curvecore.arrays import FloatArray, integer
 from curvecore.calculus.integrals import Integral, integral_of
 from curvecore.calculus.of_a_curve import OfCurve
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import made_finite
 
 
 class Antiderivative(OfCurve):

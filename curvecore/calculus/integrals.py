@@ -20,11 +20,11 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
+from curvecore.arithmetic import made_finite
 from curvecore.arrays import FloatArray, finite_number, read_only
 from curvecore.bezier.control_points import all_joints
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.evaluation import Extrapolate, checked_extrapolate
-from curvecore.scaling import made_finite
 
 Function: TypeAlias = Callable[[FloatArray], FloatArray]
 """A function of t (m,) with values (m, q)."""

@@ -13,13 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, IntArray, finite_number, integer
 from curvecore.bezier.bernstein_algebra import sign_changes, values
 from curvecore.bezier.control_points import sorted_distinct
 from curvecore.bezier.pieces import BezierPieces, bezier_pieces, parameters_at
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import UNIT_ROUNDOFF
 
 _TOLERANCE = 2.0**-44
 _ROUNDING = 16.0  # of values, in units of UNIT_ROUNDOFF sum |B_ir d_ir|

@@ -15,12 +15,12 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import LIMIT
 from curvecore.arrays import FloatArray, box_edges, tolerance_value
 from curvecore.bezier.flatten_samples import sampled_pieces
 from curvecore.bezier.polylines import Pieces, may_enter, merged_pieces, segment_distance
 from curvecore.drag.left_out import LeftOut
 from curvecore.families.curve import ParametricCurve
-from curvecore.scaling import LIMIT
 
 ComplexArray = npt.NDArray[np.complex128]
 

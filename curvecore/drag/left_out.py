@@ -20,10 +20,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, IntArray, parameter_row
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
-from curvecore.scaling import UNIT_ROUNDOFF
 
 _NEAR = 32  # places on either side of a left out parameter where roundings are estimated
 

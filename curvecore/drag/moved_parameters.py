@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from curvecore.arithmetic import LIMIT, SMALLEST
 from curvecore.arrays import FloatArray, IntArray, parameter_row
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
-from curvecore.scaling import LIMIT, SMALLEST
 
 _MOST_MOVED = 4  # parameters, above which the saving is gone
 

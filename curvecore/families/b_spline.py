@@ -7,14 +7,13 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import DoubleDouble, add, difference, divide, made_finite, multiply
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row
 from curvecore.bezier.bernstein_algebra import elevated
-from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import JOINT_ORDERS, JointDerivatives
 from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.parametrization import with_one_more
-from curvecore.scaling import made_finite
 
 
 class BSplineCurve(ParametricCurve):

@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from curvecore.arithmetic import DoubleDouble, divide
 from curvecore.arrays import FloatArray
-from curvecore.double_double import DoubleDouble, divide
 
 _LEFT_OUT = 100.0
 """Weights below 2 to minus so many are left out, all of them together."""

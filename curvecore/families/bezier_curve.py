@@ -10,16 +10,28 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import (
+    MULTIPLIED,
+    DoubleDouble,
+    ExponentArray,
+    Scaled,
+    add,
+    difference,
+    divide,
+    made_finite,
+    multiply,
+    power,
+    rescaled,
+    scale_by_power,
+    small_power,
+)
 from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein_algebra import elevated
-from curvecore.double_double import DoubleDouble, add, difference, divide, multiply, rescaled
 from curvecore.families.bernstein_window import windowed_values
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of
 from curvecore.parametrization import chebyshev, spread, uniform, with_one_more
-from curvecore.powers import MULTIPLIED, power, small_power
-from curvecore.scaling import ExponentArray, Scaled, made_finite, scale_by_power
 
 _DRAWN = 8
 """Degree up to which the one piece is drawn and searched as it is, as `pieces` has it of all curves."""

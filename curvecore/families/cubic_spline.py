@@ -8,6 +8,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import made_finite, vector_lengths
 from curvecore.arrays import FloatArray, IntArray, parameter_row, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
@@ -16,8 +17,6 @@ from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
 from curvecore.families.spline_system import SplineEnds, refined_bends, spline_derivatives, velocity_moves
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
-from curvecore.scaling import made_finite
-from curvecore.vectors import vector_lengths
 
 
 class _Data(NamedTuple):

@@ -7,6 +7,7 @@ from typing import ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import UNIT_ROUNDOFF, made_finite
 from curvecore.arrays import (
     FloatArray,
     jet_array,
@@ -23,7 +24,6 @@ from curvecore.families.parameter_derivatives import ParameterDerivatives
 from curvecore.families.polynomial_facts import PolynomialFacts
 from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS, JointDerivatives, LocalBasis
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
-from curvecore.scaling import UNIT_ROUNDOFF, made_finite
 
 
 class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialFacts, Evaluation, Immutable):

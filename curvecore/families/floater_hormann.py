@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import Scaled, ScaledRows, normalise, scale_by_power
 from curvecore.arrays import FloatArray
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 from curvecore.families.rational_form import RationalForm
 from curvecore.families.records import Interpolant
 from curvecore.families.setting import FamilySetting
-from curvecore.scaling import Scaled, ScaledRows, normalise, scale_by_power
 
 _NO_EXPONENT = np.zeros(1, dtype=np.int64)
 

@@ -24,8 +24,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import DoubleDouble, add, difference, multiply, rescaled, times
 from curvecore.arrays import FloatArray
-from curvecore.double_double import DoubleDouble, add, difference, multiply, rescaled, times
 
 
 class LocalCoordinates(NamedTuple):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from curvecore.arithmetic import UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein import controls_between
 from curvecore.bezier.bernstein_algebra import derivative
 from curvecore.families.hermite_forms import end_weights
 from curvecore.families.records import Slopes
-from curvecore.scaling import UNIT_ROUNDOFF
 
 
 def end_derivative_terms(jets: FloatArray, parameters: FloatArray, end: int, order: int) -> FloatArray:

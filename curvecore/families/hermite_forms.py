@@ -23,8 +23,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import add, multiply, times
 from curvecore.arrays import FloatArray
-from curvecore.double_double import add, multiply, times
 from curvecore.families.hermite_basis import LeftFunctions, LocalCoordinates
 
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import LIMIT, made_finite, vector_lengths
 from curvecore.arrays import (
     FloatArray,
     IntArray,
@@ -30,8 +31,6 @@ from curvecore.families.same_shape import (
     smooth_stretches,
 )
 from curvecore.families.taylor_pieces import TaylorPieces, taylor_pieces
-from curvecore.scaling import LIMIT, made_finite
-from curvecore.vectors import vector_lengths
 
 _ALL = 64  # segments, up to which it pays to expand all of them for a single parameter
 _DENSE = 4  # parameters a segment, from which on it pays to expand more

@@ -32,6 +32,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import LARGEST, Scaled, normalise, scale_by_power, scaled_differences
 from curvecore.arrays import FloatArray
 from curvecore.families.product_kernels import (
     Hits,
@@ -45,7 +46,6 @@ from curvecore.families.product_kernels import (
     weight_blocks,
 )
 from curvecore.families.product_series import leave_one_out
-from curvecore.scaling import LARGEST, Scaled, normalise, scale_by_power, scaled_differences
 
 _CHUNK = 1 << 17  # entries of one working array: a megabyte, for slices worth their dozens of calls
 _MOST_BITS = 500.0  # of the least distance, up to which differences need no exponents of their own

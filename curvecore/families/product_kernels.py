@@ -21,9 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import DoubleDouble, Scaled, add, divide, multiply, put_product_error
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.double_double import DoubleDouble, add, divide, multiply, put_product_error
-from curvecore.scaling import Scaled
 from curvecore.working_memory import working_memory
 
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours

@@ -17,9 +17,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import (
+    DoubleDouble,
+    ExponentArray,
+    Scaled,
+    add,
+    halved_difference,
+    multiply,
+    rescaled,
+)
 from curvecore.arrays import FloatArray, IntArray32
-from curvecore.double_double import DoubleDouble, add, halved_difference, multiply, rescaled
-from curvecore.scaling import ExponentArray, Scaled
 
 _FAR_BITS = 60
 

@@ -30,8 +30,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import (
+    DoubleDouble,
+    ExponentArray,
+    Scaled,
+    add,
+    difference,
+    multiply,
+    normalise,
+    scaled_differences,
+)
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.double_double import DoubleDouble, add, difference, multiply
 from curvecore.families.rational_series import (
     LocalSeries,
     Series,
@@ -41,7 +50,6 @@ from curvecore.families.rational_series import (
     total_of,
     window_sums,
 )
-from curvecore.scaling import ExponentArray, Scaled, normalise, scaled_differences
 
 _CHUNK = 1 << 17
 """Entries of one working array: 1 MB."""

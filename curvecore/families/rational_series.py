@@ -17,9 +17,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from curvecore.arrays import BoolArray, FloatArray, IntArray, IntArray32
-from curvecore.double_double import (
+from curvecore.arithmetic import (
     DoubleDouble,
+    ExponentArray,
     add,
     difference,
     halved_difference,
@@ -27,7 +27,7 @@ from curvecore.double_double import (
     reciprocal,
     rescaled,
 )
-from curvecore.scaling import ExponentArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray, IntArray32
 
 
 class Series(NamedTuple):

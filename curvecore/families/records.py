@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from curvecore.arithmetic import UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.scaling import UNIT_ROUNDOFF
 
 JOINT_ORDERS = 4
 """The number of derivatives compared at joints, the curve itself included: jumps of c to c'''."""

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from curvecore.arithmetic import DoubleDouble, add, difference, divide, multiply
 from curvecore.arrays import FloatArray
-from curvecore.double_double import DoubleDouble, add, difference, divide, multiply
 from curvecore.tridiagonal import solve_dominant
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple, Self
 
 import numpy as np
 
+from curvecore.arithmetic import DoubleDouble, add, difference, multiply
 from curvecore.arrays import FloatArray, IntArray, extremes
-from curvecore.double_double import DoubleDouble, add, difference, multiply
 
 if TYPE_CHECKING:
     from curvecore.bezier.vanishing_places import VanishingPlaces

@@ -17,10 +17,10 @@ from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
 from curvecore.errors import CurveError
 from curvecore.rounding.data import Data
-from curvecore.scaling import LARGEST
 
 _GUARD = 40
 _MOST_GUARDED = 3000

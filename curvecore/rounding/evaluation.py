@@ -51,6 +51,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike
 
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import (
     FloatArray,
     integer,
@@ -66,7 +67,6 @@ from curvecore.rounding.decimal_methods import (
     exact_context,
 )
 from curvecore.rounding.rounded_data import decimal_context
-from curvecore.scaling import LARGEST
 
 _SHOWN = 30
 """Digits of a result that was computed exactly: enough beyond those shown that to round again is no error."""

@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from curvecore.scaling import LARGEST
+from curvecore.arithmetic import LARGEST
 
 
 class CommonPolynomial(NamedTuple):

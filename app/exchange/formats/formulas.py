@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from curvecore import bezier_segments, power_coefficients
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
-from curvecore.scaling import LARGEST
 
 from ... import __version__
 from ...document.model import Document

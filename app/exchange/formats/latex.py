@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 
 from curvecore import CurveError
+from curvecore.arithmetic import vector_lengths
 from curvecore.arrays import FloatArray
-from curvecore.vectors import vector_lengths
 
 from ...document.model import Document
 from ...document.style import FillRule, LineCap, LineJoin, Style

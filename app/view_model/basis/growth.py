@@ -14,8 +14,8 @@ import numpy as np
 
 from curvecore import CardinalBasis, lebesgue_constant
 from curvecore.analysis.stability import lebesgue_constants
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
-from curvecore.scaling import LARGEST
 
 from ..curve.cardinals import unbounded
 from ..curve.curve_view import CurveView

@@ -10,8 +10,8 @@ import numpy as np
 
 from curvecore import CurveError, ParametricCurve, lebesgue_constant
 from curvecore.analysis.cardinal import REACH, CardinalBasis
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
-from curvecore.scaling import LARGEST
 
 from ...document.model import Curve
 from .jets import moved_with_points

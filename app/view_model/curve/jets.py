@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 import curvecore
 from curvecore.arrays import BoolArray, FloatArray, IntArray
-from curvecore.slopes import Spaced
+from curvecore.parametrization import Spaced
 
 from ...document.derivatives import EstimateRule
 from ...document.model import Curve, Point

@@ -15,9 +15,9 @@ from msgspec.structs import replace
 
 import curvecore
 from curvecore import CurveError, ParametricCurve
+from curvecore.arithmetic import SMALLEST, UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray
 from curvecore.parametrization import relative_spacing
-from curvecore.scaling import SMALLEST, UNIT_ROUNDOFF
 
 from ...document.words import number, rounded_up
 from .core_curve import parameters_of

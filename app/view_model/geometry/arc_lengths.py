@@ -13,10 +13,10 @@ import numpy as np
 
 from curvecore import ParametricCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
+from curvecore.arithmetic import LARGEST, scale_by_power
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.pieces import BezierPieces, alike
-from curvecore.scaling import LARGEST, scale_by_power
 
 from .plane import polygon_length
 from .sampling import all_along

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from curvecore.arithmetic import vector_lengths
 from curvecore.arrays import FloatArray
-from curvecore.vectors import vector_lengths
 
 
 def size_of(points: FloatArray) -> float:

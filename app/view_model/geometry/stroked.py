@@ -12,8 +12,8 @@ from collections.abc import Iterator
 import msgspec
 import numpy as np
 
+from curvecore.arithmetic import cross
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.vectors import cross
 
 from ...document.style import LineCap, LineJoin, Style
 from .plane import to_the_left, unit_tangents

@@ -6,8 +6,8 @@ import numpy as np
 from msgspec.structs import replace
 
 import curvecore
+from curvecore.arithmetic import SMALLEST
 from curvecore.arrays import FloatArray
-from curvecore.scaling import SMALLEST
 
 from ....document.words import number
 from ...curve.rounded_parameters import curvature_error

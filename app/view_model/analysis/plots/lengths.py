@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from curvecore.vectors import vector_lengths
+from curvecore.arithmetic import vector_lengths
 
 from ..plot import Plot
 

@@ -1,7 +1,10 @@
-"""Arithmetic on unevaluated sums hi + lo of two doubles, about 106 bits.
+"""Arithmetic where plain doubles would overflow or cancel: scaled numbers, vectors, numbers of 106 bits.
 
-Error-free transformations need a round-to-nearest double and no overflow
-above 2**996; the callers' numbers are scaled to lie near 1.
+- `Scaled` numbers have an exponent of their own, so that products stay in range.
+- Lengths and cross products of vectors do not overflow where the results do not.
+- `DoubleDouble` numbers are unevaluated sums high + low of two doubles, about 106 bits. Their error-free
+  transformations need a round-to-nearest double and no overflow above 2**996; the callers' numbers are scaled
+  to lie near 1.
 
 References
 ----------
@@ -13,11 +16,115 @@ References
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from functools import reduce
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from curvecore.arrays import FloatArray, IntArray32
+
+# Numbers kept as mantissa and power of two
+
+ExponentArray: TypeAlias = NDArray[np.int64]
+LARGEST = float(np.finfo(np.float64).max)
+SMALLEST = float(np.finfo(np.float64).tiny)
+UNIT_ROUNDOFF = 2.0**-53
+
+LIMIT = 1e300
+"""Coordinates of what is drawn are limited to this size, so that their differences stay finite."""
+
+
+class Scaled(NamedTuple):
+    """Numbers ``mantissa * 2**exponent``, both arrays of one shape."""
+
+    mantissa: FloatArray
+    exponent: ExponentArray
+
+
+class ScaledRows(NamedTuple):
+    """An array with one power of two for each column.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, m)
+        Entries of at most moderate size.
+    exponent : ndarray of int, shape (m,)
+        Column k stands for ``values[:, k] * 2**exponent[k]``.
+    """
+
+    values: FloatArray
+    exponent: ExponentArray
+
+
+def normalise(numbers: Scaled) -> ScaledRows:
+    """Give each column of scaled numbers, shape (n, m), one common exponent."""
+    mantissa, extra = np.frexp(numbers.mantissa)
+    exponent = numbers.exponent + extra
+    # A zero has no exponent of its own and must not decide the column's.
+    common = np.where(mantissa != 0.0, exponent, np.iinfo(np.int64).min // 2).max(axis=0)
+    return ScaledRows(scale_by_power(mantissa, exponent - common), common)
+
+
+def made_finite(values: FloatArray) -> FloatArray:
+    """Return `values` itself, with the largest finite number in place of infinities and NaN."""
+    if not np.isfinite(values).all():
+        np.nan_to_num(values, copy=False, nan=LARGEST)
+    return values
+
+
+def scale_by_power(values: FloatArray, exponent: ExponentArray | int) -> FloatArray:
+    """Return ``values * 2**exponent``, limited to the largest finite number.
+
+    A result that no double can hold becomes the largest double of its sign,
+    so that drawing code never meets an infinity.
+    """
+    # numpy's ldexp takes C ints; beyond +-5000 every double over- or underflows anyway.
+    with np.errstate(over="ignore", under="ignore"):
+        result = np.ldexp(values, np.clip(exponent, -5000, 5000).astype(np.intc))
+    return np.clip(result, -LARGEST, LARGEST, out=result)
+
+
+def scaled_differences(t: FloatArray, parameters: FloatArray, shift: int) -> Scaled:
+    """Return (t - t_i) * 2**shift, shape (n, m), where t - t_i may exceed the largest number."""
+    with np.errstate(over="ignore"):
+        difference = t - parameters[:, None]
+    mantissa, size = np.frexp(difference)
+    exponent = size.astype(np.int64) + shift
+    overflow = np.isinf(difference)
+    if overflow.any():
+        halved, size = np.frexp(0.5 * t - 0.5 * parameters[:, None])
+        mantissa = np.where(overflow, halved, mantissa)
+        exponent = np.where(overflow, size.astype(np.int64) + (shift + 1), exponent)
+    return Scaled(mantissa, exponent)
+
+
+# Vectors
+
+
+def cross(first: FloatArray, second: FloatArray) -> FloatArray:
+    """Return the cross products of plane vectors along the last axis."""
+    return first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0]
+
+
+def along_last(operation: np.ufunc, values: FloatArray) -> FloatArray:
+    """Reduce the last axis entry by entry: where it is short, NumPy would begin a loop for every vector."""
+    reduced: FloatArray = reduce(operation, np.moveaxis(values, -1, 0))
+    return reduced
+
+
+def vector_lengths(vectors: FloatArray) -> FloatArray:
+    """Return Euclidean lengths along the last axis without needless over- or underflow."""
+    largest = along_last(np.maximum, np.abs(vectors))
+    divisor = np.where(largest > 0.0, largest, 1.0)
+    with np.errstate(over="ignore", under="ignore"):
+        shares = (each / divisor for each in np.moveaxis(vectors, -1, 0))
+        result = largest * np.sqrt(sum(map(np.square, shares)))
+    limited: FloatArray = np.minimum(result, LARGEST)
+    return limited
+
+
+# Numbers of 106 bits
 
 _SPLITTER = 134217729.0  # 2**27 + 1
 _LOG_2 = 0.6931471805599453, 2.3190468138462996e-17
@@ -91,7 +198,7 @@ def square_root(a: DoubleDouble) -> DoubleDouble:
     return _renormalised(root, (rest + a.low) / (2.0 * root))
 
 
-def vector_lengths(a: DoubleDouble) -> DoubleDouble:
+def exact_lengths(a: DoubleDouble) -> DoubleDouble:
     """Return the lengths of vectors, (m, dim) to (m,), with a relative error of about 2**-100; none is 0."""
     square = a.high * a.high
     total = square[:, 0]
@@ -186,3 +293,47 @@ def _split(a: FloatArray) -> tuple[FloatArray, FloatArray]:
     scaled = a * _SPLITTER
     high = scaled - (scaled - a)
     return high, a - high
+
+
+# Powers of numbers of 106 bits
+
+MULTIPLIED = 128
+"""Powers up to this one are products one after the other, as quick as ten multiplications are to one `power`.
+
+Their roundings, half a unit each and of either sign, come to some sqrt(128) / 3 units.
+"""
+
+_IN_RANGE = 1000
+"""Powers of numbers between 0.7 and 1.4 up to this one are neither too large nor too small."""
+
+
+def small_power(base: DoubleDouble, exponent: np.ndarray, most: int) -> DoubleDouble:
+    """Return powers of (m, 1) numbers to whole exponents (n,) up to `most`, shape (m, n)."""
+    high, low = np.ones((most + 1, len(base.high))), np.zeros((most + 1, len(base.high)))
+    flat = DoubleDouble(base.high[:, 0], base.low[:, 0])
+    for k in range(most):
+        high[k + 1], low[k + 1] = multiply(DoubleDouble(high[k], low[k]), flat)
+    return DoubleDouble(high[exponent].T, low[exponent].T)
+
+
+def power(base: DoubleDouble, exponent: np.ndarray) -> Scaled:
+    """Return powers of (m, 1) numbers of 106 bits to whole exponents (n,), shape (m, n).
+
+    (a + b)**i is a**i (1 + i b / a) to all digits.
+    """
+    mantissa, shift = np.frexp(base.high)
+    # Between 0.7 and 1.4, so that powers stay in range for long.
+    low = np.abs(mantissa) < np.sqrt(0.5)
+    mantissa, shift = np.where(low, 2.0 * mantissa, mantissa), (shift - low).astype(np.int64)
+    with np.errstate(divide="ignore"):
+        correction = 1.0 + exponent * np.where(base.high == 0.0, 0.0, base.low / base.high)
+    most = int(exponent.max(initial=0))
+    if most <= MULTIPLIED:
+        table = np.ones((len(mantissa), most + 1))
+        table[:, 1:] = mantissa
+        powers = np.multiply.accumulate(table, axis=1)[:, exponent]
+        return Scaled(powers * correction, shift * exponent)
+    steps, rest = np.divmod(exponent, _IN_RANGE)
+    step, per_step = np.frexp(np.power(mantissa, float(_IN_RANGE)))
+    powers, carried = np.frexp(np.power(step, steps) * np.power(mantissa, rest.astype(np.float64)))
+    return Scaled(powers * correction, shift * exponent + per_step * steps + carried)
