@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtGui import QColor
 
 from ..document.style import NO_PAINT
-from ..view_model.look.palette import OKABE_ITO, colour_on, point_palette
+from ..view_model.palette import OKABE_ITO, colour_on, point_palette
 from .theme import Theme
 
 CURVE_COLOURS: Final = {

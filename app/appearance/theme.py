@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QStyleFactory
 
 from ..document.words import NamedEnum
 from ..storage.resources import resource
-from ..view_model.look.palette import ACCENT, INK, PAPER
+from ..view_model.palette import ACCENT, INK, PAPER
 
 
 class ThemeMode(NamedEnum):

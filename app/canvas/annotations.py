@@ -11,7 +11,7 @@ from .. import canvas
 from ..plotting.plot_widget import PlotWidget
 from ..view_model import analysis
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.look.line_styles import FILE_STYLE, LineStyle
+from ..view_model.line_styles import FILE_STYLE, LineStyle
 from .figure_layer import FigureLayer
 from .other_curves_layer import FileLayer
 from .trace_layer import Trace, TraceLayer

@@ -20,7 +20,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.analysis.figures import Figure, Shape
-from ..view_model.look.line_styles import Mark
+from ..view_model.line_styles import Mark
 from .looks import TOLERANCE
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.geometry.fills import is_inside, windings
+from ..view_model.geometry import is_inside, windings
 from .looks import line_of
 
 

@@ -19,7 +19,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import clear_of, inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..view_model.animation.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of
-from ..view_model.look.line_styles import DASHED
+from ..view_model.line_styles import DASHED
 
 _TRAIL_DOT = 3.0
 _FAR = 1e5

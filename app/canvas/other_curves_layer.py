@@ -21,7 +21,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine
 from ..tools.pointer import Hit
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.look.line_styles import FILE_STYLE
+from ..view_model.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH
 from .line_finder import LineFinder, pixels_of
 from .looks import Shape, is_plain, line_of

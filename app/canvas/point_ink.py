@@ -22,7 +22,7 @@ from ..plotting.fonts import Sizes
 from ..plotting.halo import with_halo
 from ..plotting.pens import diamond, triangle
 from ..plotting.sprites import Sprites
-from ..view_model.look.palette import contrast
+from ..view_model.palette import contrast
 from .point_density import RADIUS
 from .point_marks import paint_mark
 from .point_stamps import PLAIN_RIM

@@ -16,7 +16,7 @@ from ..plotting.pens import line_in_pixels, pen_of
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.segments import Segments
-from ..view_model.look.line_styles import LineStyle
+from ..view_model.line_styles import LineStyle
 
 _FADED = 0.3
 

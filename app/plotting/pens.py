@@ -12,7 +12,7 @@ from curvecore.arrays import FloatArray
 
 from ..appearance.colours import line_colour
 from ..appearance.theme import Theme, mix
-from ..view_model.look.line_styles import Dashes, LineStyle, Mark, Sign
+from ..view_model.line_styles import Dashes, LineStyle, Mark, Sign
 from .drawing import Stroke, visible_segments
 from .pictures import transparent
 from .pixel_map import PixelMap

@@ -14,10 +14,10 @@ The rooms, each of which imports from those further down alone:
 - ``boxes``: bounds, and what is aligned, stretched and turned by them.
 - ``basis``: basis and cardinal functions, and the growth of errors.
 - ``curve``: the view of a curve, and what changes while it moves.
-- ``look``: lines, marks and colours.
-- ``geometry``: vectors, samples and lengths of the plane.
-
-And ``registry``: registries that read their records off the modules of a package.
+- ``stroke_box``: boxes around cubic pieces and stroked lines.  ``arc_lengths``: lengths of curves.
+- ``line_styles``, ``palette``: the look of lines and marks; colours of papers, curves and points.
+- ``geometry``: vectors, parameters along a curve, insides of outlines.
+- ``registry``: registries that read their records off the modules of a package.
 """
 
 import lazy_loader as lazy

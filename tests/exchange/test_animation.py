@@ -22,7 +22,7 @@ from app.storage.examples import first_sketch
 from app.storage.files import StorageError
 from app.tasks.progress import FINAL, Cancelled
 from app.view_model.animation.motion_settings import Pace, Repeat
-from app.view_model.look.palette import ACCENT, PAPER, colour_on
+from app.view_model.palette import ACCENT, PAPER, colour_on
 from tests.programs import write_program
 
 # Frames are painted with the application of the window where there is one; without, see tests/test_cli.py.

@@ -27,7 +27,7 @@ from app.exchange.svg.writer import svg_of
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.row_parts import Spot, spot_rect
 from app.features.import_export.export_dialog import ExportDialog
-from app.view_model.look.palette import adjustment_of, colour_on
+from app.view_model.palette import adjustment_of, colour_on
 from tests.gui.test_theme import contrast, oklab
 from tests.waiting import until
 

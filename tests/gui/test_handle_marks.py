@@ -15,7 +15,7 @@ from app.document.style import Style
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_at, handles_on, sides_facing
-from app.view_model.look.palette import contrast
+from app.view_model.palette import contrast
 from app.view_model.points.point_kinds import CORNER, SMOOTH, kind_at
 
 

@@ -16,7 +16,7 @@ from app.view_model.analysis.figures import Figure, Shape
 from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
 from app.view_model.analysis.overlay_settings import Count, Factor
 from app.view_model.analysis.plot import PLOTS, Plot
-from app.view_model.look.line_styles import LineStyle, Sign
+from app.view_model.line_styles import LineStyle, Sign
 from tests.gui.editor_facts import until_settled
 from tests.waiting import LIMIT
 

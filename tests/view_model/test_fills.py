@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.document.style import FillRule
-from app.view_model.geometry.fills import fills_holes, is_inside, windings
+from app.view_model.geometry import fills_holes, is_inside, windings
 from tests.effort import calls_of
 from tests.rows import each_row
 

@@ -26,7 +26,7 @@ from app.view_model.animation.motion_picture import (
 )
 from app.view_model.animation.motion_settings import Pace, Repeat
 from app.view_model.curve.curve_view import view_of
-from app.view_model.geometry.plane import usual_length
+from app.view_model.geometry import usual_length
 from curvecore import HermiteCurve, LagrangeCurve
 
 QUARTERS = np.arange(0.0, 12.0, 0.25)

@@ -16,7 +16,7 @@ from ...view_model.basis.cardinal_view import cardinal_view
 from ...view_model.curve.curve_view import view_of
 from ...view_model.curve.handle_arms import Handle
 from ...view_model.curve.handles import control_polygon, handles_of
-from ...view_model.look.palette import point_palette
+from ...view_model.palette import point_palette
 from ..errors import ExchangeError
 from ..options import Options
 from .drawing import Annotation, Drawing

@@ -19,7 +19,7 @@ from ...tasks.progress import Report, part, silent, told
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.curve.refusals import in_words
 from ...view_model.fitting.cubics import RELATIVE_TOLERANCE
-from ...view_model.geometry.stroked import around_dot
+from ...view_model.stroke_box import around_dot
 from ..errors import ExchangeError
 from ..node_types import letters_of
 from .frames import LARGEST, Frame, frame_around, frame_with

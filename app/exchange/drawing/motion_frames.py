@@ -24,7 +24,7 @@ from ...view_model.animation.motion_picture import (
     scales_of,
 )
 from ...view_model.animation.motion_settings import Repeat
-from ...view_model.look.palette import ACCENT, PAPER, colour_on
+from ...view_model.palette import ACCENT, PAPER, colour_on
 from .drawing import Drawing, drawing_of
 from .film import Film
 from .frames import Frame

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from ...document.style import Style
-from ...view_model.look import palette
+from ...view_model import palette
 
 
 class PictureStyle(msgspec.Struct, frozen=True):

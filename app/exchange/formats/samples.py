@@ -15,8 +15,8 @@ from ...document.derivatives import DERIVATIVES
 from ...document.model import Document
 from ...document.words import NamedEnum, count_of
 from ...tasks.progress import Report, part
+from ...view_model.arc_lengths import arc_lengths_of
 from ...view_model.curve.curve_view import ParametricCurve
-from ...view_model.geometry.arc_lengths import arc_lengths_of
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
 from ..parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of

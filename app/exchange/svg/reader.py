@@ -19,8 +19,7 @@ from curvecore.arrays import FloatArray
 from ...document.shapes import tidy_shapes
 from ...document.style import Style
 from ...document.words import enumerated
-from ...view_model.geometry.extents import extent_of
-from ...view_model.geometry.stroked import half_width
+from ...view_model.stroke_box import extent_of, half_width
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Flaw, Missed

@@ -23,7 +23,7 @@ from ...plotting.plot_widget import PlotWidget
 from ...plotting.stamps import Stamps
 from ...view_model.basis.basis_view import BasisView
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.look.line_styles import KIND_DASHES
+from ...view_model.line_styles import KIND_DASHES
 from .crest_names import CrestNames, room_above
 from .function_lines import FunctionDrawing, FunctionLines, way_to_draw
 

@@ -12,7 +12,7 @@ from ...appearance.colours import CURVE_COLOURS
 from ...appearance.swatches import paint_picture
 from ...appearance.theme import theme_of
 from ...document.style import NO_PAINT, Style
-from ...view_model.look.palette import adjustment_of
+from ...view_model.palette import adjustment_of
 
 _PICTURE = 12
 

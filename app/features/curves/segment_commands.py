@@ -12,7 +12,7 @@ from ...document.curve_edits import with_parts
 from ...document.model import Document
 from ...document.straight_edits import why_not_straight
 from ...document.words import count_of
-from ...view_model.geometry.sampling import segment_at
+from ...view_model.geometry import segment_at
 from ...view_model.pieces.cutting_out import without_segments
 from ...view_model.pieces.splitting import Split
 from ...view_model.points.straight import segments_between

@@ -26,8 +26,8 @@ from ...tasks.progress import Report
 from ...tools.pencil_detail import PencilDetail
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.fitting.least_squares import Fitted, fitted_to_curve, is_of_points_alone
-from ...view_model.geometry.plane import size_of
-from ...view_model.look.line_styles import CURE_STYLE, LineStyle
+from ...view_model.geometry import size_of
+from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel

@@ -20,7 +20,7 @@ from ...exchange.options import Options
 from ...qt.labels import Label
 from ...tasks.progress import Report
 from ...tasks.single_task import SingleTask
-from ...view_model.look.palette import contrast
+from ...view_model.palette import contrast
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
 from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box

@@ -20,7 +20,7 @@ from ...plotting.pens import colour_of, draw_line
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
 from ...view_model.analysis.wording import power
-from ...view_model.look.line_styles import LineStyle
+from ...view_model.line_styles import LineStyle
 from ...widgets.controls import named
 
 _MOST_TICKS = 5

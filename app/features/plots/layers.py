@@ -18,7 +18,7 @@ from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
 from ...plotting.segments import Segments
 from ...view_model.analysis.plot_lines import PlotData, PlotLine
-from ...view_model.look.line_styles import DASHED
+from ...view_model.line_styles import DASHED
 from .value_scale import ValueScale
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4

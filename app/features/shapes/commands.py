@@ -22,7 +22,7 @@ from ...document.shape_edits import (
 )
 from ...document.shapes import whole_shapes
 from ...document.words import count_of
-from ...view_model.geometry.fills import fills_holes
+from ...view_model.geometry import fills_holes
 from ...workbench.context import WindowContext
 
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from ...session.session import Session
 from ...settings.preferences import Preferences
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.look.palette import adjustment_of
+from ...view_model.palette import adjustment_of
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel
 from ...workbench.form_edits import SliderGesture

@@ -16,7 +16,7 @@ from ...document.point_group import PointGroup, points_of, some_points
 from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.handles import with_velocities_pulled
-from ...view_model.geometry.sampling import segment_at
+from ...view_model.geometry import segment_at
 from ...view_model.points.point_kinds import POINT_KINDS, PointKind, why_no_kinds
 from ...view_model.points.smoothness import inner_points
 from ...view_model.points.straight import segments_between, with_straight_segments

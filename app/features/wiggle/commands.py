@@ -17,7 +17,7 @@ from ...tools.canvas.select import SELECT
 from ...tools.explain import EXPLAIN
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.look.line_styles import CURE_STYLE
+from ...view_model.line_styles import CURE_STYLE
 from ...workbench.context import WindowContext
 from ...workbench.dock_room import make_room
 from ...workbench.docks import LatePanel

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..curve.curve_view import CurveView
-from ..geometry.plane import size_of
+from ..geometry import size_of
 from .figures import number
 from .overlay_settings import ErrorSize, SettingValues
 

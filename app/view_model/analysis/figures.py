@@ -9,7 +9,7 @@ import msgspec
 from curvecore.arrays import FloatArray
 
 from ...document.words import with_minus
-from ..look.line_styles import LineStyle
+from ..line_styles import LineStyle
 
 
 class Shape(enum.Enum):

@@ -6,7 +6,17 @@ import msgspec
 
 from ...document.model import ParametrizationKind
 from ...families import FAMILIES, Family
-from ..look.line_styles import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILLION, YELLOW, LineStyle
+from ..line_styles import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    SKY,
+    VERMILLION,
+    YELLOW,
+    LineStyle,
+)
 
 _NEED_MORE = (ParametrizationKind.POWER, ParametrizationKind.MANUAL)
 

@@ -12,7 +12,7 @@ from ...document import edits
 from ...document.model import Curve, Document
 from ..curve.curve_view import Box, CurveView, view_of
 from ..curve.measure import coincide
-from ..geometry.sampling import all_along
+from ..geometry import all_along
 from .ghost import Ghost, all_ghosts
 from .scene import is_quick
 

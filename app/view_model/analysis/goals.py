@@ -22,7 +22,7 @@ from ...document.words import number
 from ...families import FAMILIES
 from ..basis.growth import growth_of_points
 from ..curve.curve_view import CurveView
-from ..geometry.plane import size_of
+from ..geometry import size_of
 
 _GOAL = re.compile(r"(\w+)\s*(<=|>=|<|>|=)\s*(\S+)")
 _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {

@@ -14,7 +14,7 @@ from curvecore import Joint, joint_report
 
 from ...document.words import NOTHING, number
 from ..curve.curve_view import CurveView
-from ..geometry.plane import size_of
+from ..geometry import size_of
 
 _MOST_NAMED = 3
 """Joints named one by one in the summary; of more, their number is told."""

@@ -29,7 +29,7 @@ from curvecore.arrays import FloatArray
 from ...tasks.progress import Report, silent
 from ..curve.curve_view import CurveView, ParametricCurve
 from ..curve.refusals import in_words
-from ..geometry.sampling import all_along
+from ..geometry import all_along
 from .laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 
 SAMPLES = 240

@@ -5,7 +5,14 @@ from __future__ import annotations
 import msgspec
 
 from ...document.words import NamedEnum
-from ..look.line_styles import BLUE, GREEN, PURPLE, USUAL_STYLE, VERMILLION, LineStyle
+from ..line_styles import (
+    BLUE,
+    GREEN,
+    PURPLE,
+    USUAL_STYLE,
+    VERMILLION,
+    LineStyle,
+)
 
 LEAST_DIGITS, MOST_DIGITS = 2, 16
 MOST_DECIMALS = 6

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from ..curve.curve_view import CurveView
-from ..look.line_styles import CURVE_STYLE, LineStyle
+from ..line_styles import CURVE_STYLE, LineStyle
 from .figures import Figure
 from .ghost import Ghost
 from .ghosts import GhostView, rules_text

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from ..look.line_styles import LineStyle
+from ..line_styles import LineStyle
 from ..registry import Registry
 from .figures import Figure
 from .overlay_settings import OverlaySetting, SettingValues

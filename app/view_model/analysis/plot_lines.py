@@ -10,7 +10,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..look.line_styles import USUAL_STYLE, LineStyle
+from ..line_styles import USUAL_STYLE, LineStyle
 
 
 class Scale(enum.Enum):

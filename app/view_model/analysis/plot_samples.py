@@ -10,7 +10,7 @@ from curvecore import lebesgue_function
 from curvecore.arrays import FloatArray, IntArray
 
 from ..curve.curve_view import CurveView
-from ..geometry.sampling import crowded_at_ends, one_sided
+from ..geometry import crowded_at_ends, one_sided
 
 _MOST = 500
 """Samples of a polynomial, as many as the basis panel takes and some."""

@@ -11,8 +11,7 @@ from curvecore.arrays import FloatArray
 
 from ...tasks.progress import Report, silent
 from ..curve.curve_view import CurveView
-from ..geometry.plane import size_of
-from ..geometry.sampling import Samples, one_sided
+from ..geometry import Samples, one_sided, size_of
 from .overlay_settings import OverlaySetting, SettingValues
 
 _QUICK = 64

@@ -15,7 +15,7 @@ from ..basis.growth import growth_at
 from ..curve.cardinals import unbounded
 from ..curve.curve_view import CurveView
 from ..curve.jets import is_explicit
-from ..geometry.sampling import segment_at, within_segments
+from ..geometry import segment_at, within_segments
 from .wording import short
 
 MOST_PULLS = 6

@@ -11,9 +11,9 @@ import numpy as np
 from curvecore.analysis.lengths import ArcLength
 from curvecore.arrays import FloatArray, IntArray
 
+from ..arc_lengths import arc_lengths_of
 from ..curve.curve_view import ParametricCurve
-from ..geometry.arc_lengths import arc_lengths_of
-from ..geometry.sampling import Samples
+from ..geometry import Samples
 from .motion_settings import Pace, Repeat
 
 ACCURACY = 1e-6

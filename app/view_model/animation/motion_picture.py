@@ -18,9 +18,8 @@ from ...families import Family
 from ..analysis.ghost import Ghost
 from ..curve.curve_view import CurveView, view_of
 from ..curve.measure import coincide
-from ..geometry.plane import size_of, usual_length
-from ..geometry.sampling import Samples
-from ..look.line_styles import BLUE, PURPLE
+from ..geometry import Samples, size_of, usual_length
+from ..line_styles import BLUE, PURPLE
 from .motion import STATIONS, Course, folded, round_of, runs_back
 from .motion_settings import Repeat, timed_families
 

@@ -14,7 +14,7 @@ from curvecore.drag.moved_parameters import MovedParameters
 
 from ...families import Family
 from ..curve.curve_view import CurveView, ParametricCurve
-from ..geometry.sampling import OneSided, crowded_at_ends, one_sided
+from ..geometry import OneSided, crowded_at_ends, one_sided
 
 SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""

@@ -23,8 +23,7 @@ from ...document.lines import ends_of, line_beside
 from ...document.model import Curve, Vector
 from ..basis.basis_view import weights_at
 from ..curve.curve_view import CurveView, view_of
-from ..geometry.plane import size_of
-from ..geometry.sampling import segment_at
+from ..geometry import segment_at, size_of
 from .bend_together import QuadraticCost, broyden, divided, slope_at_rest
 from .hold import BendWith, required_hold
 

@@ -23,7 +23,7 @@ from ...document.edits import EditError
 from ...document.jet_edits import JetValue
 from ..basis.basis_view import weights_at
 from ..curve.curve_view import CurveView
-from ..geometry.sampling import segment_at
+from ..geometry import segment_at
 
 _LEAST_HOLD = 1e-4
 """b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""

@@ -12,7 +12,7 @@ from curvecore import Chain, CurveError, ParametricCurve, parametrization
 from curvecore.arrays import FloatArray, parameter_array
 
 from ...document.model import Curve, ParametrizationKind
-from ..geometry.plane import at_knots
+from ..geometry import at_knots
 from .jets import Sides, sides_of, two_sided_knots
 from .point_arrays import PointArrays
 from .refusals import refusal_of

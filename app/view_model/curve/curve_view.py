@@ -14,7 +14,7 @@ from curvecore.arrays import BoolArray, FloatArray
 
 from ...document.model import Curve, Vector
 from ...families.family import OverdueCallError
-from ..geometry.plane import at_knots, size_of
+from ..geometry import at_knots, size_of
 from .cardinals import Cardinal, Cardinals
 from .core_curve import Core, checked_parameters, core_curve
 from .flattener import Box, Flattener, FlatteningKey, Polyline

@@ -20,7 +20,7 @@ from curvecore.parametrization import Spaced
 
 from ...document.derivatives import EstimateRule
 from ...document.model import Curve, Point
-from ..geometry.plane import at_knots
+from ..geometry import at_knots
 from .point_arrays import PointArrays
 
 Estimate = Callable[[FloatArray, ArrayLike], FloatArray]

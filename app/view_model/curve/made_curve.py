@@ -12,7 +12,7 @@ from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
 from ...document.model import Curve
-from ..geometry.plane import at_knots
+from ..geometry import at_knots
 from .core_curve import Core, checked_parameters, core_after, core_anew
 from .flattener import Polyline
 from .jets import Sides

@@ -10,8 +10,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Curve
 from ...document.words import number
-from ..geometry.plane import size_of
-from ..geometry.sampling import all_along
+from ..geometry import all_along, size_of
 from .curve_view import CurveView
 
 _SAMPLES = 32

@@ -17,7 +17,7 @@ from curvecore.drag.moved_points import MovedPoints
 
 from ...document.model import Curve, Vector
 from ...document.steps import differ_in_points
-from ..geometry.plane import at_knots
+from ..geometry import at_knots
 from .flattener import FlatteningKey, Polyline
 from .handle_arms import Handles, PointSides
 from .jets import Sides, moved_with_points

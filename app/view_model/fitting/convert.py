@@ -14,7 +14,7 @@ from ...document.words import count_of, number
 from ...families import Family
 from ..curve.curve_view import CurveView, view_of
 from ..curve.measure import dense, is_kept, largest_distance
-from ..geometry.plane import size_of
+from ..geometry import size_of
 from .reshape import Reshaped, refuse_without_curve, through
 
 _FOLLOWED = 1e-4

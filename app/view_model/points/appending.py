@@ -21,7 +21,7 @@ from ...document.lines import line_beside
 from ...document.model import Curve, Document, Point, Vector, vectors_of
 from ..curve.core_curve import parameters_of
 from ..curve.curve_view import CurveView, view_of
-from ..geometry.plane import at_knots, polygon_length
+from ..geometry import at_knots, polygon_length
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24
 """Points up to which it takes a millisecond at each move of the pointer.

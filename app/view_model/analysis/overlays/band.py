@@ -18,9 +18,8 @@ from curvecore.arrays import BoolArray, FloatArray
 
 from ...basis.parameter_slopes import parameter_moves
 from ...curve.curve_view import CurveView
-from ...geometry.plane import to_the_left, unit_tangents
-from ...geometry.sampling import Samples
-from ...look.line_styles import LineStyle, Sign
+from ...geometry import Samples, to_the_left, unit_tangents
+from ...line_styles import LineStyle, Sign
 from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Entry, Group, Overlay

@@ -8,7 +8,7 @@ import curvecore
 from curvecore.arrays import FloatArray
 
 from ...curve.curve_view import CurveView
-from ...look.line_styles import LineStyle, Mark, Sign
+from ...line_styles import LineStyle, Mark, Sign
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

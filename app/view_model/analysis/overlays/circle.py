@@ -8,8 +8,8 @@ import curvecore
 
 from ....document.words import uncertain
 from ...curve.rounded_parameters import curvature_error
-from ...geometry.plane import to_the_left, unit_tangents
-from ...look.line_styles import PURPLE, LineStyle
+from ...geometry import to_the_left, unit_tangents
+from ...line_styles import PURPLE, LineStyle
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

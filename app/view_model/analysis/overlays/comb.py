@@ -11,9 +11,8 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray
 
-from ...geometry.plane import to_the_left, unit_tangents, usual_length
-from ...geometry.sampling import Samples
-from ...look.line_styles import LineStyle
+from ...geometry import Samples, to_the_left, unit_tangents, usual_length
+from ...line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..overlay_settings import Factor

@@ -10,8 +10,8 @@ import curvecore
 
 from ...curve.curve_view import curve_through
 from ...curve.refusals import in_words
-from ...geometry.sampling import all_along
-from ...look.line_styles import LineStyle
+from ...geometry import all_along
+from ...line_styles import LineStyle
 from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay

@@ -7,7 +7,15 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray
 
-from ...look.line_styles import GREEN, PURPLE, SKY, VERMILLION, LineStyle, Mark, Sign
+from ...line_styles import (
+    GREEN,
+    PURPLE,
+    SKY,
+    VERMILLION,
+    LineStyle,
+    Mark,
+    Sign,
+)
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...look.line_styles import LineStyle
+from ...line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..scene import Scene

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...geometry.plane import to_the_left, unit_tangents
-from ...look.line_styles import LineStyle
+from ...geometry import to_the_left, unit_tangents
+from ...line_styles import LineStyle
 from ..figures import Figure, Shape
 from ..overlay import Drawn, Group, Overlay
 from ..overlay_settings import Count

@@ -8,8 +8,8 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...geometry.plane import usual_length
-from ...look.line_styles import GREEN, VERMILLION, LineStyle
+from ...geometry import usual_length
+from ...line_styles import GREEN, VERMILLION, LineStyle
 from ..figures import Figure, Shape, number
 from ..overlay import Drawn, Group, Overlay
 from ..overlay_settings import Factor

@@ -11,7 +11,7 @@ from curvecore.arrays import FloatArray
 
 from ....document.words import number
 from ...curve.rounded_parameters import curvature_error
-from ...geometry.plane import size_of
+from ...geometry import size_of
 from ..plot import Plot, Sampled
 from ..plot_lines import PlotData
 

@@ -18,8 +18,7 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein_algebra import weights
 from curvecore.bezier.pieces import BezierPieces, alike
 
-from .plane import polygon_length
-from .sampling import all_along
+from .geometry import all_along, polygon_length
 
 _PARTS = 4
 _LEAST = 1e-300

@@ -1,0 +1,175 @@
+"""Geometry of the plane without curves of a document.
+
+Points and vectors are arrays (k, 2). Three subjects, in this order: sizes and directions of vectors;
+parameters along a curve with given knots, as many in every segment as a purpose needs; insides of outlines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from curvecore.arithmetic import vector_lengths
+from curvecore.arrays import FloatArray, IntArray
+from curvecore.parametrization import spread
+
+from ..document.style import FillRule
+
+
+def size_of(points: FloatArray) -> float:
+    """Return the larger side of the box around points, at least one."""
+    return float(np.ptp(points, axis=0).max())
+
+
+def polygon_length(points: FloatArray) -> float:
+    """Return the length of the polygon through points (n, 2)."""
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+def at_knots(points: FloatArray, *, closed: bool) -> FloatArray:
+    """Return what points (n, …) have at the knots of their curve: where it is closed, the first once more."""
+    return np.vstack([points, points[:1]]) if closed else points
+
+
+def unit_tangents(velocities: FloatArray) -> FloatArray:
+    """Return vectors (m, 2) of length 1 in the same directions, zero for zero."""
+    lengths = vector_lengths(velocities)
+    result: FloatArray = velocities / np.where(lengths > 0, lengths, 1.0)[:, None]
+    return result
+
+
+def to_the_left(vectors: FloatArray) -> FloatArray:
+    """Return vectors (m, 2) turned to the left by a right angle."""
+    return np.column_stack([-vectors[:, 1], vectors[:, 0]])
+
+
+def usual_length(vectors: FloatArray, longest: float) -> float:
+    """Return the length that nine tenths of the vectors keep, or the longest if that is not far above.
+
+    One endless vector, at a cusp for instance, shall not make all others invisible.
+    """
+    with np.errstate(over="ignore"):
+        lengths = np.hypot(vectors[:, 0], vectors[:, 1])
+    lengths = lengths[np.isfinite(lengths)]
+    if not len(lengths):
+        return 0.0
+    usual = float(np.quantile(lengths, 0.9, method="lower"))
+    return min(float(lengths.max()), longest * usual) if usual > 0 else float(lengths.max())
+
+
+def within_segments(knots: FloatArray, shares: FloatArray) -> FloatArray:
+    """Return the parameters at these shares (m,) of every segment, (k - 1, m)."""
+    result: FloatArray = knots[:-1, None] + np.diff(knots)[:, None] * shares
+    return result
+
+
+def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
+    """Return so many parameters of every segment, its knot the first of them, and the last knot."""
+    shares = np.arange(per_segment) / per_segment
+    return np.append(within_segments(knots, shares).ravel(), knots[-1])
+
+
+def crowded_at_ends(start: float, end: float, count: int) -> FloatArray:
+    """Return parameters from `start` to `end`, closer at both ends, where a polynomial swings most."""
+    return spread(_crowded_shares(count), start, end)
+
+
+@lru_cache(maxsize=4)
+def _crowded_shares(count: int) -> FloatArray:
+    u = np.linspace(0.0, 1.0, count)
+    shares: FloatArray = 0.5 * u + 0.5 * np.sin(0.5 * np.pi * u) ** 2
+    shares.flags.writeable = False
+    return shares
+
+
+class Samples(NamedTuple):
+    """A curve at some parameters (m,): its points and its first and second derivatives there, (m, 2) each."""
+
+    parameters: FloatArray
+    points: FloatArray
+    velocities: FloatArray
+    accelerations: FloatArray
+
+
+class OneSided(NamedTuple):
+    """Parameters of which the last in every segment lies a hair before the knot: it counts to that segment.
+
+    Attributes
+    ----------
+    t
+        The parameters (m,).
+    first
+        The index of the first one of each segment, and the end, (k,).
+    """
+
+    t: FloatArray
+    first: IntArray
+
+
+def one_sided(knots: FloatArray, counts: IntArray) -> OneSided:
+    """Return `counts` (k - 1,) parameters of the segments, both ends of each included."""
+    spacing = np.diff(knots)
+    first = np.concatenate([[0], np.cumsum(counts)])
+    segment = np.repeat(np.arange(len(spacing)), counts)
+    shares = (np.arange(first[-1]) - first[segment]) / (counts[segment] - 1)
+    t = knots[segment] + shares * spacing[segment]
+    t[first[1:] - 1] = np.nextafter(knots[1:], knots[:-1])
+    t[-1] = knots[-1]
+    return OneSided(t, first)
+
+
+def segment_at(knots: FloatArray, t: float) -> int:
+    """Return the segment that holds `t`; at a knot the one after it, but at the last knot the one before."""
+    return int(np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(knots) - 2))
+
+
+_ASKED = 24
+"""Points of an outline that are asked whether it lies within the others."""
+
+
+def windings(outlines: Sequence[FloatArray], points: FloatArray) -> npt.NDArray[np.int64]:
+    """Return how often outlines (k, 2), closed by straight lines, run around points (m, 2) to the left."""
+    turns = np.zeros(len(points), dtype=np.int64)
+    for outline in outlines:
+        starts, ends = outline, np.roll(outline, -1, axis=0)
+        along = ends - starts
+        above = starts[:, 1] <= points[:, 1:]
+        rises = above & (ends[:, 1] > points[:, 1:])
+        falls = ~above & (ends[:, 1] <= points[:, 1:])
+        # Which side of each line the points lie on; where it does not cross their height, nobody asks.
+        side = along[:, 0] * (points[:, 1:] - starts[:, 1]) - along[:, 1] * (points[:, :1] - starts[:, 0])
+        turns += (rises & (side > 0)).sum(axis=1) - (falls & (side < 0)).sum(axis=1)
+    return turns
+
+
+def is_inside(turns: npt.NDArray[np.int64], rule: FillRule) -> npt.NDArray[np.bool_]:
+    """Return which points are inside of what runs so often around them."""
+    inside: npt.NDArray[np.bool_] = turns != 0 if rule is FillRule.NONZERO else turns % 2 == 1
+    return inside
+
+
+def fills_holes(outlines: Sequence[FloatArray]) -> bool:
+    """Whether the nonzero rule fills what the even-odd rule leaves open: an outline within another.
+
+    It does where both run the same way.
+    """
+    low, high = (np.array([ends(outline, axis=0) for outline in outlines]) for ends in (np.min, np.max))
+    for number, outline in enumerate(outlines):
+        # An outline runs around nothing outside of its box: of thousands few are asked.
+        near = np.flatnonzero(((low <= high[number]) & (low[number] <= high)).all(axis=1)).tolist()
+        others = [outlines[other] for other in near if other != number]
+        around = windings(others, outline[:: max(1, len(outline) // _ASKED)])
+        # Where it crosses the others it lies in none of them.
+        if len(set(around.tolist())) == 1 and around[0] % 2 == 1 and around[0] + _turn(outline) != 0:
+            return True
+    return False
+
+
+def _turn(outline: FloatArray) -> int:
+    """Return 1 for an outline that runs to the left around its inside, −1 for one to the right."""
+    x, y = (outline - outline[0]).T
+    return 1 if float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) > 0 else -1
