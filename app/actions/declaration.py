@@ -28,9 +28,8 @@ from msgspec.structs import replace
 
 from ..session import Session
 from ..state.window_state import WindowState
-from .action_bars import ActionBar, BarPosition
+from .menus import ActionBar, BarPosition, MenuSection
 from .needs import NOTHING, Need
-from .sections import MenuSection
 from .state import ActionState
 
 _DECLARED, _AT_PLACE = "declared_actions", "place_action"

@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, partial
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
+from ..qt.overrides import SafeOverrides
 from ..view_model.curve.curve_view import CurveView
-from .action_bars import ActionBar, BarPosition
 from .declaration import Action, Declared, Opened, all_declared
-from .derived import DerivedValues, changed_facts
-from .key_gate import KeyGate
 from .keymap import (
     Binding,
     Keymap,
@@ -27,9 +25,9 @@ from .keymap import (
     set_keywords,
     tool_tip,
 )
+from .menus import MENUS, ActionBar, BarPosition, Menu, MenuSection
 from .needs import NOTHING, Need
-from .sections import MENUS, Menu, MenuSection
-from .state import ActionFacts, ActionState
+from .state import ActionFacts, ActionState, DerivedValues, changed_facts
 
 _Run = Callable[[Action, Callable[[], object], bool], object]
 
@@ -330,3 +328,32 @@ def _enable(action: QAction, why_not: str | None, is_so: bool = False) -> None:
 @cache
 def _sequences(keys: str) -> tuple[QKeySequence, ...]:
     return tuple(QKeySequence(part) for part in keys.split(", ")) if keys else ()
+
+
+class KeyGate(SafeOverrides, QObject):
+    """Lets the keys of actions pass, or says why not."""
+
+    def __init__(self, facts: ActionFacts) -> None:
+        super().__init__()
+        self._facts = facts
+        self._guarded: dict[str, Need] = {}
+
+    def guard(self, action: QAction, needs: Need) -> None:
+        """Let the keys of `action` pass only where `needs` is met."""
+        self._guarded[action.objectName()] = needs
+        action.installEventFilter(self)
+
+    def release(self, action: QAction) -> None:
+        """Guard the keys of `action` no longer; it has its name still."""
+        if self._guarded.pop(action.objectName(), None) is not None:
+            action.removeEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take a key that is refused."""
+        if event.type() is not QEvent.Type.Shortcut:
+            return False
+        needs, state = self._guarded[watched.objectName()], self._facts.read()
+        if needs.is_met(state):
+            return False
+        self._facts.session.refuse(needs.reason(state))
+        return True

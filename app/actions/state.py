@@ -6,11 +6,14 @@ while something is dragged.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence, Set
 from itertools import chain
 from operator import attrgetter
+from typing import Any, Generic, TypeVar, cast
 
 import msgspec
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
 
 from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.derivatives import EstimateRule
@@ -26,7 +29,6 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.jets import is_explicit
 from ..view_model.pieces.joining import link_of
 from ..view_model.points.point_kinds import kinds_of
-from .clipboard_watch import ClipboardWatch
 
 _VISIBLE, _LOCKED = attrgetter("visible"), attrgetter("locked")
 
@@ -235,3 +237,95 @@ def _has_explicit(document: Document, group: PointGroup) -> bool:
         for order in (1, 2)
         for ahead in (False, True)
     )
+
+
+DERIVATIVES = "application/x-curvebench-derivatives"
+"""MIME type of a point's derivatives: a point of which the position does not count."""
+
+
+class ClipboardWatch(QObject):
+    """Knows whether there are derivatives on the clipboard.
+
+    Another program may have to be asked for that: it is, when somebody wants to know, and once.
+
+    Signals
+    -------
+    changed
+        There is something else on the clipboard.
+    """
+
+    changed = Signal()
+
+    def __init__(self, window: QObject) -> None:
+        # A child of the window: the clipboard lives longer.
+        super().__init__(window)
+        self._known: bool | None = None
+        QGuiApplication.clipboard().dataChanged.connect(self._forget)
+
+    @property
+    def holds_derivatives(self) -> bool:
+        """Whether there are some now."""
+        if self._known is None:
+            data = QGuiApplication.clipboard().mimeData()
+            self._known = data is not None and data.hasFormat(DERIVATIVES)
+        return self._known
+
+    def _forget(self) -> None:
+        self._known = None
+        self.changed.emit()
+
+
+_Key = TypeVar("_Key", bound=Hashable)
+_Value = TypeVar("_Value")
+
+_WINDOW = "window"
+"""The fact that has facts of its own: an action that shows the grid does not depend on the tool."""
+
+
+class DerivedValues(Generic[_Key, _Value]):
+    """Values by key, each computed from an `ActionState` and from nothing else."""
+
+    def __init__(self, computes: Mapping[_Key, Callable[[ActionState], _Value]]) -> None:
+        self._computes = computes
+        # The facts that each has read; none of those that are yet to be computed.
+        self._reads: dict[_Key, set[str]] = {}
+
+    def renewed(self, state: ActionState, changed: Set[str]) -> Iterator[tuple[_Key, _Value]]:
+        """Yield the values for `state` that read any of the facts `changed`, and those not computed yet."""
+        reads = self._reads
+        for key in [
+            each for each in self._computes if each not in reads or not reads[each].isdisjoint(changed)
+        ]:
+            read = set[str]()
+            value = self._computes[key](cast("ActionState", _Reader(state, read)))
+            reads[key] = read
+            yield key, value
+
+
+class _Reader:
+    """A record of facts that notes the names of those that are read."""
+
+    def __init__(self, facts: ActionState | WindowState, read: set[str], prefix: str = "") -> None:
+        self._facts, self._read_names, self._prefix = facts, read, prefix
+
+    def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - as the type of the fact
+        if name not in self._facts.__struct_fields__:
+            # A property or method: the facts that it reads are noted in turn.
+            return getattr(type(self._facts), name).__get__(self)
+        if name == _WINDOW:
+            return _Reader(getattr(self._facts, name), self._read_names, f"{name}.")
+        self._read_names.add(self._prefix + name)
+        return getattr(self._facts, name)
+
+
+def changed_facts(before: ActionState, after: ActionState) -> Set[str]:
+    """Return the names of facts that differ; those of the window begin with "window."."""
+    return _differences(before, after) - {_WINDOW} | {
+        f"{_WINDOW}.{name}" for name in _differences(before.window, after.window)
+    }
+
+
+def _differences(before: msgspec.Struct, after: msgspec.Struct) -> set[str]:
+    if before is after:
+        return set()
+    return {name for name in after.__struct_fields__ if getattr(before, name) != getattr(after, name)}

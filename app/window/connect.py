@@ -7,8 +7,8 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QWidget
 
-from ..actions.action_bars import BarPosition
 from ..actions.declaration import Action, all_declared, declared_widgets
+from ..actions.menus import BarPosition
 from ..appearance.theme import Theme
 from ..document.edits import EditError
 from ..features import command_sets

@@ -8,8 +8,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu
 
-from ..actions.action_bars import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, POINT_MENU
 from ..actions.declaration import place_actions
+from ..actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, POINT_MENU
 from ..document.shape_edits import pressed
 from ..tools.pointer import Hit, Part
 from ..workbench.bar_menu import bar_menu

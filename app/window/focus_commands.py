@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from ..actions.declaration import action
-from ..actions.sections import VIEW_FOCUS
+from ..actions.menus import VIEW_FOCUS
 from ..widgets.field_edit import FieldEdit
 from ..workbench.context import WindowContext
 

@@ -22,10 +22,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ..actions.clipboard_watch import ClipboardWatch
 from ..actions.keymap import is_so_already, why_not
 from ..actions.qactions import Actions
-from ..actions.state import ActionFacts
+from ..actions.state import ActionFacts, ClipboardWatch
 from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector

@@ -10,10 +10,8 @@ from pathlib import Path
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QWidget
 
-from ..actions.keymap import set_full_name
-from ..actions.mnemonics import give_mnemonics, with_mnemonics
-from ..actions.qactions import Actions
-from ..actions.sections import (
+from ..actions.keymap import give_mnemonics, set_full_name, with_mnemonics
+from ..actions.menus import (
     CURVE_CONVERT,
     FILE_EXAMPLES,
     FILE_RECENT,
@@ -23,6 +21,7 @@ from ..actions.sections import (
     Menu,
     MenuSection,
 )
+from ..actions.qactions import Actions
 from ..qt.labels import menu_text
 from ..settings.preferences import Preferences
 from ..storage.examples import example_name, example_paths

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QMenu
 
 from .. import window
 from ..actions.declaration import action
-from ..actions.mnemonics import plain
-from ..actions.sections import EDIT_PROGRAM, HELP_ALL
+from ..actions.keymap import plain
+from ..actions.menus import EDIT_PROGRAM, HELP_ALL
 from ..workbench.context import WindowContext
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QAction, QActionEvent, QKeyEvent, QMouseEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidget, QWidgetAction
 
-from ..actions.action_bars import TOOLBAR, BarPosition
+from ..actions.menus import TOOLBAR, BarPosition
 from ..actions.qactions import Actions
 from ..qt.keys import ENTER
 from ..qt.overrides import SafeOverrides

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
-from ..actions.action_bars import ActionBar
+from ..actions.menus import ActionBar
 from .context import WindowContext
 
 

@@ -5,8 +5,8 @@ import random
 import pytest
 from msgspec.structs import replace
 
-from app.actions.derived import DerivedValues, changed_facts
 from app.actions.needs import NOTHING
+from app.actions.state import DerivedValues, changed_facts
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.tools.canvas.add import ADD

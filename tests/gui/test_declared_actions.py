@@ -8,9 +8,9 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QLabel
 
 from app.actions.declaration import Action, PlaceAction, action, action_for_each, all_declared
-from app.actions.mnemonics import plain
+from app.actions.keymap import plain
+from app.actions.menus import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.actions.needs import Need
-from app.actions.sections import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.document.edits import EditError
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.session import Session

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QGraphicsView, QLineEdit, QMenu, QWidget
 from shiboken6 import Shiboken
 
-from app.actions.mnemonics import plain, with_mnemonics
+from app.actions.keymap import plain, with_mnemonics
 from app.appearance.theme import theme_of
 from app.features.curve_list.commands import CurveListCommands
 from app.features.lessons.panel import LessonPanel

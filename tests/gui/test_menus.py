@@ -7,7 +7,7 @@ from PySide6.QtCore import QByteArray, QEvent, QObject, QPoint, QSize, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMenu
 
-from app.actions.mnemonics import plain
+from app.actions.keymap import plain
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.window import MainWindow

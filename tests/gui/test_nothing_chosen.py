@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit
 
-from app.actions.sections import ANALYSIS, CURVE, EDIT
+from app.actions.menus import ANALYSIS, CURVE, EDIT
 from app.widgets.live_slider import LiveSlider
 from app.window.connect import all_actions
 

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.actions.mnemonics import plain
+from app.actions.keymap import plain
 from tests.gui.editor_facts import moved_by, on_curve
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.actions.action_bars import CURVE_MENU
+from app.actions.menus import CURVE_MENU
 from app.appearance.theme import LIGHT
 from app.cli import main
 from app.document.model import Document, make_curve

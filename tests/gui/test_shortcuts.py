@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from app.actions.declaration import action
 from app.actions.keymap import refusal
-from app.actions.sections import CURVE, CURVE_SHAPE
+from app.actions.menus import CURVE, CURVE_SHAPE
 from app.families import HERMITE, LAGRANGE
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.session import Session

@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
-from app.actions.clipboard_watch import DERIVATIVES
+from app.actions.state import DERIVATIVES
 from app.document import edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve

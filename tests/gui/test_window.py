@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.actions.mnemonics import plain
+from app.actions.keymap import plain
 from app.appearance.theme import DARK, ThemeMode
 from app.cli.windows import open_windows
 from app.document.edits import rename_curve, set_velocity

@@ -6,11 +6,10 @@ from msgspec.structs import replace
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
-from ...actions.action_bars import RAIL_MENU
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
+from ...actions.menus import CURVE_STARTS, POINTS_TYPED, RAIL_MENU
 from ...actions.needs import TWO_POINTS, Need
-from ...actions.sections import CURVE_STARTS, POINTS_TYPED
 from ...document import edits
 from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState

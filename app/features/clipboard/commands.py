@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...actions.action_bars import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, POINT_MENU
 from ...actions.declaration import action, also
+from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, EDIT_CLIPBOARD, POINT_MENU
 from ...actions.needs import HIGHLIGHTED
-from ...actions.sections import EDIT_CLIPBOARD
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import write_block

@@ -8,11 +8,10 @@ import msgspec
 from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 
-from ...actions.action_bars import POINT_MENU
-from ...actions.clipboard_watch import DERIVATIVES
 from ...actions.declaration import action, also
+from ...actions.menus import EDIT_DERIVATIVES, POINT_MENU
 from ...actions.needs import HERMITE_POINTS, Need
-from ...actions.sections import EDIT_DERIVATIVES
+from ...actions.state import DERIVATIVES
 from ...document import derivatives, edits
 from ...document.model import Document, Point
 from ...exchange.table.clipboard import write_block

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from ...actions.action_bars import POINT_MENU
 from ...actions.declaration import action, also
+from ...actions.menus import EDIT_CLIPBOARD, EDIT_DELETE, POINT_MENU, POINTS_NUMBER
 from ...actions.needs import HIGHLIGHTED, Need
-from ...actions.sections import EDIT_CLIPBOARD, EDIT_DELETE, POINTS_NUMBER
 from ...document.selection import all_points
 from ...document.several_curves import named
 from ...view_model.pieces.arrivals import with_parts

@@ -11,10 +11,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import QMimeData
 
 from ... import exchange
-from ...actions.action_bars import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
-from ...actions.sections import EDIT_CLIPBOARD, EDIT_DERIVATIVES
+from ...actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU, EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...document import curve_edits, edits
 from ...document.edits import EditError
 from ...document.model import Vector

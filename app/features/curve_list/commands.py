@@ -5,23 +5,21 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
-from ...actions.action_bars import (
+from ...actions.declaration import action, also
+from ...actions.menus import (
     CANVAS_MENU,
     CHOSEN_MENU,
+    CURVE_ALL_FREE,
+    CURVE_COLOUR,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
-)
-from ...actions.declaration import action, also
-from ...actions.needs import SOME_CURVE, Need
-from ...actions.sections import (
-    CURVE_ALL_FREE,
-    CURVE_COLOUR,
     CURVE_NAME,
     CURVE_NUMBER,
     CURVE_PROPERTIES,
     EDIT_SELECT,
 )
+from ...actions.needs import SOME_CURVE, Need
 from ...document.selection import NONE_FREE, free_curves
 from ...document.several_curves import (
     active_after_removal,

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import Action, action_for_each
 from ...actions.keymap import action_name
+from ...actions.menus import CURVE_ESTIMATES, CURVE_SETTINGS
 from ...actions.needs import Need
-from ...actions.sections import CURVE_ESTIMATES, CURVE_SETTINGS
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.edits import set_family_setting, set_rule
 from ...document.model import Document

@@ -6,17 +6,19 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from ...actions.action_bars import (
+from ...actions.declaration import PlaceAction, action, also
+from ...actions.keymap import key_or_name
+from ...actions.menus import (
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
+    CURVE_NEW,
+    CURVE_SHAPE,
     POINT_MENU,
+    POINTS_NUMBER,
 )
-from ...actions.declaration import PlaceAction, action, also
-from ...actions.keymap import key_or_name
 from ...actions.needs import TWO_POINTS, UNLOCKED_CURVE
-from ...actions.sections import CURVE_NEW, CURVE_SHAPE, POINTS_NUMBER
 from ...document import curve_edits
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, some_points

@@ -6,16 +6,17 @@ from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
-from ...actions.action_bars import (
+from ...actions.declaration import action, also
+from ...actions.menus import (
     CHOSEN_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
+    CURVE_SHAPE,
     POINT_MENU,
+    POINTS_NUMBER,
 )
-from ...actions.declaration import action, also
 from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import CURVE_SHAPE, POINTS_NUMBER
 from ...document import curve_edits
 from ...document.model import Document
 from ...document.several_curves import remove_curves

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from ...actions.declaration import action
+from ...actions.menus import ARRANGE_ORDER, ARRANGE_WALK
 from ...actions.needs import SECOND_CURVE, Need
-from ...actions.sections import ARRANGE_ORDER, ARRANGE_WALK
 from ...document.model import Document
 from ...document.several_curves import in_order, named, place_in
 from ...document.shape_edits import at_end, stepped

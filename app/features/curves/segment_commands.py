@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from ...actions.action_bars import POINT_MENU
 from ...actions.declaration import PlaceAction, action, also
+from ...actions.menus import POINT_MENU, POINTS_NUMBER
 from ...actions.needs import HERMITE_CURVE, UNLOCKED_CURVE, Need
-from ...actions.sections import POINTS_NUMBER
 from ...document.curve_edits import with_parts
 from ...document.model import Document
 from ...document.straight_edits import why_not_straight

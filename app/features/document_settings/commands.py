@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import FILE_DOCUMENT
+from ...actions.menus import FILE_DOCUMENT
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LatePanel

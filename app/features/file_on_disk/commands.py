@@ -7,8 +7,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer
 
 from ...actions.declaration import action
+from ...actions.menus import FILE_DISK
 from ...actions.needs import Need
-from ...actions.sections import FILE_DISK
 from ...document.model import Document
 from ...state.window_state import FileSituation
 from ...storage.files import Stamp, StorageError

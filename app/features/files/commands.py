@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from ...actions.action_bars import TOOLBAR
 from ...actions.declaration import action, also
-from ...actions.sections import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE
+from ...actions.menus import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE, TOOLBAR
 from ...document.edits import EditError
 from ...workbench.context import WindowContext
 from .work_commands import WorkCommands

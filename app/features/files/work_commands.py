@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...actions.declaration import action
+from ...actions.menus import EDIT_WORK
 from ...actions.needs import Need
-from ...actions.sections import EDIT_WORK
 from ...workbench.context import WindowContext
 from .job_bar import JobBar
 

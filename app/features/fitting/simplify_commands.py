@@ -8,8 +8,8 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...actions.declaration import action
+from ...actions.menus import ARRANGE_SHAPES
 from ...actions.needs import SOME_CURVE
-from ...actions.sections import ARRANGE_SHAPES
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.plain import plain

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint, QPointF, Qt
 
 from ...actions.declaration import action, switch
+from ...actions.menus import VIEW_DRAWING, VIEW_GUIDES
 from ...actions.needs import Need
-from ...actions.sections import VIEW_DRAWING, VIEW_GUIDES
 from ...document.model import Axis, Guide
 from ...document.plane_edits import add_guide, clear_guides, move_guide, place_words
 from ...state.window_state import WindowState

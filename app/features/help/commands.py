@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from ... import __version__
 from ...actions.declaration import action
-from ...actions.sections import HELP_ABOUT, HELP_ALL, MENUS
+from ...actions.menus import HELP_ABOUT, HELP_ALL, MENUS
 from ...document.several_curves import counted
 from ...workbench.context import WindowContext
 from .. import help as help_feature

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from ...actions.action_bars import TOOLBAR
 from ...actions.declaration import action, also
+from ...actions.menus import EDIT_BACK, EDIT_HISTORY, TOOLBAR
 from ...actions.needs import Need
-from ...actions.sections import EDIT_BACK, EDIT_HISTORY
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, LatePanel

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action
-from ...actions.sections import PLOTS_IN_PLANE
+from ...actions.menus import PLOTS_IN_PLANE
 from ...tasks.debounced_task import DebouncedTask
 from ...tools.rail import SCRUB_ALONG
 from ...tools.toolbox import Toolbox

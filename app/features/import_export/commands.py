@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import FILE_EXCHANGE
+from ...actions.menus import FILE_EXCHANGE
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.shapes import counted_shapes

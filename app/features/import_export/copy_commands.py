@@ -11,8 +11,8 @@ from PySide6.QtGui import QImage
 
 from ... import exchange
 from ...actions.declaration import action
+from ...actions.menus import EDIT_COPY_AS
 from ...actions.needs import Need
-from ...actions.sections import EDIT_COPY_AS
 from ...document.model import Document
 from ...document.several_curves import alone, named
 from ...exchange.formats import Written

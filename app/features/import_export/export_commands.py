@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from ... import exchange
 from ...actions.declaration import action
-from ...actions.sections import FILE_EXCHANGE
+from ...actions.menus import FILE_EXCHANGE
 from ...document.model import Document
 from ...exchange.formats import Written, with_ending
 from ...storage.files import StorageError

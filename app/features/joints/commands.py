@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action
-from ...actions.sections import ANALYSIS_JOINTS
+from ...actions.menus import ANALYSIS_JOINTS
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext

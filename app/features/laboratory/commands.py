@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QDockWidget, QWidget
 
 from ...actions.declaration import action, switch
-from ...actions.sections import ANALYSIS_EXPLAIN, PLOTS_OVER_T
+from ...actions.menus import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from ...canvas.trace_layer import Trace
 from ...document.words import number
 from ...qt.overrides import SafeOverrides

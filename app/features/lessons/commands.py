@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from ... import view_model
 from ...actions.declaration import action
-from ...actions.sections import ANALYSIS, HELP_ALL
+from ...actions.menus import ANALYSIS, HELP_ALL
 from ...session import DocumentOrigin
 from ...storage.files import load
 from ...view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR

@@ -8,8 +8,7 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton, QWidget
 
-from ...actions.keymap import action_name
-from ...actions.mnemonics import plain
+from ...actions.keymap import action_name, plain
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...appearance.themed import FollowsTheme

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from ...actions.action_bars import TOOLBAR
 from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
-from ...actions.needs import CURVE_THROUGH_TWO, Need
-from ...actions.sections import (
+from ...actions.menus import (
     MOTION_COMPARE,
     MOTION_MORE,
     MOTION_PACE,
     MOTION_REPEAT,
     MOTION_RUN,
+    TOOLBAR,
     MenuSection,
 )
+from ...actions.needs import CURVE_THROUGH_TWO, Need
 from ...families import Family
 from ...view_model.animation.motion_settings import Pace, Repeat, timed_families
 from ...view_model.curve.curve_view import CurveView

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import Action, action, action_for_each
-from ...actions.sections import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
+from ...actions.menus import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
 from ...tasks.debounced_task import DebouncedTask
 from ...tasks.progress import Report
 from ...view_model import analysis

@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from ...actions.declaration import action
+from ...actions.menus import FILE_FAMILY, FILE_FAMILY_MORE
 from ...actions.needs import Need
-from ...actions.sections import FILE_FAMILY, FILE_FAMILY_MORE
 from ...document.words import enumerated
 from ...families import FAMILIES, Family
 from ...storage.files import StorageError, write

@@ -10,7 +10,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import Action, action_for_each
-from ...actions.sections import PLOTS_OVER_T
+from ...actions.menus import PLOTS_OVER_T
 from ...tasks.debounced_task import DebouncedTask
 from ...tools.rail import SCRUB
 from ...tools.toolbox import Toolbox

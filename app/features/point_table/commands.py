@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from ...actions.action_bars import POINT_BUTTONS, POINT_MENU
 from ...actions.declaration import action, also
+from ...actions.menus import POINT_BUTTONS, POINT_MENU, POINTS_TYPED
 from ...actions.needs import Need
-from ...actions.sections import POINTS_TYPED
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from ...actions.action_bars import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU
 from ...actions.declaration import action, also
-from ...actions.needs import SOME_CURVE, Need
-from ...actions.sections import (
+from ...actions.menus import (
+    CANVAS_MENU,
+    CHOSEN_MENU,
+    CURVE_LIST_MENU,
     EDIT_SELECT,
     POINTS_EDITING,
     POINTS_VELOCITIES,
 )
+from ...actions.needs import SOME_CURVE, Need
 from ...document import edits
 from ...document.point_group import some_points
 from ...document.selection import NONE_FREE, all_points, free_curves

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ...actions.declaration import action
-from ...actions.sections import FILE_RECOVERY
+from ...actions.menus import FILE_RECOVERY
 from ...document.model import Document
 from ...session import DocumentOrigin
 from ...storage.recovery import Found, Snapshot, list_snapshots

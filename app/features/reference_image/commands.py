@@ -9,10 +9,9 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 
-from ...actions.action_bars import IMAGE_BUTTONS
 from ...actions.declaration import action, also, switch
+from ...actions.menus import FILE_IMAGE, IMAGE_BUTTONS
 from ...actions.needs import Need
-from ...actions.sections import FILE_IMAGE
 from ...canvas.image_file import ImageFileError, read_image
 from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage

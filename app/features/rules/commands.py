@@ -7,18 +7,22 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 
 from ... import view_model
-from ...actions.action_bars import CURVE_MENU, FAMILIES_MENU, RAIL_MENU, TOOLBAR, BarPosition
 from ...actions.declaration import Action, Opened, action, action_for_each, also, also_for_each, widget_at
 from ...actions.keymap import key_or_name
-from ...actions.needs import UNLOCKED_CURVE, Need
-from ...actions.sections import (
+from ...actions.menus import (
     CURVE_CONVERT,
     CURVE_FAMILIES,
     CURVE_FAMILY,
+    CURVE_MENU,
     CURVE_PARAMETERS,
     CURVE_RULES,
+    FAMILIES_MENU,
+    RAIL_MENU,
+    TOOLBAR,
+    BarPosition,
     MenuSection,
 )
+from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.state import ActionState
 from ...document import edits
 from ...document.curve_edits import replace_curve

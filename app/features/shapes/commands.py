@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
-from ...actions.action_bars import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...actions.declaration import action, also
+from ...actions.menus import ARRANGE_GROUPS, ARRANGE_SHAPES, CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...actions.needs import SOME_CURVE, Need
-from ...actions.sections import ARRANGE_GROUPS, ARRANGE_SHAPES
 from ...document.curve_edits import remove_curve
 from ...document.curve_tree import counted_nodes
 from ...document.several_curves import active_after_removal, named

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ...actions.action_bars import CANVAS_MENU, SNAP_MENU, TOOLBAR
 from ...actions.declaration import Action, action, action_for_each, also
-from ...actions.sections import VIEW_SNAP, VIEW_SNAP_TO
+from ...actions.menus import CANVAS_MENU, SNAP_MENU, TOOLBAR, VIEW_SNAP, VIEW_SNAP_TO
 from ...state.window_state import WindowState
 from ...tools.snapping import SnapKind
 from ...workbench.context import WindowContext

@@ -10,10 +10,9 @@ import msgspec
 from PySide6.QtCore import QMimeData
 
 from ... import exchange
-from ...actions.action_bars import CHOSEN_MENU
 from ...actions.declaration import action, also
+from ...actions.menus import CHOSEN_MENU, EDIT_STYLE
 from ...actions.needs import CHOSEN
-from ...actions.sections import EDIT_STYLE
 from ...document.several_curves import named
 from ...document.style import Style
 from ...document.style_edits import with_style

@@ -10,10 +10,9 @@ from typing import TYPE_CHECKING
 import msgspec
 from PySide6.QtWidgets import QWidget
 
-from ...actions.action_bars import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
-from ...actions.sections import CURVE_STYLE
+from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE
 from ...appearance.theme import LIGHT, Theme
 from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import named

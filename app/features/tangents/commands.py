@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from ...actions.action_bars import POINT_BUTTONS, POINT_MENU
 from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
+from ...actions.menus import POINT_BUTTONS, POINT_MENU, POINTS_KINDS, POINTS_VELOCITIES
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, Need
-from ...actions.sections import POINTS_KINDS, POINTS_VELOCITIES
 from ...document.curve_edits import replace_curve
 from ...document.edits import AlreadySoError, EditError
 from ...document.lines import ends_of

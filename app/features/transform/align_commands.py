@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...actions.action_bars import ALIGN_BUTTONS
 from ...actions.declaration import Action, action_for_each, also_for_each
 from ...actions.keymap import action_name
-from ...actions.needs import Need
-from ...actions.sections import (
+from ...actions.menus import (
+    ALIGN_BUTTONS,
     ARRANGE_ALIGN_ACROSS,
     ARRANGE_ALIGN_TO,
     ARRANGE_ALIGN_UP,
     ARRANGE_DISTRIBUTE,
     MenuSection,
 )
+from ...actions.needs import Need
 from ...actions.state import ActionState
 from ...document.model import Document
 from ...document.several_curves import changeable, named, what_stays

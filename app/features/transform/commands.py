@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
-from ...actions.action_bars import CURVE_MENU, TRANSFORM_BUTTONS
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
+from ...actions.menus import ARRANGE_BOX, ARRANGE_TRANSFORM, CURVE_MENU, TRANSFORM_BUTTONS
 from ...actions.needs import CURVE_WITH_POINTS, Need
-from ...actions.sections import ARRANGE_BOX, ARRANGE_TRANSFORM
 from ...document.model import Vector
 from ...document.several_curves import mapped
 from ...document.transforms import Affine, flipping, rotation

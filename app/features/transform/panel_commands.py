@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from ...actions.action_bars import ALIGN_BUTTONS, TRANSFORM_BUTTONS
 from ...actions.declaration import action
-from ...actions.sections import ARRANGE_PANEL
+from ...actions.menus import ALIGN_BUTTONS, ARRANGE_PANEL, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
 from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing

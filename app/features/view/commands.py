@@ -7,17 +7,19 @@ from collections.abc import Collection
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
-from ...actions.action_bars import CANVAS_MENU, MORE_TOOLS_MENU, TOOLBAR
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch, widget_at
-from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
-from ...actions.sections import (
+from ...actions.menus import (
+    CANVAS_MENU,
     EDIT_TOOLS,
+    MORE_TOOLS_MENU,
+    TOOLBAR,
     VIEW_DRAWING,
     VIEW_PRESENTATION,
     VIEW_SHOWN,
     VIEW_SIZE,
     VIEW_THEME,
 )
+from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...appearance.theme import ThemeMode
 from ...document.several_curves import name_of, named
 from ...state.window_state import WindowState

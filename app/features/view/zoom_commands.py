@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import Qt
 
-from ...actions.action_bars import CANVAS_MENU, TOOLBAR, ZOOM_MENU
 from ...actions.declaration import action, also
+from ...actions.menus import CANVAS_MENU, TOOLBAR, VIEW_ZOOM, VIEW_ZOOM_STEPS, ZOOM_MENU
 from ...actions.needs import CURVE_WITH_POINTS
-from ...actions.sections import VIEW_ZOOM, VIEW_ZOOM_STEPS
 from ...plotting.scrolling import ZOOM_STEP
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext

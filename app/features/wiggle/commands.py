@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import PlaceAction, action
+from ...actions.menus import ANALYSIS_EXPLAIN
 from ...actions.needs import CURVE_THROUGH_TWO
-from ...actions.sections import ANALYSIS_EXPLAIN
 from ...canvas.trace_layer import Trace
 from ...document.model import Document
 from ...tasks.debounced_task import DebouncedTask

@@ -1,7 +1,8 @@
-"""The menus of the window, and the sections in them: an action names its section.
+"""Menus, the sections in them, and bars: toolbar, context menus, rows of buttons.
 
-Menus and sections stand in the order in which they are made; within a section, actions stand in the order of
-their definition: of the command sets, then of the methods.
+An action names its section; `also` places it in bars besides. Menus and sections stand in the order in which
+they are made; within a section, actions stand in the order of their definition: of the command sets, then of
+the methods.
 """
 
 from __future__ import annotations
@@ -12,13 +13,54 @@ from itertools import count
 import msgspec
 
 from ..view_model.analysis.overlay import Group
-from .action_bars import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, BarPosition
 from .needs import CHOSEN, NOTHING, Need
+
+
+class BarPosition(msgspec.Struct, frozen=True):
+    """A place in a bar; entries stand in ascending order, with a separator between the tens."""
+
+    bar: ActionBar
+    number: int
+
+
+class ActionBar(msgspec.Struct, frozen=True):
+    """A bar of actions; ``STRIP(21)`` is a place in it.
+
+    Attributes
+    ----------
+    name
+        What it is.
+    """
+
+    name: str
+
+    def __call__(self, number: int) -> BarPosition:
+        """Return a place in it."""
+        return BarPosition(self, number)
+
+
+TOOLBAR = ActionBar("toolbar")
+MORE_TOOLS_MENU = ActionBar("menu of further tools in the toolbar")
+SNAP_MENU = ActionBar("menu of the magnet in the toolbar")
+FAMILIES_MENU = ActionBar("menu of further families in the toolbar")
+POINT_MENU = ActionBar("menu of a point")
+CURVE_MENU = ActionBar("menu of a curve")
+CHOSEN_MENU = ActionBar("menu of curves that are chosen as wholes")
+CANVAS_MENU = ActionBar("menu of the canvas")
+POINT_BUTTONS = ActionBar("buttons above the point table")
+CURVE_LIST_MENU = ActionBar("menu of the list of curves")
+CURVE_LIST_BUTTONS = ActionBar("buttons under the list of curves")
+IMAGE_BUTTONS = ActionBar("buttons under the picture to trace")
+TRANSFORM_BUTTONS = ActionBar("buttons of the Transform panel")
+ALIGN_BUTTONS = ActionBar("buttons for aligning in the Transform panel")
+RAIL_MENU = ActionBar("menu of the t-rail")
+ZOOM_MENU = ActionBar("menu of the zoom in the status line")
+
 
 MENUS: list[Menu] = []
 """The menus of the menu bar, in order."""
 
-_places = count()
+_ranks = count()
 
 
 class MenuSection(msgspec.Struct, frozen=True):
@@ -80,7 +122,7 @@ class Menu:
     ) -> MenuSection:
         """Return a new section at the end of the menu; in context menus it is called as its submenu is."""
         needs = self.needs if needs is None else needs
-        made = MenuSection(self, submenu, is_separated, next(_places), needs, tuple(also), called or submenu)
+        made = MenuSection(self, submenu, is_separated, next(_ranks), needs, tuple(also), called or submenu)
         self.sections.append(made)
         return self.sections[-1]
 
