@@ -1,15 +1,18 @@
-"""The curve itself, and the fading ghost of the curve as it was before a rule changed."""
+"""The active curve: its line, the shape in its style, its control polygon, and the preview of the pen."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 from PySide6.QtCore import QAbstractAnimation, Qt, QVariantAnimation
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour
+from ..appearance.theme import Theme
+from ..document.model import Vector
 from ..document.words import number
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
@@ -18,8 +21,8 @@ from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
-from .looks import Shape, is_plain, line_of
-from .shape_painting import paint_shape
+from .point_layer import opacity_of
+from .shape_painting import Shape, is_plain, line_of, paint_shape
 
 CASING = 1.0
 """Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
@@ -196,3 +199,72 @@ class CurveLayer(Layer):
 def is_faint(view: CurveView) -> bool:
     """Whether a curve steps back: the last good one of points or rules that are no more, or a hidden one."""
     return not (view.is_current and view.source.visible)
+
+
+_POLYGON_WIDTH = 1.0
+
+
+class ControlPolygonLayer(Layer):
+    """Layer below the curve that is edited; a curve through its points has none."""
+
+    z = -0.25
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._view: CurveView | None = None
+        self._stroke = Stroke()
+        # The pen of the last frame, and what it was made for.
+        self._made_for: tuple[Theme, float] | None = None
+        self._made = QPen()
+        self.set_visible(False)
+
+    def render(self, view: CurveView) -> None:
+        """Draw the polygon of `view` from the next paint on."""
+        self._view = view
+        self.set_visible(view.source.family.has_control_points)
+        if self.is_visible:
+            self.set_opacity(opacity_of(view))
+            self.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw thin lines, which stand back behind the curve."""
+        if self._view is None or len(self._view.points) < 2:
+            return
+        self._stroke.show(self._view.points, shown)
+        if self._made_for != (self.theme, self.scale):
+            self._made_for = (self.theme, self.scale)
+            self._made = QPen(self.theme.handle, _POLYGON_WIDTH * self.scale)
+        painter.setPen(self._made)
+        self._stroke.draw(painter)
+
+
+class PenLayer(Layer):
+    """Layer of a thin line below the curve, so that only what would change is seen."""
+
+    z = -0.5
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._preview: CurveView | None = None
+        self._lines: tuple[tuple[Vector, ...], ...] = ()
+        self._stroke = Stroke()
+        self.set_visible(False)
+
+    def render(self, preview: CurveView | None, lines: tuple[tuple[Vector, ...], ...]) -> None:
+        """Draw this curve and these lines from the next paint on; None and () for nothing."""
+        if preview is not self._preview or lines != self._lines:
+            self._preview, self._lines = preview, lines
+            self.set_visible(preview is not None or bool(lines))
+            self.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the curve or the lines."""
+        if self._preview is not None:
+            self._stroke.show(line_of(self._preview, shown).points, shown)
+            painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
+            self._stroke.draw(painter)
+            return
+        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+        for line in self._lines:
+            self._stroke.show(np.array(line), shown)
+            self._stroke.draw(painter)

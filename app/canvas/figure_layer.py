@@ -1,30 +1,39 @@
-"""Figures and ghosts beside the curve: combs, vectors, bands, marks, other rules for the same points."""
+"""Annotations of the active curve: figures, ghosts and other versions, explained by the legend."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import msgspec
 import numpy as np
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QObject, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter
 
 from curvecore.arrays import FloatArray
 
+from .. import canvas
 from ..plotting.area import AreaFill
-from ..plotting.drawing import MARGIN, draw_segments
+from ..plotting.drawing import MARGIN, Stroke, draw_segments
 from ..plotting.graphs import pg
 from ..plotting.layers import Layer
-from ..plotting.pens import draw_line, draw_mark, pen_of
+from ..plotting.pens import draw_line, draw_mark, line_in_pixels, pen_of
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.segments import Segments
+from ..view_model import analysis
 from ..view_model.analysis.figures import Figure, Shape
-from ..view_model.line_styles import Mark
-from .looks import TOLERANCE
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.line_styles import FILE_STYLE, LineStyle, Mark
+from .other_curves_layer import FileLayer
+from .shape_painting import TOLERANCE
 
 if TYPE_CHECKING:
     from ..view_model.analysis.ghosts import GhostView
+    from ..view_model.analysis.legend import LegendRow
+    from .legend import Legend, Room
+
 
 _HEAD = 9.0
 """Length of an arrow's head, in widths of its line, and never more than half the arrow."""
@@ -169,3 +178,138 @@ def _draw_marks(painter: QPainter, pixels: FloatArray, shown: PixelMap, mark: Ma
     near = np.all((pixels >= -MARGIN) & (pixels <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
     for x, y in pixels[near].tolist():
         draw_mark(painter, mark, x, y, size)
+
+
+_FADED = 0.3
+
+
+class Trace(msgspec.Struct, frozen=True, eq=False):
+    """A curve as polylines (k, 2), in the plane, with its style and its name."""
+
+    pieces: Sequence[FloatArray]
+    style: LineStyle
+    label: str
+
+
+class TraceLayer(Layer):
+    """Layer of groups of traces."""
+
+    z = 0.5
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self.groups: dict[str, tuple[Sequence[Trace], bool]] = {}
+        self._lines: list[tuple[LineStyle, bool, Stroke | Segments]] = []
+        self._drawn_at: tuple[PixelMap, float] | None = None
+        self.set_visible(False)
+
+    def render(self, group: str, traces: Sequence[Trace], *, faded: bool) -> None:
+        """Draw the traces of a group from the next paint on; none take the group away."""
+        if not traces and group not in self.groups:
+            return
+        self.groups.pop(group, None)
+        if traces:
+            self.groups[group] = (traces, faded)
+        self._drawn_at = None
+        self.set_visible(bool(self.groups))
+        self.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the traces of every group, the last one on top.
+
+        During a drag they are old results that stay: their dashes are made once.
+        """
+        if self._drawn_at != (shown, self.scale):
+            self._drawn_at = shown, self.scale
+            self._lines = [
+                (trace.style, faded, self._line(points, trace.style, shown))
+                for traces, faded in self.groups.values()
+                for trace in traces
+                for points in trace.pieces
+            ]
+        for style, faded, line in self._lines:
+            painter.setPen(pen_of(style, self.theme, self.scale, _FADED if faded else 1.0))
+            line.draw(painter)
+
+    def _line(self, points: FloatArray, style: LineStyle, shown: PixelMap) -> Stroke | Segments:
+        with np.errstate(over="ignore"):
+            return line_in_pixels(shown.points(points), style.dashes, style.width * self.scale, shown)
+
+
+class Annotations(QObject):
+    """Figures, ghosts and other versions of the curve.
+
+    Attributes
+    ----------
+    figure_layer
+        Combs, vectors, bands and the like, and variants of the curve.
+    trace_layer
+        Other versions of the curve, over it.
+    legend
+        None until there is something to explain.
+    file_version
+        The name of a file's curves in the legend; empty while none are shown.
+
+    Signals
+    -------
+    ghost_chosen, ghost_hidden
+        A variant of the curve shall become the curve, or go away; said in the legend.
+    """
+
+    ghost_chosen = Signal(object)
+    ghost_hidden = Signal(object)
+
+    def __init__(self, plot: PlotWidget, room: Room) -> None:
+        super().__init__(plot)
+        self._plot, self._room = plot, room
+        self.figure_layer = FigureLayer(plot)
+        self._file_layer = FileLayer(plot)
+        self.trace_layer = TraceLayer(plot)
+        self.legend: Legend | None = None
+        self.file_version = ""
+
+    # Other versions
+
+    def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
+        """Show the curves that a file holds, dashed and with this name; none: put them away."""
+        self._file_layer.render(views, range(len(views)))
+        self.file_version = name if self._file_layer.is_visible else ""
+        self._explain_lines("file", [(FILE_STYLE, self.file_version)] if self.file_version else ())
+
+    def render_traces(
+        self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False
+    ) -> None:
+        """Show other versions of the curve over it, explained; none take the group away."""
+        self.trace_layer.render(group, traces, faded=faded)
+        named = [(trace.style, trace.label) for trace in traces]
+        self._explain_lines(group, named, heading, muted=faded)
+
+    # The legend
+
+    def render_legend(self, group: str, rows: Sequence[LegendRow]) -> None:
+        """Explain what is shown; without rows of any group there is no legend."""
+        if self.legend is None:
+            if not rows:
+                return
+            # Built when there is something to explain: nobody waits for it at the start.
+
+            self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers, self._room)
+            self._plot.camera.changed.connect(self.legend.make_way)
+            self._plot.style_changed.connect(self.legend.render_style)
+            self.legend.chosen.connect(self.ghost_chosen)
+            self.legend.hidden.connect(self.ghost_hidden)
+        self.legend.render_rows(group, rows)
+        self.legend.make_way()
+
+    def make_way(self) -> None:
+        """Let the legend go where it covers less of the drawing."""
+        if self.legend is not None:
+            self.legend.make_way()
+
+    def _explain_lines(
+        self, group: str, lines: Sequence[tuple[LineStyle, str]], heading: str = "", *, muted: bool = False
+    ) -> None:
+        if not lines and self.legend is None:
+            return
+
+        self.render_legend(group, analysis.legend.line_rows(lines, heading, muted=muted))

@@ -18,7 +18,7 @@ from ..plotting.sprites import Mark
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handle_arms import NO_HANDLES, Handles, PointSides
 from ..view_model.curve.handles import handles_on, sides_at, sides_facing
-from .point_ink import HANDLE_SIZES, HandleLook, PointInk, Shade
+from .point_marks import HANDLE_SIZES, HandleLook, PointInk, Shade
 
 MOST_POINTS = 100
 """Points up to which handles are shown: those of more hide the curve, and each other."""

@@ -1,4 +1,4 @@
-"""Hit test of the canvas: the point, handle or place of the curve under the pointer."""
+"""Hit test: the point, handle, curve or filled area under the pointer."""
 
 from __future__ import annotations
 
@@ -11,12 +11,15 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.model import Vector
+from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
+from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, Polyline
 from ..view_model.curve.handle_arms import NO_HANDLES, Handles
+from ..view_model.geometry import is_inside, windings
+from .shape_painting import line_of
 
 POINT_REACH = 10.0
 """Pixels from the pointer within which a point or a handle is grabbed."""
@@ -233,3 +236,140 @@ class PixelOutline:
         distances = np.hypot(gaps[:, 0], gaps[:, 1])
         best = len(distances) - 1 - int(np.argmin(distances[::-1]))
         return NearestSegment(best, float(shares[best]), float(distances[best]))
+
+
+_ANYWHERE = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
+
+_OUTWARD = np.array([[-1.0], [1.0]])
+"""Ways of the corners of a box that grows."""
+
+
+class LineFinder:
+    """Finder among curves, each with its place in the document."""
+
+    def __init__(self) -> None:
+        self._views: Sequence[tuple[int, CurveView]] = ()
+        # Found when somebody asks.
+        self._outline: _Outline | None = None
+
+    def render(self, views: Sequence[tuple[int, CurveView]]) -> None:
+        """Find these curves from now on."""
+        self._views, self._outline = views, None
+
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the curve at `pixel`, the last one where several lie."""
+        if not self._views:
+            return None
+        if self._outline is None or self._outline.shown is not shown:
+            self._outline = _Outline(self._views, shown)
+        return self._outline.hit(pixel)
+
+
+class _Outline:
+    """Curves as lines of pixels; of thousands those are looked at whose boxes are near a pixel."""
+
+    def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
+        self.shown, self._views = shown, views
+        boxes, off = zip(*(_box_of(view) for _, view in views), strict=True)
+        self._boxes = np.array(boxes) + np.array(off)[:, None, None] * _OUTWARD
+        self._near: list[int] = []
+        self._segments: PixelOutline | None = None
+        self._places = np.empty(0, dtype=np.intp)
+
+    def hit(self, pixel: Vector) -> Hit | None:
+        """Return the curve within reach that is nearest."""
+        self._look_near(pixel)
+        nearest = None if self._segments is None else self._segments.nearest(pixel)
+        if nearest is None or nearest.distance > CURVE_REACH:
+            return None
+        return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
+
+    def _look_near(self, pixel: Vector) -> None:
+        place, reach = (
+            self.shown.plane(*pixel),
+            (CURVE_REACH + 1.0) / np.array([self.shown.sx, self.shown.sy]),
+        )
+        low, high = self._boxes[:, 0] - reach, self._boxes[:, 1] + reach
+        near = np.flatnonzero(((low <= place) & (place <= high)).all(axis=1)).tolist()
+        if near != self._near:
+            self._near = near
+            polylines = [pixels_of(self._views[each][1], self.shown) for each in near]
+            self._segments = PixelOutline(polylines) if near else None
+            self._places = np.repeat(
+                [self._views[each][0] for each in near], [len(each) - 1 for each in polylines]
+            )
+
+
+def _box_of(view: CurveView) -> tuple[FloatArray, float]:
+    """Return a box, and by how much the curve leaves it at most."""
+    view.drawn_box  # noqa: B018 - with it the box is known, if it can be
+    return view.known_box or (_ANYWHERE, 0.0)
+
+
+def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:
+    """Return the curve as a polyline in pixels."""
+    return shown.points(line_of(view, shown).points)
+
+
+class FilledAreas:
+    """Filled shapes that are seen and free, and the boxes around them.
+
+    A locked one is no more in the way than the paper is.
+    """
+
+    def __init__(self) -> None:
+        self._views: Sequence[CurveView] = ()
+        # Found when somebody asks, and kept as long as the views are the same.
+        self._shapes: list[range] | None = None
+        self._boxes = np.empty((0, 2, 2))
+
+    def render(self, views: Sequence[CurveView]) -> None:
+        """Take the areas of these views."""
+        if views is not self._views:
+            self._views, self._shapes = views, None
+
+    def hit(self, pixel: Vector, shown: PixelMap, active: int | None, line: Hit | None) -> Hit | None:
+        """Return what lies at `pixel`: the topmost area, or the `line` there unless the area covers it.
+
+        The inside of the shape that is edited is nothing: a rubber band for its points begins there.
+        """
+        top = self._topmost(pixel, shown)
+        if top is None or (line is not None and line.index >= top.start):
+            return line
+        return (
+            Hit(Part.OTHER_CURVE, top.start, shown.plane(*pixel), inside=True) if active not in top else None
+        )
+
+    def _topmost(self, pixel: Vector, shown: PixelMap) -> range | None:
+        if self._shapes is None:
+            self._find()
+        assert self._shapes is not None
+        place = np.array([shown.plane(*pixel)])
+        around = np.all((self._boxes[:, 0] <= place) & (place <= self._boxes[:, 1]), axis=1)
+        for number in reversed(np.flatnonzero(around).tolist()):
+            views = self._drawn(self._shapes[number])
+            turns = windings([line_of(view, shown).points for view in views], place)
+            if is_inside(turns, views[0].source.style.fill_rule)[0]:
+                return self._shapes[number]
+        return None
+
+    def _find(self) -> None:
+        curves = [view.source for view in self._views]
+        filled = [each for each in shapes(curves) if _is_pressed(curves[each.start])]
+        self._shapes = [each for each in filled if self._drawn(each)]
+        self._boxes = np.array([self._box(each) for each in self._shapes]).reshape(-1, 2, 2)
+
+    def _drawn(self, places: range) -> list[CurveView]:
+        return [self._views[place] for place in places if self._views[place].has_curve]
+
+    def _box(self, places: range) -> FloatArray:
+        first, *others = [view.drawn_box for view in self._drawn(places)]
+        if not others:
+            return first
+        corners = np.vstack([first, *others])
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
+def _is_pressed(curve: Curve) -> bool:
+    """Whether what begins with a curve is filled, seen and free."""
+    return curve.style.has_fill and curve.is_free

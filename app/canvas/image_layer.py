@@ -1,12 +1,13 @@
-"""The picture to trace, over the grid, and the grips to scale it by."""
+"""The picture to trace: read from a file, drawn behind everything, dark on dark paper."""
 
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QImage, QImageReader, QPainter, QPen, QPixmap
 
 from curvecore.arrays import FloatArray
 
@@ -15,8 +16,67 @@ from ..plotting.layers import Layer
 from ..plotting.pictures import transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..storage.files import StorageError, read
 from ..tools.move_image import CORNERS, corner_of
 from ..tools.pointer import Hit, Part
+
+MAX_PIXELS = 64_000_000
+"""More pixels than this are not decoded."""
+
+MAX_SIDE = 4096
+"""Larger pictures are scaled down when they are read: 64 MB at most stay in memory."""
+
+_FORMATS = (b"png", b"jpeg", b"jpg")
+_ALLOCATION_MB = 512
+"""Enough for `MAX_PIXELS` of eight bytes each, a PNG of 16 bits."""
+
+
+class ImageFileError(ValueError):
+    """Refusal to show a picture; the message says why."""
+
+
+def read_image(path: str) -> QImage:
+    """Return the picture in a PNG or JPEG file, its longer side at most `MAX_SIDE` pixels.
+
+    Raises
+    ------
+    ImageFileError
+        For files that are missing, no such picture, broken or too large.
+    """
+    try:
+        data = read(path)
+    except StorageError as problem:
+        raise ImageFileError(str(problem)) from None
+    name = f"“{Path(path).name}”"
+    QImageReader.setAllocationLimit(_ALLOCATION_MB)
+    buffer = QBuffer()
+    buffer.setData(QByteArray(data))
+    buffer.open(QIODevice.OpenModeFlag.ReadOnly)
+    # The content decides what it is, not the name.
+    kind = bytes(QImageReader.imageFormat(buffer).data())
+    if kind not in _FORMATS:
+        raise ImageFileError(f"{name} is no PNG or JPEG picture.")
+    reader = QImageReader(buffer, QByteArray(kind))
+    reader.setAutoTransform(True)
+    return _read(reader, name)
+
+
+def _read(reader: QImageReader, name: str) -> QImage:
+    size = reader.size()
+    if size.width() * size.height() > MAX_PIXELS:
+        raise ImageFileError(
+            f"{name} has {size.width()} × {size.height()} pixels; "
+            f"{MAX_PIXELS // 1_000_000} million are read at most. Make it smaller first."
+        )
+    shrink = MAX_SIDE / max(size.width(), size.height(), 1)
+    if shrink < 1:
+        width, height = round(size.width() * shrink), round(size.height() * shrink)
+        reader.setScaledSize(QSize(max(width, 1), max(height, 1)))
+    image = reader.read()
+    if image.isNull() or not image.width() or not image.height():
+        raise ImageFileError(f"{name} is broken: it cannot be shown ({reader.errorString().rstrip('.')}).")
+    return image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
+
 
 _LIGHT, _DARK = 200, 60
 """Paper is at least as light as that in all colours, ink at most as light as that (of 255)."""

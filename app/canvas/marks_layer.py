@@ -18,7 +18,7 @@ from ..tools.snapping import Snap
 from ..tools.transform import TransformKind
 from ..tools.transform_box import Grip, TransformBox
 from .label_place import Surroundings, free_corner
-from .selected_curves_layer import BESIDE
+from .other_curves_layer import BESIDE
 
 _NOTHING = Marks()
 

@@ -1,31 +1,38 @@
-"""The curves that are not edited: drawn behind the active one, from a picture that is kept."""
+"""The curves that are not edited, from the back to the front, and those of them that are selected."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import pairwise
+from collections.abc import Collection, Sequence
+from itertools import compress, pairwise
+from operator import is_not
 from time import thread_time
 from typing import NamedTuple
 
-from PySide6.QtCore import Qt, QTimer
+import numpy as np
+from PySide6.QtCore import QPointF, QRect, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
+from curvecore.arrays import FloatArray
+
 from ..appearance.colours import curve_colour
+from ..appearance.theme import mix
 from ..document.model import Vector
+from ..document.shapes import shapes
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line, pen_of
 from ..plotting.pictures import Sheets, transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.stamps import RingStamps
 from ..plotting.wide_line import RoundLine
 from ..tools.pointer import Hit
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
-from .curve_layer import CASING, FAINT_WIDTH
-from .line_finder import LineFinder, pixels_of
-from .looks import Shape, is_plain, line_of
-from .shape_painting import paint_shape
+from .curve_layer import CASING, FAINT_WIDTH, CurveLayer, EditedShapeLayer, is_faint
+from .hit_test import FilledAreas, LineFinder, pixels_of
+from .point_layer import opacity_of
+from .shape_painting import Shape, is_plain, line_of, line_width, paint_shape
 
 _WORTH_A_SHEET, _MOST_SHEETS = 2, 8
 """Shapes that take as long to paint as to copy a sheet; sheets, at most: each is as large as the area."""
@@ -251,3 +258,296 @@ def _changed(before: dict[int, Shape], after: dict[int, Shape]) -> frozenset[int
         return frozenset()
     pairs = enumerate(zip(before.values(), after.values(), strict=True))
     return frozenset(place for place, (old, new) in pairs if old != new)
+
+
+_WIDTH, _HALO, _ON_STYLE = 2.0, 7.0, 1.0
+
+_CASED, _WIDE = 2.5, 5.0
+"""Pixels of the mark with paper on either side, and of the least line that shows its colour beside that."""
+
+_HALO_SHARE = 0.28
+_HALOS_UP_TO = 12
+"""Curves above which boxes mark them: wide lines would take half of the time of a drag of thirty."""
+
+BESIDE, _BEYOND = 2.0, 8.0
+"""Pixels from a painted shape to its box, and from the picture to the sides of a box that leaves it."""
+
+_RADIUS, _RIM = 3.5, 1.5
+_MOST_RINGS = 400
+"""Points in sight of one curve above which only as many are ringed: more would be a band."""
+
+
+class SelectedCurvesLayer(OtherCurvesLayer):
+    """Layer that marks selected curves, painted like the others from a picture that is kept while they stay.
+
+    Hidden ones are faint, as the active curve is: they are moved with the others. While no curve is edited
+    no points are shown, and these have no rings.
+    """
+
+    z = -0.7
+
+    shows_hidden = True
+    radius, rim = _RADIUS, _RIM
+    join = Qt.PenJoinStyle.RoundJoin
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self._rings, self._has_rings = RingStamps(_ring), True
+
+    def set_rings(self, has_rings: bool) -> None:
+        """Draw rings around the points, or no points at all."""
+        if has_rings != self._has_rings:
+            self._has_rings, self._picture = has_rings, None
+            self.update()
+
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+        """Paint the marks of choice and rings into the picture: lines on curves, or boxes around shapes."""
+        views = [view for shape in shapes for view in shape]
+        is_many = len(self._views) > _HALOS_UP_TO
+        stroke = Stroke()
+        for view in views:
+            if self._is_line(view):
+                stroke.show(line_of(view, shown).points, shown)
+                self._paint_line_of(painter, stroke, view, has_halo=not is_many)
+            elif not is_many and not self._is_boxed(view, shown):
+                self._paint_on_style(painter, stroke, view, shown)
+        # Over a fine line, and on the colours beside it, any other one would hide them.
+        boxed = views if is_many else [view for view in views if self._is_boxed(view, shown)]
+        if boxed:
+            self._paint_boxes(painter, shown, boxed)
+        if self._has_rings:
+            self._paint_rings(painter, shown, views)
+
+    def _is_line(self, view: CurveView) -> bool:
+        """Whether a curve is drawn here as a line, and not marked on what is painted."""
+        return is_plain(view) or not view.source.visible
+
+    def _paint_line_of(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
+        """Paint the line of a curve that has no looks of its own, or is hidden."""
+        is_seen = view.source.visible
+        if has_halo:
+            self._paint_halo(painter, stroke, view)
+        painter.setPen(
+            self._line(self._colour(view), _WIDTH) if is_seen else self._line(self.theme.handle, FAINT_WIDTH)
+        )
+        stroke.draw(painter)
+
+    def _is_boxed(self, view: CurveView, shown: PixelMap) -> bool:
+        """Whether a box marks a curve: its line is too fine to be drawn on."""
+        return not self._is_line(view) and 0 < self._line_width(view, shown) < _WIDE
+
+    def _line_width(self, view: CurveView, shown: PixelMap) -> float:
+        return line_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+
+    def _paint_on_style(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
+        """Mark a wide line or an inside by a thin line on it."""
+        stroke.show(line_of(view, shown, view.source.style).points, shown)
+        casing = [(self.theme.paper, _CASED)] if self._line_width(view, shown) else []
+        for pen in [*casing, (self.theme.accent, _ON_STYLE)]:
+            painter.setPen(self._line(*pen))
+            stroke.draw(painter)
+
+    def _paint_halo(self, painter: QPainter, stroke: Stroke, view: CurveView) -> None:
+        # No opacity: where the pieces of a line meet, their caps would be seen.
+        halo = mix(self.theme.accent, self.theme.paper, _HALO_SHARE)
+        painter.setOpacity(opacity_of(view))
+        painter.setPen(self._line(halo, _HALO))
+        stroke.draw(painter)
+        painter.setOpacity(1.0)
+
+    def _paint_boxes(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Frame each painted shape, all in one call: it costs next to nothing, and hides no colour."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(self.theme.accent, max(round(self.scale), 1)))
+        painter.drawRects(_frames_of(views, shown, self.scale))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+
+    def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+        """Ring the points of all curves over all lines: in one call for those of one opacity."""
+        for opacity in {opacity_of(view) for view in views}:
+            near = [self._near(view, shown) for view in views if opacity_of(view) == opacity]
+            painter.setOpacity(opacity)
+            self._rings.draw_rings(
+                painter, np.concatenate(near), self.theme, self.radius * self.scale, self.rim * self.scale
+            )
+
+    def _near(self, view: CurveView, shown: PixelMap) -> FloatArray:
+        """Return the pixels of the points in sight, (k, 2); of very many some."""
+        pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale
+        is_near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
+        near: FloatArray = pixels[is_near]
+        return near[:: max(len(near) // _MOST_RINGS, 1)]
+
+
+class SiblingCurvesLayer(SelectedCurvesLayer):
+    """Layer of the points of the other curves of the shape that is edited: a press takes them, too."""
+
+    radius, rim = 3.0, 1.2
+
+    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+        """Paint small rings into the picture."""
+        self._paint_rings(painter, shown, [view for shape in shapes for view in shape])
+
+
+def _ring(painter: QPainter, radius: float, _form: int) -> None:
+    painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
+
+
+def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
+    """Return a box around each painted shape, in pixels, as far as it is in or near the picture."""
+    corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
+    widths = [line_width(view.source.style, shown, _WIDTH * scale) for view in views]
+    pads = BESIDE * scale + np.array(widths)[:, None] / 2
+    names = [view.source.shape for view in views]
+    starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]
+    lows = np.minimum.reduceat(corners.min(axis=1) - pads, starts)
+    highs = np.maximum.reduceat(corners.max(axis=1) + pads, starts)
+    lows = np.maximum(lows, -_BEYOND).round()
+    highs = np.minimum(highs, (shown.width + _BEYOND, shown.height + _BEYOND)).round()
+    boxes = np.hstack([lows, highs - lows])[(highs > lows).all(axis=1)]
+    return [QRect(*box) for box in boxes.astype(int).tolist()]
+
+
+_ABOVE = -0.8
+"""Height of what lies over the shape that is edited."""
+
+
+class DrawnCurves:
+    """Layers of all curves: what lies below the edited shape, that, what lies over it, and marks.
+
+    A plain line that is edited is drawn over all others, as long as none of these is painted otherwise.
+
+    Attributes
+    ----------
+    others, above
+        The shapes that are not edited, below the edited one and over it; only the first finds curves.
+    selected
+        What marks the curves that are selected together with the edited one.
+    siblings
+        The points of the other curves of the shape that is edited.
+    edited, curve
+        The shape that is edited, in its style; the line of the active curve.
+    areas
+        The insides of what is filled.
+    """
+
+    def __init__(self, plot: PlotWidget) -> None:
+        self.others = OtherCurvesLayer(plot)
+        self.edited = EditedShapeLayer(plot)
+        self.above = OtherCurvesLayer(plot, z=_ABOVE)
+        self.selected = SelectedCurvesLayer(plot)
+        self.siblings = SiblingCurvesLayer(plot)
+        self.curve = CurveLayer(plot)
+        self.areas = FilledAreas()
+        self._locked = LineFinder()
+        # The places of the curves of the edited shape, where it is no plain line.
+        self._edited_places = range(0)
+        self._shown: tuple[Sequence[CurveView], int | None, frozenset[int], frozenset[int]]
+        self._shown = ((), 0, frozenset(), frozenset())
+
+    def render(
+        self,
+        views: Sequence[CurveView],
+        active: int | None,
+        selected: frozenset[int],
+        edited: frozenset[int],
+    ) -> None:
+        """Show the curves of a document: the active one if it is edited, those selected and those edited."""
+        before, self._shown = self._shown, (views, active, selected, edited)
+        self.areas.render(views)
+        if not self._rest_since(*before):
+            self._render_all()
+        elif self._edited_places:
+            self.edited.render(tuple(views[place] for place in self._edited_places))
+
+    def follow(self, views: Sequence[CurveView]) -> None:
+        """Show the same curves where they run now."""
+        self.render(views, *self._shown[1:])
+
+    def _rest_since(self, views: Sequence[CurveView], active: int | None, *places: frozenset[int]) -> bool:
+        """Whether all that has changed is where the active curve runs, as under a drag."""
+        now, *others = self._shown
+        if active is None or others != [active, *places] or not active < len(now) == len(views):
+            return False
+        if list(compress(range(len(now)), map(is_not, now, views))) not in ([], [active]):
+            return False
+        new, old = now[active], views[active]
+        return (
+            new.source.style is old.source.style
+            and new.source.visible is old.source.visible
+            and new.source.shape == old.source.shape
+            # Under a drag there is a curve in every frame.
+            and ((new.motion is not None and old.motion is not None) or is_faint(new) is is_faint(old))
+        )
+
+    def _render_all(self) -> None:
+        views, active, selected, edited = self._shown
+        # Points are shown of what is edited, and of what is worked on together with it.
+        self.selected.set_rings(active is not None)
+        active = -1 if active is None else active
+        other = [place for place in range(len(views)) if place != active]
+        found = [
+            (place, views[place])
+            for place in other
+            if place not in selected and views[place].source.visible and views[place].has_curve
+        ]
+        units = list(shapes([view.source for view in views]))
+        below, shape, above = self._in_order(views, units, active, selected)
+        self.others.render_shapes(below, found)
+        seen = ((place, views[place]) for place in other if views[place].source.visible)
+        self._locked.render([each for each in seen if each[1].source.locked and each[1].has_curve])
+        self._edited_places = next(each for each in units if active in each) if shape else range(0)
+        self.edited.render(shape)
+        self.above.render_shapes(above, [])
+        self.selected.render(views, [place for place in other if place in selected])
+        siblings = [place for place in other if place in edited and place not in selected]
+        self.siblings.render_shapes({place: (views[place],) for place in siblings}, [])
+        self.curve.set_covered(bool(above))
+
+    def _in_order(
+        self, views: Sequence[CurveView], units: Sequence[range], active: int, selected: Collection[int]
+    ) -> tuple[dict[int, Shape], Shape, dict[int, Shape]]:
+        """Return the shapes below the edited one, that where it is no plain line, and those over it.
+
+        Each stands at the place of its first curve. With no edited one, −1, all are below.
+        """
+        below: dict[int, Shape] = {}
+        above: dict[int, Shape] = {}
+        edited: Shape = ()
+        is_layered, marked = False, {active, *selected}
+        for places in units:
+            is_line = is_plain(views[places.start])
+            if active in places and not is_line and not is_faint(views[active]):
+                edited, is_layered = tuple(views[place] for place in places), True
+                continue
+            # The edited one is a line of its own, plain or faint; what is selected is drawn by its marks.
+            hidden = marked if is_line else (active,)
+            shape = tuple(
+                [
+                    view
+                    for place in places
+                    if place not in hidden and (view := views[place]).source.visible and view.has_curve
+                ]
+            )
+            if shape:
+                is_over = places.start > active >= 0
+                is_layered |= is_over and not is_line
+                (above if is_over else below)[places.start] = shape
+        return (below, edited, above) if is_layered else (below | above, edited, {})
+
+    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+        """Return the curve at `pixel`, neither edited nor locked."""
+        _, active, *_ = self._shown
+        line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
+        return self.areas.hit(pixel, shown, active, line)
+
+    def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
+        """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
+        hit = self._locked.hit(pixel, shown)
+        return hit.index if hit is not None else -1
+
+    def set_cased(self, cased: bool) -> None:
+        """Keep plain lines apart from what lies below them, a picture to trace, or not."""
+        for layer in (self.others, self.above, self.curve):
+            layer.set_cased(cased)

@@ -22,8 +22,7 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.points.point_kinds import POINT_KINDS, kinds_of
 from .handle_marks import LEFT_AWAY, MOST_POINTS, ShownHandles
 from .hit_test import PartFound, PixelPoints, handle_or_point
-from .point_ink import Inks
-from .point_marks import paint_mark
+from .point_marks import Inks, paint_mark
 
 _RADIUS, _RIM, _GAP, _RING = 4.5, 1.5, 3.0, 2.0
 _REACH = 2.2

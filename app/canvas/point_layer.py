@@ -27,9 +27,7 @@ from ..view_model.curve.handle_arms import Handles
 from ..view_model.points.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
-from .point_density import RADIUS, Discs, discs_for, with_neighbours
-from .point_ink import Inks, PointLook, Written
-from .point_stamps import PointStamps
+from .point_marks import RADIUS, Discs, Inks, PointLook, PointStamps, Written, discs_for, with_neighbours
 
 _LABELLED_UP_TO = 12
 _DISCS_MS = 200

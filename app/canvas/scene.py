@@ -22,19 +22,16 @@ from ..tools.pointer import Hit, Pointer
 from ..tools.tool import Finder
 from ..view_model.basis.basis_view import weights_at
 from ..view_model.curve.curve_view import CurveView
-from .annotations import Annotations
-from .control_polygon_layer import ControlPolygonLayer
-from .drawn_curves import DrawnCurves
-from .grid_layer import GridLayer
-from .guides_layer import GuidesLayer
+from .curve_layer import ControlPolygonLayer, PenLayer
+from .figure_layer import Annotations
+from .grid_layer import GridLayer, GuidesLayer, UnitLayer
 from .hit_test import hit_test, nearer
 from .image_layer import ImageLayer
 from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
+from .other_curves_layer import DrawnCurves
 from .other_points_layer import OtherPointsLayer
-from .pen_layer import PenLayer
 from .point_layer import PointLayer
-from .unit_layer import UnitLayer
 
 if TYPE_CHECKING:
     from ..view_model.animation.motion_picture import Dot, Role

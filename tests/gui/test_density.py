@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from app.canvas.point_density import RADIUS, discs_for, with_neighbours
+from app.canvas.point_marks import RADIUS, discs_for, with_neighbours
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.features.basis.layers import spread_out

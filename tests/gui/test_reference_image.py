@@ -13,9 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QLabel, QToolButton
 
 from app.appearance.theme import ThemeMode, theme_of
-from app.canvas import image_file
-from app.canvas.image_file import ImageFileError, read_image
-from app.canvas.image_layer import inverted_lightness
+from app.canvas import image_layer
+from app.canvas.image_layer import ImageFileError, inverted_lightness, read_image
 from app.document.image_edits import place_image, set_image
 from app.document.model import Document, make_curve
 from app.document.transforms import clean_step
@@ -487,7 +486,7 @@ def test_the_content_decides_not_the_name(tmp_path):
 
 
 def test_a_file_is_read_once_however_often_it_is_moved(traced, monkeypatch):
-    monkeypatch.setattr(image_file, "read", lambda _path: pytest.fail("read again"))
+    monkeypatch.setattr(image_layer, "read", lambda _path: pytest.fail("read again"))
     traced.trigger("moveImage")
     traced.drag(middle(image_of(traced)), (1, 1))
     traced.trigger("undo")

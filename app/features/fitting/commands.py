@@ -15,7 +15,7 @@ from ...actions.declaration import Action, action, action_for_each
 from ...actions.keymap import action_name
 from ...actions.menus import CURVE_FEWER, EDIT_PENCIL
 from ...actions.needs import UNLOCKED_CURVE
-from ...canvas.trace_layer import Trace
+from ...canvas.figure_layer import Trace
 from ...document.curve_edits import replace_curve
 from ...document.limits import EditError
 from ...document.model import Vector

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDockWidget, QWidget
 
 from ...actions.declaration import action, switch
 from ...actions.menus import ANALYSIS_EXPLAIN, PLOTS_OVER_T
-from ...canvas.trace_layer import Trace
+from ...canvas.figure_layer import Trace
 from ...document.words import number
 from ...qt.overrides import SafeOverrides
 from ...tasks.debounced_task import DebouncedTask

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QDockWidget, QFileDialog, QWidget
 from ...actions.declaration import action, also, switch
 from ...actions.menus import FILE_IMAGE, IMAGE_BUTTONS
 from ...actions.needs import Need
-from ...canvas.image_file import ImageFileError, read_image
+from ...canvas.image_layer import ImageFileError, read_image
 from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage
 from ...document.words import listed

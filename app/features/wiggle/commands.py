@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import PlaceAction, action
 from ...actions.menus import ANALYSIS_EXPLAIN
 from ...actions.needs import CURVE_THROUGH_TWO
-from ...canvas.trace_layer import Trace
+from ...canvas.figure_layer import Trace
 from ...document.model import Document
 from ...tasks.debounced_task import DebouncedTask
 from ...tools.canvas.select import SELECT
