@@ -130,8 +130,6 @@ rounding.evaluation  curves computed with k decimal digits
   exact              polynomials through data, in integers
 
 arithmetic           numbers with exponents of their own; lengths of vectors; numbers of 106 bits
-working_memory       arrays that are kept from call to call
-tridiagonal          systems of splines
 ===================  =======================================================
 
 Arguments are copied and checked; attributes are read-only; there is no global

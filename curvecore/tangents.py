@@ -26,8 +26,8 @@ from numpy.typing import ArrayLike
 from curvecore.arithmetic import SMALLEST
 from curvecore.arrays import FloatArray, parameter_array, point_array, read_only
 from curvecore.errors import CurveError
+from curvecore.families.cubic_spline import solve_dominant
 from curvecore.parametrization import Spaced, relative_spacing
-from curvecore.tridiagonal import solve_dominant
 
 _Arguments = ParamSpec("_Arguments")
 _FEW = 48  # segments, up to which a spline under a hand, its parameters at rest, is a matrix that is kept

@@ -1,7 +1,8 @@
 """Bernstein form: control points, exact conversions, Bezier pieces and polylines of any curve.
 
 - ``bernstein``: fast evaluation from control points.  ``bernstein_algebra``: products, derivatives, roots.
-- ``vanishing_places``: where derivatives of the cardinal Hermite polynomials vanish.
+- ``hermite_roots``: where derivatives of the cardinal Hermite polynomials vanish; imported late, for its
+  fractions.
 - ``chebyshev``: Chebyshev coefficients, and from them those of Bernstein.
 - ``control_points``: exact and approximate ones.
 - ``conversion``: exact ones of any stretch, degree elevation.

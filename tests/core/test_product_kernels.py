@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from curvecore import LagrangeCurve, chebyshev, uniform
-from curvecore.families.product_form import ProductForm
-from curvecore.families.product_kernels import weight_blocks
+from curvecore.families.lagrange import ProductForm
+from curvecore.families.products import weight_blocks
 
 profile = settings(derandomize=True, deadline=None, max_examples=60)
 LIMIT = 50.0

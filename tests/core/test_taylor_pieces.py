@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from curvecore import CurveError, HermiteCurve, QuinticHermiteCurve
-from curvecore.bezier.vanishing_places import vanishing_places
-from curvecore.families.taylor_pieces import PieceIntervals
+from curvecore.bezier.hermite_roots import expansion_points
+from curvecore.families.hermite_taylor import PieceIntervals
 from tests.rows import each_row
 
 profile = settings(derandomize=True, deadline=None, max_examples=150)
@@ -46,14 +46,14 @@ def assert_relatively_accurate(exact, curve, t, order):
     st.integers(-2, 2),
 )
 def test_every_function_keeps_its_relative_error_beside_its_zeros(
-    exact, kind, which, start, length, places, away
+    exact, kind, which, start, length, positions, away
 ):
     width, order = kind
     curve = one_datum(width, start, length, which % (2 * width))
-    roots = vanishing_places(width, order).places
+    roots = expansion_points(width, order).positions
     # The doubles next to every zero: from there on the function is as small as it gets.
     with np.errstate(under="ignore"):
-        t = start + length * np.concatenate([places, roots])
+        t = start + length * np.concatenate([positions, roots])
         t += away * np.spacing(t)
     t = t[(t >= start) & (t <= curve.parameters[1]) & (np.abs(t) > 1e-290) | (t == 0.0)]
     assert_relatively_accurate(exact, curve, t, order)
@@ -142,10 +142,10 @@ def test_a_curve_that_was_evaluated_before_refuses_the_same(rng, count):
     for order in range(4):
         curve.evaluate(t, order)
     for wrong in (np.nan, np.inf, -np.inf):
-        for place in (0, count // 2, count - 1):
+        for position in (0, count // 2, count - 1):
             asked = t.copy()
-            asked[place] = wrong
-            with pytest.raises(CurveError, match=rf"t\[{place}\] is {wrong}; every value must be finite"):
+            asked[position] = wrong
+            with pytest.raises(CurveError, match=rf"t\[{position}\] is {wrong}; every value must be finite"):
                 curve.evaluate(asked, 1)
         with pytest.raises(CurveError, match="every value must be finite"):
             curve.evaluate(wrong, 1)
@@ -203,11 +203,11 @@ def test_coefficients_are_those_of_the_functions(exact):
     """Summed up at the middle of a segment, all expansions are what the functions are there."""
     for width in (2, 3):
         for order in range(2 * width):
-            found = vanishing_places(width, order)
+            found = expansion_points(width, order)
             half = fmpq(1, 2)
             _, functions = exact.hermite_terms(half, [fmpq(0), fmpq(1)], width, order)
             wanted = np.array([float(each) for end in functions for each in end])
-            pairs = zip(found.places, found.coefficients.swapaxes(0, 1), strict=True)
-            for place, coefficients in pairs:
-                powers = (0.5 - place) ** np.arange(len(coefficients))
+            pairs = zip(found.positions, found.coefficients.swapaxes(0, 1), strict=True)
+            for position, coefficients in pairs:
+                powers = (0.5 - position) ** np.arange(len(coefficients))
                 assert np.allclose(powers @ coefficients, wanted, rtol=1e-11, atol=1e-11)

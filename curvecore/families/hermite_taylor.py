@@ -1,8 +1,8 @@
-"""Hermite segments as Taylor expansions about the places where one of their functions vanishes.
+"""Hermite segments as Taylor expansions about the parameters where one of their functions vanishes.
 
-Horner's rule in t minus such a place takes two operations a power and coordinate, and has the accuracy of the
-factored functions of `hermite_basis` without their double-double arithmetic: see `vanishing_places`. What
-needs more than 53 bits is only how far the double that stands for a place lies from it, which enters the
+Horner's rule in t minus such a parameter takes two operations a power and coordinate, and has the accuracy of
+the factored functions of ``hermite_basis`` without their double-double arithmetic: see ``hermite_roots``.
+What needs more than 53 bits is only how far the double that stands for a root lies from it, which enters the
 coefficients.
 """
 
@@ -16,7 +16,7 @@ from curvecore.arithmetic import DoubleDouble, add, difference, multiply
 from curvecore.arrays import FloatArray, IntArray, extremes
 
 if TYPE_CHECKING:
-    from curvecore.bezier.vanishing_places import VanishingPlaces
+    from curvecore.bezier.hermite_roots import ExpansionPoints
 
 _CHUNK = 12_288  # parameters at a time, so that the working arrays stay in the second-level cache
 _SHORT = 2.0**-50  # segments shorter, or data smaller, by powers of these could leave the range
@@ -169,19 +169,19 @@ def taylor_pieces(
     order : int
         From 0 to 2 R - 1.
     """
-    from curvecore.bezier.vanishing_places import vanishing_places  # noqa: PLC0415 - 2 ms for fractions
+    from curvecore.bezier.hermite_roots import expansion_points  # noqa: PLC0415 - 2 ms for fractions
 
-    places = vanishing_places(first.shape[1], order)
+    points = expansion_points(first.shape[1], order)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         h = ends - starts
         data = _scaled_data(first, last, h)
         if not _in_range(h, data):
             return None
         # Segments are the last axis until all is done: loops of NumPy's over one or two numbers are slow.
-        coefficients = places.coefficients[:, None, :, 0, None] * data[0, :, None]
+        coefficients = points.coefficients[:, None, :, 0, None] * data[0, :, None]
         for k, each in enumerate(data[1:], 1):
-            coefficients += places.coefficients[:, None, :, k, None] * each[:, None]
-        origins = _expand_at_doubles(coefficients, starts, ends, places)
+            coefficients += points.coefficients[:, None, :, k, None] * each[:, None]
+        origins = _expand_at_doubles(coefficients, starts, ends, points)
         for power in range(len(coefficients)):
             for _ in range(order + power):
                 coefficients[power] /= h
@@ -189,7 +189,7 @@ def taylor_pieces(
         cuts[-1] = ends
         # What lies at a joint belongs to it, however short the segment.
         least = np.nextafter(starts, ends)
-        np.maximum(starts + h * places.cuts[:, None], least, out=cuts[:-1])
+        np.maximum(starts + h * points.cuts[:, None], least, out=cuts[:-1])
         cuts[-1, -1] = np.nextafter(ends[-1], np.inf)
         intervals = PieceIntervals.of(cuts.T.ravel(), float(starts[0]))
     powers, dim = coefficients.shape[:2]
@@ -220,21 +220,21 @@ def _scaled_data(first: FloatArray, last: FloatArray, h: FloatArray) -> FloatArr
 
 
 def _expand_at_doubles(
-    coefficients: FloatArray, starts: FloatArray, ends: FloatArray, places: VanishingPlaces
+    coefficients: FloatArray, starts: FloatArray, ends: FloatArray, points: ExpansionPoints
 ) -> FloatArray:
-    """Turn polynomials in s minus a place, (K, dim, P, k), into those about the double nearest to it.
+    """Turn polynomials in s minus a position, (K, dim, P, k), into those about the double nearest to it.
 
     Returns these doubles, (P, k).
     """
     joints = np.stack([starts, ends])[:, None]
     h = ends - starts
-    origins: FloatArray = starts + h * places.places[:, None]
-    origins[places.places == 1.0] = ends
-    inner = places.inner
+    origins: FloatArray = starts + h * points.positions[:, None]
+    origins[points.positions == 1.0] = ends
+    inner = points.inner
     if inner.size and len(coefficients) > 1:
         near = origins[inner]
-        # How far that lies behind the place, from exact distances: for some, by less than a rounding.
-        high, low = multiply(difference(near, joints), places.shares)
+        # How far that lies behind the position, from exact distances: for some, by less than a rounding.
+        high, low = multiply(difference(near, joints), points.shares)
         behind = add(DoubleDouble(high[0], low[0]), DoubleDouble(high[1], low[1]))
         exact = difference(near, behind.high)
         origins[inner] = exact.high
@@ -243,7 +243,7 @@ def _expand_at_doubles(
 
 
 def _shift(coefficients: FloatArray, inner: IntArray, offsets: FloatArray) -> None:
-    """Make polynomials in s, (K, dim, P, k), at some places those in s minus an offset, (places, k)."""
+    """Make polynomials in s, (K, dim, P, k), at some points those in s minus an offset, (points, k)."""
     some = coefficients[:, :, inner]
     for lowest in range(len(some) - 1):
         for power in range(len(some) - 2, lowest - 1, -1):

@@ -1,12 +1,12 @@
 """Roots of derivatives of the cardinal Hermite polynomials, and their Taylor coefficients there.
 
-Expanded about a place where it is 0, a polynomial has no constant term, so that it keeps a small *relative*
-error next to that place in plain arithmetic. Of the 2 R functions of a segment every one vanishes
-somewhere else; between two such places, each expansion holds as far as the middle, where the terms of every
-function sum up in size to at most some nine times the function itself.
+Expanded about a root, a polynomial has no constant term, so that it keeps a small *relative* error next to
+the root in plain arithmetic. Of the 2 R functions of a segment every one vanishes somewhere else; between two
+such roots, each expansion holds as far as the middle, where the terms of every function sum up in size to at
+most some nine times the function itself.
 
-The places are roots of polynomials with integer coefficients. Those of cubics are rational; all are found in
-exact arithmetic, once for every R and every order.
+The polynomials have integer coefficients. The roots of those of cubics are rational; all are found in exact
+arithmetic, once for every R and every order.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ import numpy as np
 
 from curvecore.arithmetic import DoubleDouble
 from curvecore.arrays import FloatArray, IntArray, read_only
-from curvecore.families.hermite_forms import hermite_form
+from curvecore.families.hermite_basis import hermite_form
 
 _LARGEST_DENOMINATOR = 64
 _DIGITS = 2**160
 _ZERO = Fraction(1, 2**120)
 
 
-class VanishingPlaces(NamedTuple):
-    """Places of a segment, in s from 0 to 1, about which the functions are expanded.
+class ExpansionPoints(NamedTuple):
+    """Positions in a segment, in s from 0 to 1, about which the functions are expanded.
 
     Attributes
     ----------
-    places : ndarray, shape (P,)
+    positions : ndarray, shape (P,)
         Ascending.
     inner : ndarray of int, shape (k,)
         Which of them are no ends of the segment.
@@ -42,11 +42,11 @@ class VanishingPlaces(NamedTuple):
     cuts : ndarray, shape (P - 1,)
         The middles between neighbours.
     coefficients : ndarray, shape (K, P, 2 R)
-        ``[j, i, k]`` belongs to the j-th power of s minus place i and to function k: those of the left end
+        ``[j, i, k]`` belongs to the j-th power of s minus position i and to function k: those of the left end
         in the order of their derivatives, then those of the right end; K = 2 R - order.
     """
 
-    places: FloatArray
+    positions: FloatArray
     inner: IntArray
     shares: DoubleDouble
     cuts: FloatArray
@@ -54,22 +54,22 @@ class VanishingPlaces(NamedTuple):
 
 
 @cache
-def vanishing_places(width: int, order: int) -> VanishingPlaces:
-    """Return the places for the order-th derivatives by s of the functions, R = `width` at each end."""
+def expansion_points(width: int, order: int) -> ExpansionPoints:
+    """Return the positions for the order-th derivatives by s of the functions, R = `width` at each end."""
     functions = range(2 * width)
     # About the middle, too: of mirrored data a derivative is 0 there, and a cusp at rest.
     middle = {Fraction(1, 2)} if order else set()
-    places = sorted(middle.union(*(_roots(width, k, order) for k in functions)))
+    positions = sorted(middle.union(*(_roots(width, k, order) for k in functions)))
     coefficients = [
-        [[_taylor(width, k, order, j, place) for k in functions] for place in places]
+        [[_taylor(width, k, order, j, position) for k in functions] for position in positions]
         for j in range(2 * width - order)
     ]
-    cuts = [float(a + b) / 2.0 for a, b in pairwise(places)]
-    inner = [i for i, place in enumerate(places) if 0 < place < 1]
-    return VanishingPlaces(
-        read_only(np.array([float(place) for place in places])),
+    cuts = [float(a + b) / 2.0 for a, b in pairwise(positions)]
+    inner = [i for i, position in enumerate(positions) if 0 < position < 1]
+    return ExpansionPoints(
+        read_only(np.array([float(position) for position in positions])),
         np.array(inner, dtype=np.intp),
-        _parts([[1 - places[i] for i in inner], [places[i] for i in inner]]),
+        _parts([[1 - positions[i] for i in inner], [positions[i] for i in inner]]),
         read_only(np.array(cuts)),
         read_only(np.array(coefficients)),
     )
@@ -84,8 +84,8 @@ def _value(form: tuple[int, ...], s: Fraction) -> Fraction:
     return Fraction(total, s.denominator ** (len(form) - 1))
 
 
-def _taylor(width: int, k: int, order: int, power: int, place: Fraction) -> float:
-    value = _value(hermite_form(width, k, order + power), place)
+def _taylor(width: int, k: int, order: int, power: int, position: Fraction) -> float:
+    value = _value(hermite_form(width, k, order + power), position)
     # Of an irrational root, the function itself is 0 but for the digits that were not computed.
     exact = value if abs(value) > _ZERO else Fraction(0)
     return float(exact / (math.factorial(power) * math.factorial(k % width)))

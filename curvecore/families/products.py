@@ -10,12 +10,18 @@ of m different r_j without r_k,
     L_k^(m)(t) = m! l_k(t) w_k e_m
 
 where A_0 + A_1 y + A_2 y**2 + ... = (t - t_k + y) (1 + e_1 y + e_2 y**2 + ...). The sums, and brackets that
-nearly cancel, are formed in double-double arithmetic. A tenth of the time of `product_series` and less.
+nearly cancel, are formed in double-double arithmetic: a tenth of the time of the power series of ``lagrange``
+and less.
+
+Working arrays are kept from call to call (`working_memory`). The system clears every page of memory when it
+is first touched, and large arrays go back to it at once: for 10,000 parameters of a cubic that took six times
+as long as the arithmetic.
 """
 
 from __future__ import annotations
 
 import math
+import threading
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -23,7 +29,6 @@ import numpy as np
 
 from curvecore.arithmetic import DoubleDouble, Scaled, add, divide, multiply, put_product_error
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.working_memory import working_memory
 
 _BLOCK_BITS = 500.0  # a block of factors may reach 2**+-500, which leaves room for its neighbours
 _MANY = 64  # parameters, above which roundings that do not average out are worth half the time again
@@ -263,3 +268,27 @@ def column_product(factors: FloatArray, block: int) -> Scaled:
 def block_of(bits: float) -> int:
     """Return how many factors of at most 2**+-bits one block may hold."""
     return max(1, int(_BLOCK_BITS / max(bits, 1.0)))
+
+
+# Memory for working arrays
+
+_MOST_KEPT = 1 << 19  # numbers that are kept, for each thread: 4 MB
+
+
+class _Kept(threading.local):
+    """The memory of one thread."""
+
+    numbers: FloatArray = np.empty(0)
+
+
+_kept = _Kept()
+
+
+def working_memory(shape: tuple[int, ...]) -> FloatArray:
+    """Return an array with arbitrary content, valid until the same thread asks for the next one."""
+    size = math.prod(shape)
+    if size > _MOST_KEPT:
+        return np.empty(shape)
+    if size > _kept.numbers.size:
+        _kept.numbers = np.empty(size)
+    return _kept.numbers[:size].reshape(shape)
