@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from ..document.units import MILLIMETRES, known_unit
-from .svg.numbers import number
+from ..document.units import known_unit
 
 POINTS_PER_MILLIMETRE: Final = 72 / 25.4
 
-_IN_CSS: Final = ("mm", "cm", "in", "pt", "pc", "px")
 _IN_DXF: Final = {"in": 1, "ft": 2, "mm": 4, "cm": 5, "m": 6, "km": 7, "µm": 13}
 
 
@@ -18,13 +16,6 @@ def note_of_unknown(name: str) -> str:
     if not name or known_unit(name):
         return ""
     return f"“{name}” is no length that files know; pictures and exported files have no true size with it."
-
-
-def css_length(value: float, unit: str) -> str:
-    """Return a length in one of the units as SVG takes it."""
-    if unit not in _IN_CSS:
-        value, unit = value * MILLIMETRES[unit], "mm"
-    return f"{number(value)}{unit}"
 
 
 def dxf_code(name: str) -> int:

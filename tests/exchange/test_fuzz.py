@@ -22,8 +22,8 @@ from app.exchange.formats.pathweaver import read_path
 from app.exchange.formats.points import points_table
 from app.exchange.formats.samples import sampled_table
 from app.exchange.options import Options
-from app.exchange.svg.path_data import read_path_data
 from app.exchange.svg.reader import read_svg
+from app.exchange.svg.shapes import read_path_data
 from app.exchange.svg.writer import svg_of
 from app.exchange.table.json_table import read_json
 from app.exchange.table.numpy_array import read_array

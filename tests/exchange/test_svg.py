@@ -19,8 +19,7 @@ from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.node_types import guessed
 from app.exchange.options import Options
-from app.exchange.svg.numbers import number
-from app.exchange.svg.writer import svg_of
+from app.exchange.svg.writer import number, svg_of
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.fitting.cubics import RELATIVE_TOLERANCE

@@ -15,7 +15,7 @@ from app.exchange.arcs import arc
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
-from app.exchange.svg.matrices import transform_of
+from app.exchange.svg.coordinates import transform_of
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.svg.xml_tree import parsed

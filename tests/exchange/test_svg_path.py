@@ -10,7 +10,7 @@ from fontTools.svgLib.path.parser import parse_path
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.exchange.svg.path_data import read_path_data, read_points
+from app.exchange.svg.shapes import read_path_data, read_points
 from tests.rows import each_row
 
 NUMBERS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "Z": 0}

@@ -19,9 +19,9 @@ from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.painting import Painting
 from app.exchange.drawing.styles import INK
 from app.exchange.options import Options
-from app.exchange.svg.our_own import OurOwn
+from app.exchange.svg.coordinates import sheet_of
+from app.exchange.svg.own_files import OurOwn
 from app.exchange.svg.reader import read_svg
-from app.exchange.svg.sheet import sheet_of
 from app.exchange.svg.writer import svg_of
 from app.exchange.svg.xml_tree import parsed
 

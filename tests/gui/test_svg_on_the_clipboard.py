@@ -13,8 +13,8 @@ from PySide6.QtTest import QTest
 from app import exchange
 from app.document.model import Document, make_curve
 from app.exchange import child
+from app.exchange.svg.coordinates import length
 from app.exchange.svg.fragments import SMALL, fragment_in
-from app.exchange.svg.lengths import length
 from app.exchange.svg.reader import read_svg
 from app.families import HERMITE
 from tests.gui.editor_facts import undo_text

@@ -22,7 +22,7 @@ from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, Options
 from ..parts import beziers_of, checked_tolerance, measured, sources_of, worst_of
-from ..svg.tree import path_data
+from ..svg.writer import path_data
 from . import Format, Written
 
 MOST_COEFFICIENTS = 100

@@ -1,14 +1,11 @@
-"""SVG.
+"""SVG, written and read.
 
-- ``writer``: a drawing as SVG, exact or within a stated tolerance.  ``tree``: its paths in their groups.
-  ``numbers``: numbers and text as XML has them.
-- ``reader``: SVG as Hermite curves, and what of a file is lost.
-  ``xml_tree``: elements with their names.  ``groups``: what holds them.
-- ``sheet``, ``lengths``, ``matrices``: sizes, units, view boxes and transforms.
-- ``shapes``, ``path_data``: outlines.  ``clips``: boxes that cut.
-- ``cascade``, ``properties``, ``paint``: the style of an element, from attributes and rules.
+- ``writer``: documents as SVG, exactly or within a stated tolerance.
+- ``reader``: SVG as curves, with a remark on everything that is lost. Its parts, from the file to a curve:
+  ``xml_tree``, elements and their names · ``cascade``, declarations in force · ``styles``, strokes, fills and
+  paints · ``coordinates``, lengths, transforms and the page · ``shapes``, outlines · ``context``, groups and
+  boxes that cut · ``own_files``, pictures that Curvebench wrote.
 - ``fragments``: SVG as people copy it.
-- ``our_own``: what in a picture of Curvebench's own is not the document's.
 """
 
 import lazy_loader as lazy

@@ -1,4 +1,4 @@
 # Modules that are imported when they are first used.
 from . import fragments as fragments
-from . import our_own as our_own
+from . import own_files as own_files
 from . import reader as reader

@@ -18,7 +18,7 @@ import tinycss2
 from tinycss2.ast import FunctionBlock, IdentToken, StringToken
 
 from ..errors import ExchangeError, Flaw, Missed
-from .lengths import NUMBER, with_unit
+from .coordinates import NUMBER, with_unit
 from .xml_tree import tag_of
 
 INHERITED = {

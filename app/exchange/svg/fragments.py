@@ -89,7 +89,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
         found = exchange.child.limited(reader, fragment.data, None, report=report)
     found = found.with_curves()
     if not fragment.is_bare:
-        is_ours = svg.our_own.MARK.encode() in fragment.data
+        is_ours = svg.own_files.MARK.encode() in fragment.data
         # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.
         unit = found.document.unit or ("" if is_ours else "px")
         return with_fields(found, document=replace(found.document, unit=unit))

@@ -26,11 +26,10 @@ from ..errors import ExchangeError, Flaw, Missed
 from ..node_types import parted
 from ..rescaled import shifted
 from .cascade import Cascade
-from .clips import Window, clip_box
-from .groups import Drawn, Group, is_seen, settled, with_line
-from .lengths import Viewport
-from .matrices import (
+from .context import Drawn, Group, Window, clip_box, is_seen, settled, with_line
+from .coordinates import (
     Box,
+    Viewport,
     box_of,
     combined,
     fitted_box,
@@ -38,15 +37,13 @@ from .matrices import (
     largest_scale,
     mean_scale,
     moved,
+    sheet_of,
     shifting,
     transform_of,
 )
-from .our_own import OurOwn
-from .paint import Paints, share_of
-from .path_data import Subpath
-from .properties import Properties, style_of
-from .shapes import LENGTHS, SHAPES, UnknownLengthError, invalid_lengths, length_of, outline_of
-from .sheet import sheet_of
+from .own_files import OurOwn
+from .shapes import LENGTHS, SHAPES, Subpath, UnknownLengthError, invalid_lengths, length_of, outline_of
+from .styles import Paints, Properties, share_of, style_of
 from .xml_tree import (
     INSENSITIVE,
     MAX_DEPTH,

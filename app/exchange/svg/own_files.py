@@ -1,4 +1,4 @@
-"""Pictures of Curvebench's own as SVG: what in them is the program's choice, and not the document's."""
+"""SVG files that Curvebench wrote: the parts of them that are no curves, and styles that are defaults."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from ...document.style import INK, USUAL_WIDTH, Style
 from ..drawing import styles
-from .matrices import box_of
+from .coordinates import box_of
 from .xml_tree import tag_of
 
 MARK = "Largest deviation from the true curves"

@@ -1,0 +1,199 @@
+"""Surroundings of a path: the groups that it lies in, and the boxes that cut it."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from curvecore.arrays import FloatArray
+
+from ...document.style import PLAIN_STYLE
+from ..cubics_in import ImportedPath
+from ..errors import ExchangeError, Flaw
+from ..naming import Names
+from .coordinates import Box, Viewport, moved
+from .shapes import SHAPES, Subpath, outline_of
+from .xml_tree import Elements, tag_of
+
+
+@dataclass(frozen=True)
+class Group:
+    """A group around shapes.
+
+    Attributes
+    ----------
+    number
+        Another one for each, however they are called.
+    name
+        What the file calls it; empty where it does not.
+    """
+
+    number: int
+    name: str
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """A path as it is drawn.
+
+    Attributes
+    ----------
+    path
+        The path.
+    element
+        The number of its element, another one each time that this is drawn.
+    groups
+        Those around it.
+    """
+
+    path: ImportedPath
+    element: int
+    groups: tuple[Group, ...]
+
+
+def is_seen(drawn: Drawn) -> bool:
+    """Whether a path has a paint."""
+    style = drawn.path.look.style
+    return style.has_stroke or style.has_fill
+
+
+def with_line(drawn: Drawn) -> Drawn:
+    """Return a shape without any paint as a line."""
+    return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))
+
+
+def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
+    """Return which elements are in each group."""
+    held: dict[Group, set[int]] = {}
+    for each in drawn:
+        for group in each.groups:
+            held.setdefault(group, set()).add(each.element)
+    return held
+
+
+def settled(drawn: Sequence[Drawn]) -> list[ImportedPath]:
+    """Return paths with the names of their groups, another one for each.
+
+    A group without a name, around a single shape, is none.
+    """
+    held = _held(drawn)
+    kept = {group for group, elements in held.items() if group.name or len(elements) > 1}
+    names = _Given()
+    return [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
+
+
+class _Given:
+    """Names that were given to groups and to shapes."""
+
+    def __init__(self) -> None:
+        self._of_group: dict[Group, str] = {}
+        self._of_shape: dict[int, str] = {}
+        self._groups, self._shapes = Names(), Names()
+
+    def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
+        """Return a path with names of its groups, and one of its shape, that no others have."""
+        chain = self._chain(groups)
+        look = replace(drawn.path.look, shape=self._shape(drawn), groups=chain)
+        return replace(drawn.path, look=look)
+
+    def _shape(self, drawn: Drawn) -> str:
+        wanted = drawn.path.look.shape
+        if wanted and drawn.element not in self._of_shape:
+            self._of_shape[drawn.element] = self._shapes.different(wanted)
+        return self._of_shape.get(drawn.element, "")
+
+    def _chain(self, groups: Sequence[Group]) -> tuple[str, ...]:
+        """Return the names of groups within each other."""
+        for group in groups:
+            if group not in self._of_group:
+                self._of_group[group] = self._groups.different(group.name or "Group")
+        return tuple(self._of_group[group] for group in groups)
+
+
+# Boxes that cut
+
+
+_ROUNDING = 1e-9
+_DRAWS = (*SHAPES, "use", "g", "text", "image")
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A box beyond which nothing is shown.
+
+    Attributes
+    ----------
+    box
+        In the units of some element.
+    matrix
+        From those to the document's plane.
+    element
+        What has it.
+    flaw
+        What is said of that where something lies beyond.
+    """
+
+    box: Box
+    matrix: FloatArray
+    element: ET.Element
+    flaw: Flaw
+
+    def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
+        """Whether points (n, 2) of the document, and what is in reach of them, lie in it.
+
+        Only boxes with upright edges know that.
+        """
+        x, y, width, height = self.box
+        corners = moved(np.array([(x, y), (x + width, y + height)]), self.matrix)
+        room = _ROUNDING * float(np.ptp(corners, axis=0).max())
+        low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
+        low, high = low + reach, high - reach
+        return bool((points >= low).all() and (points <= high).all())
+
+
+def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport) -> Box | None:
+    """Return the upright rectangle that a `clip-path` is, in the units of what has it; else None.
+
+    Programs put one around all that they draw.
+    """
+    clip = elements.referred(declared.get("clip-path", "none"))
+    if clip is None or tag_of(clip) != "clipPath" or _hangs_on_box(clip):
+        return None
+    if "clip-path" in elements.declared(clip):
+        return None
+    parts = [each for each in clip if tag_of(each) in _DRAWS]
+    if len(parts) != 1:
+        return None
+    part = parts[0]
+    if tag_of(part) == "use" and not (part.get("x") or part.get("y")):
+        # An element without others in it counts as false.
+        target = elements.used(part)
+        part = part if target is None else target
+    if tag_of(part) not in SHAPES or any(each.get("transform") for each in (clip, parts[0], part)):
+        return None
+    try:
+        return _rectangle(outline_of(part, viewport, None).subpaths)
+    except ExchangeError:
+        return None
+
+
+def _hangs_on_box(clip: ET.Element) -> bool:
+    """Whether a clip is a share of the box around what has it."""
+    return clip.get("clipPathUnits") == "objectBoundingBox"
+
+
+def _rectangle(subpaths: list[Subpath]) -> Box | None:
+    if len(subpaths) != 1:
+        return None
+    controls = subpaths[0].controls
+    ends = [tuple(point) for point in controls[:, 0].tolist()]
+    steps = controls[:, 3] - controls[:, 0]
+    # Four sides, each along an axis, and straight: all control points of each lie on it.
+    is_upright = len(ends) == 4 and bool((np.count_nonzero(np.ptp(controls, axis=1), axis=1) == 1).all())
+    if not is_upright or not np.array_equal(steps[:2], -steps[2:]):
+        return None
+    low, high = controls.min(axis=(0, 1)).tolist(), controls.max(axis=(0, 1)).tolist()
+    return (low[0], low[1], high[0] - low[0], high[1] - low[1])
