@@ -25,8 +25,8 @@ from ..document.shapes import shape_of, whole_shapes
 from ..families import Family
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
+from ..view_model.curve.core_curve import is_explicit
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.jets import is_explicit
 from ..view_model.pieces.joining import link_of
 from ..view_model.points.point_kinds import kinds_of
 

@@ -16,8 +16,7 @@ from ..document.model import Curve
 from ..plotting.pixel_map import PixelMap
 from ..plotting.sprites import Mark
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.handle_arms import NO_HANDLES, Handles, PointSides
-from ..view_model.curve.handles import handles_on, sides_at, sides_facing
+from ..view_model.curve.handles import NO_HANDLES, Handles, PointSides, handles_on, sides_at, sides_facing
 from .point_marks import HANDLE_SIZES, HandleLook, PointInk, Shade
 
 MOST_POINTS = 100

@@ -17,7 +17,7 @@ from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, Polyline
-from ..view_model.curve.handle_arms import NO_HANDLES, Handles
+from ..view_model.curve.handles import NO_HANDLES, Handles
 from ..view_model.geometry import is_inside, windings
 from .shape_painting import line_of
 

@@ -478,7 +478,10 @@ class DrawnCurves:
             and new.source.visible is old.source.visible
             and new.source.shape == old.source.shape
             # Under a drag there is a curve in every frame.
-            and ((new.motion is not None and old.motion is not None) or is_faint(new) is is_faint(old))
+            and (
+                (new.displacement is not None and old.displacement is not None)
+                or is_faint(new) is is_faint(old)
+            )
         )
 
     def _render_all(self) -> None:

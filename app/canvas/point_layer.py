@@ -23,7 +23,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.sprites import Mark
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.handle_arms import Handles
+from ..view_model.curve.handles import Handles
 from ..view_model.points.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .label_place import Taken, number_place
@@ -169,9 +169,10 @@ class PointLayer(Layer):
 
     def _shift(self, before: CurveView, view: CurveView, shown: PixelMap) -> bool:
         """Find the pixels of points that have moved since another view; return whether all else stays."""
-        if view.motion is None or before.motion is None or before.motion.moves is not view.motion.moves:
+        now, then = view.displacement, before.displacement
+        if now is None or then is None or then.moving is not now.moving:
             return False
-        rows = view.motion.moves.rows
+        rows = now.moving.rows
         if len(rows) > _FEW_MOVED:
             return False
         stays, self._pixels = True, self._pixels.copy()

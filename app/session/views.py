@@ -10,8 +10,8 @@ from operator import is_not
 from ..document.model import Curve
 from ..document.steps import are_known_to_move
 from ..families import Family
-from ..view_model.curve.carried_views import views_after
 from ..view_model.curve.curve_view import CurveView, same_line, view_of
+from ..view_model.curve.transformed import views_after
 
 _STATES = 2
 """States of the history beside the present one, whose views are kept: for an undo, and a redo after it."""

@@ -24,7 +24,7 @@ from ..features.curve_list.row_parts import Spot, spot_rect
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..tools.transform import TransformKind
-from ..view_model.curve.handle_arms import Handle
+from ..view_model.curve.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
 from .input_driver import InputDriver, type_keys

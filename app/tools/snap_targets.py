@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from ..document.lines import ends_of, is_line
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.nearest import NearestPoint
+from ..view_model.curve.distances import NearestPoint
 from .snapping import SnapKind, SnapPlaces, Targets
 
 Moving = Mapping[int, Collection[int]]

@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 from ..document.model import Guide, Vector
 from ..document.plane_edits import place_words
 from ..document.words import NamedEnum
-from ..view_model.curve.nearest import NearestPoint
+from ..view_model.curve.distances import NearestPoint
 from .pointer import Pointer
 
 REACH = 8.0

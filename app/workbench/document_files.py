@@ -26,7 +26,7 @@ from ..storage.resources import is_resource
 from ..tasks.progress import Report, part
 from ..tasks.task import Work
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.views_ahead import views_ahead
+from ..view_model.curve.transformed import views_ahead
 from .file_names import (
     SAVED_KINDS,
     SUFFIX,

@@ -13,7 +13,7 @@ from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change
 from ..session.highlight import ClipboardSelection
-from ..view_model.curve.measure import is_kept
+from ..view_model.curve.distances import is_kept
 from ..view_model.points.deleting import Deletion, without_points, without_points_but_handles
 from .context import WindowContext
 

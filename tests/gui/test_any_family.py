@@ -23,7 +23,7 @@ from app.families import FAMILIES
 from app.families.family_file import families_in
 from app.features.motion.commands import MotionCommands
 from app.tools.tool import TOOLS
-from app.view_model.curve.nearest import NearestPoint
+from app.view_model.curve.distances import NearestPoint
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.waiting import until
 

@@ -14,8 +14,8 @@ from app.document.edits import EditError
 from app.document.model import Curve, Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import CurveView, view_of
-from app.view_model.curve.flattener import Flattener
 from app.view_model.curve.handles import handles_of
+from app.view_model.curve.moving import Flattener
 from curvecore import LagrangeCurve
 from curvecore.bezier.flatten import flatten_pieces
 from curvecore.bezier.polylines import segment_distance

@@ -20,7 +20,7 @@ from app.tools.pointer import Pointer
 from app.tools.snap_targets import targets_of
 from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value
 from app.view_model.curve.curve_view import view_of
-from app.view_model.curve.nearest import NearestPoint
+from app.view_model.curve.distances import NearestPoint
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -45,7 +45,7 @@ from app.view_model.basis.growth import growth_at, growth_of_points
 from app.view_model.bending.bend import Bend
 from app.view_model.bending.hold import BendWith
 from app.view_model.curve.curve_view import view_of
-from app.view_model.curve.nearest import NearestPoint
+from app.view_model.curve.distances import NearestPoint
 from app.view_model.fitting.convert import converted
 from app.view_model.fitting.reshape import reversed_curve, with_point_inserted
 from app.view_model.pieces.joining import joined

@@ -13,8 +13,8 @@ from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import Affine, flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.boxes.bounds import box_found, find_boxes
-from app.view_model.curve.carried_views import views_after
 from app.view_model.curve.curve_view import CurveView, view_of
+from app.view_model.curve.transformed import views_after
 from curvecore.bezier.polylines import segment_distance
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
@@ -108,7 +108,7 @@ def test_curves_that_are_mapped_need_not_be_made(family, kind, by):
     views = seen(document)
     for _ in range(3):
         document, views = after(document, by, views)
-        assert all(view.carry is not None and view.is_followed for view in views)
+        assert all(view.curve_map is not None and view.is_followed for view in views)
     assert_right(views)
 
 
@@ -117,8 +117,8 @@ def test_lengths_that_a_map_changes_are_asked_for_again():
     by_length, uniform = several(HERMITE), several(HERMITE, ParametrizationKind.UNIFORM)
     _, made = after(by_length, SKEW, seen(by_length))
     _, kept = after(uniform, SKEW, seen(uniform))
-    assert not any(view.carry for view in made)
-    assert all(view.carry for view in kept)
+    assert not any(view.curve_map for view in made)
+    assert all(view.curve_map for view in kept)
     assert_right([*made, *kept])
 
 
@@ -128,7 +128,7 @@ def test_what_is_not_mapped_as_a_whole_is_made(family):
     document = several(family, velocity_rule=rule)
     views = seen(document)
     _, made = after(document, MAPS["moved"], views)
-    assert not any(view.carry for view in made)
+    assert not any(view.curve_map for view in made)
     assert_right(made)
 
 
@@ -141,7 +141,7 @@ def test_some_points_are_no_whole_curve_and_derivatives_may_stay():
         for curve in document.curves[3:]
     )
     changed = views_after((some.curves[0], *document.curves[1:3], *turned), views)
-    assert [view.carry is not None for view in changed] == [False, True, True, False, False]
+    assert [view.curve_map is not None for view in changed] == [False, True, True, False, False]
     assert_right(changed)
 
 
@@ -151,5 +151,5 @@ def test_a_dot_that_is_scaled_to_nothing_is_drawn():
     dot = Curve("Dot", HERMITE, Parametrization(ParametrizationKind.MANUAL), points)
     document = Document((dot, dot))
     _, views = after(document, scaling(0.0, 0.0, (1.0, 1.0)), seen(document))
-    assert all(view.carry for view in views)
+    assert all(view.curve_map for view in views)
     assert [view.flattened(0.1).points.tolist() for view in views] == [[[1.0, 1.0]] * 2] * 2

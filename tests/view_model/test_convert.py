@@ -14,7 +14,7 @@ from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.view_model.curve.curve_view import view_of
-from app.view_model.curve.measure import is_kept
+from app.view_model.curve.distances import is_kept
 from app.view_model.fitting.convert import converted, outlook
 from app.view_model.points.smoothness import jolts_of, with_corners
 from curvecore import CurveError, LagrangeCurve

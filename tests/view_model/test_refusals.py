@@ -7,8 +7,8 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE
+from app.view_model.curve.core_curve import in_words
 from app.view_model.curve.curve_view import view_of
-from app.view_model.curve.refusals import in_words
 from curvecore import CurveError, LagrangeCurve
 from tests.rows import each_row
 

@@ -16,7 +16,7 @@ from app.document.lines import is_line
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
-from app.view_model.curve.measure import dense
+from app.view_model.curve.distances import dense
 from app.view_model.fitting.reshape import (
     Reshaped,
     baked,

@@ -15,8 +15,8 @@ from ...document.model import Document
 from ...document.style import FillRule, LineCap, LineJoin, Style
 from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import part, told
+from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve
-from ...view_model.curve.refusals import in_words
 from ..drawing.drawing import Drawing, drawing_of
 from ..drawing.frames import Frame
 from ..drawing.outlines import Outline

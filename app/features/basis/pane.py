@@ -130,7 +130,7 @@ class BasisPane(FollowsTheme, CentralPane):
         drawing = self._panel.drawing
         drawing.render_view(view)
         basis = drawing.basis
-        if view.motion is not None and self._told_of == (basis, drawing.with_estimates):
+        if view.displacement is not None and self._told_of == (basis, drawing.with_estimates):
             # Points have moved, and the functions rest.
             return
         self._told_of = (basis, drawing.with_estimates)

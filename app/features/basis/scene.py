@@ -184,7 +184,7 @@ def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
     """
     if basis is None:
         return False
-    if view.motion is not None and not cardinals and basis.curve is view.motion.moves.curve:
+    if view.displacement is not None and not cardinals and basis.curve is view.displacement.moving.curve:
         # As under most drags: points move, and the functions rest.
         return not isinstance(basis, CardinalView)
     if not view.is_current or len(view.source.points) <= basis.owners[-1]:

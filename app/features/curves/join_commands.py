@@ -22,7 +22,7 @@ from ...document.model import Document
 from ...document.several_curves import remove_curves
 from ...document.words import number
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.curve.measure import is_kept
+from ...view_model.curve.distances import is_kept
 from ...view_model.pieces.joining import (
     End,
     Joined,

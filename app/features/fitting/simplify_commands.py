@@ -18,7 +18,7 @@ from ...document.shapes import tidy_shapes, whole_shapes
 from ...document.words import count_of, number
 from ...tasks.progress import Report, part
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.curve.views_ahead import views_ahead
+from ...view_model.curve.transformed import views_ahead
 from ...view_model.fitting.simplifying import Simplified, simplified
 from ...workbench.context import WindowContext
 

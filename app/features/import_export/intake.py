@@ -10,7 +10,7 @@ from ...document.plain import plain
 from ...document.several_curves import add_imported, is_blank, left_behind
 from ...document.shapes import tidy_shapes
 from ...document.words import names_of
-from ...view_model.curve.views_ahead import views_ahead
+from ...view_model.curve.transformed import views_ahead
 from ...view_model.pieces.arrivals import Arrival
 
 MANY_POINTS = 1000

@@ -17,7 +17,7 @@ from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, told
 from ..basis.growth import growth_of_points
 from ..curve.curve_view import CurveView, view_of
-from ..curve.measure import dense, is_kept, largest_distance
+from ..curve.distances import dense, is_kept, largest_distance
 from .wiggle import overshoot
 
 _IN_USE = "The curve is like that already."

@@ -11,7 +11,7 @@ from curvecore.arrays import FloatArray
 from ...document import edits
 from ...document.model import Curve, Document
 from ..curve.curve_view import Box, CurveView, view_of
-from ..curve.measure import coincide
+from ..curve.distances import coincide
 from ..geometry import all_along
 from .ghost import Ghost, all_ghosts
 from .scene import is_quick

@@ -27,8 +27,8 @@ from curvecore import (
 from curvecore.arrays import FloatArray
 
 from ...tasks.progress import Report, silent
+from ..curve.core_curve import in_words
 from ..curve.curve_view import CurveView, ParametricCurve
-from ..curve.refusals import in_words
 from ..geometry import all_along
 from .laboratory_settings import Calculation, LaboratorySettings, RoundedPart
 

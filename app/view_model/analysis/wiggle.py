@@ -12,9 +12,8 @@ from curvecore.bezier.polylines import segment_distance
 from ...document.derivatives import DERIVATIVES
 from ..basis.basis_view import weights_at
 from ..basis.growth import growth_at
-from ..curve.cardinals import unbounded
+from ..curve.core_curve import is_explicit, unbounded
 from ..curve.curve_view import CurveView
-from ..curve.jets import is_explicit
 from ..geometry import segment_at, within_segments
 from .wording import short
 

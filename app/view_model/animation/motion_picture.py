@@ -17,7 +17,7 @@ from ...document.derivatives import VelocityRule
 from ...families import Family
 from ..analysis.ghost import Ghost
 from ..curve.curve_view import CurveView, view_of
-from ..curve.measure import coincide
+from ..curve.distances import coincide
 from ..geometry import Samples, size_of, usual_length
 from ..line_styles import BLUE, PURPLE
 from .motion import STATIONS, Course, folded, round_of, runs_back

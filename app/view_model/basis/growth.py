@@ -17,7 +17,7 @@ from curvecore.analysis.stability import lebesgue_constants
 from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
 
-from ..curve.cardinals import unbounded
+from ..curve.core_curve import unbounded
 from ..curve.curve_view import CurveView
 from .basis_view import BasisView
 

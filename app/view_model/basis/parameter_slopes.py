@@ -7,8 +7,8 @@ import numpy as np
 import curvecore
 from curvecore.arrays import FloatArray
 
+from ..curve.core_curve import Sides, sides_of
 from ..curve.curve_view import CurveView
-from ..curve.jets import Sides, sides_of
 
 _STEP = 1e-5
 """Step of the differences as a share of the narrower gap: what is left out is its square."""

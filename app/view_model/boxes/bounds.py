@@ -15,8 +15,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Vector
 from ...document.point_group import PointGroup
-from ..curve.curve_view import CurveView
-from ..curve.made_curve import Carry
+from ..curve.curve_view import CurveMap, CurveView
 
 _ALONG = 1e-14
 """Share of a map that may lead across the axes: what is rounded."""
@@ -27,7 +26,9 @@ def find_boxes(views: Sequence[CurveView]) -> None:
     missing = [view for view in views if "bounds" not in view.__dict__]
     if not missing:
         return
-    carried = [(view, view.carry) for view in missing if view.carry is not None and _is_along(view.carry)]
+    carried = [
+        (view, view.curve_map) for view in missing if view.curve_map is not None and _is_along(view.curve_map)
+    ]
     alone = {id(view): view for view in missing} | {id(carry.root): carry.root for _, carry in carried}
     for view, _ in carried:
         del alone[id(view)]
@@ -42,7 +43,7 @@ def box_found(view: CurveView) -> FloatArray:
     return found
 
 
-def _is_along(carry: Carry[CurveView]) -> bool:
+def _is_along(carry: CurveMap) -> bool:
     (a, b), (c, d) = carry.matrix.tolist()
     return bool(max(abs(b), abs(c)) <= _ALONG * min(abs(a), abs(d)))
 
@@ -58,7 +59,7 @@ def _compute(views: Iterable[CurveView]) -> None:
         view.__dict__["bounds"] = np.array([box.minimum, box.maximum])
 
 
-def _carry_along(carried: Sequence[tuple[CurveView, Carry[CurveView]]]) -> None:
+def _carry_along(carried: Sequence[tuple[CurveView, CurveMap]]) -> None:
     """Keep the boxes of views that were carried here, by those of their roots."""
     scale = np.array([carry.matrix.diagonal() for _, carry in carried])[:, None]
     shift = np.array([carry.shift for _, carry in carried])[:, None]

@@ -1,4 +1,8 @@
-"""The view of one curve of the document: its core curve, polyline and derivatives, or why there is none."""
+"""The view of one curve of the document: its core curve, polyline and derivatives, or why there is none.
+
+`view_of` makes the view of a curve; it takes from the view before whatever did not change. While points are
+dragged, polylines and handles follow the points, and the core's curve is made when somebody asks for it.
+"""
 
 from __future__ import annotations
 
@@ -15,13 +19,19 @@ from curvecore.arrays import BoolArray, FloatArray
 from ...document.model import Curve, Vector
 from ...families.family import OverdueCallError
 from ..geometry import at_knots, size_of
-from .cardinals import Cardinal, Cardinals
-from .core_curve import Core, checked_parameters, core_curve
-from .flattener import Box, Flattener, FlatteningKey, Polyline
-from .made_curve import Carry, MadeCurve
+from .core_curve import (
+    Cardinal,
+    Cardinals,
+    CoreCurve,
+    Sides,
+    checked_parameters,
+    core_after,
+    core_anew,
+    core_curve,
+    refusal_of,
+)
+from .moving import Box, Displacement, Flattener, FlatteningKey, MovingPoints, Polyline
 from .point_arrays import PointArrays, arrays_of, rows_changed
-from .point_moves import Motion, PointMoves
-from .refusals import refusal_of
 
 __all__ = [
     "TOO_FEW",
@@ -49,12 +59,179 @@ LINE = tuple(
 _runs = attrgetter(*LINE)
 
 
-class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
-    """One curve of the document with everything that a canvas or panel draws of it."""
+class CurveMap(msgspec.Struct, frozen=True, eq=False, gc=False):
+    """The affine map x -> x A^T + b from the curve of another view to the curve of this one.
 
+    Attributes
+    ----------
+    root
+        The other view, whose curve is not itself the image of one.
+    matrix
+        A, (2, 2).
+    shift
+        b, (2,).
+    stretch
+        The largest factor by which the map makes lengths longer.
+    """
+
+    root: CurveView
+    matrix: FloatArray
+    shift: FloatArray
+    stretch: float
+
+    def polyline(self, tolerance: float) -> Polyline | None:
+        """Return the mapped curve as a polyline; None where the visible part alone is flattened faster."""
+        before = tolerance / self.stretch if self.stretch > 0.0 else 0.0
+        low, high = self.root.drawn_box
+        if not 0.0 < before >= float((high - low).max()) / _MOST_TOLERANCES:
+            return None
+        line = self.root.flattened(before)
+        points = line.points @ self.matrix.T + self.shift
+        return Polyline(line.parameters, points, line.deviation * self.stretch)
+
+
+class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
+    """One curve of the document with all that a canvas or a panel draws of it.
+
+    `curve` is the core's curve, `problem` says why there is none, `polyline` and `flattened` are what is
+    drawn. While points are dragged and all else rests, and where all points were mapped, the polyline
+    follows them, and the core's curve is made only when somebody asks for it.
+
+    Attributes
+    ----------
+    source
+        The curve of the document.
+    points
+        The positions of the points, (n, 2).
+    arrays
+        All numbers in the points; the next view takes from here what stays.
+    displacement
+        The move of some points from those of a view before, where nothing else has changed.
+    curve_map
+        The map from the curve of another view, where all points were mapped with their curve.
+    """
+
+    source: Curve
+    points: FloatArray
+    arrays: PointArrays
+    _made: CoreCurve | None = None
+    displacement: Displacement | None = None
+    curve_map: CurveMap | None = None
     _flattener: Flattener = msgspec.field(default_factory=Flattener)
     _cardinals: Cardinals = msgspec.field(default_factory=Cardinals)
     _flattened: dict[FlatteningKey, Polyline] = msgspec.field(default_factory=dict)
+
+    @cached_property
+    def _core(self) -> CoreCurve:
+        if self._made is not None:
+            return self._made
+        if self.curve_map is not None:
+            return core_anew(self.source, self.arrays, self.curve_map.root.curve)
+        assert self.displacement is not None
+        return core_after(self.source, self.arrays, self.displacement.moving.curve)
+
+    @property
+    def is_followed(self) -> bool:
+        """Whether what is drawn follows points, and nobody has asked yet for the core's curve they give."""
+        return self._made is None and "_core" not in self.__dict__
+
+    def settle(self) -> None:
+        """Make the core's curve: nothing is being dragged any more, and all that is shown is exact."""
+        self._core  # noqa: B018 - kept from now on
+
+    @property
+    def curve(self) -> ParametricCurve | None:
+        """The core's curve.
+
+        The last good one where the present points and rules give none, None where there never was one.
+        """
+        return self._core.curve
+
+    @property
+    def known_curve(self) -> ParametricCurve | None:
+        """The core's curve, or one with the same functions if it has yet to be made."""
+        return self.curve_map.root.curve if self.curve_map is not None and self.is_followed else self.curve
+
+    @property
+    def has_curve(self) -> bool:
+        """Whether there is a curve to draw, the present one or the last good one."""
+        return self.is_followed or self._core.curve is not None
+
+    @property
+    def problem(self) -> str:
+        """Why the present points and rules give no curve, as a sentence; empty where they do."""
+        return "" if self.is_followed else self._core.problem
+
+    @property
+    def is_overdue(self) -> bool:
+        """Whether there is none because functions of a file take too long."""
+        return not self.is_followed and self._core.is_overdue
+
+    @property
+    def sides(self) -> Sides | None:
+        """The jets before and after each knot, where the family has derivatives and `curve` is current."""
+        return self._core.sides
+
+    @property
+    def is_current(self) -> bool:
+        """Whether `curve` belongs to the present points and rules."""
+        return self.is_followed or (self._core.curve is not None and not self._core.problem)
+
+    @property
+    def parameters(self) -> FloatArray:
+        """The parameters of the knots of `curve`, empty without one."""
+        if self.displacement is not None:
+            return self.displacement.moving.curve.parameters
+        return self.curve.parameters if self.curve is not None else np.empty(0)
+
+    @cached_property
+    def ticks(self) -> FloatArray:
+        """The parameters that the present rule gives, one for each knot; empty where it gives none.
+
+        The family may refuse them: then `curve` has other ones, or there is none.
+        """
+        if self.is_current:
+            return self.parameters
+        if not self.source.points:
+            return np.empty(0)
+        try:
+            return checked_parameters(self.source, self.at_knots, self.arrays)
+        except CurveError:
+            return np.empty(0)
+
+    @property
+    def pieces(self) -> tuple[ParametricCurve, ...]:
+        """The curves that `curve` is a chain of; one, unless it has corners."""
+        return self.curve.pieces if self.curve is not None else ()
+
+    @cached_property
+    def basis_curve(self) -> ParametricCurve | None:
+        """A curve with the basis functions of `curve`, one set for each knot: corners do not change them."""
+        if self.displacement is not None:
+            return self.displacement.moving.curve
+        if self.curve is None or len(self.pieces) == 1:
+            return self.curve
+        nothing = np.zeros((len(self.parameters), self.curve.jets.shape[1], 2))
+        return self.pieces[0].with_data(nothing, self.parameters)
+
+    @property
+    def at_knots(self) -> FloatArray:
+        """The points' positions, of a closed curve the first one once more at the end, (k, 2)."""
+        return at_knots(self.points, closed=self.source.is_closed)
+
+    def owner(self, knot: int) -> int:
+        """Return the point that a knot belongs to."""
+        return knot % len(self.source.points)
+
+    def spacing(self, index: int, *, ahead: bool) -> float | None:
+        """Return the length in t of the segment ahead of or behind point `index`, None beyond the ends."""
+        t = self.parameters
+        if not self.is_current:
+            return None
+        if index == 0 and not ahead and self.source.is_closed:
+            index = len(t) - 1
+        other = index + 1 if ahead else index - 1
+        return abs(float(t[other] - t[index])) if 0 <= other < len(t) else None
 
     @cached_property
     def corners(self) -> list[int]:
@@ -165,9 +342,9 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
         key = (tolerance, box)
         if key not in self._flattened:
             self._flattened.clear()
-            moved = None if self.motion is None else self.motion.polyline(key)
-            if self.carry is not None:
-                moved = _carried(self.carry, tolerance)
+            moved = None if self.displacement is None else self.displacement.polyline(key)
+            if self.curve_map is not None:
+                moved = self.curve_map.polyline(tolerance)
             self._flattened[key] = moved or self._flattener.polyline(self.curve, key)
         return self._flattened[key]
 
@@ -186,15 +363,6 @@ class CurveView(MadeCurve, frozen=True, eq=False, dict=True):
         return (float(x), float(y))
 
 
-def _carried(carry: Carry[CurveView], tolerance: float) -> Polyline | None:
-    """Return a carried curve as a polyline; None where it is better flattened as far as it is seen."""
-    own = tolerance / carry.stretch if carry.stretch > 0.0 else 0.0
-    low, high = carry.root.drawn_box
-    if not 0.0 < own >= float((high - low).max()) / _MOST_TOLERANCES:
-        return None
-    return carry.mapped(carry.root.flattened(own))
-
-
 def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     """Return the view of `curve`.
 
@@ -204,14 +372,14 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
     arrays = arrays_of(curve.points, previous.arrays if previous is not None else None)
     points = arrays.positions
     if len(curve.points) < 2:
-        return CurveView(curve, points, arrays, Core(None, TOO_FEW))
-    motion = _motion_of(curve, arrays, previous)
-    if previous is not None and (motion is not None or _lends(previous)):
+        return CurveView(curve, points, arrays, CoreCurve(None, TOO_FEW))
+    displacement = _displacement_of(curve, arrays, previous)
+    if previous is not None and (displacement is not None or _lends(previous)):
         handed_on = (previous._flattener, previous._cardinals)
     else:
         handed_on = (Flattener(), Cardinals())
-    if motion is not None:
-        return CurveView(curve, points, arrays, None, motion, None, *handed_on)
+    if displacement is not None:
+        return CurveView(curve, points, arrays, None, displacement, None, *handed_on)
     try:
         core = _core_of(curve, arrays, previous)
     except CurveError as problem:
@@ -220,7 +388,7 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
         is_overdue = isinstance(problem, OverdueCallError)
         if is_overdue and last_good is not None:
             words += " The last curve that could be drawn is shown."
-        return CurveView(curve, points, arrays, Core(last_good, words, is_overdue=is_overdue))
+        return CurveView(curve, points, arrays, CoreCurve(last_good, words, is_overdue=is_overdue))
     return CurveView(curve, points, arrays, core, None, None, *handed_on)
 
 
@@ -229,7 +397,7 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
 
     It shares all that was computed of the other; None where the curve may run elsewhere.
     """
-    if other.motion is not None or other.problem or not _lends(other):
+    if other.displacement is not None or other.problem or not _lends(other):
         return None
     if _runs(curve) != _runs(other.source):
         return None
@@ -238,7 +406,7 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
         other.points,
         other.arrays,
         other._made,
-        carry=other.carry,
+        curve_map=other.curve_map,
         _cardinals=other._cardinals,
         _flattened=other._flattened,
     )
@@ -246,15 +414,15 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
     return view
 
 
-def _motion_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Motion | None:
+def _displacement_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Displacement | None:
     """Return how the points came here, where all else is as in the view before; None where it is not."""
     if previous is None or len(arrays.points) != len(previous.points):
         return None
-    known = previous.motion.moves.to(curve, arrays) if previous.motion is not None else None
-    return known or _first_motion(curve, arrays, previous)
+    known = previous.displacement.moving.to(curve, arrays) if previous.displacement is not None else None
+    return known or _first_displacement(curve, arrays, previous)
 
 
-def _first_motion(curve: Curve, arrays: PointArrays, previous: CurveView) -> Motion | None:
+def _first_displacement(curve: Curve, arrays: PointArrays, previous: CurveView) -> Displacement | None:
     rows = rows_changed(arrays.points, previous.arrays.points)
     if (
         not rows
@@ -265,7 +433,7 @@ def _first_motion(curve: Curve, arrays: PointArrays, previous: CurveView) -> Mot
     ):
         return None
     try:
-        moves = PointMoves(previous.source, previous.arrays, previous.curve, previous.sides, rows)
+        moves = MovingPoints(previous.source, previous.arrays, previous.curve, previous.sides, rows)
     except CurveError:
         return None
     return moves.to(curve, arrays) if moves.is_safe else None
@@ -277,7 +445,7 @@ def _lends(previous: CurveView) -> bool:
     return known is None or previous.source.family.makes(known)
 
 
-def _core_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Core:
+def _core_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> CoreCurve:
     knots = at_knots(arrays.positions, closed=curve.is_closed)
     parameters = _resting_parameters(curve, arrays, previous)
     if parameters is None:

@@ -10,7 +10,7 @@ h³·j/210. The m-th is the handle of the derivative of order m; those below sta
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from itertools import pairwise
 
 import msgspec
@@ -20,10 +20,100 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...document.edits import EditError, set_velocity
 from ...document.model import Curve, Document, Vector
+from .core_curve import Sides
 from .curve_view import CurveView
-from .handle_arms import NO_HANDLES, NO_SIDES, Handle, Handles, PointSides
-from .jets import Sides
-from .point_moves import Motion
+from .moving import Displacement
+
+
+class Handle(msgspec.Struct, frozen=True):
+    """One handle of a point.
+
+    Attributes
+    ----------
+    kind
+        The order of the derivative: 1 for a velocity.
+    ahead
+        Whether it belongs to the segment after the point.
+    position
+        Its place in the plane.
+    anchor
+        The beginning of the line to it: the point, or the handle of the derivative before.
+    explicit
+        Whether the person set the value; otherwise a rule estimates it.
+    index
+        The point that it belongs to.
+    """
+
+    kind: int
+    ahead: bool
+    position: Vector
+    anchor: Vector
+    explicit: bool
+    index: int = 0
+
+
+class Handles(msgspec.Struct, frozen=True, eq=False):
+    """Handles of points, in arms: those on one side of a point, each hanging on the one before.
+
+    Attributes
+    ----------
+    indices, ahead
+        The point of each arm, and whether the arm lies on the segment after it; (a,).
+    places
+        The point and then the handles of its arm, by the orders of the derivatives, (a, 1 + orders, 2).
+    explicit
+        Whether the person set the derivatives, (a, orders).
+    """
+
+    indices: IntArray
+    ahead: BoolArray
+    places: FloatArray
+    explicit: BoolArray
+
+    def __len__(self) -> int:
+        return self.explicit.size
+
+    def __getitem__(self, number: int) -> Handle:
+        arm, order = divmod(number, self.explicit.shape[1])
+        (x0, y0), (x, y) = self.places[arm, order : order + 2].tolist()
+        side, is_explicit = bool(self.ahead[arm]), bool(self.explicit[arm, order])
+        return Handle(order + 1, side, (x, y), (x0, y0), is_explicit, int(self.indices[arm]))
+
+    def __iter__(self) -> Iterator[Handle]:
+        return map(self.__getitem__, range(len(self)))
+
+    @property
+    def positions(self) -> FloatArray:
+        """Their places in the plane, one arm after the other, (k, 2)."""
+        return self.places[:, 1:].reshape(-1, 2)
+
+    @property
+    def lines(self) -> FloatArray:
+        """The lines from what they hang on, (k, 4)."""
+        return np.concatenate([self.places[:, :-1], self.places[:, 1:]], axis=2).reshape(-1, 4)
+
+    def of_velocities(self) -> Handles:
+        """Return the handles of the velocities alone."""
+        return Handles(self.indices, self.ahead, self.places[:, :2], self.explicit[:, :1])
+
+    def of_arms(self, which: BoolArray | slice) -> Handles:
+        """Return the handles of some of the arms."""
+        return Handles(self.indices[which], self.ahead[which], self.places[which], self.explicit[which])
+
+
+NO_HANDLES = Handles(
+    np.empty(0, dtype=np.intp), np.empty(0, dtype=bool), np.empty((0, 2, 2)), np.empty((0, 1), dtype=bool)
+)
+
+
+class PointSides(msgspec.Struct, frozen=True, eq=False):
+    """Sides of points: which points, and whether the side ahead of them is meant; (a,) each."""
+
+    indices: IntArray
+    ahead: BoolArray
+
+
+NO_SIDES = PointSides(np.empty(0, dtype=np.intp), np.empty(0, dtype=np.bool_))
 
 
 class _Arms(msgspec.Struct, frozen=True, eq=False):
@@ -80,8 +170,8 @@ def handles_on(view: CurveView, sides: PointSides, *, free: bool = False) -> Han
         return _lone_handle(view)
     if not view.is_current:
         return NO_HANDLES
-    if view.is_followed and view.motion is not None:
-        return _moved_handles(view, view.motion, sides, free=free)
+    if view.is_followed and view.displacement is not None:
+        return _moved_handles(view, view.displacement, sides, free=free)
     assert view.sides is not None
     return _handles_from(view, view.sides, _arms(view, sides, free=free))
 
@@ -120,9 +210,9 @@ def _control_points(jets: FloatArray, h: FloatArray, degree: int) -> FloatArray:
     return places
 
 
-def _moved_handles(view: CurveView, motion: Motion, sides: PointSides, *, free: bool) -> Handles:
+def _moved_handles(view: CurveView, displacement: Displacement, sides: PointSides, *, free: bool) -> Handles:
     """Return handles while points are dragged: they follow by a share of the way."""
-    moves, key = motion.moves, (id(sides), free)
+    moves, key = displacement.moving, (id(sides), free)
     if key not in moves.handles:
         # Those of the points selected and those that face them; who asks for others has selected others.
         while len(moves.handles) > 1:
@@ -131,7 +221,7 @@ def _moved_handles(view: CurveView, motion: Motion, sides: PointSides, *, free: 
         at_rest, unit = (_handles_from(view, each, arms) for each in (moves.at_rest, moves.unit))
         moves.handles[key] = (sides, at_rest, unit.places[..., :1])
     _, at_rest, share = moves.handles[key]
-    places = at_rest.places + share * motion.way
+    places = at_rest.places + share * displacement.offset
     return Handles(at_rest.indices, at_rest.ahead, places, at_rest.explicit)
 
 

@@ -13,7 +13,7 @@ from ...document.edits import EditError
 from ...document.words import count_of, number
 from ...families import Family
 from ..curve.curve_view import CurveView, view_of
-from ..curve.measure import dense, is_kept, largest_distance
+from ..curve.distances import dense, is_kept, largest_distance
 from ..geometry import size_of
 from .reshape import Reshaped, refuse_without_curve, through
 

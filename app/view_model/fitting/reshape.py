@@ -24,9 +24,9 @@ from ...document.model import Curve, Document, ParametrizationKind, Point, Vecto
 from ...document.ties import tied_if_parallel
 from ...document.words import number
 from ...families import Family
+from ..curve.core_curve import Sides
 from ..curve.curve_view import CurveView, ParametricCurve, view_of
-from ..curve.jets import Sides
-from ..curve.measure import dense, is_kept, largest_distance, outcome
+from ..curve.distances import dense, is_kept, largest_distance, outcome
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""

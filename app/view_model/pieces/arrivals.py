@@ -16,7 +16,7 @@ from ...document.shapes import shape_of
 from ...storage.validation import foresee
 from ..boxes.bounds import around
 from ..curve.curve_view import CurveView, view_of
-from ..curve.views_ahead import views_ahead
+from ..curve.transformed import views_ahead
 
 
 class Arrival(msgspec.Struct, frozen=True):

@@ -18,7 +18,7 @@ from ...document.ties import tied_if_parallel
 from ...document.words import number
 from ...families import titles_with_derivatives
 from ..curve.curve_view import CurveView, view_of
-from ..curve.measure import dense, is_kept, largest_distance
+from ..curve.distances import dense, is_kept, largest_distance
 from ..fitting.reshape import Reshaped, baked, refuse_without_curve, reversed_curve
 from ..geometry import polygon_length, size_of
 from ..points.straight import with_straight_segments

@@ -20,7 +20,7 @@ from ...document.model import Curve, ParametrizationKind, Point
 from ...document.words import number
 from ...families import HERMITE
 from ..curve.curve_view import CurveView, view_of
-from ..curve.measure import dense, is_kept, largest_distance, outcome
+from ..curve.distances import dense, is_kept, largest_distance, outcome
 from ..fitting.reshape import baked, refuse_without_curve, through, with_point_inserted
 
 MOST_POINTS_SPLIT = 40

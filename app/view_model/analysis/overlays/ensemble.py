@@ -8,8 +8,8 @@ import numpy as np
 
 import curvecore
 
+from ...curve.core_curve import in_words
 from ...curve.curve_view import curve_through
-from ...curve.refusals import in_words
 from ...geometry import all_along
 from ...line_styles import LineStyle
 from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text

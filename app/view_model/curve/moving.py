@@ -1,27 +1,94 @@
-"""A curve some of whose points move together, as under a drag, while all else rests: nothing is made anew.
+"""Polylines of a curve that changes, as under a drag: what was computed for the last curve is used again.
 
-Under rules that are linear in the points it is c(t) + w(t) D, where D is the way of the points: so are its
-polyline and its derivatives. The core's curve is made of the points as they are by whoever needs it.
+`Flattener` follows any curve. `MovingPoints` follows one of whose points some move together while all else
+rests. Under rules that are linear in the points that curve is c(t) + w(t) D, where D is the offset of the
+points: so are its polyline and its derivatives, and the core's curve is made only if somebody asks for it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, TypeAlias
 
 import msgspec
 import numpy as np
 
-from curvecore import ParametricCurve
-from curvecore.arrays import FloatArray
+from curvecore import FrozenFlattening, FrozenSegments, ParametricCurve, Pieces, flatten_pieces
 from curvecore.drag.moved_points import MovedPoints
 
 from ...document.model import Curve, Vector
 from ...document.steps import differ_in_points
 from ..geometry import at_knots
-from .flattener import FlatteningKey, Polyline
-from .handle_arms import Handles, PointSides
-from .jets import Sides, moved_with_points
+from .core_curve import Sides, moved_with_points
 from .point_arrays import PointArrays, rows_changed
+
+Box = tuple[float, float, float, float]
+FlatteningKey = tuple[float, Box | None]
+"""Tolerance, and the box in which it matters."""
+
+_PAUSE = 30
+"""Curves after one that not even samples of its own could follow, for which none are taken."""
+
+
+Polyline: TypeAlias = Pieces
+"""A curve as drawn: the parameters of its vertices (k,), the vertices (k, 2), and how far it is off."""
+
+_NOTHING = Polyline(np.empty(0), np.empty((0, 2)), np.empty(0))
+
+
+class Flattener:
+    """Flattens one curve after the other; views of a curve that changes hand it on from one to the next.
+
+    A curve that is drawn again at the same scale gets samples, or places on its segments, that follow it.
+    What is drawn of it, and the whole of it for its extent, are asked for in turn: each has its own.
+    """
+
+    __slots__ = ("_drawn", "_whole")
+
+    def __init__(self) -> None:
+        self._drawn, self._whole = _Follower(), _Follower()
+
+    def polyline(self, curve: ParametricCurve | None, key: FlatteningKey) -> Polyline:
+        """Return the polyline of `curve` for the tolerance and the box `key`."""
+        follower = self._whole if key[1] is None else self._drawn
+        return follower.polyline(curve, key)
+
+
+class _Follower:
+    """Samples, or places on segments, that follow a curve as long as it is asked for with the same key."""
+
+    __slots__ = ("_frozen", "_last", "_pause")
+
+    def __init__(self) -> None:
+        self._last: FlatteningKey | None = None
+        self._frozen: FrozenFlattening | FrozenSegments | None = None
+        self._pause = 0
+
+    def polyline(self, curve: ParametricCurve | None, key: FlatteningKey) -> Polyline:
+        """Return the polyline of `curve` for the tolerance and the box `key`."""
+        if curve is None:
+            return _NOTHING
+        if len(curve.pieces) > 1:
+            return flatten_pieces(curve, *key)
+        if key != self._last:
+            # The first at this scale: there may never be another one.
+            self._last, self._frozen, self._pause = key, None, 0
+            return flatten_pieces(curve, *key)
+        pieces = None if self._frozen is None else self._frozen.follow(curve)
+        if pieces is None and self._pause == 0:
+            self._frozen = _frozen(curve, key)
+            pieces = self._frozen.follow(curve)
+            if pieces is None:
+                # Too wild to be followed; it may calm down.
+                self._frozen, self._pause = None, _PAUSE
+        elif pieces is None:
+            self._pause -= 1
+        return flatten_pieces(curve, *key) if pieces is None else pieces
+
+
+def _frozen(curve: ParametricCurve, key: FlatteningKey) -> FrozenFlattening | FrozenSegments:
+    return FrozenFlattening(curve, *key) if curve.bezier_pieces() is None else FrozenSegments(curve, *key)
+
 
 _LARGEST = 1e150
 """Size of data up to which no sum or product of two overflows."""
@@ -30,7 +97,7 @@ _ROUNDING = 1e-14
 """Differences between the ways of points that moved together, as a share of where they are."""
 
 
-class PointMoves:
+class MovingPoints:
     """Moves of some points of a current curve, all by the same way.
 
     Parameters
@@ -55,8 +122,7 @@ class PointMoves:
     at_rest, unit
         The data before they moved; by how much they move along, as for a way of 1 along x.
     handles
-        Handles on some sides of points, before they moved, and by how much they move along: kept by
-        `handles`.
+        Cache of the module ``handles``: handles before the points moved, and their share of the offset.
 
     Raises
     ------
@@ -86,7 +152,7 @@ class PointMoves:
         self._unit_jets = np.vstack([after[:-1], before[-1:]])
         # A way of 1 along x.
         self.unit = Sides(*(np.pad(each, ((0, 0), (0, 0), (0, 1))) for each in unit))
-        self.handles: dict[tuple[int, bool], tuple[PointSides, Handles, FloatArray]] = {}
+        self.handles: dict[tuple[int, bool], Any] = {}
         self._polylines: tuple[FlatteningKey, MovedPoints] | None = None
 
     @property
@@ -95,7 +161,7 @@ class PointMoves:
         data = [self.curve.jets, *self.unit]
         return all(bool((np.abs(each) < _LARGEST).all()) for each in data)
 
-    def to(self, curve: Curve, arrays: PointArrays) -> Motion | None:
+    def to(self, curve: Curve, arrays: PointArrays) -> Displacement | None:
         """Return the motion to another value where that is all that it differs in, else None."""
         old = self._arrays
         if (
@@ -109,9 +175,9 @@ class PointMoves:
             return None
         moved = rows_changed(arrays.points, old.points)
         if not moved:
-            return Motion(self, (0.0, 0.0))
+            return Displacement(self, (0.0, 0.0))
         way = self._common_way(arrays) if moved == self.rows else None
-        return None if way is None else Motion(self, way)
+        return None if way is None else Displacement(self, way)
 
     def _common_way(self, arrays: PointArrays) -> Vector | None:
         if len(self.rows) == 1:
@@ -132,15 +198,15 @@ class PointMoves:
         return self._polylines[1].at(*way)
 
 
-class Motion(msgspec.Struct, frozen=True, eq=False):
-    """A move: which points move, and how far they came."""
+class Displacement(msgspec.Struct, frozen=True, eq=False):
+    """The points that moved, and their common offset."""
 
-    moves: PointMoves
-    way: Vector
+    moving: MovingPoints
+    offset: Vector
 
     def polyline(self, key: FlatteningKey) -> Polyline | None:
-        """Return the curve as a polyline, as `PointMoves` does."""
-        return self.moves.polyline(self.way, key)
+        """Return the curve as a polyline, as `MovingPoints` does."""
+        return self.moving.polyline(self.offset, key)
 
 
 def _rules(curve: Curve) -> tuple[object, ...]:

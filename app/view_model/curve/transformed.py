@@ -1,4 +1,4 @@
-"""Views of many curves that were moved, turned or mapped whole, as by a drag of all that is chosen.
+"""Views of many curves at once: after a map of them all, as by a drag of the selection, and made ahead.
 
 An affine map of the points takes the curve along where its functions add up to 1, its estimates are linear in
 the points, and its parameters ask for no length that the map changes. Then polylines and boxes are mapped,
@@ -7,7 +7,7 @@ those of all curves in one array, and no curve is made until somebody asks for i
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from operator import attrgetter, is_
 
@@ -19,9 +19,8 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 from ...document.derivatives import DERIVATIVES, EstimateRule
 from ...document.model import Curve
 from ...families import Family
-from .curve_view import LINE, CurveView, view_of
-from .flattener import Polyline
-from .made_curve import Carry
+from .curve_view import LINE, CurveMap, CurveView, view_of
+from .moving import Polyline
 from .point_arrays import PointArrays, arrays_of_all
 
 _FEWEST = 2
@@ -98,7 +97,7 @@ def _carried(
     arrays = arrays_of_all(
         [curve.points for curve in curves], [old.arrays for old in olds], are_moved=are_moved
     )
-    roots = [old.carry.root if old.carry else old for old in olds]
+    roots = [old.curve_map.root if old.curve_map else old for old in olds]
     moves = _Moves(curves, olds, roots, arrays)
     moved = moves.found()
     rows = np.flatnonzero(moved).tolist()
@@ -120,7 +119,7 @@ def _carried(
             curves[row],
             arrays[row].positions,
             arrays[row],
-            carry=Carry(roots[row], linear[row], shifts[place], by),
+            curve_map=CurveMap(roots[row], linear[row], shifts[place], by),
             _flattener=old._flattener,
             _cardinals=old._cardinals,
         )
@@ -174,7 +173,7 @@ class _Moves:
             )
         )
         self._vectors = _given([old.arrays.given for old in olds], [each.given for each in arrays])
-        self._before = np.array([old.carry.matrix if old.carry else _SAME for old in olds])
+        self._before = np.array([old.curve_map.matrix if old.curve_map else _SAME for old in olds])
         self._tolerances = np.array([line[1] for root in roots if (line := root.whole_line)])
         self._asks = np.array([curve.parametrization.kind.asks_where_points_are for curve in curves])
         self._rest: BoolArray = np.array(
@@ -286,3 +285,32 @@ def _keeps_angles(linear: FloatArray) -> BoolArray:
 def _around(boxes: FloatArray, others: FloatArray) -> FloatArray:
     """Return the boxes around two each, (k, 2, 2)."""
     return np.stack([np.minimum(boxes, others)[:, 0], np.maximum(boxes, others)[:, 1]], axis=1)
+
+
+def views_ahead(
+    curves: Sequence[Curve],
+    told: Callable[[float], object],
+    originals: Sequence[CurveView | None] = (),
+) -> list[CurveView]:
+    """Return the views of curves, with what every one of them is asked for when it is first shown.
+
+    Parameters
+    ----------
+    curves
+        The document's values.
+    told
+        Hears the share that is done; what it raises ends the work.
+    originals
+        The views of what curves are copies of, moved perhaps; None for those that are none.
+    """
+    places = [place for place, view in enumerate(originals) if view is not None]
+    lent = views_after([curves[place] for place in places], [originals[place] for place in places])
+    copies = dict(zip(places, lent, strict=True))
+    views = []
+    for place, curve in enumerate(curves):
+        told(place / len(curves))
+        view = copies.get(place) or view_of(curve)
+        if len(view.points):
+            _ = view.extent  # kept by the view, and with it the polyline that it is made of
+        views.append(view)
+    return views
