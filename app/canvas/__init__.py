@@ -10,7 +10,7 @@ To add a layer: write a file with a class of ``plotting.layers.Layer``, and crea
 - ``other_curves_layer``, ``other_points_layer``: the other curves of the document; selected points of those
   that are edited together with the active one.
 - ``point_marks``: marks of points by kind and colour, and how dense points are drawn.  ``handle_marks``:
-  handles of different sizes.  ``label_place``: places for words and numbers beside points.
+  handles of different sizes.
 - ``shape_painting``: shapes in their styles, with fills, ends and dashes.
 - ``grid_layer``: grid, unit and guides.  ``image_layer``: the picture to trace.
 - ``figure_layer``: figures, ghosts and other versions of the curve.  ``legend``: their explanation.

@@ -8,9 +8,9 @@ from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from ..document.model import Axis, Vector
+from ..plotting.axes import Extent
 from ..plotting.camera import Camera
-from ..plotting.edge_scroll import EdgeScroll
-from ..plotting.rulers import Extent
+from ..plotting.scrolling import EdgeScroll
 from ..plotting.tool_plot import ToolPlot
 from ..tools.guides import GuideTool, hint_on_ruler
 from ..tools.marks import Marks

@@ -17,8 +17,8 @@ from ..document.words import number
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.text import inside, size_of, write_on_plate
 from ..plotting.wide_line import RoundLine, WideLine
 from ..view_model.curve.curve_view import CurveView, Polyline
 from .point_layer import opacity_of

@@ -13,15 +13,13 @@ from PySide6.QtGui import QPainter
 from curvecore.arrays import FloatArray
 
 from .. import canvas
-from ..plotting.area import AreaFill
-from ..plotting.drawing import MARGIN, Stroke, draw_segments
+from ..plotting.drawing import MARGIN, AreaFill, Segments, Stroke, draw_segments
 from ..plotting.graphs import pg
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line, draw_mark, line_in_pixels, pen_of
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
-from ..plotting.segments import Segments
+from ..plotting.text import inside, size_of, write_on_plate
 from ..view_model import analysis
 from ..view_model.analysis.figures import Figure, Shape
 from ..view_model.curve.curve_view import CurveView

@@ -12,12 +12,11 @@ from curvecore.arrays import FloatArray
 
 from ..document.model import Axis, Guide, Vector
 from ..document.plane_edits import place_words
-from ..plotting.halo import Halo
+from ..plotting.drawing import Bars
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
-from ..plotting.segments import Bars
+from ..plotting.text import Halo, size_of, write_on_plate
 from ..plotting.ticks import Stretch, nice_step
 from ..tools.pointer import Hit, Part
 

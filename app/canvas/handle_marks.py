@@ -14,7 +14,7 @@ from curvecore.arrays import BoolArray
 from ..document.lines import line_beside
 from ..document.model import Curve
 from ..plotting.pixel_map import PixelMap
-from ..plotting.sprites import Mark
+from ..plotting.stamps import Mark
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import NO_HANDLES, Handles, PointSides, handles_on, sides_at, sides_facing
 from .point_marks import HANDLE_SIZES, HandleLook, PointInk, Shade

@@ -13,9 +13,9 @@ from curvecore.arrays import FloatArray
 
 from ..document.model import ReferenceImage, Vector
 from ..plotting.layers import Layer
-from ..plotting.pictures import transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.stamps import transparent
 from ..storage.files import StorageError, read
 from ..tools.move_image import CORNERS, corner_of
 from ..tools.pointer import Hit, Part

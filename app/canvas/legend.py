@@ -18,13 +18,13 @@ from ..appearance.icons import icon
 from ..appearance.theme import mix
 from ..plotting.layers import LayerStack
 from ..plotting.pens import sign_pixmap
+from ..plotting.text import covered_lengths
 from ..qt.labels import Label, tip_of
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
 from ..widgets.controls import named
 from ..widgets.overlay_frame import OverlayFrame
 from ..widgets.tool_buttons import tool_button
-from .label_place import covered_lengths
 
 _MARGIN = 10
 

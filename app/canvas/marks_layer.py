@@ -8,16 +8,14 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
 from ..document.model import Vector
-from ..plotting.halo import Halo
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import beyond, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.text import Halo, Surroundings, beyond, free_corner, size_of, write_on_plate
 from ..tools.marks import Marks, Note, Ruler
 from ..tools.snapping import Snap
 from ..tools.transform import TransformKind
 from ..tools.transform_box import Grip, TransformBox
-from .label_place import Surroundings, free_corner
 from .other_curves_layer import BESIDE
 
 _NOTHING = Marks()

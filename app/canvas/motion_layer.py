@@ -16,8 +16,8 @@ from ..plotting.drawing import draw_segments, is_near
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import clear_of, inside, size_of, write_on_plate
 from ..plotting.plot_widget import PlotWidget
+from ..plotting.text import clear_of, inside, size_of, write_on_plate
 from ..view_model.animation.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of
 from ..view_model.line_styles import DASHED
 

@@ -21,10 +21,9 @@ from ..document.shapes import shapes
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line, pen_of
-from ..plotting.pictures import Sheets, transparent
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
-from ..plotting.stamps import RingStamps
+from ..plotting.stamps import RingStamps, Sheets, transparent
 from ..plotting.wide_line import RoundLine
 from ..tools.pointer import Hit
 from ..view_model.curve.curve_view import CurveView

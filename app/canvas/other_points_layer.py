@@ -15,9 +15,9 @@ from ..document.model import Vector
 from ..document.point_group import NO_POINTS, PointGroup
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
+from ..plotting.text import write_in_corner
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.points.point_kinds import POINT_KINDS, kinds_of
 from .handle_marks import LEFT_AWAY, MOST_POINTS, ShownHandles

@@ -18,15 +18,14 @@ from ..document.words import with_decimals
 from ..plotting.drawing import is_near
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
-from ..plotting.plates import write_in_corner
 from ..plotting.plot_widget import PlotWidget
-from ..plotting.sprites import Mark
+from ..plotting.stamps import Mark
+from ..plotting.text import Taken, number_place, write_in_corner
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
 from ..view_model.points.point_kinds import kinds_of
 from .handle_marks import ShownHandles
-from .label_place import Taken, number_place
 from .point_marks import RADIUS, Discs, Inks, PointLook, PointStamps, Written, discs_for, with_neighbours
 
 _LABELLED_UP_TO = 12

@@ -26,11 +26,9 @@ from PySide6.QtGui import (
 from curvecore.arrays import FloatArray, IntArray
 
 from ..appearance.theme import Theme, mix
-from ..plotting.fonts import Sizes
-from ..plotting.halo import with_halo
 from ..plotting.pens import diamond, triangle
-from ..plotting.sprites import Sprites
-from ..plotting.stamps import RingStamps, Stamps
+from ..plotting.stamps import RingStamps, Sprites, Stamps
+from ..plotting.text import Sizes, with_halo
 from ..view_model.palette import contrast
 from ..view_model.points.point_kinds import POINT_KINDS
 

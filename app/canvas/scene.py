@@ -16,6 +16,7 @@ from ..document.curve_edits import without_looks
 from ..document.model import ReferenceImage, Vector
 from ..document.point_group import PointGroup
 from ..plotting.drawing import cut_segments, visible_segments
+from ..plotting.text import Surroundings, number_box, segments_near
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import Marks
 from ..tools.pointer import Hit, Pointer
@@ -27,7 +28,6 @@ from .figure_layer import Annotations
 from .grid_layer import GridLayer, GuidesLayer, UnitLayer
 from .hit_test import hit_test, nearer
 from .image_layer import ImageLayer
-from .label_place import Surroundings, number_box, segments_near
 from .marks_layer import MarksLayer
 from .other_curves_layer import DrawnCurves
 from .other_points_layer import OtherPointsLayer

@@ -13,9 +13,8 @@ from curvecore.arrays import FloatArray
 from ..appearance.colours import curve_colour, fill_colour
 from ..appearance.theme import Theme
 from ..document.style import NO_PAINT, PLAIN_STYLE, LineCap, LineJoin, Style
-from ..plotting.drawing import MARGIN, Stroke, cut_segments, polygon, runs_of
+from ..plotting.drawing import MARGIN, Stroke, cut_segments, polygon, ring_within, runs_of
 from ..plotting.pixel_map import PixelMap
-from ..plotting.rings import ring_within
 from ..plotting.wide_line import RoundLine
 from ..qt.strokes import FILL_RULES, dot_at, overhang_of, pen_of, with_opacity
 from ..view_model.curve.curve_view import CurveView, Polyline

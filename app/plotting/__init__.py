@@ -1,18 +1,14 @@
-"""Plots that are painted by us: shared by the canvas, the basis panel and the plots over t.
+"""Plots that the program paints itself: shared by the canvas, the basis panel and the plots over t.
 
-- ``pixel_map``: plane to pixels and back.
-- ``drawing``: polylines drawn fast; nothing unsafe reaches Qt.  ``segments``: many shapes in one call.
-  ``crowds``: strokes that fill an area.  ``wide_line``: an opaque line, drawn without Qt's stroker.
-- ``pens``, ``area``: line styles on the screen, with dashes that run on; translucent areas.
-- ``rings``: areas cut to what is seen.
-- ``graphs``: pyqtgraph itself.  ``painted_plot``: a plot of it that we paint.  ``plot_widget``: one with
-  mouse and keys.  ``tool_plot``: one with tools.
-- ``layers``: what is painted.  ``camera``: which part of the plane is seen, and its ranges.
-  ``axes``, ``ticks``: the axes beside it, and where their numbers stand.  ``rulers``: marks on them.
-- ``panning``: the drawing follows the mouse.  ``scrolling``: the wheel and the trackpad.  ``edge_scroll``: a
-  drag at the edge.
-- ``plates``: words on little plates of paper.  ``halo``: words with paper around their letters only.
-  ``fonts``: a font in the sizes that are needed.
-- ``stamps``: many marks in one call, in the colours of the points.  ``sprites``: a few marks of any looks.
-  ``pictures``: what is painted beside the screen and kept.
+A plot is a `ToolPlot` with layers. To paint something new, write a subclass of ``layers.Layer`` whose
+``paint(painter, shown)`` draws arrays with the functions of ``drawing``; its z orders the layers.
+
+- ``graphs``: the part of pyqtgraph that is used.  ``plot_widget``: a plot of layers, with mouse and keys.
+  ``tool_plot``: a plot with tools.  ``layers``: what is painted on it.
+- ``pixel_map``: from the plane to pixels and back.  ``camera``: the visible part of the plane.
+  ``scrolling``: panning, wheel, trackpad, and a drag at the edge of the view.
+- ``axes``, ``ticks``: axes with rulers, and the positions of their numbers.
+- ``drawing``: polylines, segments and areas, straight from arrays.  ``wide_line``: an opaque line, drawn
+  without Qt's stroker.  ``pens``: line styles on the screen, with dashes.
+- ``stamps``: pictures that are painted once and copied.  ``text``: fonts, plates, letters with a halo.
 """

@@ -6,15 +6,148 @@ many times the time of the same path in short pieces. Numbers reach Qt as arrays
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+
 import numpy as np
-from PySide6.QtGui import QPainter, QPolygonF
+from PySide6.QtCore import QLineF, QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen, QPixmap, QPolygonF
 
 from curvecore.arrays import BoolArray, FloatArray
 
-from .crowds import Crowd
 from .graphs import pg
 from .pixel_map import PixelMap
-from .segments import Segments
+
+
+class _Batch:
+    """Many shapes of some numbers each, drawn in one call."""
+
+    def __init__(
+        self,
+        shape: type[QLineF | QPointF | QRectF | QPainter.PixmapFragment],
+        draw: Callable[..., None],
+        numbers: int = 4,
+    ) -> None:
+        self._shapes, self._draw = pg.Qt.internals.PrimitiveArray(shape, numbers), draw
+        # The room for shapes, and the first of them as Qt takes it: both stay until there must be more room.
+        self._room: FloatArray = self._shapes.ndarray()
+        self._first, self._count = None, 0
+
+    def __len__(self) -> int:
+        return self._count
+
+    def fill(self, shapes: FloatArray) -> None:
+        """Take shapes (m, numbers)."""
+        self.room_for(len(shapes))[:] = shapes
+
+    def room_for(self, count: int) -> FloatArray:
+        """Return the array (count, numbers) of the shapes, to be filled."""
+        if count > len(self._room):
+            self._shapes.resize(count)
+            self._room = self._shapes.ndarray()
+            self._first, _ = self._shapes.drawargs()
+        self._count = count
+        return self._room[:count]
+
+    def draw(self, painter: QPainter, *drawn_with: QPixmap) -> None:
+        """Draw them with the painter's pen and brush; pictures, out of a sheet of them."""
+        if self._count:
+            self._draw(painter, self._first, self._count, *drawn_with)
+
+
+class Segments(_Batch):
+    """Many separate line segments, each x1, y1, x2, y2."""
+
+    def __init__(self) -> None:
+        super().__init__(QLineF, QPainter.drawLines)
+
+
+class Points(_Batch):
+    """Many points x, y, as wide as the pen."""
+
+    def __init__(self) -> None:
+        super().__init__(QPointF, QPainter.drawPoints, 2)
+
+
+class Bars(_Batch):
+    """Many rectangles x, y, width, height: of lines on whole pixels the quickest way."""
+
+    def __init__(self) -> None:
+        super().__init__(QRectF, QPainter.drawRects)
+
+
+class Fragments(_Batch):
+    """Many parts of a sheet of pictures, each of the ten numbers of Qt's `QPainter.PixmapFragment`."""
+
+    def __init__(self) -> None:
+        super().__init__(QPainter.PixmapFragment, QPainter.drawPixmapFragments, 10)
+
+
+_NEIGHBOURS, _REACH = 2, 1.0
+"""Neighbours on either side of a stroke that must lie within so many pixels: nothing is seen between them."""
+
+_LINES, _CROSSINGS = 24, 60_000
+"""Lines across the area at which neighbours are sought; crossings of lines and strokes, at most."""
+
+
+class Crowd:
+    """Separate segments in two calls: those at an edge of what they fill are smoothed, which takes longer."""
+
+    def __init__(self) -> None:
+        self._inner, self._edges = Segments(), Segments()
+
+    def __len__(self) -> int:
+        return len(self._inner) + len(self._edges)
+
+    def fill(self, segments: FloatArray, width: float, height: float) -> None:
+        """Take segments (m, 4) in pixels, cut to an area."""
+        inner = covered(segments, width, height)
+        self._inner.fill(segments[inner])
+        self._edges.fill(segments[~inner])
+
+    def draw(self, painter: QPainter) -> None:
+        """Draw with the painter's pen, but with blunt ends: with others each would be made a path."""
+        if not len(self):
+            return
+        pen, hints = painter.pen(), painter.renderHints()
+        blunt = QPen(pen)
+        blunt.setCapStyle(Qt.PenCapStyle.FlatCap)
+        painter.setPen(blunt)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        self._inner.draw(painter)
+        painter.setRenderHints(hints)
+        self._edges.draw(painter)
+        painter.setPen(pen)
+
+
+def covered(segments: FloatArray, width: float, height: float) -> BoolArray:
+    """Return which of segments (m, 4) lie between others, as far as lines across the area show."""
+    is_steep = np.abs(segments[:, 3] - segments[:, 1]) >= np.abs(segments[:, 2] - segments[:, 0])
+    result = np.zeros(len(segments), dtype=np.bool_)
+    result[is_steep] = _have_neighbours(segments[is_steep], height)
+    result[~is_steep] = _have_neighbours(segments[~is_steep][:, [1, 0, 3, 2]], width)
+    return result
+
+
+def _have_neighbours(segments: FloatArray, height: float) -> BoolArray:
+    """Return which steep segments have neighbours left and right wherever level lines cross them."""
+    if not len(segments):
+        return np.zeros(0, dtype=np.bool_)
+    lines = min(_LINES, _CROSSINGS // len(segments))
+    level = ((np.arange(lines) + 0.5) * (height / max(lines, 1)))[:, None]
+    x1, y1, x2, y2 = segments.T
+    is_crossed = ((level - y1) * (level - y2) <= 0) & (y1 != y2)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = np.where(is_crossed, x1 + (level - y1) * ((x2 - x1) / (y2 - y1)), np.inf)
+        order = np.argsort(x, axis=1)
+        x = np.take_along_axis(x, order, axis=1)
+        touches = x[:, _NEIGHBOURS:] - x[:, :-_NEIGHBOURS] <= _REACH
+    sorted_ones, between = np.zeros_like(is_crossed), np.zeros_like(is_crossed)
+    sorted_ones[:, _NEIGHBOURS:-_NEIGHBOURS] = touches[:, :-_NEIGHBOURS] & touches[:, _NEIGHBOURS:]
+    np.put_along_axis(between, order, sorted_ones, axis=1)
+    result: BoolArray = is_crossed.any(axis=0) & (between | ~is_crossed).all(axis=0)
+    return result
+
 
 _PIECE = 24
 """Segments in one piece of a stroke."""
@@ -205,3 +338,79 @@ def polygon(x: FloatArray, y: FloatArray) -> QPolygonF:
         view[:, 0] = x
         view[:, 1] = y
     return result
+
+
+_FARTHEST = 1e150
+"""Pixels beyond which a vertex is drawn nearer, so that no difference of two overflows."""
+
+
+def ring_within(points: FloatArray, width: float, height: float, margin: float) -> FloatArray:
+    """Return the part of a closed polyline (k, 2) in pixels that lies within an area and a margin around it.
+
+    What lies outside is led along the edges, so that inside everything is wound about as often as before:
+    Sutherland and Hodgman, Communications of the ACM 17 (1974) 32–42.
+    """
+    low, high = -margin, (width + margin, height + margin)
+    if bool(((points >= low) & (points <= high)).all()):
+        return points
+    ring = np.clip(points, -_FARTHEST, _FARTHEST)
+    for axis in (0, 1):
+        ring = _beyond(ring, axis, low, 1.0)
+        ring = _beyond(ring, axis, high[axis], -1.0)
+    return ring
+
+
+def _beyond(ring: FloatArray, axis: int, limit: float, sign: float) -> FloatArray:
+    """Return the part of a ring on the side of a limit to which `sign` points."""
+    if not len(ring):
+        return ring
+    distance = sign * (ring[:, axis] - limit)
+    is_inside = distance >= 0
+    if is_inside.all():
+        return ring
+    following, after = np.roll(ring, -1, axis=0), np.roll(distance, -1)
+    crosses = is_inside != (after >= 0)
+    share = distance[crosses] / (distance[crosses] - after[crosses])
+    cut = ring[crosses] + share[:, None] * (following[crosses] - ring[crosses])
+    cut[:, axis] = limit
+    # Each vertex that is kept, and after it the place where the edge from it crosses the limit.
+    count = is_inside.astype(np.intp) + crosses
+    ends = np.cumsum(count)
+    result = np.empty((int(ends[-1]), 2))
+    result[ends[crosses] - 1] = cut
+    result[(ends - count)[is_inside]] = ring[is_inside]
+    return result
+
+
+class AreaFill:
+    """Filling of areas one after the other, in a picture that is kept for the next frame."""
+
+    def __init__(self) -> None:
+        self._picture = QImage()
+
+    def fill(self, painter: QPainter, path: QPainterPath, colour: QColor, room: QRectF) -> None:
+        """Fill what lies of `path` in `room` (pixels of the painter)."""
+        box = path.controlPointRect().adjusted(-1, -1, 1, 1).intersected(room).toAlignedRect()
+        if box.isEmpty():
+            return
+        ratio = painter.device().devicePixelRatio()
+        size = QRect(0, 0, math.ceil(box.width() * ratio), math.ceil(box.height() * ratio))
+        self._prepare(size, ratio)
+        inner = QPainter(self._picture)
+        inner.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        inner.translate(-box.topLeft())
+        opaque = QColor(colour)
+        opaque.setAlphaF(1.0)
+        inner.fillPath(path, opaque)
+        inner.end()
+        before = painter.opacity()
+        painter.setOpacity(before * colour.alphaF())
+        painter.drawImage(QRectF(box), self._picture, QRectF(size))
+        painter.setOpacity(before)
+
+    def _prepare(self, size: QRect, ratio: float) -> None:
+        """Have an empty picture of at least this size."""
+        if self._picture.width() < size.width() or self._picture.height() < size.height():
+            self._picture = QImage(size.size(), QImage.Format.Format_ARGB32_Premultiplied)
+        self._picture.setDevicePixelRatio(ratio)
+        self._picture.fill(0)

@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QWidget
 
 from ..appearance.theme import LIGHT, Theme
 from ..qt.overrides import report
-from .fonts import Sizes
 from .pixel_map import PixelMap
+from .text import Sizes
 
 Painting = Callable[[QPainter, PixelMap], None]
 

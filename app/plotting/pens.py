@@ -13,10 +13,9 @@ from curvecore.arrays import FloatArray
 from ..appearance.colours import line_colour
 from ..appearance.theme import Theme, mix
 from ..view_model.line_styles import Dashes, LineStyle, Mark, Sign
-from .drawing import Stroke, visible_segments
-from .pictures import transparent
+from .drawing import Segments, Stroke, visible_segments
 from .pixel_map import PixelMap
-from .segments import Segments
+from .stamps import transparent
 
 
 def dashed(segments: FloatArray, pattern: Sequence[float]) -> FloatArray:

@@ -1,19 +1,144 @@
-"""Many marks in one call: one for each colour and form is drawn once, then stamped."""
+"""Pictures painted once and copied: sheets, marks of any looks, and many marks in colours of points."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from typing import Generic, TypeAlias, TypeVar
 
+import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from curvecore.arrays import FloatArray, IntArray
 
 from ..appearance.colours import point_colours
 from ..appearance.theme import Theme
-from .segments import Fragments
+from .drawing import Fragments
+from .pixel_map import PixelMap
+
+
+def transparent(width: float, height: float, ratio: float) -> QPixmap:
+    """Return an empty picture of a size in pixels of a plot, for a screen with `ratio` of its own to each."""
+    picture = QPixmap(math.ceil(width * ratio), math.ceil(height * ratio))
+    picture.setDevicePixelRatio(ratio)
+    picture.fill(Qt.GlobalColor.transparent)
+    return picture
+
+
+class Sheets(msgspec.Struct, frozen=True, eq=False):
+    """What was painted for one part of the plane.
+
+    Attributes
+    ----------
+    sheets
+        One over the other; there are several where something else is painted between them.
+    shown
+        The part of the plane.
+    key
+        What else it was made for: the theme, the size of lines.
+    """
+
+    sheets: tuple[QPixmap, ...]
+    shown: PixelMap
+    key: tuple[object, ...]
+
+    def draw(self, painter: QPainter, shown: PixelMap, sheet: QPixmap) -> None:
+        """Draw a sheet, where it lies when this part of the plane is visible."""
+        if shown is self.shown or shown == self.shown:
+            painter.drawPixmap(0, 0, sheet)
+            return
+        place = self.place_in(shown)
+        if (shown.sx, shown.sy) == (self.shown.sx, self.shown.sy):
+            # On whole pixels of the screen, where it is as sharp as it was, and quickly copied.
+            ratio = sheet.devicePixelRatio()
+            corner = QPointF(round(place.x() * ratio) / ratio, round(place.y() * ratio) / ratio)
+            painter.drawPixmap(corner, sheet)
+        else:
+            painter.drawPixmap(place, sheet, QRectF(sheet.rect()))
+
+    def place_in(self, shown: PixelMap) -> QRectF:
+        """Return where the sheets lie when another part of the plane is visible."""
+        old = self.shown
+        x, y = shown.point(old.x0, old.y0)
+        return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)
+
+
+_SHIFTS = 4
+"""A mark is kept at so many places within a pixel, along x and y: an eye cannot tell it from one drawn where
+it belongs."""
+
+_CELLS_OF_LOOK = _SHIFTS * _SHIFTS
+
+_LOOKS = 32
+"""Looks that are kept; when there are more, all are drawn anew as they are asked for."""
+
+Look = TypeVar("Look", bound=Hashable)
+
+Mark: TypeAlias = tuple[Look, float, float]
+"""A look, and the pixels x and y of its middle."""
+
+
+class Sprites(Generic[Look]):
+    """Marks that are stamped.
+
+    Parameters
+    ----------
+    paint
+        Draws the mark of a look around (0, 0).
+    reach
+        How far marks reach, in pixels.
+    """
+
+    def __init__(self, paint: Callable[[QPainter, Look], None], reach: float) -> None:
+        self._paint, self._reach = paint, reach
+        self._fragments = Fragments()
+        self._sheet = QPixmap()
+        self._ratio, self._side = 0.0, 0
+        # The row of the sheet that each look has.
+        self._rows: dict[Look, int] = {}
+
+    def draw(self, painter: QPainter, marks: Iterable[Mark[Look]]) -> None:
+        """Draw marks."""
+        ratio = painter.device().devicePixelRatioF()
+        if ratio != self._ratio:
+            self._ratio, self._side = ratio, 2 * math.ceil(self._reach * ratio) + 4
+            self._rows = {}
+        side, finer, fragments = self._side, ratio * _SHIFTS, []
+        for look, x, y in marks:
+            row = self._rows.get(look)
+            if row is None:
+                row = self._add(look)
+            left, across = divmod(math.floor(x * finer + 0.5), _SHIFTS)
+            top, down = divmod(math.floor(y * finer + 0.5), _SHIFTS)
+            cell = (down * _SHIFTS + across) * side
+            fragments.append(
+                (left / ratio, top / ratio, cell, row * side, side, side, 1 / ratio, 1 / ratio, 0, 1)
+            )
+        if fragments:
+            self._fragments.room_for(len(fragments))[:] = fragments
+            self._fragments.draw(painter, self._sheet)
+
+    def _add(self, look: Look) -> int:
+        """Draw a look on the sheet, at each place within a pixel; return its row."""
+        if not self._rows or len(self._rows) == _LOOKS:
+            self._rows = {}
+            self._sheet = QPixmap(_CELLS_OF_LOOK * self._side, _LOOKS * self._side)
+            self._sheet.fill(Qt.GlobalColor.transparent)
+        row = self._rows[look] = len(self._rows)
+        with QPainter(self._sheet) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            for cell in range(_CELLS_OF_LOOK):
+                down, across = divmod(cell, _SHIFTS)
+                corner = QPointF((cell + 0.5) * self._side, (row + 0.5) * self._side)
+                painter.save()
+                painter.translate(corner + QPointF(across, down) / _SHIFTS)
+                painter.scale(self._ratio, self._ratio)
+                self._paint(painter, look)
+                painter.restore()
+        return row
+
 
 _COLOURS = 256
 """Colours that are told apart; with more points, neighbours on the ramp share one."""

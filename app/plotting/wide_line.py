@@ -13,10 +13,8 @@ from PySide6.QtGui import QPainter, QPen
 
 from curvecore.arrays import FloatArray
 
-from .crowds import Crowd
-from .drawing import MARGIN, cut_segments, is_crowd
+from .drawing import MARGIN, Crowd, Points, Segments, cut_segments, is_crowd
 from .pixel_map import PixelMap
-from .segments import Points, Segments
 
 _ComplexArray = NDArray[np.complex128]
 

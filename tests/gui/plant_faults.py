@@ -33,8 +33,7 @@ from app.features.point_table.view import PointTableView
 from app.features.recovery.autosave import snapshot_folder
 from app.features.wiggle.weight_bars import WeightBars
 from app.plotting.layers import Layer
-from app.plotting.painted_plot import PaintedPlot
-from app.plotting.plot_widget import PlotWidget
+from app.plotting.plot_widget import PaintedPlot, PlotWidget
 from app.plotting.tool_plot import ToolPlot
 from app.session.history import UndoStep
 from app.tasks.debounced_task import DebouncedTask, Task

@@ -10,8 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from app.plotting.crowds import covered
-from app.plotting.drawing import MARGIN, Stroke, polygon, thinned, visible_segments
+from app.plotting.drawing import MARGIN, Stroke, covered, polygon, thinned, visible_segments
 from curvecore.bezier.polylines import segment_distance
 
 WIDTH, HEIGHT = 300, 200

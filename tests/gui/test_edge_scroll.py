@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.plotting.edge_scroll import EdgeScroll
+from app.plotting.scrolling import EdgeScroll
 from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0))

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 from PySide6.QtCore import QRectF
 
-from app.plotting.plates import clear_of
+from app.plotting.text import clear_of
 
 
 def test_plates_that_would_cover_each_other_stand_apart():

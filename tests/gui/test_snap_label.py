@@ -8,10 +8,10 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor
 
 from app.appearance.theme import LIGHT
-from app.canvas.label_place import NOTHING, Surroundings, covered_lengths, free_corner
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.plotting.pixel_map import PixelMap
+from app.plotting.text import NOTHING, Surroundings, covered_lengths, free_corner
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 POINTS = ((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))

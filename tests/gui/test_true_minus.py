@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QComboBox, QLa
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE
-from app.plotting.painted_plot import PaintedPlot
+from app.plotting.plot_widget import PaintedPlot
 
 HYPHEN = re.compile(r"(?<![\w-])-\s?[0-9.]|[0-9]e-[0-9]")
 POINTS = [(-4.0, -1.5), (-2.5, -3.0), (-1.0, -0.5), (-0.00002, -2.0)]

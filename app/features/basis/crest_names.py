@@ -14,9 +14,9 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import Theme
-from ...plotting.halo import with_halo
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
+from ...plotting.text import with_halo
 from ...view_model.basis.basis_view import BasisView
 
 MOST = 24

@@ -11,10 +11,9 @@ from PySide6.QtGui import QPolygonF
 
 from curvecore.arrays import FloatArray
 
-from ...plotting.drawing import polygon, thinned
+from ...plotting.drawing import Segments, polygon, thinned
 from ...plotting.graphs import pg
 from ...plotting.pixel_map import PixelMap
-from ...plotting.segments import Segments
 from ...plotting.wide_line import RoundLine
 from ...view_model.basis.basis_view import BasisView
 

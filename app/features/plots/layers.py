@@ -11,12 +11,11 @@ from PySide6.QtGui import QPainter, QPen
 
 from curvecore.arrays import FloatArray
 
-from ...plotting.drawing import Stroke, cut_segments
+from ...plotting.drawing import Segments, Stroke, cut_segments
 from ...plotting.layers import Layer
 from ...plotting.pens import colour_of, line_in_pixels, with_dashes
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
-from ...plotting.segments import Segments
 from ...view_model.analysis.plot_lines import PlotData, PlotLine
 from ...view_model.line_styles import DASHED
 from .value_scale import ValueScale

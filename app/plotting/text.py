@@ -1,0 +1,280 @@
+"""Text on a plot: fonts, plates of paper, letters with a halo, and free places beside a point."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+import msgspec
+import numpy as np
+from PySide6.QtCore import QPointF, QRect, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen, QPixmap
+
+from curvecore.arrays import FloatArray
+
+from ..document.model import Vector
+from .pixel_map import PixelMap
+from .stamps import transparent
+
+
+class Sizes:
+    """A font in several sizes."""
+
+    def __init__(self, font: QFont) -> None:
+        self._font = QFont(font)
+        self._known: dict[float, QFont] = {}
+
+    def at(self, points: float) -> QFont:
+        """Return the font in a size given in points."""
+        if points not in self._known:
+            font = QFont(self._font)
+            font.setPointSizeF(points)
+            self._known[points] = font
+        return self._known[points]
+
+    def times(self, factor: float) -> QFont:
+        """Return the font larger by a factor."""
+        return self.at(self._font.pointSizeF() * factor)
+
+    def less(self, points: float, scale: float) -> QFont:
+        """Return the font smaller by so many points, but legible, at a scale."""
+        return self.at(max(self._font.pointSizeF() - points, _SMALLEST) * scale)
+
+
+_SMALLEST = 7.0
+"""Points below which nothing can be read from the last row."""
+
+
+_EDGE = 4.0
+
+_GAP = 1.0
+"""Pixels between plates that lie above one another."""
+
+
+def size_of(painter: QPainter, text: str, across: float = 10.0, down: float = 4.0) -> QSizeF:
+    """Return the size of a plate for text in the painter's font, so many pixels larger in all."""
+    metrics = QFontMetricsF(painter.font())
+    return QSizeF(metrics.horizontalAdvance(text) + across, metrics.height() + down)
+
+
+def inside(left: float, top: float, size: QSizeF, shown: PixelMap) -> QRectF:
+    """Return a box of some size near a place, moved so far that it lies in the drawing."""
+    left = min(max(left, _EDGE), max(shown.width - size.width() - _EDGE, _EDGE))
+    top = min(max(top, _EDGE), max(shown.height - size.height() - _EDGE, _EDGE))
+    return QRectF(left, top, size.width(), size.height())
+
+
+def clear_of(others: Sequence[QRectF], plate: QRectF) -> QRectF:
+    """Return a plate moved down or up past the others that it would cover, away from the first of these."""
+    plate, side = QRectF(plate), 0
+    while covered := [other for other in others if plate.intersects(other)]:
+        side = side or (1 if plate.center().y() >= covered[0].center().y() else -1)
+        # Without a gap it may cover the same one again: its bottom is its top and its height, rounded.
+        plate.moveTop(
+            max(other.bottom() for other in covered) + _GAP
+            if side > 0
+            else min(other.top() for other in covered) - plate.height() - _GAP
+        )
+    return plate
+
+
+def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, shown: PixelMap) -> QRectF:
+    """Return a box of some size whose nearest side is `gap` pixels from a place.
+
+    It lies in the first of the directions `ways` in which it does not leave the drawing.
+    """
+    for way in ways:
+        length = math.hypot(way.x(), way.y())
+        dx, dy = (way.x() / length, way.y() / length) if length > 1 else (0.0, -1.0)
+        away = gap + abs(dx) * size.width() / 2 + abs(dy) * size.height() / 2
+        box = QRectF(0, 0, size.width(), size.height())
+        box.moveCenter(place + QPointF(dx * away, dy * away))
+        if box == inside(box.left(), box.top(), size, shown):
+            return box
+    return inside(place.x() + gap, place.y() + gap, size, shown)
+
+
+def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, ink: QColor) -> None:
+    """Write text in the middle of a plate of translucent paper."""
+    paper = QColor(paper)
+    paper.setAlphaF(0.85)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(paper)
+    painter.drawRoundedRect(plate, 4, 4)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(ink)
+    painter.drawText(plate, int(Qt.AlignmentFlag.AlignCenter), text)
+
+
+def write_in_corner(painter: QPainter, text: str, paper: QColor, ink: QColor) -> None:
+    """Write text on a plate in the lower left corner of what is painted."""
+    plate = QRectF(QPointF(0, 0), size_of(painter, text))
+    plate.moveBottomLeft(painter.clipBoundingRect().bottomLeft() + QPointF(6, -6))
+    write_on_plate(painter, plate, text, paper, ink)
+
+
+class Halo:
+    """Words with a halo; the last ones are kept as a picture.
+
+    Stroking the outlines of a few letters takes a millisecond, and words stay the same for many frames.
+    """
+
+    def __init__(self) -> None:
+        self._made_for: tuple[object, ...] = ()
+        self._picture = QPixmap()
+
+    def write(
+        self, painter: QPainter, box: QRectF, text: str, paper: QColor, ink: QColor, width: float
+    ) -> None:
+        """Write text in the middle of a box, with `width` pixels of paper on either side of each line."""
+        ratio = painter.device().devicePixelRatioF()
+        wanted = (text, painter.font().key(), paper.rgba(), ink.rgba(), width, ratio, box.size())
+        if wanted != self._made_for:
+            self._made_for = wanted
+            size = box.adjusted(-width, -width, width, width).size()
+            self._picture = with_halo(painter, size, text, paper, ink, width)
+        # On whole pixels, where letters are sharp.
+        painter.drawPixmap(QPointF(round(box.left() - width), round(box.top() - width)), self._picture)
+
+
+def with_halo(
+    painter: QPainter, size: QSizeF, text: str, paper: QColor, ink: QColor, width: float
+) -> QPixmap:
+    """Return a picture, as the painter would draw it, of text with a halo in the middle of a size."""
+    across, down = size.width(), size.height()
+    picture = transparent(across, down, painter.device().devicePixelRatioF())
+    metrics = QFontMetricsF(painter.font())
+    start = QPointF(
+        round((across - metrics.horizontalAdvance(text)) / 2),
+        round((down + metrics.ascent() - metrics.descent()) / 2),
+    )
+    letters = QPainterPath()
+    letters.addText(start, painter.font(), text)
+    halo = QPen(paper, 2 * width)
+    halo.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    drawing = QPainter(picture)
+    drawing.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+    drawing.strokePath(letters, halo)
+    drawing.setFont(painter.font())
+    drawing.setPen(ink)
+    drawing.drawText(start, text)
+    drawing.end()
+    return picture
+
+
+_CORNERS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
+"""Right and below first; of corners that are as good as each other the first is taken, so that words rest."""
+
+_NEAR = 200.0
+"""Pixels around a point within which its words may lie."""
+
+_COVERED_WORDS, _CUT_OFF = 200.0, 1000.0
+"""Cost of words over other words, and of words beyond the edge, in pixels of curve covered."""
+
+
+class Surroundings(msgspec.Struct, frozen=True, eq=False):
+    """Surroundings to keep free, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other words."""
+
+    segments: FloatArray
+    words: Sequence[QRectF] = ()
+
+
+NOTHING = Surroundings(np.empty((0, 4)))
+
+
+def segments_near(points: FloatArray, pixel: Vector, shown: PixelMap) -> FloatArray:
+    """Return the segments (k, 4) in pixels of a polyline of the plane that come near a pixel."""
+    (x, y), reach = shown.plane(*pixel), (_NEAR / shown.sx, _NEAR / shown.sy)
+    here = np.array([x, y])
+    starts, ends = points[:-1], points[1:]
+    is_near = np.all(
+        (np.minimum(starts, ends) < here + reach) & (np.maximum(starts, ends) > here - reach), axis=1
+    )
+    return np.hstack([shown.points(starts[is_near]), shown.points(ends[is_near])])
+
+
+def number_box(centre: QPointF, length: int, scale: float) -> QRectF:
+    """Return the room that a number of so many characters takes."""
+    box = QRectF(0, 0, (7 * length + 4) * scale, 15 * scale)
+    box.moveCenter(centre)
+    return box
+
+
+def free_corner(
+    place: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, shown: PixelMap
+) -> QRectF:
+    """Return a box of some size on the corner of `place` where it covers least of what is around.
+
+    Parameters
+    ----------
+    gap
+        Pixels to the right or left, and above or below, that stay free.
+    """
+    boxes = [_on_corner(place, size, gap, *corner) for corner in _CORNERS]
+    covered = covered_lengths(around.segments, boxes).tolist()
+    for index, box in enumerate(boxes):
+        covered[index] += _COVERED_WORDS * sum(box.intersects(each) for each in around.words)
+        if box != inside(box.left(), box.top(), size, shown):
+            covered[index] += _CUT_OFF
+    best = boxes[covered.index(min(covered))]
+    return inside(best.left(), best.top(), size, shown)
+
+
+def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: int, down: int) -> QRectF:
+    centre = place + QPointF(right * (gap[0] + size.width() / 2), down * (gap[1] + size.height() / 2))
+    box = QRectF(0, 0, size.width(), size.height())
+    box.moveCenter(centre)
+    return box
+
+
+def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> FloatArray:
+    """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
+    low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
+    high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]
+    start, way = segments[:, :2], segments[:, 2:] - segments[:, :2]
+    # Along an axis a segment is parallel to two sides: it enters and leaves there as far away as can be.
+    slope = np.where(way == 0, 1e-12, way)
+    to_low, to_high = (low - start) / slope, (high - start) / slope
+    enter = np.minimum(to_low, to_high).max(axis=2).clip(0.0, 1.0)
+    leave = np.maximum(to_low, to_high).min(axis=2).clip(0.0, 1.0)
+    lengths: FloatArray = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
+    return lengths
+
+
+def number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
+    """Return the middle of a number: on the outer side of the bend, where the curve is not."""
+    last = len(pixels) - 1
+    around = [complex(*place) for place in pixels[max(index - 1, 0) : index + 2].tolist()]
+    before, here, after = around[0], around[min(index, 1)], around[-1]
+    outward = here - (before + after) / 2
+    if 0 < index < last and abs(outward) > 2:
+        outward /= abs(outward)
+    else:
+        outward = _beside(after - before)
+    place = here + distance * outward
+    return QPointF(place.real + beyond * outward.real, place.imag)
+
+
+def _beside(direction: complex) -> complex:
+    """Return the unit vector across `direction` (pixels) that points up; straight up without direction."""
+    if direction == 0:
+        return -1j
+    across = direction * -1j / abs(direction)
+    return -across if across.imag > 0 else across
+
+
+class Taken:
+    """Room that numbers take already."""
+
+    def __init__(self) -> None:
+        self._boxes: list[QRectF] = []
+
+    def take(self, centres: Iterable[QPointF], size: QSizeF) -> QPointF | None:
+        """Take the first of some places that is free, and return its middle; None where none is."""
+        for centre in centres:
+            box = QRectF(QPointF(), size)
+            box.moveCenter(centre)
+            if not any(map(box.intersects, self._boxes)):
+                self._boxes.append(box)
+                return centre
+        return None
