@@ -21,9 +21,9 @@ action is disabled, a panel is hidden, a place lies outside the plot or under so
 Where the application has been told to quit, Qt ends every event loop at once; whoever waits then gets an
 `ApplicationQuitError` instead of a test that hangs or asks a window that has handled no event.
 
-- ``editor``: one window with all that can be done in it.  ``parts``: its t-rail, and the line about its file.
+- ``editor``: one window with all that can be done in it, its t-rail and its file bar.
 - ``input_driver``: mouse, wheel and keys as events.
-- ``reach``: which of them a person could send.
+- ``reach``: refusal of events that no person could send.
 - ``waiting``: event loops that end, and the time that a window needs to catch up.
 """
 

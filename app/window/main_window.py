@@ -33,8 +33,7 @@ from ..qt.keys import ENTER, FieldShortcuts
 from ..qt.overrides import SafeOverrides
 from ..session import Session
 from ..settings.preferences import Preferences
-from ..state.analysis import Analysis
-from ..state.window_state import WindowState, WindowStore
+from ..state.window_state import Analysis, WindowState, WindowStore
 from ..tasks.garbage import collect_between_events
 from ..workbench.central_area import CentralArea
 from ..workbench.context import WindowContext

@@ -11,8 +11,7 @@ from ..actions.qactions import Actions
 from ..plotting.tool_plot import ToolPlot
 from ..session import Session
 from ..settings.preferences import Preferences
-from ..state.analysis import Analysis
-from ..state.window_state import WindowStore
+from ..state.window_state import Analysis, WindowStore
 from .central_area import CentralArea
 from .docks import Docks
 from .document_files import DocumentFiles

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QTabWidget, QWi
 from ...document.expression import ExpressionError
 from ...document.words import count_of
 from ...qt.labels import Label
-from ...state.analysis import Analysis
+from ...state.window_state import Analysis
 from ...view_model.analysis.laboratory import Digits, Trial, calculations
 from ...view_model.analysis.laboratory_settings import (
     LEAST_DIGITS,

@@ -22,7 +22,7 @@ from ...appearance.themed import FollowsTheme
 from ...document.expression import ExpressionError
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
-from ...state.analysis import Analysis
+from ...state.window_state import Analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, Overlay
 from ...view_model.analysis.overlay_settings import Count, ErrorSize, Factor
