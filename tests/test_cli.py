@@ -24,7 +24,7 @@ from app.document.style import Style
 from app.families import FAMILIES
 from app.storage.files import load, save
 from app.testing import Editor
-from app.workbench.file_names import file_stem, title_of
+from app.workbench.document_files import file_stem, title_of
 from tests.rows import each_row
 from tests.waiting import until
 

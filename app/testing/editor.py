@@ -28,7 +28,7 @@ from ..tools.transform import TransformKind
 from ..view_model.curve.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow
-from ..workbench.notice_bar import NoticeBar
+from ..workbench.message_bar import NoticeBar
 from .input_driver import InputDriver, type_keys
 from .reach import require_enabled, require_reachable, require_under_mouse
 from .waiting import WAIT_S, spin

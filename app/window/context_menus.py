@@ -12,8 +12,7 @@ from ..actions.declaration import place_actions
 from ..actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_MENU, POINT_MENU
 from ..document.shape_edits import pressed
 from ..tools.pointer import Hit, Part
-from ..workbench.bar_menu import bar_menu
-from ..workbench.context import WindowContext
+from ..workbench.context import WindowContext, bar_menu
 
 
 class ContextMenus:

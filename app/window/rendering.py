@@ -9,7 +9,7 @@ from ..document.steps import reshaped
 from ..session import Message, MessageKind
 from ..view_model.curve.curve_view import CurveView
 from ..workbench.context import WindowContext
-from ..workbench.file_names import title_of
+from ..workbench.document_files import title_of
 from .connect import Commands
 
 _PANELS_MS = 100

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QSplitter
 from ..qt.overrides import SafeOverrides
 from ..settings.preferences import Preferences
 from ..widgets.fitting import room_on
-from ..workbench.dock_room import hide_idle_docks
+from ..workbench.docks import hide_idle_docks
 
 _SIZE = QSize(1280, 860)
 _LEAST = QSize(200, 150)

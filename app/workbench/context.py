@@ -1,12 +1,15 @@
-"""Context of command sets: the parts of a window, and the methods by which sets take part in it."""
+"""Context of command sets: the parts of a window, the hooks by which sets take part in it, context menus."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 import msgspec
-from PySide6.QtWidgets import QMainWindow, QToolBar
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
+from ..actions.menus import ActionBar
 from ..actions.qactions import Actions
 from ..plotting.tool_plot import ToolPlot
 from ..session import Session
@@ -80,3 +83,33 @@ def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., objec
     which ``holds_drawing(data)`` says yes.
     """
     return [getattr(each, name) for each in command_sets if hasattr(each, name)]
+
+
+def bar_menu(
+    context: WindowContext, bar: ActionBar, name: str = "contextMenu", *, is_short: bool = False
+) -> QMenu:
+    """Return a menu with the actions of `bar`, which goes when it is closed.
+
+    One that `is_short` has those alone that can be done now; so do its submenus.
+    """
+    menu = QMenu(context.window)
+    menu.setObjectName(name)
+    menu.setToolTipsVisible(True)
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    submenus: dict[str, QMenu] = {}
+    for group in context.actions.with_sections(bar).values():
+        menu.addSeparator()
+        for entry in group:
+            if isinstance(entry, QAction):
+                menu.addActions(_offered([entry], is_short=is_short))
+            elif actions := _offered(context.actions.in_section(entry), is_short=is_short):
+                if entry.called not in submenus:
+                    submenus[entry.called] = menu.addMenu(entry.called)
+                    submenus[entry.called].setToolTipsVisible(True)
+                submenus[entry.called].addSeparator()
+                submenus[entry.called].addActions(actions)
+    return menu
+
+
+def _offered(actions: Sequence[QAction], *, is_short: bool) -> list[QAction]:
+    return [each for each in actions if each.isEnabled() or not is_short]

@@ -1,17 +1,25 @@
-"""The docks at the sides of the window: what stands in them, and in which order."""
+"""Docks at the sides of the window: declared panels, their tabs and titles, and the room they get."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import ClassVar, TypeVar
+from typing import TypeVar
 
 import msgspec
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QTabBar, QWidget
 
 from ..actions.declaration import marked
-from .dock import Dock, LateDock
+from ..appearance.icons import icon
+from ..appearance.theme import Theme
+from ..appearance.themed import FollowsTheme
+from ..qt.labels import Label
+from ..qt.overrides import SafeOverrides
+from ..widgets.boxes import row_of
+from ..widgets.fitting import Scrolled
+from ..widgets.tool_buttons import ICON, tool_button
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
 _WIDTH = 350
@@ -41,39 +49,35 @@ _STACKS = (UPPER, LOWER, LEFT)
 
 
 class Panel(msgspec.Struct, frozen=True):
-    """A panel that is there when the window is first shown; the method builds it in the parent that it gets.
+    """Declaration of a panel in a dock; the decorated method builds the panel in the parent that it gets.
 
     Attributes
     ----------
     name, title
-        Object name of its dock, and what stands on the tab.
+        Object name of the dock, and text of its tab.
     stack
-        Where it stands.
+        The docks that share its tabs.
     on_demand
-        Whether its dock stays away until it is asked for: too many tabs are none.
+        Whether the dock is hidden until it is asked for: too many tabs are none.
     is_steady
-        Whether what stands in it stays there when its scroll bar comes and goes, for what changes with every
+        Whether the content keeps its width when the scroll bar appears, for a panel that changes with every
         click on the canvas.
+    built_at_start
+        Whether the panel is built with the window. Others are built when their dock is first shown, so that
+        nobody waits for them at the start; the building method has to show what there is by then.
     """
-
-    dock_class: ClassVar[type[Dock]] = Dock
 
     name: str
     title: str
     stack: Stack = LOWER
     on_demand: bool = False
     is_steady: bool = False
+    built_at_start: bool = False
 
     def __call__(self, build: _Builder) -> _Builder:
         """Declare the decorated method of a command set as what builds the panel."""
         setattr(build, _DECLARED, self)
         return build
-
-
-class LatePanel(Panel, frozen=True):
-    """A panel that is built when its dock is first shown: nobody waits for it at the start."""
-
-    dock_class = LateDock
 
 
 def declared_panels(commands: type) -> Iterator[tuple[Panel, Callable[..., QWidget]]]:
@@ -102,7 +106,10 @@ class Docks:
         self._window = window
         panels = [each for stack in _STACKS for each in panels if each.stack is stack]
         self._docks = {
-            each.name: each.dock_class(each.title, partial(build, each.name), window) for each in panels
+            panel.name: (Dock if panel.built_at_start else LateDock)(
+                panel.title, partial(build, panel.name), window
+            )
+            for panel in panels
         }
         for each in panels:
             self._docks[each.name].is_steady = each.is_steady
@@ -138,3 +145,255 @@ class Docks:
         docks, heights = zip(*self._fronts, strict=True)
         self._window.resizeDocks(docks[:1], [_WIDTH], Qt.Orientation.Horizontal)
         self._window.resizeDocks(docks, heights, Qt.Orientation.Vertical)
+
+
+_IN_DOCK = QSize(350, 96)
+"""Largest minimum size of the content of a dock: two of them, one on the other, fit a small screen."""
+
+
+class Dock(SafeOverrides, QDockWidget):
+    """A dock that is empty until it is filled; `build` makes its content in the parent that it gets.
+
+    Attributes
+    ----------
+    is_steady
+        Whether what stands in it stays there when its scroll bar comes and goes.
+
+    Signals
+    -------
+    closed
+        The person has put it away.
+    """
+
+    closed = Signal()
+
+    def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
+        super().__init__(title, window)
+        self._build: Callable[[QWidget], QWidget] | None = build
+        self._window = window
+        self.is_steady = False
+        # What it covered when it was brought up; that comes back when it goes.
+        self._covered: list[QDockWidget] = []
+        self.topLevelChanged.connect(self._follow_place)
+        # Qt's own slot hides a dock that nobody sees behind another tab.
+        self.toggleViewAction().triggered.disconnect()
+        self.toggleViewAction().triggered.connect(self._toggle)
+
+    def fill(self) -> None:
+        """Build the title and the content, if there is none."""
+        # One that floats is shown again, and would be filled again, as soon as it has a title.
+        build, self._build = self._build, None
+        if build is not None:
+            self.setTitleBarWidget(DockTitle(self))
+            self.setWidget(Scrolled(build, _IN_DOCK, self, is_steady=self.is_steady))
+
+    def bring_up(self) -> None:
+        """Show it, in front of the other tabs."""
+        if self.visibleRegion().isEmpty():
+            docks = self._window.findChildren(QDockWidget)
+            self._covered = [each for each in docks if not each.visibleRegion().isEmpty()]
+        self.show()
+        self.raise_()
+
+    def _toggle(self, shown: bool) -> None:
+        """Bring it to the front of the tabs, or put it away where it is there already."""
+        is_behind = not self.isHidden() and self._window.isVisible() and self.visibleRegion().isEmpty()
+        if shown or is_behind:
+            self.toggleViewAction().setChecked(True)
+            self.bring_up()
+        else:
+            self.close()
+
+    def _follow_place(self, floats: bool) -> None:
+        """Come to the front of the tabs that it has been put among."""
+        if not floats and not self.isHidden():
+            # Only when it has its place is there a tab.
+            QTimer.singleShot(0, self, self.raise_)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        beside = [] if self.visibleRegion().isEmpty() else self._window.tabifiedDockWidgets(self)
+        super().closeEvent(event)
+        for each in beside:
+            if each in self._covered and not each.isHidden():
+                each.raise_()
+        self._covered = []
+        self.closed.emit()
+
+
+class LateDock(Dock):
+    """A dock that costs nothing until somebody looks at it."""
+
+    def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
+        super().__init__(title, build, window)
+        self._scale = 1.0
+        self.visibilityChanged.connect(self._show_content)
+
+    def _show_content(self, visible: bool) -> None:
+        # Hidden behind another tab, a dock is not visible in this sense.
+        if visible:
+            self.fill()
+
+    def fill(self) -> None:
+        """Build the content, if there is none, as large as it shall be."""
+        super().fill()
+        self.set_scale(self._scale)
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge the type of the content, for a projector."""
+        self._scale = scale
+        if self.widget() is not None:
+            size = QApplication.font().pointSizeF() * scale
+            # Beside the application's style sheet a font that is set does not reach what is inside.
+            sheet = f"* {{ font-size: {size}pt; }}" if scale != 1.0 else ""
+            if sheet != self.widget().styleSheet():
+                self.widget().setStyleSheet(sheet)
+
+
+_FLOAT_TIP, _DOCK_TIP = "Float: a window of its own", "Dock: back into the window"
+
+
+class DockTitle(FollowsTheme, QWidget):
+    """The words and the buttons; dragged anywhere else, the dock comes along.
+
+    Attributes
+    ----------
+    float_button, close_button
+        The buttons; the first is down while the dock floats.
+    """
+
+    def __init__(self, dock: QDockWidget) -> None:
+        super().__init__(dock)
+        self._dock = dock
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        name, title = dock.objectName(), dock.windowTitle()
+        self.float_button = tool_button(
+            f"{name}Float", f"Float {title}", _FLOAT_TIP, icon_size=ICON, flat=True
+        )
+        self.close_button = tool_button(
+            f"{name}Close", f"Close {title}", "Close; View › Panels brings it back", icon_size=ICON, flat=True
+        )
+        self.float_button.setCheckable(True)
+        self.float_button.clicked.connect(lambda: dock.setFloating(not dock.isFloating()))
+        self.close_button.clicked.connect(dock.close)
+        dock.topLevelChanged.connect(self._show_place)
+        # Text is the last to give way where there is little room. It is 80 wide then: its layout says so,
+        # for Qt asks hundreds of times whenever docks are laid out.
+        self._words = words = Label(title)
+        words.setMinimumWidth(9)
+        dock.windowTitleChanged.connect(self._show_title)
+        buttons = self.float_button, self.close_button
+        row_of((words, 1), *buttons, margins=(10, 1, 3, 1), spacing=2, parent=self)
+        self.follow_theme()
+        self._show_place(dock.isFloating())
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.close_button.setIcon(icon("close", theme))
+        self._show_icon()
+
+    def _show_title(self, title: str) -> None:
+        self._words.setText(title)
+        for button in (self.float_button, self.close_button):
+            button.setAccessibleName(f"{button.accessibleName().partition(' ')[0]} {title}")
+
+    def _show_place(self, floats: bool) -> None:
+        button, (verb, tip) = self.float_button, ("Dock", _DOCK_TIP) if floats else ("Float", _FLOAT_TIP)
+        button.setChecked(floats)
+        button.setToolTip(tip)
+        button.setAccessibleName(f"{verb} {button.accessibleName().partition(' ')[2]}")
+        self._show_icon()
+
+    def _show_icon(self) -> None:
+        self.float_button.setIcon(icon("dock" if self._dock.isFloating() else "float", self.theme))
+
+
+_HAS_ROOM = "hasRoom"
+"""Property of a dock that room was made for."""
+
+_DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
+
+_MOVED = 2
+"""Pixels up to which a border is where it was put."""
+
+_LEAST_ABOVE = 150
+_LEAST_BESIDE = 480
+"""Pixels that are left of the drawing; beside less of it a dock is scrolled."""
+
+
+def make_room(window: QMainWindow, dock: Dock, height: int) -> None:
+    """Let a dock that is opened be as high and wide as its content needs, up to `height`, until it is closed.
+
+    As far as the upper one and the drawing can spare it. Where a person has moved the border since, it stays.
+    """
+    if dock.property(_HAS_ROOM) or dock.isFloating():
+        return
+    dock.setProperty(_HAS_ROOM, True)
+    # Only when the dock has its place is its height known.
+    QTimer.singleShot(0, dock, lambda: _make_room(window, dock, height))
+    QTimer.singleShot(0, dock, lambda: _make_width(window, dock))
+
+
+def hide_idle_docks(window: QMainWindow) -> None:
+    """Hide the docks that have nothing to show (they are disabled) after a layout was restored."""
+    for dock in window.findChildren(QDockWidget):
+        if not dock.isEnabled():
+            dock.hide()
+
+
+def _make_room(window: QMainWindow, dock: Dock, height: int) -> None:
+    above = next((each for each in _in_front(window) if _is_above(each, dock)), None)
+    missing = _needed(dock, height) - dock.height()
+    given = min(missing, above.height() - _LEAST_ABOVE) if above is not None else 0
+    if above is None or given <= 0:
+        return
+    border = above.height() - given
+    _divide(window, (above, border), (dock, dock.height() + given))
+
+    def give_back() -> None:
+        dock.setProperty(_HAS_ROOM, False)
+        # What it has covered is there again, and has its size.
+        left = next((each for each in _in_front(window) if _is_above(above, each)), None)
+        if left is not None and abs(above.height() - border) <= _MOVED:
+            _divide(window, (above, above.height() + given), (left, left.height() - given))
+
+    dock.closed.connect(lambda: QTimer.singleShot(0, dock, give_back), Qt.ConnectionType.SingleShotConnection)
+
+
+def _divide(window: QMainWindow, *heights: tuple[QDockWidget, int]) -> None:
+    """Give docks at one side these heights, all of them together."""
+    # Qt divides the side in this proportion, the tabs of each dock included.
+    tabs = max(
+        (bar.height() for bar in window.findChildren(QTabBar, options=_DIRECT) if bar.isVisible()), default=0
+    )
+    docks = [dock for dock, _ in heights]
+    with_tabs = [height + (tabs if window.tabifiedDockWidgets(dock) else 0) for dock, height in heights]
+    window.resizeDocks(docks, with_tabs, Qt.Orientation.Vertical)
+
+
+def _needed(dock: Dock, height: int) -> int:
+    """Return the height with which nothing in a dock has to be scrolled, `height` at most."""
+    area = dock.widget()
+    if not isinstance(area, Scrolled):
+        return height
+    content: QWidget = area.content
+    return min(height, dock.height() - area.viewport().height() + content.sizeHint().height())
+
+
+def _in_front(window: QMainWindow) -> list[QDockWidget]:
+    """Return the docks at the sides that are in sight."""
+    docks = window.findChildren(QDockWidget)
+    return [each for each in docks if not each.isFloating() and not each.visibleRegion().isEmpty()]
+
+
+def _make_width(window: QMainWindow, dock: QDockWidget) -> None:
+    area, drawing = dock.widget(), window.centralWidget()
+    if not isinstance(area, Scrolled) or drawing is None:
+        return
+    missing = area.content.minimumSizeHint().width() - area.viewport().width()
+    if 0 < missing <= drawing.width() - _LEAST_BESIDE:
+        window.resizeDocks([dock], [dock.width() + missing], Qt.Orientation.Horizontal)
+
+
+def _is_above(other: QDockWidget, dock: QDockWidget) -> bool:
+    """Whether `other` shares the side with `dock`, higher up."""
+    return other.x() == dock.x() and other.y() < dock.y()

@@ -1,7 +1,8 @@
-"""Open and save: the dialogs and questions around files."""
+"""Documents and files: opening and saving with their questions, new documents, file names."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
@@ -14,7 +15,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from ..document.curve_edits import unstyled_model
 from ..document.model import Document, empty_document
 from ..document.plain import plain
-from ..exchange.formats import can_import, file_filters
+from ..exchange.formats import DOCUMENT_ENDING, FORMATS, can_import, endings_of, file_filters, format_of
 from ..qt.labels import breakable
 from ..session import Session
 from ..settings.preferences import Preferences
@@ -27,16 +28,6 @@ from ..tasks.progress import Report, part
 from ..tasks.task import Work
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.transformed import views_ahead
-from .file_names import (
-    SAVED_KINDS,
-    SUFFIX,
-    file_stem,
-    is_misnamed,
-    path_to_save,
-    short_name,
-    title_of,
-    why_not_saved_as,
-)
 
 NEW_NAME = empty_document().curves[0].name
 """The name that a curve has before anyone gives it one."""
@@ -378,3 +369,65 @@ def _sentence(what: str, problem: Exception) -> str:
     if isinstance(problem, FormatError):
         return f"{what}: {problem}."
     return f"{what}. {problem}"
+
+
+SUFFIX = DOCUMENT_ENDING
+SAVED_KINDS = f"Curvebench documents (*{SUFFIX});;All files (*)"
+"""The kinds of files that a document is saved as, for the dialog that asks for a name."""
+
+_LONGEST_STEM = 80
+
+
+def short_name(name: str) -> str:
+    """Return a name without its middle where it is long; the title of the window has it whole."""
+    half = _LONGEST_STEM // 2
+    return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
+
+
+def title_of(session: Session) -> str:
+    """Return what the document is called: its file; a curve's name would change with the order of curves."""
+    files = session.files
+    return files.path.name if files.path is not None else files.beginning.title or "Untitled"
+
+
+def file_stem(session: Session) -> str:
+    """Return a file name for the document, without ending."""
+    if (path := session.files.path) is not None:
+        return path.stem if is_misnamed(path) else path.name.removesuffix(SUFFIX)
+    curves = session.document.curves
+    drawn = "Sketch" if len(curves) > 1 else curves[0].name
+    return own_name(session.files.beginning.file_stem or drawn)
+
+
+def own_name(name: str) -> str:
+    """Return a file name without ending for what has a name."""
+    name = "".join(character for character in name if character.isprintable())
+    # What some system does not allow in a file's name.
+    return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
+
+
+def is_misnamed(path: Path) -> bool:
+    """Whether a document of ours has the name of another format's file, where nothing would look for one."""
+    return bool(why_not_saved_as(path.name))
+
+
+def path_to_save(typed: Path) -> Path:
+    """Return where a document is saved for a typed name.
+
+    What is neither JSON nor a file of a known format by its name gets the suffix of documents.
+    """
+    name, known = typed.name.lower(), (".json", *endings_of(FORMATS.written))
+    return typed if name.endswith(known) else typed.with_name(typed.name + SUFFIX)
+
+
+def why_not_saved_as(name: str) -> str:
+    """Return why no document may have such a name, as sentences; empty where it may.
+
+    Under the ending of another format no program, this one among them, would open it.
+    """
+    name = name.lower()
+    others = tuple(each for each in endings_of(FORMATS.written) if each != SUFFIX)
+    if not name.endswith(others):
+        return ""
+    title = format_of(name, FORMATS.written).title
+    return f"A document is saved as {SUFFIX}. File › Export writes a {title}."

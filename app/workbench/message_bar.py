@@ -1,4 +1,4 @@
-"""One line on top of the canvas for what the person must know now, instead of a dialog."""
+"""Bars over the canvas: a sentence about the most urgent problem or hint, with buttons; no dialog."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from itertools import zip_longest
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..qt.labels import Label
-from ..widgets.boxes import row_of
+from ..widgets.boxes import column_of, row_of
 from ..widgets.overlay_frame import OverlayFrame
-from ..widgets.tool_buttons import tool_button
+from ..widgets.tool_buttons import action_button, tool_button
 
 _TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
 _OFFERS = ("offeredAction", "secondOffer")
@@ -173,3 +173,48 @@ class MessageBar(SentenceBar):
     def wanted_width(self, sentence: int, room: int) -> int:
         """Return how wide the bar is with its buttons beside the sentence."""
         return sentence + sum(button.sizeHint().width() + GAP for button in self._offered)
+
+
+class NoticeBar(SentenceBar):
+    """A sentence with buttons, below the bar `above` where that is shown; its parts are named by `kind`."""
+
+    def __init__(self, kind: str, parent: QWidget, above: QWidget | None = None) -> None:
+        super().__init__(kind, f"close{kind.capitalize()}Bar", parent, above)
+        self._buttons: list[QToolButton] = []
+        self._row = row_of(1, spacing=GAP)
+        self._middle = column_of((self.sentence, 1), self._row, spacing=4)
+        parts = (self.sign, (self._middle, 1), self.close_button)
+        row_of(*parts, margins=(12, 6, 8, 6), spacing=GAP, parent=self)
+        self.follow_theme()
+
+    @property
+    def offered(self) -> list[str]:
+        """The names of the actions that the buttons stand for."""
+        return [] if self.isHidden() else [button.defaultAction().objectName() for button in self._buttons]
+
+    def button(self, name: str) -> QToolButton:
+        """Return the button that stands for the action of this name."""
+        return next(button for button in self._buttons if button.defaultAction().objectName() == name)
+
+    def show_notice(self, text: str, actions: Sequence[QAction], *, warns: bool) -> None:
+        """Show a sentence, and a button for each of the actions."""
+        if self.text == text and self.offered == [action.objectName() for action in actions]:
+            return
+        for button in self._buttons:
+            self._row.removeWidget(button)
+            button.hide()
+            button.deleteLater()
+        self._buttons = [action_button(action, self, icon_size=14, beside=True) for action in actions]
+        for place, button in enumerate(self._buttons):
+            keep_pointer(button)
+            self._row.insertWidget(place, button)
+            button.show()
+        self.show_sentence(text, warns=warns)
+
+    def wanted_width(self, sentence: int, room: int) -> int:
+        """Return how wide the bar is; the buttons stand beside the sentence if they fit, else below."""
+        buttons = sum(button.sizeHint().width() + GAP for button in self._buttons)
+        is_one_row = sentence + buttons <= room
+        across, down = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        self._middle.setDirection(across if is_one_row else down)
+        return sentence + buttons if is_one_row else max(sentence, buttons + 60)

@@ -28,7 +28,7 @@ from app.storage.files import load, save
 from app.storage.format import encode
 from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
 from app.testing import Editor
-from app.workbench.file_names import file_stem, title_of
+from app.workbench.document_files import file_stem, title_of
 from tests.waiting import LIMIT, until
 
 SKETCH = Document((make_curve([(0, 0), (1, 2), (3, 1 / 3)], name="Left over"),))

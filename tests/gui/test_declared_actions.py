@@ -18,7 +18,7 @@ from app.testing import Editor
 from app.window import MainWindow
 from app.window.connect import COMMAND_SETS, all_actions
 from app.window.shortcut_editor import ShortcutEditor
-from app.workbench.docks import LatePanel
+from app.workbench.docks import Panel
 
 TIP = "Count the selected points aloud"
 
@@ -50,7 +50,7 @@ class CountingCommands:
     def count_at(self, t):
         self.counted.append(t)
 
-    @LatePanel("countDock", "Count", on_demand=True)
+    @Panel("countDock", "Count", on_demand=True)
     def build_panel(self, parent):
         return QLabel("Counted")
 

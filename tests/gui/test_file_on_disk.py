@@ -31,7 +31,7 @@ from app.storage.migration import MIGRATIONS
 from app.storage.open_file import LockedError
 from app.testing import Editor
 from app.workbench.disk_watch import DiskWatch
-from app.workbench.notice_bar import NoticeBar
+from app.workbench.message_bar import NoticeBar
 from tests import waiting
 
 THEIRS = Document((make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 1.0)]),))

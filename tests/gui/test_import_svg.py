@@ -16,7 +16,7 @@ from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.features.import_export.commands import ImportCommands
 from app.storage.files import load
-from app.workbench.file_names import title_of
+from app.workbench.document_files import title_of
 from tests.waiting import until
 
 SVG = Path(__file__).parents[1] / "data" / "svg"

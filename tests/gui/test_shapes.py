@@ -18,7 +18,7 @@ from app.document.style import FillRule, Style
 from app.families import HERMITE
 from app.features.curve_list.dragging import OPENS_MS
 from app.features.curve_list.row_parts import Spot, spot_rect
-from app.workbench.bar_menu import bar_menu
+from app.workbench.context import bar_menu
 from tests.gui.curve_rows import click_row, heard, place_in, row_named, rows, view_of
 from tests.gui.editor_facts import undo_text
 from tests.waiting import until

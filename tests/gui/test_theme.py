@@ -39,7 +39,7 @@ from app.appearance.theme import (
     theme_of,
 )
 from app.storage.resources import resource
-from app.workbench.dock import Dock
+from app.workbench.docks import Dock
 from tests.waiting import until
 
 THEMES = [pytest.param(LIGHT, id="light"), pytest.param(DARK, id="dark")]

@@ -46,7 +46,7 @@ from app.storage.format import encode
 from app.storage.resources import resource
 from app.testing import Editor
 from app.window import MainWindow
-from app.workbench.file_names import file_stem
+from app.workbench.document_files import file_stem
 
 
 def test_the_first_start_shows_a_curve_and_a_hint(editor):

@@ -18,9 +18,8 @@ from ...tools.toolbox import Toolbox
 from ...view_model.basis.basis_findings import findings_of, remark_on
 from ...view_model.basis.growth import growth_of_points
 from ...view_model.curve.curve_view import CurveView, view_of
-from ...workbench.bar_menu import bar_menu
-from ...workbench.central_pane import Pane
-from ...workbench.context import WindowContext
+from ...workbench.central_area import Pane
+from ...workbench.context import WindowContext, bar_menu
 from .pane import BasisPane
 from .panel import BasisPanel
 

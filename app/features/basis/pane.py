@@ -22,7 +22,7 @@ from ...widgets.controls import named
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.fitting import Scrolled
 from ...widgets.tool_buttons import choice_style, mirror, tool_button
-from ...workbench.central_pane import CentralPane
+from ...workbench.central_area import CentralPane
 from .function_lines import note_on_drawing
 from .panel import BasisPanel
 

@@ -34,8 +34,7 @@ from ...document.several_curves import (
     what_stays,
 )
 from ...view_model.curve.curve_view import CurveView
-from ...workbench.bar_menu import bar_menu
-from ...workbench.context import WindowContext
+from ...workbench.context import WindowContext, bar_menu
 from ...workbench.docks import UPPER, Panel
 from ...workbench.highlight import highlighted_curves
 from .entries import RowMarks
@@ -61,7 +60,7 @@ class CurveListCommands:
         self._context, self._session, self._actions = context, context.session, context.actions
         self._dock, self._rows = context.docks["curvesDock"], RowEdits(context.session)
 
-    @Panel("curvesDock", "Curves", UPPER)
+    @Panel("curvesDock", "Curves", UPPER, built_at_start=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the list."""
         self.panel = CurveList(parent)

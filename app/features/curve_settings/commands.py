@@ -76,7 +76,7 @@ class CurveSettingsCommands:
         self._gestures: list[SliderGesture] = []
         self._shown: CurveView | None = None
 
-    @Panel("curveDock", "Curve")
+    @Panel("curveDock", "Curve", built_at_start=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         self._shown = self._session.meant_view

@@ -12,7 +12,7 @@ from ...actions.declaration import action
 from ...actions.menus import FILE_DOCUMENT
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits
 from .. import document_settings
 
@@ -31,7 +31,7 @@ class DocumentSettingsCommands:
         self._shown: tuple[str, float] | None = None
         self.render(context.session.active_view)
 
-    @LatePanel("documentDock", "Document", on_demand=True)
+    @Panel("documentDock", "Document", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         self._panel = document_settings.panel.DocumentPanel(parent)

@@ -17,7 +17,7 @@ from ...storage.open_file import FileChange, OpenFile
 from ...view_model.curve.curve_view import view_of
 from ...workbench.context import WindowContext
 from ...workbench.disk_watch import DiskWatch
-from ...workbench.notice_bar import NoticeBar
+from ...workbench.message_bar import NoticeBar
 from .notices import Notice, Ownership, about_content, about_left_out, about_lock, about_refusal
 
 _RECHECK_MS = 100

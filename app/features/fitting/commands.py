@@ -29,8 +29,7 @@ from ...view_model.fitting.least_squares import Fitted, fitted_to_curve, is_of_p
 from ...view_model.geometry import size_of
 from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel, make_room
 from .. import fitting
 from .simplify_commands import SimplifyCommands
 
@@ -92,7 +91,7 @@ class FitCommands(QObject):
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
 
-    @LatePanel("fitDock", "Fewer Points", on_demand=True)
+    @Panel("fitDock", "Fewer Points", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         self._panel = fitting.panel.FitPanel(parent)

@@ -9,7 +9,7 @@ from ...actions.menus import EDIT_BACK, EDIT_HISTORY, TOOLBAR
 from ...actions.needs import Need
 from ...qt.labels import menu_text
 from ...workbench.context import WindowContext
-from ...workbench.docks import UPPER, LatePanel
+from ...workbench.docks import UPPER, Panel
 from .panel import HistoryPanel
 
 
@@ -53,7 +53,7 @@ class HistoryCommands:
         is_meant = is_held or canvas.is_dragging or canvas.tools.background.is_busy
         self._context.store.change(in_flight=is_meant and not self._session.undo_stack.canUndo())
 
-    @LatePanel("historyDock", "History", UPPER)
+    @Panel("historyDock", "History", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the list of steps."""
         panel = self.panel = HistoryPanel(self._session.undo_stack, parent)

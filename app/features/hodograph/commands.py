@@ -15,7 +15,7 @@ from ...tools.toolbox import Toolbox
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel
 from .. import hodograph
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class HodographCommands:
         self._task.ready.connect(self._show)
         context.session.scrub_changed.connect(self._show_scrub)
 
-    @LatePanel("hodographDock", "Hodograph", on_demand=True)
+    @Panel("hodographDock", "Hodograph", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         self._panel = hodograph.panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG), parent)

@@ -16,7 +16,7 @@ from ...exchange.formats import Written, with_ending
 from ...storage.files import StorageError
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
-from ...workbench.file_names import file_stem, own_name
+from ...workbench.document_files import file_stem, own_name
 from .. import import_export
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from ...actions.menus import ANALYSIS_JOINTS
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel
 from .. import joints
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ class JointCommands:
         self._panel: JointsPanel | None = None
         self._view: CurveView | None = None
 
-    @LatePanel("jointsDock", "Joints")
+    @Panel("jointsDock", "Joints")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"], parent)

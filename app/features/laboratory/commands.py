@@ -19,8 +19,7 @@ from ...view_model.analysis.laboratory_settings import LaboratorySettings, Round
 from ...view_model.basis.growth import growth_of_data
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel, make_room
 from .. import laboratory
 from .error_plot import TITLE, error_plot
 
@@ -76,7 +75,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
         self._cost_task.ready.connect(self._show_measured)
         self._cost_task.busy_changed.connect(lambda _busy: self._show_cost())
 
-    @LatePanel("laboratoryDock", "Lab", on_demand=True)
+    @Panel("laboratoryDock", "Lab", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         self._panel = laboratory.panel.LaboratoryPanel(

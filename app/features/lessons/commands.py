@@ -18,7 +18,7 @@ from ...view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from ...view_model.analysis.laboratory_settings import Calculation
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import LEFT, LatePanel
+from ...workbench.docks import LEFT, Panel
 from .. import lessons
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ class LessonCommands:
         self._dock.fill()
         self._begin([lesson.name for lesson in self._lessons].index(name))
 
-    @LatePanel("lessonsDock", "Lessons", LEFT, on_demand=True)
+    @Panel("lessonsDock", "Lessons", LEFT, on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when the dock is first shown."""
         panel = self._panel = lessons.panel.LessonPanel(self._lessons, parent)

@@ -14,7 +14,7 @@ from ...tasks.progress import Report
 from ...view_model.animation.motion import round_of
 from ...view_model.animation.motion_settings import MotionSettings
 from ...workbench.context import WindowContext
-from ...workbench.file_names import file_stem
+from ...workbench.document_files import file_stem
 from .dialog import MotionDialog
 
 

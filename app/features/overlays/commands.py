@@ -19,7 +19,7 @@ from ...view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
 from ...view_model.analysis.settings import AnalysisSettings
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel
 from .. import overlays
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class OverlayCommands:
         )
         context.session.scrub_changed.connect(self._follow_scrub)
 
-    @LatePanel("analysisDock", "Analysis")
+    @Panel("analysisDock", "Analysis")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when its dock is first shown."""
         actions = self._context.actions

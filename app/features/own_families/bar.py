@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QBoxLayout, QSizePolicy
 
-from ...workbench.notice_bar import NoticeBar
+from ...workbench.message_bar import NoticeBar
 
 
 class FamilyBar(NoticeBar):

@@ -18,7 +18,7 @@ from ...view_model import analysis
 from ...view_model.analysis.plot import PLOTS, Plot
 from ...view_model.basis.growth import growth_of_points
 from ...view_model.curve.curve_view import CurveView
-from ...workbench.central_pane import Pane
+from ...workbench.central_area import Pane
 from ...workbench.context import WindowContext
 from .. import plots
 from .panel import PlotPanel

@@ -8,7 +8,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ...qt.overrides import SafeOverrides
-from ...workbench.central_pane import CentralPane
+from ...workbench.central_area import CentralPane
 
 if TYPE_CHECKING:
     from .pane import PlotPane

@@ -28,7 +28,7 @@ class PointTableCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
 
-    @Panel("pointsDock", "Points", UPPER)
+    @Panel("pointsDock", "Points", UPPER, built_at_start=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the table."""
         self.panel = PointTable(parent)

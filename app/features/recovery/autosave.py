@@ -13,7 +13,7 @@ from ...session import DocumentOrigin, Session
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, SnapshotFile
 from ...tasks.task import Task
-from ...workbench.file_names import SUFFIX
+from ...workbench.document_files import SUFFIX
 
 _log = logging.getLogger("curvebench.autosave")
 

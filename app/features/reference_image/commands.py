@@ -21,7 +21,7 @@ from ...storage.image_path import PICTURES
 from ...tools.move_image import MOVE_IMAGE
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits, SliderGesture
 from .panel import STEPS, ImagePanel
 
@@ -61,7 +61,7 @@ class ImageCommands:
         context.store.changed.connect(self._show_state)
         self._show_dock(False)
 
-    @LatePanel("imageDock", "Image")
+    @Panel("imageDock", "Image")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form of the picture, with its buttons."""
         panel = self.panel = ImagePanel(self._actions.in_bar(IMAGE_BUTTONS)[1], parent)

@@ -26,7 +26,7 @@ from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of
 from ...workbench.context import WindowContext
-from ...workbench.docks import UPPER, LatePanel
+from ...workbench.docks import UPPER, Panel
 from ...workbench.form_edits import SliderGesture
 from .. import style
 from .clipboard_commands import StyleClipboardCommands
@@ -84,7 +84,7 @@ class StyleCommands:
         context.session.selected_curves_changed.connect(self._render)
         context.store.changed.connect(self._render)
 
-    @LatePanel("styleDock", "Style", UPPER, is_steady=True)
+    @Panel("styleDock", "Style", UPPER, is_steady=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
         buttons = [self._context.actions[name] for name in ("copyStyle", "pasteStyle")]

@@ -20,8 +20,7 @@ from ...view_model.boxes.pivot import Turning
 from ...view_model.boxes.stretch import SIDES, resized
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel, make_room
 from .. import transform
 
 if TYPE_CHECKING:
@@ -45,7 +44,7 @@ class TransformPanelCommands(QObject):
         self._session.pivot_changed.connect(self._render)
         self._store.changed.connect(self._show_state)
 
-    @LatePanel("transformDock", "Transform", on_demand=True, is_steady=True)
+    @Panel("transformDock", "Transform", on_demand=True, is_steady=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         actions = self._context.actions

@@ -27,8 +27,7 @@ from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
 from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
-from ...workbench.dock import LateDock
-from ...workbench.dock_room import hide_idle_docks
+from ...workbench.docks import LateDock, hide_idle_docks
 from .more_tools_button import MoreToolsButton
 from .zoom_commands import ZoomCommands
 

@@ -19,8 +19,7 @@ from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import CURE_STYLE
 from ...workbench.context import WindowContext
-from ...workbench.dock_room import make_room
-from ...workbench.docks import LatePanel
+from ...workbench.docks import Panel, make_room
 from .. import wiggle
 
 if TYPE_CHECKING:
@@ -56,7 +55,7 @@ class WiggleCommands(QObject):
     def _follow_scrub(self) -> None:
         self.follow(self._session.active_view)
 
-    @LatePanel("wiggleDock", "Wiggle", on_demand=True)
+    @Panel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         self._panel = wiggle.panel.WigglePanel(parent)
