@@ -13,7 +13,7 @@ from .. import cli
 from ..families import FAMILIES
 from ..storage.files import StorageError
 from ..storage.open_file import is_large
-from ..window.given import given
+from ..window.given_files import given_files
 from .display import NO_DISPLAY, has_display, missing_library
 from .documents import load_document
 from .refusals import RefusalError
@@ -51,7 +51,7 @@ def _problems_of(files: Sequence[str]) -> dict[str, RefusalError | StorageError]
 
     A large document is read once, beside its window, which says what is wrong with it.
     """
-    documents = given(map(Path, files)).documents
+    documents = given_files(map(Path, files)).documents
     problems: dict[str, RefusalError | StorageError] = {}
     for path in files:
         is_document = Path(path) in documents and not is_large(Path(path))

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from ..features.lessons.commands import LessonCommands
 from ..session import Session
 from ..storage.open_file import is_large
-from ..window.given import given
+from ..window.given_files import given_files
 from ..window.main_window import MainWindow
 from .lifecycle import Lifecycle
 
@@ -24,7 +24,7 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
     The first one takes what else there is as it takes a drop, says what was wrong with other files, as
     sentences in `problems`, and opens a lesson that is named.
     """
-    others = given(map(Path, files))
+    others = given_files(map(Path, files))
     documents = [Path(path) for path in files if Path(path) in others.documents]
     large = {path for path in documents if is_large(path)}
     sessions = [Session() for _ in documents] or [Session()]

@@ -1,13 +1,10 @@
-"""The window: builds, docks and connects; and what works on the program itself.
+"""The window: builds, docks and connects its parts; and the actions on the program itself.
 
-- ``main_window``: the window.  ``connect``: its command sets.  ``window_layout``: its place and size.
-- ``rendering``: what it shows of a session.
-- ``menus``, ``context_menus``, ``toolbar``: actions on the screen.
-- ``messages``: what the line on the canvas says.
-- ``drops``: files that are dragged over the window.  ``given``: files by what is done with them.
-- ``program_commands``: command palette, preferences and shortcuts.  ``focus_commands``: from panel to panel.
-  ``command_palette``, ``fuzzy``: type what you want.  ``shortcut_editor``: the keys.
-  ``preferences_dialog``: the settings, read from their descriptors.
+- ``main_window``: the window with its layout.  ``connect``: its command sets, and rendering of the session.
+- ``menus``, ``toolbar``: actions on the screen.  ``messages``: the line on the canvas.
+- ``drops``: files that are dragged over the window.  ``given_files``: files by what is done with them.
+- ``window_commands``: command palette, preferences, keys and keyboard focus.
+- ``command_palette``, ``fuzzy``: search for an action.  ``preferences_dialog``: settings and shortcuts.
 """
 
 import lazy_loader as lazy

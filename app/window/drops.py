@@ -13,7 +13,7 @@ from ..document.words import count_of, listed, names_of
 from ..storage.files import StorageError
 from ..storage.format_error import FormatError
 from ..workbench.context import WindowContext, hooks
-from .given import Given, given
+from .given_files import GivenFiles, given_files
 
 MOST_WINDOWS = 12
 """Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""
@@ -21,14 +21,14 @@ MOST_WINDOWS = 12
 OpenWindow = Callable[[Path], None]
 
 
-def dropped(event: QDropEvent) -> Given:
+def dropped(event: QDropEvent) -> GivenFiles:
     """Return what is dragged."""
     urls = event.mimeData().urls()
     paths = (Path(url.toLocalFile()) for url in urls if url.isLocalFile())
-    return given(paths, elsewhere=sum(not url.isLocalFile() for url in urls))
+    return given_files(paths, elsewhere=sum(not url.isLocalFile() for url in urls))
 
 
-def accepted(event: QDropEvent) -> Given | None:
+def accepted(event: QDropEvent) -> GivenFiles | None:
     """Accept a drag of files as a copy and return them; None where there are none or they must be moved.
 
     Whoever answers "move" makes the file manager delete what was dragged.
@@ -62,7 +62,7 @@ class Drops:
         self._holds, self._paste = hooks(takers, "holds_drawing"), hooks(takers, "paste_dropped")
         self.open_window: OpenWindow | None = None
 
-    def take(self, files: Given, problems: Iterable[str] = ()) -> None:
+    def take(self, files: GivenFiles, problems: Iterable[str] = ()) -> None:
         """Open the documents, import what is to be imported, one after the other, and trace a picture.
 
         What was wrong with other files, `problems`, is said together with what is left out.
@@ -87,7 +87,7 @@ class Drops:
         for paste in self._paste:
             paste(event.mimeData(), place)
 
-    def _add(self, files: Given, left: list[str]) -> None:
+    def _add(self, files: GivenFiles, left: list[str]) -> None:
         """Import and trace what was given, and say what was `left` out, and why."""
         if others := self._context.files.trace(files.pictures):
             left.append(others)

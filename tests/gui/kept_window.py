@@ -37,7 +37,7 @@ from app.features.view.zoom_commands import ZoomCommands
 from app.features.wiggle.commands import WiggleCommands
 from app.testing import Editor
 from app.view_model.animation.motion_settings import MotionSettings
-from app.window.program_commands import ProgramCommands
+from app.window.window_commands import ProgramCommands
 from app.workbench.docks import LateDock
 
 _A_PLOT = "plotCurvature"

@@ -17,7 +17,7 @@ from app.session import Session
 from app.testing import Editor
 from app.window import MainWindow
 from app.window.connect import COMMAND_SETS, all_actions
-from app.window.shortcut_editor import ShortcutEditor
+from app.window.preferences_dialog import ShortcutEditor
 from app.workbench.docks import Panel
 
 TIP = "Count the selected points aloud"

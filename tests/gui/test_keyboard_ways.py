@@ -14,7 +14,7 @@ from app.appearance.theme import theme_of
 from app.features.curve_list.commands import CurveListCommands
 from app.features.lessons.panel import LessonPanel
 from app.qt.overrides import SafeOverrides
-from app.window.focus_commands import first_in
+from app.window.window_commands import first_in
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 

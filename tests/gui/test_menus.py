@@ -11,7 +11,7 @@ from app.actions.keymap import plain
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.window import MainWindow
-from app.window.window_layout import first_size
+from app.window.main_window import first_size
 from tests.gui.curve_rows import open_row_menu
 from tests.waiting import until
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.window.fuzzy import SearchEntry, ranked
-from app.window.shortcut_editor import ShortcutEditor
+from app.window.preferences_dialog import ShortcutEditor
 
 NAMES = ["Recover Unsaved Work", "Reverse Curve", "Next Curve", "Curve Colour…", "Rename Curve…"]
 

@@ -12,7 +12,7 @@ from ..storage.image_path import PICTURE_SUFFIXES
 
 
 @dataclass(frozen=True)
-class Given:
+class GivenFiles:
     """Files, by what is done with them.
 
     Attributes
@@ -42,10 +42,10 @@ class Given:
         return f"Drop to {', '.join(f'{verb} {count_of(len(paths), what)}' for verb, what, paths in there)}"
 
 
-def given(paths: Iterable[Path], *, elsewhere: int = 0) -> Given:
+def given_files(paths: Iterable[Path], *, elsewhere: int = 0) -> GivenFiles:
     """Return files by what is done with them; what is neither imported nor traced is to be a document."""
     paths = list(dict.fromkeys(paths))
     pictures = tuple(path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES)
     imports = tuple(path for path in paths if can_import(path))
     documents = tuple(path for path in paths if path not in (*pictures, *imports))
-    return Given(documents, imports, pictures, elsewhere)
+    return GivenFiles(documents, imports, pictures, elsewhere)
