@@ -22,9 +22,8 @@ from ..plotting.text import covered_lengths
 from ..qt.labels import Label, tip_of
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
-from ..widgets.controls import named
-from ..widgets.overlay_frame import OverlayFrame
-from ..widgets.tool_buttons import tool_button
+from ..widgets.controls import named, tool_button
+from ..widgets.frames import OverlayFrame
 
 _MARGIN = 10
 

@@ -16,7 +16,7 @@ from ..appearance.theme import theme_of
 from ..qt.labels import Label
 from ..widgets.boxes import column_of
 from ..widgets.controls import named
-from ..widgets.fitting import FittedDialog
+from ..widgets.frames import FittedDialog
 
 _SAFE = "Your work is safe: a backup has just been written."
 _NOT_SAFE = "A backup could not be written. Save your work under another name now."

@@ -1,10 +1,12 @@
-"""SafeOverrides overrides: an exception in a method that Qt calls is reported there, and the program goes on.
+"""Guarded overrides: an exception in a method that Qt calls is reported there, and the program goes on.
 
 PySide6 hands an exception of an override on to whichever Python code called Qt last, if any did: that code
 stops halfway, though nothing of it failed. Until Python 3.12 it even ends the process with a segmentation
 fault where the exception was raised by C code (``1 / 0``, ``int("x")``, an index error of NumPy), because
 shiboken reads one that was never normalised (`PepException_GetArgs`; PySide6 6.8 to 6.12). Slots do well
 without: PySide6 prints their exceptions at once, through `sys.excepthook`.
+
+Here are also the keys that a widget takes before its window does.
 """
 
 from __future__ import annotations
@@ -19,7 +21,9 @@ from contextlib import suppress
 from types import FunctionType, MethodDescriptorType
 from typing import Any, TypeVar, cast
 
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QWidget
 
 _Method = TypeVar("_Method", bound=Callable[..., object])
 
@@ -132,3 +136,61 @@ def empty_result(method: Callable[..., object]) -> Any:  # noqa: ANN401 - whatev
     # What Qt passes by value can be copied; of anything else it gets the null pointer.
     is_pointer = kind.__module__.startswith("PySide6.") and not hasattr(kind, "__copy__")
     return None if is_pointer else kind()
+
+
+ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
+
+PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
+"""Ways to lose the focus of somebody who comes back to go on typing: another window, the field's own menu."""
+
+
+class ClaimsKeys(SafeOverrides):
+    """Mixin for widgets, named before Qt's class: keys that `claims` knows do not go to the window."""
+
+    def claims(self, event: QKeyEvent) -> bool:
+        """Whether a key is the widget's."""
+        raise NotImplementedError
+
+    @guard
+    def event(self, event: QEvent) -> bool:
+        """Claim a key; called by Qt."""
+        is_asked = event.type() == QEvent.Type.ShortcutOverride
+        if is_asked and isinstance(event, QKeyEvent) and self.claims(event):
+            event.accept()
+            return True
+        return bool(super().event(event))  # type: ignore[misc]  # that of the widget's class
+
+
+_OF_TEXT = frozenset(map(Qt.Key, map(ord, "ACVXYZ")))
+"""Letters that edit text with Ctrl: the field's own."""
+
+_SHIFT, _CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+
+
+class FieldShortcuts(SafeOverrides, QObject):
+    """Lets the shortcuts of a window act while one of its fields has the focus: Ctrl and a letter.
+
+    On X11 Qt's fields claim some of these, Ctrl+E for the end of the line. Where no shortcut has the keys
+    they still mean that.
+    """
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._watch)
+
+    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if isinstance(new, QLineEdit | QAbstractSpinBox):
+            new.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep a field from claiming a key that is no text editing."""
+        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+            return False
+        key, is_ctrl = event.key(), event.modifiers() & ~_SHIFT == _CTRL
+        if not is_ctrl or not Qt.Key.Key_A <= key <= Qt.Key.Key_Z or key in _OF_TEXT:
+            return False
+        event.ignore()
+        return True

@@ -6,8 +6,7 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QKeyEvent
 from PySide6.QtWidgets import QColorDialog, QFrame, QPushButton, QWidget
 
-from ..qt.keys import ENTER
-from ..qt.overrides import SafeOverrides
+from ..qt.overrides import ENTER, SafeOverrides
 from .boxes import column_of
 from .controls import named
 

@@ -1,4 +1,4 @@
-"""Numbers as the panels show them. What is shown is a view; the value behind it stays whole."""
+"""Numbers and lengths as text: exact, in columns, in fields."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from PySide6.QtCore import QLocale
 
 from curvecore.arrays import FloatArray
 
+from ..document.lengths import typed_length
 from ..document.words import NOTHING, number, polished
 
 NEGLIGIBLE = 1e-12
@@ -183,3 +184,13 @@ def widest_texts(extent: Extent, digits: int) -> set[str]:
     """
     decimals = most_decimals(extent.whole_digits, digits)
     return {column_text(number, decimals, digits) for number in extent.numbers}
+
+
+def read_length(text: str, unit: str, now: float | None = None) -> float:
+    """Return the length that was typed in the person's locale; see `typed_length`."""
+    return typed_length(text, unit, now, decimal_mark())
+
+
+def length_text(value: float, unit: str) -> str:
+    """Return a length with its unit, if it has one."""
+    return f"{number(value, 6, decimal_mark())} {unit}".rstrip()

@@ -18,7 +18,7 @@ from ..qt.labels import Label
 from ..qt.overrides import SafeOverrides
 from ..settings.kinds import Choice, Distance, Setting, Several, Text, Value
 from .controls import check_box, choice_box
-from .field_edit import NumberEdit, read_number
+from .fields import NumberEdit, read_number
 from .number_text import typed_text
 
 Change = Callable[[Any], object]

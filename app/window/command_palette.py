@@ -31,12 +31,11 @@ from shiboken6 import isValid
 
 from ..actions.keymap import full_name_of, keywords_of, native, why_not
 from ..appearance.theme import Theme, mix, theme_of
-from ..qt.keys import ENTER
 from ..qt.labels import Label
-from ..qt.overrides import SafeOverrides
+from ..qt.overrides import ENTER, SafeOverrides
 from ..widgets.boxes import column_of
 from ..widgets.controls import named
-from ..widgets.overlay_frame import OverlayFrame
+from ..widgets.frames import OverlayFrame
 from .fuzzy import SearchEntry, ranked
 
 _WIDEST, _ROWS, _ROW_HEIGHT, _TOP = 560, 10, 30, 12

@@ -24,13 +24,12 @@ from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
-from ..qt.keys import ENTER, FieldShortcuts
-from ..qt.overrides import SafeOverrides
+from ..qt.overrides import ENTER, FieldShortcuts, SafeOverrides
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..state.window_state import Analysis, WindowState, WindowStore
 from ..tasks.garbage import collect_between_events
-from ..widgets.fitting import room_on
+from ..widgets.frames import room_on
 from ..workbench.central_area import CentralArea
 from ..workbench.context import WindowContext
 from ..workbench.docks import Docks, declared_panels, hide_idle_docks

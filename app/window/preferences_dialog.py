@@ -20,14 +20,13 @@ from PySide6.QtWidgets import (
 
 from ..actions.keymap import Keymap, keys_text, native, refusal
 from ..appearance.theme import theme_of
-from ..qt.keys import ENTER
 from ..qt.labels import Label
-from ..qt.overrides import SafeOverrides
+from ..qt.overrides import ENTER, SafeOverrides
 from ..settings.kinds import settings_with_labels
 from ..settings.preferences import Preferences
 from ..widgets.boxes import column_of, form_of, row_of
 from ..widgets.controls import named, push_button
-from ..widgets.fitting import FittedDialog
+from ..widgets.frames import FittedDialog
 from ..widgets.preference_fields import field_of
 from .fuzzy import SearchEntry, ranked
 

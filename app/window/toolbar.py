@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QMenu, QToolBar, QToolButton, QWidget, QWidgetActi
 
 from ..actions.menus import TOOLBAR, BarPosition
 from ..actions.qactions import Actions
-from ..qt.keys import ENTER
-from ..qt.overrides import SafeOverrides
+from ..qt.overrides import ENTER, SafeOverrides
 from ..widgets.controls import ToolbarWidget, named
 from .menus import put_in
 

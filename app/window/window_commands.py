@@ -13,7 +13,7 @@ from .. import window
 from ..actions.declaration import action
 from ..actions.keymap import plain
 from ..actions.menus import EDIT_PROGRAM, HELP_ALL, VIEW_FOCUS
-from ..widgets.field_edit import FieldEdit
+from ..widgets.fields import FieldEdit
 from ..workbench.context import WindowContext
 
 if TYPE_CHECKING:

@@ -13,13 +13,12 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QTabBar, Q
 
 from ..actions.declaration import marked
 from ..appearance.icons import icon
-from ..appearance.theme import Theme
-from ..appearance.themed import FollowsTheme
+from ..appearance.theme import FollowsTheme, Theme
 from ..qt.labels import Label
 from ..qt.overrides import SafeOverrides
 from ..widgets.boxes import row_of
-from ..widgets.fitting import Scrolled
-from ..widgets.tool_buttons import ICON, tool_button
+from ..widgets.controls import ICON, tool_button
+from ..widgets.frames import Scrolled
 
 _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
 _WIDTH = 350

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from ..document.model import Document
 from ..session import Session
 from ..tools.drag_machine import CANCELLED
-from ..widgets.field_form import FieldForm
-from ..widgets.live_slider import LiveSlider
+from ..widgets.fields import FieldForm
+from ..widgets.sliders import LiveSlider
 
 
 class FormEdits:

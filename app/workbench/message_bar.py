@@ -13,8 +13,8 @@ from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..qt.labels import Label
 from ..widgets.boxes import column_of, row_of
-from ..widgets.overlay_frame import OverlayFrame
-from ..widgets.tool_buttons import action_button, tool_button
+from ..widgets.controls import action_button, tool_button
+from ..widgets.frames import OverlayFrame
 
 _TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
 _OFFERS = ("offeredAction", "secondOffer")

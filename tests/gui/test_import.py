@@ -35,7 +35,7 @@ from app.features.import_export.export_commands import ExportCommands
 from app.storage.files import save
 from app.tasks.task import stopped_tasks
 from app.view_model.curve.curve_view import view_of
-from app.widgets.field_edit import FieldEdit
+from app.widgets.fields import FieldEdit
 from tests.gui.editor_facts import retype
 from tests.waiting import until
 

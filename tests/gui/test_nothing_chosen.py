@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit
 
 from app.actions.menus import ANALYSIS, CURVE, EDIT
-from app.widgets.live_slider import LiveSlider
+from app.widgets.sliders import LiveSlider
 from app.window.connect import all_actions
 
 NO_CURVE = "No curve is chosen; click one, or press Ctrl+A for all."

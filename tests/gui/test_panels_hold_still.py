@@ -20,7 +20,7 @@ from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.testing.waiting import deliver_events
 from app.widgets.boxes import column_of
-from app.widgets.fitting import Scrolled
+from app.widgets.frames import Scrolled
 
 SHOWN = (QAbstractButton, QComboBox, QLineEdit, QSlider)
 

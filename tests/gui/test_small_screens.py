@@ -31,7 +31,7 @@ from app.features.motion.dialog import MotionDialog
 from app.session import Session
 from app.storage.files import save
 from app.testing import Editor
-from app.widgets.fitting import FRAME, FittedDialog
+from app.widgets.frames import FRAME, FittedDialog
 from app.window.preferences_dialog import PreferencesDialog
 
 ROOM = QSize(960, 540) - FRAME
@@ -89,7 +89,7 @@ def dialogs(window):
 
 def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monkeypatch):
     editor = Editor(qtbot)
-    monkeypatch.setattr("app.widgets.fitting.room_on", lambda _screen: ROOM)
+    monkeypatch.setattr("app.widgets.frames.room_on", lambda _screen: ROOM)
     shown = set()
     for dialog in dialogs(editor.window):
         dialog.show()

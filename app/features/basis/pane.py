@@ -8,8 +8,7 @@ from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
@@ -18,10 +17,9 @@ from ...view_model.basis.basis_view import BasisView, basis_formulas
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES, LineStyle
 from ...widgets.boxes import Part, column_of, row_of
-from ...widgets.controls import named
+from ...widgets.controls import choice_style, mirror, named, tool_button
 from ...widgets.elided_label import ElidedLabel
-from ...widgets.fitting import Scrolled
-from ...widgets.tool_buttons import choice_style, mirror, tool_button
+from ...widgets.frames import Scrolled
 from ...workbench.central_area import CentralPane
 from .function_lines import note_on_drawing
 from .panel import BasisPanel

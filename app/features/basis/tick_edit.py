@@ -8,14 +8,13 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
-from ...qt.keys import ENTER, PASSING
 from ...qt.labels import Label
-from ...qt.overrides import SafeOverrides
+from ...qt.overrides import ENTER, PASSING, SafeOverrides
 from ...widgets.boxes import column_of
 from ...widgets.controls import named
-from ...widgets.field_edit import read_number
+from ...widgets.fields import read_number
+from ...widgets.frames import OverlayFrame
 from ...widgets.number_text import decimal_mark, exact_text
-from ...widgets.overlay_frame import OverlayFrame
 
 _WIDTH, _WIDEST_REASON = 150, 320
 

@@ -8,8 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QMenu, QWidget
 
-from ...appearance.colours import CURVE_COLOURS
-from ...appearance.swatches import paint_picture
+from ...appearance.colours import CURVE_COLOURS, paint_picture
 from ...appearance.theme import theme_of
 from ...document.style import NO_PAINT, Style
 from ...view_model.palette import adjustment_of

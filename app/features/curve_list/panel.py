@@ -16,7 +16,7 @@ from ...document.style import Style
 from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
-from ...widgets.tool_buttons import action_button
+from ...widgets.controls import action_button
 from .colour_menu import colour_menu
 from .entries import RowMarks
 from .model import CurveListModel

@@ -6,8 +6,8 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPointF, QRect, Q
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QLineEdit, QListView, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from ...appearance.colours import draw_style
 from ...appearance.icons import icon
-from ...appearance.swatches import draw_style
 from ...appearance.theme import Theme, mix, theme_of
 from ...document.curve_tree import NodeKind
 from ...qt.overrides import SafeOverrides

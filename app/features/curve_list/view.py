@@ -8,10 +8,10 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QListView, QToolTip, QWidget
 
-from ...qt.keys import DELETE, ENTER, ClaimsKeys
 from ...qt.labels import tip_of
-from ...widgets.cell_editing import end_editing
+from ...qt.overrides import DELETE, ENTER, ClaimsKeys
 from ...widgets.controls import named
+from ...widgets.fields import end_editing
 from .dragging import RowDrag
 from .dropping import stays
 from .model import CurveListModel

@@ -21,11 +21,9 @@ from ...qt.labels import Label
 from ...view_model.curve.curve_view import CurveView, ParametricCurve
 from ...view_model.points.smoothness import jolts_of
 from ...widgets.boxes import column_of, form_of, row_of
-from ...widgets.controls import choice_box
-from ...widgets.field_edit import FieldEdit, NumberEdit
-from ...widgets.field_form import FieldForm
+from ...widgets.controls import ICON, choice_box, tool_button
+from ...widgets.fields import FieldEdit, FieldForm, NumberEdit
 from ...widgets.number_text import decimal_mark
-from ...widgets.tool_buttons import ICON, tool_button
 from .setting_fields import SettingFields, step_of
 
 _SETTINGS_ROW = 2

@@ -9,8 +9,8 @@ from ...families import FamilySetting, SettingValue
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named
-from ...widgets.field_edit import NumberEdit
-from ...widgets.live_slider import LiveSlider
+from ...widgets.fields import NumberEdit
+from ...widgets.sliders import LiveSlider
 
 _FIELD_WIDTH = 56
 """Pixels of the field of a whole number: the slider has the rest of the row."""

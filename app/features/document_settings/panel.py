@@ -18,8 +18,8 @@ from ...settings.kinds import Distance, Text
 from ...settings.preferences import NO_UNIT, USUAL_UNITS
 from ...widgets.boxes import column_of, form_of
 from ...widgets.controls import push_button
-from ...widgets.field_form import FieldForm
-from ...widgets.length_text import length_text
+from ...widgets.fields import FieldForm
+from ...widgets.number_text import length_text
 from ...widgets.preference_fields import PreferenceField, field_of
 
 _UNIT = Text(

@@ -7,8 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...qt.labels import Label
 from ...widgets.boxes import row_of
-from ...widgets.controls import ThinProgress
-from ...widgets.tool_buttons import tool_button
+from ...widgets.controls import ThinProgress, tool_button
 
 
 class JobBar(QWidget):

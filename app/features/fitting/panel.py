@@ -13,7 +13,7 @@ from ...qt.labels import Label
 from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box, push_button
-from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
+from ...widgets.fields import RangedDoubleSpinBox, RangedSpinBox
 
 _DIGITS = 6
 _COUNTS = (2, 500)

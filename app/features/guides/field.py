@@ -11,13 +11,12 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.model import Axis, Guide
-from ...qt.keys import ENTER, PASSING, ClaimsKeys
 from ...qt.labels import Label
+from ...qt.overrides import ENTER, PASSING, ClaimsKeys
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
-from ...widgets.length_text import read_length
-from ...widgets.number_text import typed_text
-from ...widgets.overlay_frame import OverlayFrame
+from ...widgets.frames import OverlayFrame
+from ...widgets.number_text import read_length, typed_text
 
 _TIP = "Where the guide lies: a number or an expression, with a unit if you like, such as 20, 1/3 or 1 in"
 _WIDTH = 110

@@ -16,9 +16,8 @@ from ...qt.labels import Label, html_of
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, GestureRow, ToolRecord
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import named
-from ...widgets.overlay_frame import OverlayFrame
-from ...widgets.tool_buttons import ICON, tool_button
+from ...widgets.controls import ICON, named, tool_button
+from ...widgets.frames import OverlayFrame
 
 Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190

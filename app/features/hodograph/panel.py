@@ -9,8 +9,7 @@ from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QToolButton, QWidget
 
 from ...appearance.colours import point_colours
 from ...appearance.icons import icon
-from ...appearance.theme import LIGHT, Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import LIGHT, FollowsTheme, Theme
 from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.drawing import MARGIN, Stroke, draw_segments
@@ -22,10 +21,9 @@ from ...tools.tool import CanvasQueries, Finder
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.hodograph import Hodograph
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import named
+from ...widgets.controls import choice_style, named, tool_button
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.number_text import decimal_mark
-from ...widgets.tool_buttons import choice_style, tool_button
 
 _MARGIN = 1.12
 _NUMBERED_UP_TO = 16

@@ -12,9 +12,8 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 from ...document.expression import ExpressionError, parse_number
 from ...exchange.options import Check, OneOf, Option, Real, SomeOf, Value, Whole
 from ...widgets.controls import check_box, choice_box
-from ...widgets.field_edit import FieldEdit
+from ...widgets.fields import FieldEdit, RangedSpinBox
 from ...widgets.number_text import decimal_mark, exact_text
-from ...widgets.ranged_spin import RangedSpinBox
 
 _AUTOMATIC = "automatic"
 

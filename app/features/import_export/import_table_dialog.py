@@ -23,7 +23,7 @@ from ...families import FAMILIES, HERMITE
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box
-from ...widgets.field_edit import FieldEdit
+from ...widgets.fields import FieldEdit
 from ...widgets.number_text import decimal_mark
 from .table_preview import TablePreview
 from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box

@@ -18,12 +18,12 @@ from PySide6.QtWidgets import (
 
 from ...appearance.theme import theme_of
 from ...document.words import count_of
-from ...qt.keys import ENTER
 from ...qt.labels import Label
+from ...qt.overrides import ENTER
 from ...tasks.single_task import SingleTask
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named, push_button
-from ...widgets.fitting import FittedDialog
+from ...widgets.frames import FittedDialog
 from .import_series import Turn
 
 A_NEW_DOCUMENT = "A new document"

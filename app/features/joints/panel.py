@@ -8,16 +8,14 @@ from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number
-from ...qt.keys import ENTER, ClaimsKeys
 from ...qt.labels import Label
+from ...qt.overrides import ENTER, ClaimsKeys
 from ...view_model.analysis.joints import Certificate, JointKind, JointRow
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import named
+from ...widgets.controls import action_button, named
 from ...widgets.number_text import decimal_mark
-from ...widgets.tool_buttons import action_button
 from .model import JointsModel
 
 _PADDING = 5

@@ -12,8 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
 
 from curvecore.arrays import FloatArray
 
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...plotting.camera import FixedCamera
 from ...plotting.layers import Layer
 from ...plotting.pens import colour_of, draw_line

@@ -8,8 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label

@@ -24,10 +24,9 @@ from ...view_model.analysis.laboratory_settings import (
 from ...view_model.analysis.laboratory_words import growth_words, trial_words
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import choice_box, named, push_button
-from ...widgets.field_edit import NumberEdit, read_number
-from ...widgets.fitting import Scrolled
-from ...widgets.tool_buttons import action_button
+from ...widgets.controls import action_button, choice_box, named, push_button
+from ...widgets.fields import NumberEdit, read_number
+from ...widgets.frames import Scrolled
 from .cost_panel import CostPanel
 from .digits_table import DigitsTable
 from .method_table import MethodTable

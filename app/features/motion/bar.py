@@ -10,15 +10,13 @@ from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton, QWidget
 
 from ...actions.keymap import action_name, plain
 from ...appearance.icons import icon
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import with_decimals
 from ...view_model.animation.motion_picture import OWN, Dot, in_three_digits
 from ...view_model.animation.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import choice_box
+from ...widgets.controls import ICON, action_button, choice_box, tool_button
 from ...widgets.elided_label import ElidedLabel
-from ...widgets.tool_buttons import ICON, action_button, tool_button
 
 _READ_MS = 80
 """Numbers that change faster cannot be read."""

@@ -9,8 +9,8 @@ from ...exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FR
 from ...qt.labels import Label
 from ...widgets.boxes import form_of, row_of
 from ...widgets.controls import check_box, choice_box, push_button
-from ...widgets.fitting import FittedDialog
-from ...widgets.ranged_spin import RangedDoubleSpinBox, RangedSpinBox
+from ...widgets.fields import RangedDoubleSpinBox, RangedSpinBox
+from ...widgets.frames import FittedDialog
 
 
 class MotionDialog(FittedDialog):

@@ -17,8 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.expression import ExpressionError
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
@@ -27,10 +26,9 @@ from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, Overlay
 from ...view_model.analysis.overlay_settings import Count, ErrorSize, Factor
 from ...widgets.boxes import Part, column_of, row_of
-from ...widgets.controls import check_box
-from ...widgets.field_edit import NumberEdit, read_number
-from ...widgets.setting_slider import SettingSlider, slider_of
-from ...widgets.tool_buttons import action_button, mirror, tool_button
+from ...widgets.controls import action_button, check_box, mirror, tool_button
+from ...widgets.fields import NumberEdit, read_number
+from ...widgets.sliders import SettingSlider, slider_of
 
 _NOTES_MS = 60
 """Milliseconds that the words may lag behind a drag."""

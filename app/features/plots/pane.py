@@ -10,14 +10,12 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from ...appearance.icons import icon
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number, uncertain
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import named
+from ...widgets.controls import choice_style, mirror, named, tool_button
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.number_text import decimal_mark
-from ...widgets.tool_buttons import choice_style, mirror, tool_button
 from .canvas import PlotCanvas
 
 _HEIGHT_A_PLOT = 64

@@ -27,8 +27,7 @@ from PySide6.QtWidgets import (
 )
 
 from ...appearance.theme import LIGHT, Theme, mix
-from ...qt.keys import ENTER, PASSING
-from ...qt.overrides import SafeOverrides
+from ...qt.overrides import ENTER, PASSING, SafeOverrides
 from ...widgets.number_text import (
     ColumnNumbers,
     Extent,

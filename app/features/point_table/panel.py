@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from ...actions.keymap import set_full_name
 from ...appearance.icons import icon
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...document.edits import EditError
 from ...document.model import Document
 from ...document.words import count_of
@@ -20,8 +19,8 @@ from ...qt.labels import Label, html_of
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.points.point_columns import POSITION, Column, known_titles
 from ...widgets.boxes import column_of, row_of
+from ...widgets.controls import ICON, action_button, tool_button
 from ...widgets.number_text import decimal_mark, exact_text
-from ...widgets.tool_buttons import ICON, action_button, tool_button
 from .edits import columns_of_block, explicit_orders, keeping_sentence
 from .model import PointTableModel
 from .view import PointTableView

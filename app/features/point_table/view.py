@@ -16,9 +16,9 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from ...qt.keys import DELETE, ENTER, ClaimsKeys
-from ...widgets.cell_editing import end_editing
+from ...qt.overrides import DELETE, ENTER, ClaimsKeys
 from ...widgets.controls import named
+from ...widgets.fields import end_editing
 from .delegate import COMPACT_DIGITS, PADDING, CellEditor, PointTableDelegate
 from .model import PointTableModel
 

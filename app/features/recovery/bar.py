@@ -13,10 +13,9 @@ from ...appearance.theme import Theme
 from ...document.words import count_of
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import push_button
+from ...widgets.controls import push_button, tool_button
 from ...widgets.elided_label import ElidedLabel
-from ...widgets.overlay_frame import OverlayFrame
-from ...widgets.tool_buttons import tool_button
+from ...widgets.frames import OverlayFrame
 from .offers import Offer
 from .thumbnail import thumbnail
 

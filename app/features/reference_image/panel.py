@@ -13,11 +13,9 @@ from ...document.image_edits import place_image, set_image_locked
 from ...document.model import ReferenceImage, Vector
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
-from ...widgets.controls import check_box, named
-from ...widgets.field_edit import NumberEdit
-from ...widgets.field_form import FieldForm
-from ...widgets.live_slider import LiveSlider
-from ...widgets.tool_buttons import action_button
+from ...widgets.controls import action_button, check_box, named
+from ...widgets.fields import FieldForm, NumberEdit
+from ...widgets.sliders import LiveSlider
 
 STEPS = 100
 """Positions of the slider from nothing to all of the image."""

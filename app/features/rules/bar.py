@@ -11,7 +11,7 @@ from ...qt.labels import Label, set_tip
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
 from ...widgets.controls import ToolbarWidget, choice_box, named
-from ...widgets.live_slider import LiveSlider
+from ...widgets.sliders import LiveSlider
 
 STEPS = 100
 """Positions of the slider from α 0 to 1."""

@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QToolButton
 
 from ...actions.keymap import plain
 from ...appearance.icons import icon
-from ...appearance.theme import Theme
-from ...appearance.themed import FollowsTheme
+from ...appearance.theme import FollowsTheme, Theme
 from ...widgets.boxes import row_of
 from ...widgets.controls import ToolbarWidget, named
 

@@ -12,7 +12,7 @@ from ...document.style import LARGEST_DASHES
 from ...document.words import number
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box
-from ...widgets.field_edit import NumberEdit, read_number
+from ...widgets.fields import NumberEdit, read_number
 from ...widgets.number_text import decimal_mark, typed_text
 from .percent_field import MIXED
 

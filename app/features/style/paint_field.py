@@ -8,16 +8,14 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon
 from PySide6.QtWidgets import QApplication, QBoxLayout, QToolButton, QWidget
 
-from ...appearance.colours import CURVE_COLOURS, fill_colour
-from ...appearance.swatches import paint_picture
-from ...appearance.theme import Theme, theme_of
-from ...appearance.themed import FollowsTheme
+from ...appearance.colours import CURVE_COLOURS, fill_colour, paint_picture
+from ...appearance.theme import FollowsTheme, Theme, theme_of
 from ...document.expression import ExpressionError
 from ...document.style import INK, NO_PAINT
 from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
-from ...widgets.field_edit import NumberEdit
-from ...widgets.tool_buttons import tool_button
+from ...widgets.controls import tool_button
+from ...widgets.fields import NumberEdit
 from .percent_field import MIXED
 
 MOST_RECENT = 5

@@ -16,11 +16,9 @@ from ...document.style_edits import common_values
 from ...document.transforms import clean_step_within
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
-from ...widgets.choice_row import ChoiceRow
-from ...widgets.field_edit import NumberEdit, read_number
-from ...widgets.field_form import FieldForm
-from ...widgets.length_text import read_length
-from ...widgets.tool_buttons import action_button
+from ...widgets.controls import ChoiceRow, action_button
+from ...widgets.fields import FieldForm, NumberEdit, read_number
+from ...widgets.number_text import read_length
 from .dash_field import DashField
 from .paint_field import PaintField
 from .percent_field import MIXED, PercentField

@@ -9,8 +9,8 @@ from ...document.expression import ExpressionError
 from ...document.words import number
 from ...widgets.boxes import row_of
 from ...widgets.controls import named
-from ...widgets.field_edit import NumberEdit, read_number
-from ...widgets.live_slider import LiveSlider
+from ...widgets.fields import NumberEdit, read_number
+from ...widgets.sliders import LiveSlider
 
 STEPS = 100
 """Positions of the slider from nothing to all."""

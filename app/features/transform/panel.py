@@ -18,11 +18,9 @@ from ...document.transforms import Reference
 from ...qt.labels import Label
 from ...view_model.boxes.bounds import Bounds
 from ...widgets.boxes import Part, column_of, row_of
-from ...widgets.controls import choice_box
-from ...widgets.field_edit import NumberEdit, read_number
-from ...widgets.field_form import FieldForm
-from ...widgets.length_text import read_length
-from ...widgets.tool_buttons import ICON, action_button, tool_button
+from ...widgets.controls import ICON, action_button, choice_box, tool_button
+from ...widgets.fields import FieldForm, NumberEdit, read_number
+from ...widgets.number_text import read_length
 from .pivot_chooser import PivotChooser
 
 _EACH_TIME = "Degrees, counterclockwise; Enter turns each time"

@@ -12,9 +12,8 @@ from ...document.expression import ExpressionError
 from ...document.units import MILLIMETRES, known_unit
 from ...document.words import number
 from ...widgets.boxes import row_of
-from ...widgets.controls import named
-from ...widgets.field_edit import NumberEdit, read_number
-from ...widgets.tool_buttons import tool_button
+from ...widgets.controls import named, tool_button
+from ...widgets.fields import NumberEdit, read_number
 
 PIXELS_WITHOUT_UNIT = 100.0
 """Pixels of a length of 1 at 100 %, where nobody has said how long that is."""

@@ -1,17 +1,28 @@
-"""Lines to type into that show a value of the document."""
+"""Fields for numbers and words: edits, spin boxes, forms, and fields in the cells of a table."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QLocale, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
-from PySide6.QtWidgets import QDialog, QLineEdit
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QDialog,
+    QDoubleSpinBox,
+    QLineEdit,
+    QSpinBox,
+    QStyledItemDelegate,
+    QWidget,
+)
 
+from ..appearance.theme import FollowsTheme, Theme
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
-from ..qt.keys import PASSING, ClaimsKeys
-from ..qt.labels import set_tip
+from ..qt.labels import Label, set_tip
+from ..qt.overrides import PASSING, ClaimsKeys, SafeOverrides
 from .controls import named
 from .number_text import angle_text, decimal_mark, field_text, typed_text
 
@@ -250,3 +261,159 @@ class NumberEdit(FieldEdit):
             self._entered = self.text()
             self.setModified(False)
             self.stepped.emit(other)
+
+
+_FAR = 999_999_999
+
+
+def _step_between(box: RangedSpinBox | RangedDoubleSpinBox, steps: int) -> None:
+    """Step, and stay between the limits; called by Qt."""
+    QAbstractSpinBox.stepBy(box, steps)
+    box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
+
+
+def _turn(box: RangedSpinBox | RangedDoubleSpinBox, event: QWheelEvent) -> None:
+    """Step while it has the focus; else what lies around it scrolls. Called by Qt."""
+    if box.hasFocus():
+        QAbstractSpinBox.wheelEvent(box, event)
+    else:
+        event.ignore()
+
+
+def _problem_of(box: RangedSpinBox | RangedDoubleSpinBox) -> str:
+    """Why the number that stands here is not possible; empty where it is."""
+    if box.least <= box.value() <= box.most:
+        return ""
+    return f"{box.accessibleName()}: from {number(box.least, 6)} to {number(box.most, 6)}."
+
+
+def _describe(box: RangedSpinBox | RangedDoubleSpinBox, name: str, label: str, tip: str) -> None:
+    box.setRange(-_FAR, _FAR)
+    box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    named(box, name, label, tip)
+
+
+class RangedSpinBox(SafeOverrides, QSpinBox):
+    """A whole number between two limits, typed or stepped; the arrows stay between them.
+
+    Attributes
+    ----------
+    least, most
+        The limits.
+    """
+
+    def __init__(self, name: str, label: str, tip: str, limits: tuple[int, int]) -> None:
+        super().__init__()
+        self.least, self.most = limits
+        self.setLocale(QLocale.c())
+        _describe(self, name, label, tip)
+
+    # In the body of each class, where `SafeOverrides` finds what overrides Qt's.
+    stepBy = _step_between  # noqa: N815 - as Qt calls it
+    wheelEvent = _turn
+    problem = property(_problem_of)
+
+
+class RangedDoubleSpinBox(SafeOverrides, QDoubleSpinBox):
+    """As `RangedSpinBox`, with decimals."""
+
+    def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:
+        super().__init__()
+        self.least, self.most = limits
+        _describe(self, name, label, tip)
+
+    stepBy = _step_between  # noqa: N815 - as Qt calls it
+    wheelEvent = _turn
+    problem = property(_problem_of)
+
+
+class FieldForm(FollowsTheme, QWidget):
+    """A form with a line for what is wrong.
+
+    Signals
+    -------
+    edited
+        A change is wanted: the name of the step, and its edit, a function of the document and of the place of
+        the curve that is edited. Who cannot make it calls `refuse`.
+    refused
+        Why a text that was typed is no number.
+
+    Attributes
+    ----------
+    problem
+        The line, hidden while nothing is wrong.
+    """
+
+    edited = Signal(str, object)
+    refused = Signal(str)
+
+    def __init__(self, name: str, problem: str, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.problem = Label(name=problem, wordWrap=True)
+        # The field that was typed in last.
+        self._entry: FieldEdit | None = None
+        self._refusal = self._standing = ""
+
+    def watch(self, *fields: FieldEdit) -> None:
+        """Say what is wrong with what is typed in these fields; to be called before they are connected."""
+        for field in fields:
+            field.left.connect(self._clear_refusal)
+            if isinstance(field, NumberEdit):
+                field.entered.connect(partial(self._begin, field))
+                field.stepped.connect(partial(self._begin, field))
+                field.refused.connect(partial(self._refuse_text, field))
+            else:
+                field.committed.connect(partial(self._begin, field))
+
+    def forget_entry(self) -> None:
+        """Forget the field that was typed in last: it may be gone."""
+        self._entry = None
+
+    def _begin(self, field: FieldEdit, _value: object) -> None:
+        self._entry = field
+        self._clear_refusal()
+
+    def _refuse_text(self, field: NumberEdit, reason: str) -> None:
+        self._entry = field
+        self.refuse(reason)
+        self.refused.emit(reason)
+
+    def refuse(self, reason: str) -> None:
+        """Say why what was asked for cannot be done; a text stays to be mended while the cursor is there."""
+        self._refusal = reason
+        if self._entry is not None and self._entry.hasFocus():
+            self._entry.keep()
+        elif self._entry is not None:
+            self._entry.revert()
+        self._render_problem()
+
+    def show_problem(self, text: str) -> None:
+        """Say what is wrong with what is shown; empty where nothing is."""
+        self._standing = text
+        self._render_problem()
+
+    def clear_refusal(self) -> None:
+        """Say no longer why something was refused: it was about something else."""
+        self._refusal = ""
+
+    def _clear_refusal(self) -> None:
+        self.clear_refusal()
+        self._render_problem()
+
+    def _render_problem(self) -> None:
+        text = self._refusal or self._standing
+        self.problem.setText(f"⚠ {text}" if text else "")
+        self.problem.setVisible(bool(text))
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take the colours of `theme`."""
+        self.problem.setStyleSheet(f"color: {theme.warning.name()}")
+
+
+def end_editing(view: QAbstractItemView) -> None:
+    """Close the open text field, if there is one, as if the keyboard left it; Qt edits one cell at a time."""
+    editor = view.viewport().findChild(QLineEdit)
+    if view.state() == QAbstractItemView.State.EditingState and editor is not None:
+        view.commitData(editor)
+        view.closeEditor(editor, QStyledItemDelegate.EndEditHint.NoHint)
