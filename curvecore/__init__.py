@@ -61,15 +61,17 @@ Every family is linear in its data: c(t) = sum over i, r of B_ir(t) d_ir, where
 `jets` holds d with shape (n, R, dim) - point, velocity, acceleration, jerk, per
 unit of t - and ``basis(t)`` is B with shape (m, n, R).
 
-A tour of the package, one concept a file:
+A tour of the package, one subject a file:
 
 ===================  =======================================================
 errors               `CurveError`, the only exception for unusable input
 arrays               validation of every argument, shared array types
+arithmetic           numbers with exponents of their own, lengths of vectors,
+                     numbers of 106 bits
 parametrization      rules for the t_i: `uniform`, `chebyshev`, `chebyshev_roots`,
                      `chord_length`, `centripetal`, `power`
 tangents             velocities and accelerations estimated from points
-  limited_tangents   velocities that follow their course: monotone, Akima
+  limited_tangents   velocities that keep to the course of the points: monotone, Akima
 
 families             one file each: `ParametricCurve`, the base class; `LagrangeCurve`,
                      `HermiteCurve`, `QuinticHermiteCurve`, `SepticHermiteCurve`,
@@ -77,64 +79,51 @@ families             one file each: `ParametricCurve`, the base class; `Lagrange
                      `BezierCurve` and `BSplineCurve`; `BasisCurve` of any basis
                      functions; `Chain`, curves end to end: corners; `FamilySetting`
 
-bezier.bernstein     Bernstein form: fast evaluation from control points
-  bernstein_algebra  products, derivatives, roots
-  chebyshev          coefficients of Chebyshev polynomials
+bezier.bernstein     Bernstein form: products, derivatives, roots, evaluation
   control_points     exact and approximate Bezier control points
   conversion         exact ones of any stretch, degree elevation
   pieces             any curve as Bezier pieces of low degree
-  flatten            polylines within a tolerance, of Bezier pieces and of
-                     samples (flatten_samples); polylines: their geometry
-  arcs               Bezier arcs that searches halve
+  flatten            polylines within a tolerance
 
 calculus.methods     ``derivative``, ``integrate``, ``solve`` ...: methods of every curve
-  derivative         `Derivative`, which is a curve
-  antiderivative     `Antiderivative`, likewise; of_a_curve: both
+  derivative         `Derivative` and `Antiderivative`, which are curves
   integrals          between two parameters
-  solutions          where a coordinate has a value
-  polynomials        curves as polynomials of a piece, and the way back
+  solutions          parameters at which a coordinate has a value
   scipy_objects      SciPy's BPoly and PPoly
 
 drag                 updates while points or parameters move:
-  frozen_samples     polylines while points move and parameters stay
-  frozen_segments    the same for curves of Bezier pieces, whatever moves
-  moved_parameters   Lagrange functions after a few parameters moved
-  left_out           Lagrange curves after a few points moved
+  frozen             polylines whose vertices are kept, whatever moves
+  moved_points       polylines while some points move together
+  moved_parameters   Lagrange curves and functions after a few parameters moved
 
 analysis.curvature   curvature, its inflections and extrema
   bounding_boxes     the smallest boxes
   lengths            lengths within a bound, and the way back
-  quadrature         its arithmetic, for the arcs of many curves at once
   nearest_point      the nearest point of a curve, of all or within a reach
-  intersections      where a curve crosses itself; arc_pairs: where it may
+  intersections      where a curve crosses itself
   continuity         jumps at the joints, and the class that follows
   basis_checks       what is wrong with basis functions, measured
   stability          Lebesgue function and constant
   cardinal           effects of points from which derivatives are estimated:
                      `CardinalBasis`
-  estimation         the rules for derivatives as linear maps of the points
   condition          condition numbers of monomial systems
-  sensitivity        derivatives by the data, worst cases
-  ensembles          curves with random errors
+  sensitivity        derivatives by the data, worst cases, random errors
 
 fitting.fit          few points near many data: `fit`
+  fitter             a curve of so many points
   least_squares      the linear problem: `least_squares_curve`
   joints             corners of data, and where joints should be
-  fitter, search     a curve of so many points; the fewest within a tolerance
 
 rounding.evaluation  curves computed with k decimal digits
-  exact_values       the truth, and the digits lost
   decimal_methods    its methods, operation by operation
   operations         what they cost
-  rounded_data       data rounded to so many decimals or digits
-  exact              polynomials through data, in integers
-
-arithmetic           numbers with exponents of their own; lengths of vectors; numbers of 106 bits
+  data               data rounded to so many decimals or digits
+  exact              curves without rounding, and the digits lost
 ===================  =======================================================
 
 Arguments are copied and checked; attributes are read-only; there is no global
-state but working memory. Indices count from 0. A module is imported when one of its names is
-first used (SPEC 1): the list of names is ``__init__.pyi``.
+state but working memory. Indices count from 0. A module is imported when one of its
+names is first used (SPEC 1): the list of names is ``__init__.pyi``.
 """
 
 from curvecore.late_names import late_names

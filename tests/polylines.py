@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 
 
 def worst_distance(curve, pieces, box):

@@ -15,7 +15,7 @@ from curvecore import ParametricCurve
 from curvecore.analysis.lengths import ArcLength, Length, arc_lengths
 from curvecore.arithmetic import LARGEST, scale_by_power
 from curvecore.arrays import FloatArray
-from curvecore.bezier.bernstein_algebra import weights
+from curvecore.bezier.bernstein import weights
 from curvecore.bezier.pieces import BezierPieces, alike
 
 from .geometry import all_along, polygon_length

@@ -1,9 +1,8 @@
 """Shape, smoothness and sensitivity of curves.
 
-- ``curvature``, ``bounding_boxes``, ``lengths``, ``quadrature``, ``nearest_point``, ``nearest_on_arc``,
-  ``arc_pairs``, ``clusters``, ``intersections``: shape.
+- ``curvature``, ``bounding_boxes``, ``lengths``, ``nearest_point``, ``nearest_on_arc``, ``intersections``:
+  shape.
 - ``continuity``: jumps at the joints, and the class that follows.
 - ``basis_checks``: what is wrong with basis functions: their sum, their values at the parameters.
-- ``stability``, ``cardinal``, ``sensitivity``, ``ensembles``, ``condition``: how errors of the data grow.
-  ``estimation``: rules for derivatives as linear maps of the points.
+- ``stability``, ``cardinal``, ``sensitivity``, ``condition``: how errors of the data grow.
 """

@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arithmetic import scale_by_power
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.bezier.bernstein_algebra import sign_changes, values
+from curvecore.bezier.bernstein import sign_changes, values
 from curvecore.bezier.pieces import BezierPieces, alike, bezier_pieces, parameters_at
 from curvecore.families.curve import ParametricCurve
 

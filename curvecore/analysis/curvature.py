@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from curvecore.analysis.sensitivity import sums_of_data
 from curvecore.arithmetic import LARGEST, UNIT_ROUNDOFF, cross, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row, parameter_values, require_plane
-from curvecore.bezier.bernstein_algebra import (
+from curvecore.bezier.bernstein import (
     derivative,
     end_signs,
     product,

@@ -28,8 +28,7 @@ from numpy.typing import ArrayLike
 from curvecore.analysis.nearest_on_arc import MOST_DEGREE, nearest_on_arc
 from curvecore.arithmetic import UNIT_ROUNDOFF, vector_lengths
 from curvecore.arrays import FloatArray, jet_array, number_array, tolerance_value
-from curvecore.bezier.arcs import Arcs
-from curvecore.bezier.bernstein_algebra import derivative, elevated, squared_length, weights
+from curvecore.bezier.bernstein import Arcs, derivative, elevated, squared_length, weights
 from curvecore.bezier.pieces import bezier_pieces, size_of
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 from curvecore.analysis.cardinal import CardinalBasis
 from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray, IntArray, parameter_values
-from curvecore.bezier.bernstein_algebra import weights
+from curvecore.bezier.bernstein import weights
 from curvecore.bezier.control_points import all_joints
 from curvecore.families.curve import ParametricCurve
 from curvecore.parametrization import chebyshev

@@ -20,8 +20,7 @@ import numpy as np
 
 from curvecore.arithmetic import LIMIT, vector_lengths
 from curvecore.arrays import FloatArray, IntArray, end_to_end, tolerance_value
-from curvecore.bezier.bernstein import control_points
-from curvecore.bezier.bernstein_algebra import elevated, weights
+from curvecore.bezier.bernstein import control_points, elevated, weights
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 

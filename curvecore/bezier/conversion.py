@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray, data_array, finite_number, integer
-from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.bezier.bernstein import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant

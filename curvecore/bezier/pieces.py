@@ -21,8 +21,7 @@ import numpy as np
 
 from curvecore.arithmetic import SMALLEST, UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, IntArray
-from curvecore.bezier.bernstein_algebra import derivative, elevated
-from curvecore.bezier.chebyshev import to_bernstein, to_chebyshev
+from curvecore.bezier.bernstein import derivative, elevated, to_bernstein, to_chebyshev
 from curvecore.bezier.control_points import MAX_PIECES, all_joints, spread
 from curvecore.families.curve import ParametricCurve
 from curvecore.parametrization import chebyshev

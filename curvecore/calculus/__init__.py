@@ -1,10 +1,9 @@
 """Derivatives, integrals and equations of curves, and their way to SciPy.
 
 - ``methods``: the methods of `ParametricCurve`, which call what is below, imported when first used.
-- ``derivative``, ``antiderivative``: both are curves, linear in the same data (``of_a_curve``).
+- ``derivative``: `Derivative` and `Antiderivative`: both are curves, linear in the same data.
 - ``integrals``: Gauss-Legendre quadrature between breaks.
-- ``solutions``: where a coordinate has a value.
-- ``polynomials``: curves as piecewise polynomials, and those as curves.
+- ``solutions``: parameters at which a coordinate has a value.
 - ``scipy_objects``: ``BPoly`` and ``PPoly``; the one module that imports SciPy, in its functions.
 """
 

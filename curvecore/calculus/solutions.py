@@ -15,7 +15,7 @@ import numpy as np
 
 from curvecore.arithmetic import UNIT_ROUNDOFF
 from curvecore.arrays import FloatArray, IntArray, finite_number, integer
-from curvecore.bezier.bernstein_algebra import sign_changes, values
+from curvecore.bezier.bernstein import sign_changes, values
 from curvecore.bezier.control_points import sorted_distinct
 from curvecore.bezier.pieces import BezierPieces, bezier_pieces, parameters_at
 from curvecore.errors import CurveError

@@ -1,8 +1,6 @@
-"""Updates of curves while a point, derivative or parameter moves, as under a hand: what stays is kept.
+"""Updates of curves while a point, derivative or parameter is dragged, without computing all anew.
 
-- ``frozen_samples``: polylines while points move and parameters stay.
-- ``frozen_segments``: the same for curves of Bezier pieces, whatever moves.
+- ``frozen``: polylines whose vertices are kept from curve to curve, with and without Bezier pieces.
 - ``moved_points``: polylines while some of the points move together, and nothing else.
-- ``moved_parameters``: Lagrange functions after a few parameters moved.
-- ``left_out``: Lagrange curves of which a few points are left out and put back elsewhere.
+- ``moved_parameters``: Lagrange curves and basis functions after a few parameters moved.
 """

@@ -20,10 +20,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from curvecore.arithmetic import LIMIT
 from curvecore.arrays import BoolArray, FloatArray, IntArray, box_edges, tolerance_value
-from curvecore.bezier.bernstein_algebra import weights
+from curvecore.bezier.bernstein import weights
 from curvecore.bezier.control_points import drawable_pieces, equal_parts
-from curvecore.bezier.flatten_samples import sampled_pieces
-from curvecore.bezier.polylines import Pieces, chord_bound, may_enter
+from curvecore.bezier.flatten import Pieces, chord_bound, may_enter, sampled_pieces
 from curvecore.families.curve import ParametricCurve
 
 _REACH, _FARTHEST = 100.0, 1600.0  # tolerances: so far around a place vertices serve, as steps are long

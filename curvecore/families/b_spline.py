@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from curvecore.arithmetic import DoubleDouble, add, difference, divide, made_finite, multiply
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row
-from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.bezier.bernstein import elevated
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import JOINT_ORDERS, JointDerivatives
 from curvecore.families.same_shape import joint_jets, pieces_of

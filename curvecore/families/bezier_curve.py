@@ -36,7 +36,7 @@ from curvecore.arithmetic import (
     small_power,
 )
 from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
-from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.bezier.bernstein import elevated
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of

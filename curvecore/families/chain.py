@@ -17,6 +17,7 @@ from curvecore.arrays import (
     parameter_row,
     read_only,
 )
+from curvecore.bezier.bernstein import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.records import Interpolant, JointDerivatives, LocalBasis
@@ -236,6 +237,20 @@ def joint_of_row(curve: ParametricCurve) -> IntArray:
     """Return for each row of the jets the index of its parameter; a joint of two pieces has two rows."""
     counts = [len(piece.parameters) for piece in curve.pieces]
     return np.arange(sum(counts)) - np.repeat(np.arange(len(counts)), counts)
+
+
+def exact_pieces(curve: ParametricCurve) -> FloatArray | None:
+    """Return the Bezier pieces of a curve; of a chain those of all its curves, raised to one degree."""
+    if len(curve.pieces) == 1:
+        return curve.exact_pieces()
+    parts = [part for piece in curve.pieces if (part := exact_pieces(piece)) is not None]
+    return joined_pieces(parts) if len(parts) == len(curve.pieces) else None
+
+
+def joined_pieces(parts: list[FloatArray]) -> FloatArray:
+    """Return Bezier pieces of several curves, (k, degree + 1, dim), raised to one degree."""
+    degree = max(part.shape[1] for part in parts)
+    return np.concatenate([elevated(part, degree - part.shape[1]) for part in parts])
 
 
 def _check(pieces: tuple[ParametricCurve, ...]) -> None:

@@ -34,8 +34,7 @@ import numpy as np
 
 from curvecore.arithmetic import UNIT_ROUNDOFF, DoubleDouble, add, difference, multiply, rescaled, times
 from curvecore.arrays import FloatArray
-from curvecore.bezier.bernstein import controls_between
-from curvecore.bezier.bernstein_algebra import derivative
+from curvecore.bezier.bernstein import controls_between, derivative
 from curvecore.families.records import Slopes
 
 

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
-from curvecore.bezier.bernstein_algebra import elevated
+from curvecore.bezier.bernstein import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 

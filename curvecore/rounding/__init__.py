@@ -1,7 +1,7 @@
-"""Curves computed in decimal arithmetic of few digits, and the truth to compare with.
+"""Curves computed in decimal arithmetic of few digits, and exact values to compare with.
 
-- ``evaluation``: curves with k digits.  ``decimal_methods``: its methods, operation by operation.
-  ``data``: what they are computed from.  ``exact_values``: the truth, and the digits lost.
-- ``operations``: their cost.  ``rounded_data``: data rounded to so many decimals or digits.
-- ``exact``: polynomials through data, in integers.
+- ``evaluation``: curves with k digits: start here.  ``decimal_methods``: the methods, operation by operation.
+- ``data``: data of a curve, rounded to so many decimals or digits.
+- ``exact``: curves without rounding, in integers, and the digits lost.
+- ``operations``: the cost of each method.
 """

@@ -58,7 +58,7 @@ from curvecore.arrays import (
     parameter_row,
 )
 from curvecore.errors import CurveError
-from curvecore.rounding.data import Data
+from curvecore.rounding.data import Data, decimal_context
 from curvecore.rounding.decimal_methods import (
     HERMITE_METHODS,
     LAGRANGE_METHODS,
@@ -66,7 +66,6 @@ from curvecore.rounding.decimal_methods import (
     decimals,
     exact_context,
 )
-from curvecore.rounding.rounded_data import decimal_context
 
 _SHOWN = 30
 """Digits of a result that was computed exactly: enough beyond those shown that to round again is no error."""

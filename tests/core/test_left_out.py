@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from curvecore import LagrangeCurve, chebyshev, uniform
-from curvecore.drag.left_out import LeftOut
+from curvecore.drag.moved_parameters import LeftOut
 
 U = 2.0**-53
 

@@ -21,7 +21,7 @@ from app.exchange.options import Options
 from app.families import FAMILIES
 from app.storage.files import load
 from app.view_model.curve.curve_view import view_of
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.rows import each_row
 from tests.view_model.test_any_family import curve_of

@@ -19,7 +19,7 @@ from app.view_model.bending.bend import Bend
 from app.view_model.bending.hold import BendWith
 from app.view_model.curve.curve_view import view_of
 from curvecore import LagrangeCurve, bezier_segments, chord_length
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.plotting.drawing import MARGIN, Stroke, covered, polygon, thinned, visible_segments
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 
 WIDTH, HEIGHT = 300, 200
 

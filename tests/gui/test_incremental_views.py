@@ -17,8 +17,7 @@ from app.view_model.curve.curve_view import CurveView, view_of
 from app.view_model.curve.handles import handles_of
 from app.view_model.curve.moving import Flattener
 from curvecore import LagrangeCurve
-from curvecore.bezier.flatten import flatten_pieces
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import flatten_pieces, segment_distance
 
 SQUARE = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
 numbers = st.floats(-5, 5, allow_subnormal=False)

@@ -17,7 +17,7 @@ from app.plotting.stamps import cells_of
 from app.testing import Editor
 from app.view_model.basis.basis_view import basis_view
 from app.view_model.curve.curve_view import view_of
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 
 CHEBYSHEV, UNIFORM = ParametrizationKind.CHEBYSHEV, ParametrizationKind.UNIFORM
 SHOWN = PixelMap.of_ranges((-0.05, 1.05), (-0.6, 1.3), 880, 200)

@@ -15,7 +15,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.boxes.bounds import box_found, find_boxes
 from app.view_model.curve.curve_view import CurveView, view_of
 from app.view_model.curve.transformed import views_after
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0), (5.5, 0.0))
 LOCAL = [family for family in FAMILIES if family.curve_class.is_local or not family.interpolates]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from curvecore.arrays import FloatArray
-from curvecore.bezier.polylines import segment_distance
+from curvecore.bezier.flatten import segment_distance
 
 from ...document.derivatives import DERIVATIVES
 from ..basis.basis_view import weights_at
