@@ -27,8 +27,8 @@ from ..session import Session
 from ..state.window_state import WindowState, WindowStore
 from ..view_model.curve.core_curve import is_explicit
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.pieces.joining import link_of
-from ..view_model.points.point_kinds import kinds_of
+from ..view_model.join import link_of
+from ..view_model.point_kinds import kinds_of
 
 _VISIBLE, _LOCKED = attrgetter("visible"), attrgetter("locked")
 

@@ -18,8 +18,15 @@ from ..plotting.pens import draw_line
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.text import clear_of, inside, size_of, write_on_plate
-from ..view_model.animation.motion_picture import OWN, TRAIL, Dot, Role, arrow_segments, colour_of
 from ..view_model.line_styles import DASHED
+from ..view_model.motion import (
+    OWN,
+    TRAIL,
+    Dot,
+    Role,
+    arrow_segments,
+    colour_of,
+)
 
 _TRAIL_DOT = 3.0
 _FAR = 1e5

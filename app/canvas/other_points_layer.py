@@ -19,7 +19,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Stamps
 from ..plotting.text import write_in_corner
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.points.point_kinds import POINT_KINDS, kinds_of
+from ..view_model.point_kinds import POINT_KINDS, kinds_of
 from .handle_marks import LEFT_AWAY, MOST_POINTS, ShownHandles
 from .hit_test import PartFound, PixelPoints, handle_or_point
 from .point_marks import Inks, paint_mark

@@ -24,7 +24,7 @@ from ..plotting.text import Taken, number_place, write_in_corner
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
-from ..view_model.points.point_kinds import kinds_of
+from ..view_model.point_kinds import kinds_of
 from .handle_marks import ShownHandles
 from .point_marks import RADIUS, Discs, Inks, PointLook, PointStamps, Written, discs_for, with_neighbours
 

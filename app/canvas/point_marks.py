@@ -30,7 +30,7 @@ from ..plotting.pens import diamond, triangle
 from ..plotting.stamps import RingStamps, Sprites, Stamps
 from ..plotting.text import Sizes, with_halo
 from ..view_model.palette import contrast
-from ..view_model.points.point_kinds import POINT_KINDS
+from ..view_model.point_kinds import POINT_KINDS
 
 _DOT = 0.36
 """Radius of the dot in the middle of a mark that is open: three pixels across in one of nine."""

@@ -21,7 +21,7 @@ from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import Marks
 from ..tools.pointer import Hit, Pointer
 from ..tools.tool import Finder
-from ..view_model.basis.basis_view import weights_at
+from ..view_model.basis import weights_at
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import ControlPolygonLayer, PenLayer
 from .figure_layer import Annotations
@@ -34,7 +34,7 @@ from .other_points_layer import OtherPointsLayer
 from .point_layer import PointLayer
 
 if TYPE_CHECKING:
-    from ..view_model.animation.motion_picture import Dot, Role
+    from ..view_model.motion import Dot, Role
     from .motion_layer import MotionLayer
 
 

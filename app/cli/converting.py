@@ -24,7 +24,7 @@ from ..families import HERMITE
 from ..storage.files import StorageError
 from ..tasks.progress import Report, part
 from ..view_model.curve.curve_view import view_of
-from ..view_model.fitting.least_squares import Fitted, fitted_to_curve
+from ..view_model.fit import Fitted, fitted_to_curve
 from .options import columns_to_read, own_options, picture_options
 from .progress import TerminalProgress
 from .refusals import RefusalError, one_line, reason_of, say, say_json, tell

@@ -11,7 +11,7 @@ from curvecore.arithmetic import LARGEST
 
 from ..document.style import NO_PAINT, Style
 from ..document.words import digits_of_range, rounded_up
-from ..view_model.basis.basis_findings import digits_in_words
+from ..view_model.basis_findings import digits_in_words
 from .refusals import one_line
 
 if TYPE_CHECKING:

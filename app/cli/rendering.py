@@ -14,7 +14,7 @@ from ..exchange.drawing.animation import FILMS, first_round, write_film
 from ..exchange.drawing.film import Film
 from ..exchange.files import export
 from ..exchange.formats import FORMATS, endings_of
-from ..view_model.animation.motion_settings import Pace, Repeat
+from ..view_model.motion_settings import Pace, Repeat
 from .documents import document_of
 from .options import (
     STYLES,

@@ -30,8 +30,7 @@ from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from ..storage.format_error import FormatError
 from ..storage.validation import validate_changes
-from ..view_model.fitting.cubic_joints import WRITTEN_BY_PROGRAMS
-from ..view_model.fitting.cubics import points_of_cubics
+from ..view_model.cubics import WRITTEN_BY_PROGRAMS, points_of_cubics
 from .errors import LEFT_OUT, ExchangeError, Flaw, Missed
 
 MAX_PIECES = 100_000

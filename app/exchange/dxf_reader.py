@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 
 from .. import exchange
 from ..document.style import Style
-from ..view_model.fitting.cubics import RELATIVE_TOLERANCE
+from ..view_model.cubics import RELATIVE_TOLERANCE
 from .arcs import error_of_arc, pieces_of_arc
 from .cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, lines
 from .errors import LEFT_OUT, ExchangeError, Flaw, Missed

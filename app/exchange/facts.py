@@ -19,7 +19,7 @@ from ..document.style import PLAIN_STYLE, Style
 from ..families import Family, FamilySetting, SettingValue
 from ..tasks.progress import Report, silent
 from ..view_model.arc_lengths import lengths_of
-from ..view_model.basis.growth import growth_of_data, growths_of_points
+from ..view_model.basis import growth_of_data, growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.curve.rounded_parameters import ParameterRounding
 from ..view_model.stroke_box import around_dot

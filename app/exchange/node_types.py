@@ -11,8 +11,7 @@ from curvecore.arrays import FloatArray
 from ..document.limits import EditError
 from ..document.model import Curve, Point
 from ..families import HERMITE
-from ..view_model.fitting.cubic_joints import CORNER, EVEN, TIED, WRITTEN_BY_PROGRAMS, are_alike
-from ..view_model.fitting.cubics import points_of_cubics
+from ..view_model.cubics import CORNER, EVEN, TIED, WRITTEN_BY_PROGRAMS, are_alike, points_of_cubics
 
 
 def letters_of(curve: Curve, pieces: FloatArray) -> str:

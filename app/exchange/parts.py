@@ -27,9 +27,9 @@ from .. import __version__
 from ..document.model import Curve, Document
 from ..document.words import rounded_up
 from ..tasks.progress import Report, silent
+from ..view_model.cubics import RELATIVE_TOLERANCE
 from ..view_model.curve.core_curve import in_words
 from ..view_model.curve.curve_view import ParametricCurve
-from ..view_model.fitting.cubics import RELATIVE_TOLERANCE
 from .drawing.drawing import drawable
 from .errors import ExchangeError
 from .naming import Names

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ..view_model.boxes.pivot import Pivot
+from ..view_model.pivot import Pivot
 
 
 class BoxState:

@@ -22,7 +22,7 @@ from ..view_model.analysis.overlay_settings import OverlaySetting
 from ..view_model.analysis.plot import Plot
 from ..view_model.analysis.plot_lines import PlotData
 from ..view_model.analysis.settings import AnalysisSettings
-from ..view_model.animation.motion_settings import MotionSettings
+from ..view_model.motion_settings import MotionSettings
 
 
 class FileSituation(msgspec.Struct, frozen=True):

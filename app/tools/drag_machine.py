@@ -12,8 +12,8 @@ from ..document.edits import EditError
 from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import SelectionState
-from ..view_model.boxes.pivot import Pivot
 from ..view_model.curve.curve_view import CurveView
+from ..view_model.pivot import Pivot
 from .drag import Drag
 from .pointer import ORIGIN, Pointer
 

@@ -11,12 +11,10 @@ from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.several_curves import moved, stepped
-from ..view_model.bending.bend import Bend
-from ..view_model.bending.hold import BendWith, has_handles
+from ..view_model.bend import Bend, BendWith, has_handles
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import derivative_from_handle
-from ..view_model.points.point_kinds import is_breakable
-from ..view_model.points.smoothness import with_corners
+from ..view_model.point_kinds import is_breakable, with_corners
 from .drag import CurveDrag, Drag, along_axis, axis_held, minus, plus
 from .pointer import AXIS_KEYS, SNAP_KEY, STEP_KEYS, Hit, Pointer
 from .snapping import Snapper

@@ -7,8 +7,7 @@ from msgspec.structs import replace
 from ..document.model import Curve
 from ..document.point_group import PointGroup
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.points.point_kinds import toggled
-from ..view_model.points.smoothness import inner_points
+from ..view_model.point_kinds import inner_points, toggled
 from .drags import bend_keys, handle_keys, what_bends, what_handle_sets
 from .pen_drags import PenAct
 from .pointer import AXIS_KEYS, Cursor, Hint, Hit, Part, Pointer

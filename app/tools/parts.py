@@ -8,8 +8,7 @@ from functools import partial
 from ..document.curve_edits import replace_curve
 from ..document.model import Document
 from ..document.point_group import points_of
-from ..view_model.points.point_kinds import toggled
-from ..view_model.points.straight import with_handle_retracted
+from ..view_model.point_kinds import toggled, with_handle_retracted
 from . import hints
 from .drag import Drag
 from .drags import DragHandle, MovePoints, PullVelocity, Refuse

@@ -12,10 +12,10 @@ from ..document import edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..document.ties import tied_to_line
+from ..view_model.append import Appending, with_point_appended
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
-from ..view_model.fitting.reshape import Reshaped, with_point_inserted
-from ..view_model.points.appending import Appending, with_point_appended
+from ..view_model.reshape import Reshaped, with_point_inserted
 from .drag import CurveDrag, plus
 from .drags import in_steps
 from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer

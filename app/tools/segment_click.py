@@ -7,8 +7,8 @@ from ..document.curve_edits import replace_curve
 from ..document.model import Document
 from ..document.point_group import NO_POINTS, PointGroup, points_of
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.fitting.reshape import Reshaped, inserted_index, with_point_inserted
 from ..view_model.geometry import segment_at
+from ..view_model.reshape import Reshaped, inserted_index, with_point_inserted
 from . import hints
 from .drag_machine import EditingSession
 from .pointer import Hit, Pointer

@@ -11,8 +11,8 @@ from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
 from ..document.shapes import shape_of
 from ..document.steps import reshaped
-from ..view_model.boxes.bounds import Bounds, bounds_of
-from ..view_model.boxes.pivot import Anchor, Pivot, anchored
+from ..view_model.boxes import Bounds, bounds_of
+from ..view_model.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingSession
 from .transform_box import TransformBox, box_of
 

@@ -11,9 +11,9 @@ from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.transforms import scaling, with_coordinates
-from ..view_model.boxes.bounds import Bounds, bounds_of
-from ..view_model.boxes.stretch import stretched
+from ..view_model.boxes import Bounds, bounds_of
 from ..view_model.curve.curve_view import CurveView
+from ..view_model.resize import stretched
 from .drag import Drag, longer_axis, minus, plus
 from .pointer import SNAP_KEY, Cursor, Pointer
 from .snapping import Snapper

@@ -1,3 +1,3 @@
 # Modules that are imported when they are first used.
 from . import analysis as analysis
-from . import fitting as fitting
+from . import convert as convert

@@ -16,7 +16,7 @@ from ..plotting.tool_plot import ToolPlot
 from ..session import Session
 from ..tools.canvas.select import SELECT
 from ..tools.toolbox import Toolbox
-from ..view_model.basis.basis_view import BasisView
+from ..view_model.basis import BasisView
 from .message_bar import MessageBar
 
 _DECLARED = "central_pane"

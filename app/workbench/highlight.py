@@ -14,7 +14,7 @@ from ..document.words import number
 from ..session import Change
 from ..session.highlight import ClipboardSelection
 from ..view_model.curve.distances import is_kept
-from ..view_model.points.deleting import Deletion, without_points, without_points_but_handles
+from ..view_model.delete import Deletion, without_points, without_points_but_handles
 from .context import WindowContext
 
 

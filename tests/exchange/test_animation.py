@@ -21,7 +21,7 @@ from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.storage.examples import first_sketch
 from app.storage.files import StorageError
 from app.tasks.progress import FINAL, Cancelled
-from app.view_model.animation.motion_settings import Pace, Repeat
+from app.view_model.motion_settings import Pace, Repeat
 from app.view_model.palette import ACCENT, PAPER, colour_on
 from tests.programs import write_program
 

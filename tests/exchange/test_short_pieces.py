@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from app.exchange.cubics_in import without_roundings
 from app.exchange.svg.reader import read_svg
+from app.view_model.cubics import points_of_cubics
 from app.view_model.curve.curve_view import view_of
-from app.view_model.fitting.cubics import points_of_cubics
 from tests.rows import each_row
 
 

@@ -21,8 +21,8 @@ from app.exchange.node_types import guessed
 from app.exchange.options import Options
 from app.exchange.svg.writer import number, svg_of
 from app.families import HERMITE
+from app.view_model.cubics import RELATIVE_TOLERANCE
 from app.view_model.curve.curve_view import view_of
-from app.view_model.fitting.cubics import RELATIVE_TOLERANCE
 from curvecore.bezier.control_points import bezier_segments, cubic_path
 from tests.rows import each_row
 

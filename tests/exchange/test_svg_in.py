@@ -21,7 +21,7 @@ from app.exchange.svg.writer import svg_of
 from app.exchange.svg.xml_tree import parsed
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
-from app.view_model.points.point_kinds import kind_at
+from app.view_model.point_kinds import kind_at
 from curvecore import bezier_segments, cubic_path, joint_report
 from tests.effort import calls_of
 from tests.rows import each_row

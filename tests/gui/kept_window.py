@@ -36,7 +36,7 @@ from app.features.style.commands import StyleCommands
 from app.features.view.zoom_commands import ZoomCommands
 from app.features.wiggle.commands import WiggleCommands
 from app.testing import Editor
-from app.view_model.animation.motion_settings import MotionSettings
+from app.view_model.motion_settings import MotionSettings
 from app.window.window_commands import ProgramCommands
 from app.workbench.docks import LateDock
 

@@ -15,8 +15,7 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve, vectors_of
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.bending.bend import Bend
-from app.view_model.bending.hold import BendWith
+from app.view_model.bend import Bend, BendWith
 from app.view_model.curve.curve_view import view_of
 from curvecore import LagrangeCurve, bezier_segments, chord_length
 from curvecore.bezier.flatten import segment_distance

@@ -14,7 +14,7 @@ from app.document.derivatives import VelocityRule
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.analysis.wiggle import explain
-from app.view_model.basis.growth import growth_of_points
+from app.view_model.basis import growth_of_points
 from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))

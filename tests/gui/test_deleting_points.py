@@ -13,7 +13,7 @@ from PySide6.QtGui import QKeySequence
 from app.document.lines import is_line
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.view_model.points.point_kinds import SMOOTH, kind_at
+from app.view_model.point_kinds import SMOOTH, kind_at
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 

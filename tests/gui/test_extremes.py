@@ -17,8 +17,8 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN
 from app.plotting.pixel_map import PixelMap
+from app.view_model.append import scale_of
 from app.view_model.curve.curve_view import view_of
-from app.view_model.points.appending import scale_of
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_at, handles_on, sides_facing
 from app.view_model.palette import contrast
-from app.view_model.points.point_kinds import CORNER, SMOOTH, kind_at
+from app.view_model.point_kinds import CORNER, SMOOTH, kind_at
 
 
 def test_marks_of_one_point_can_be_told_apart(editor):

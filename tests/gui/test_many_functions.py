@@ -15,7 +15,7 @@ from app.features.basis.function_lines import FunctionDrawing, FunctionLines, wa
 from app.plotting.pixel_map import PixelMap
 from app.plotting.stamps import cells_of
 from app.testing import Editor
-from app.view_model.basis.basis_view import basis_view
+from app.view_model.basis import basis_view
 from app.view_model.curve.curve_view import view_of
 from curvecore.bezier.flatten import segment_distance
 

@@ -31,7 +31,7 @@ from app.exchange.drawing.animation import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.bar import MotionBar
 from app.features.motion.player import Player
-from app.view_model.animation.motion_picture import OWN
+from app.view_model.motion import OWN
 from tests.waiting import LIMIT, until
 
 LEFT = Qt.MouseButton.LeftButton

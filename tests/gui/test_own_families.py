@@ -20,7 +20,7 @@ from app.features.own_families.template import template
 from app.session import Session
 from app.storage.format import decode, encode
 from app.testing import Editor
-from app.view_model.basis.basis_findings import findings_of
+from app.view_model.basis_findings import findings_of
 from curvecore import LagrangeCurve
 from tests.effort import noted_calls
 from tests.gui.family_files import forget_family_files

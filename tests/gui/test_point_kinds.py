@@ -19,7 +19,7 @@ from app.exchange.files import export, import_file
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.view_model.analysis.joints import certificate_of
-from app.view_model.points.point_kinds import (
+from app.view_model.point_kinds import (
     CORNER,
     ESTIMATED,
     POINT_KINDS,

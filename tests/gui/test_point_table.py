@@ -20,7 +20,7 @@ from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
 from app.features.point_table.panel import INTERVAL_MS, PointTable
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
-from app.view_model.points.point_columns import columns_of
+from app.view_model.point_columns import columns_of
 from tests.waiting import until
 
 Role = Qt.ItemDataRole

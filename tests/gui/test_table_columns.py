@@ -17,8 +17,8 @@ from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.delegate import CellEditor
 from app.features.point_table.edits import passed_over
-from app.view_model.points import point_columns as columns
-from app.view_model.points.point_columns import Column
+from app.view_model import point_columns as columns
+from app.view_model.point_columns import Column
 
 Key, Role = Qt.Key, Qt.ItemDataRole
 CTRL = Qt.KeyboardModifier.ControlModifier

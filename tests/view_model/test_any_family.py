@@ -36,21 +36,17 @@ from app.view_model.analysis.plotted import plots_of, uncertain_values_at
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.teaching import warnings_of
 from app.view_model.analysis.wiggle import explain
-from app.view_model.animation.motion import STATIONS, Course, Pace
-from app.view_model.animation.motion_picture import jumps_in_words, rivals_of
-from app.view_model.animation.motion_settings import timed_families
-from app.view_model.basis.basis_view import basis_view, weights_at
-from app.view_model.basis.cardinal_view import cardinal_view
-from app.view_model.basis.growth import growth_at, growth_of_points
-from app.view_model.bending.bend import Bend
-from app.view_model.bending.hold import BendWith
+from app.view_model.append import with_closed
+from app.view_model.basis import basis_view, cardinal_view, growth_at, growth_of_points, weights_at
+from app.view_model.bend import Bend, BendWith
+from app.view_model.convert import converted
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.distances import NearestPoint
-from app.view_model.fitting.convert import converted
-from app.view_model.fitting.reshape import reversed_curve, with_point_inserted
-from app.view_model.pieces.joining import joined
-from app.view_model.pieces.splitting import split
-from app.view_model.points.appending import with_closed
+from app.view_model.join import joined
+from app.view_model.motion import STATIONS, Course, Pace, jumps_in_words, rivals_of
+from app.view_model.motion_settings import timed_families
+from app.view_model.reshape import reversed_curve, with_point_inserted
+from app.view_model.split import split
 from curvecore import ParametricCurve, joint_report, monomial_condition, worst_case_band
 from tests.own_families import EVERY, OWN, TRUE_BASIS
 from tests.polylines import worst_distance

@@ -11,11 +11,11 @@ from app.document import edits
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES
 from app.features.point_table.edits import paste_block
+from app.view_model.append import with_point_appended
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_of
-from app.view_model.pieces.pasting import appended
-from app.view_model.points.appending import with_point_appended
-from app.view_model.points.point_columns import COLUMNS, POSITION
+from app.view_model.paste import appended
+from app.view_model.point_columns import COLUMNS, POSITION
 from tests.rows import each_row
 
 FAR = (9.0, 1.0)

@@ -15,12 +15,15 @@ from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
-from app.view_model.basis.basis_view import basis_view, weights_at
-from app.view_model.basis.cardinal_view import cardinal_view
-from app.view_model.basis.growth import growth_of_data, growth_of_points
-from app.view_model.basis.parameter_slopes import parameter_moves
-from app.view_model.bending.bend import Bend
-from app.view_model.bending.hold import BendWith
+from app.view_model.basis import (
+    basis_view,
+    cardinal_view,
+    growth_of_data,
+    growth_of_points,
+    parameter_moves,
+    weights_at,
+)
+from app.view_model.bend import Bend, BendWith
 from app.view_model.curve.curve_view import curve_through, view_of
 from curvecore import ensemble, lebesgue_constant, worst_case_band
 from tests import exact_rules

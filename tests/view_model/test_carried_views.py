@@ -12,7 +12,7 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import Affine, flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.boxes.bounds import box_found, find_boxes
+from app.view_model.boxes import box_found, find_boxes
 from app.view_model.curve.curve_view import CurveView, view_of
 from app.view_model.curve.transformed import views_after
 from curvecore.bezier.flatten import segment_distance

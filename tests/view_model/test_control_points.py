@@ -18,10 +18,10 @@ from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.teaching import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.analysis.wording import short
-from app.view_model.basis.basis_view import weights_at
+from app.view_model.basis import weights_at
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import control_polygon
-from app.view_model.pieces.joining import joined
+from app.view_model.join import joined
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
 

@@ -13,10 +13,10 @@ from app.document.derivatives import VelocityRule
 from app.document.edits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
+from app.view_model.convert import converted, outlook
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.distances import is_kept
-from app.view_model.fitting.convert import converted, outlook
-from app.view_model.points.smoothness import jolts_of, with_corners
+from app.view_model.point_kinds import jolts_of, with_corners
 from curvecore import CurveError, LagrangeCurve
 from tests.rows import each_row
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from app.view_model.bending.bend_together import QuadraticCost, divided
+from app.view_model.bend import QuadraticCost, divided
 
 
 @pytest.mark.parametrize("size", [1.0, 1e-300, 5e-324])

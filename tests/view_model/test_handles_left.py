@@ -10,7 +10,7 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_at
-from app.view_model.points.deleting import without_points_but_handles
+from app.view_model.delete import without_points_but_handles
 from tests.rows import each_row
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0), (5.0, -2.0))

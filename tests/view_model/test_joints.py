@@ -16,7 +16,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis import joints
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve.curve_view import view_of
-from app.view_model.points.smoothness import made_smooth
+from app.view_model.point_kinds import made_smooth
 from curvecore import joint_report
 from tests.rows import each_row
 

@@ -26,7 +26,7 @@ from app.view_model.analysis.laboratory_settings import (
     LaboratorySettings,
     RoundedPart,
 )
-from app.view_model.basis.growth import growth_of_points
+from app.view_model.basis import growth_of_points
 from app.view_model.curve.curve_view import view_of
 from app.window.connect import all_actions
 from curvecore import (

@@ -12,21 +12,25 @@ from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point
 from app.families import HERMITE, QUINTIC_HERMITE, Family
 from app.storage.examples import first_sketch
-from app.view_model.animation.motion import STATIONS, Course, folded, round_of, runs_back
-from app.view_model.animation.motion_picture import (
+from app.view_model.curve.curve_view import view_of
+from app.view_model.geometry import usual_length
+from app.view_model.motion import (
     OWN,
+    STATIONS,
     TRAIL,
     ArrowKind,
+    Course,
     Scales,
     dot_at,
     dots_at,
+    folded,
     jumps_in_words,
     rivals_of,
+    round_of,
+    runs_back,
     scales_of,
 )
-from app.view_model.animation.motion_settings import Pace, Repeat
-from app.view_model.curve.curve_view import view_of
-from app.view_model.geometry import usual_length
+from app.view_model.motion_settings import Pace, Repeat
 from curvecore import HermiteCurve, LagrangeCurve
 
 QUARTERS = np.arange(0.0, 12.0, 0.25)

@@ -18,8 +18,7 @@ from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_
 from app.view_model.analysis.plot_samples import is_slow, samples_over
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
 from app.view_model.analysis.plotted import plots_of, uncertain_values_at
-from app.view_model.basis.basis_view import basis_view
-from app.view_model.basis.growth import growth_of_points
+from app.view_model.basis import basis_view, growth_of_points
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 

@@ -17,16 +17,10 @@ from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.distances import dense
-from app.view_model.fitting.reshape import (
-    Reshaped,
-    baked,
-    inserted_index,
-    reversed_curve,
-    with_point_inserted,
-)
-from app.view_model.pieces.joining import joined
-from app.view_model.pieces.splitting import Split, split
-from app.view_model.points.smoothness import made_smooth, made_symmetric, with_corners
+from app.view_model.join import joined
+from app.view_model.point_kinds import made_smooth, made_symmetric, with_corners
+from app.view_model.reshape import Reshaped, baked, inserted_index, reversed_curve, with_point_inserted
+from app.view_model.split import Split, split
 from tests.rows import each_row
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.0), (6.0, -1.0), (7.0, 1.0))

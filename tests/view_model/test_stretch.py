@@ -11,10 +11,10 @@ from app.document.point_group import points_of
 from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.boxes.bounds import Bounds, bounds_of
-from app.view_model.boxes.pivot import Pivot, Turning, anchored
-from app.view_model.boxes.stretch import stretched
+from app.view_model.boxes import Bounds, bounds_of
 from app.view_model.curve.curve_view import view_of
+from app.view_model.pivot import Pivot, Turning, anchored
+from app.view_model.resize import stretched
 from tests.effort import calls_of
 from tests.rows import each_row
 

@@ -20,9 +20,8 @@ from typing import IO, TYPE_CHECKING, Any
 from ...document.model import Document
 from ...storage.files import write
 from ...tasks.progress import FINAL, Report, silent
-from ...view_model.animation.motion import round_of
-from ...view_model.animation.motion_picture import OWN
-from ...view_model.animation.motion_settings import Repeat
+from ...view_model.motion import OWN, round_of
+from ...view_model.motion_settings import Repeat
 from .. import drawing
 from ..errors import ExchangeError
 from ..formats import FileKind, format_of

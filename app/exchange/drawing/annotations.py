@@ -11,8 +11,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ...document.model import Curve, Document
-from ...view_model.basis.basis_view import BasisView, basis_view
-from ...view_model.basis.cardinal_view import cardinal_view
+from ...view_model.basis import BasisView, basis_view, cardinal_view
 from ...view_model.curve.curve_view import view_of
 from ...view_model.curve.handles import Handle, control_polygon, handles_of
 from ...view_model.palette import point_palette

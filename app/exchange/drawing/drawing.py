@@ -16,9 +16,9 @@ from curvecore.bezier.control_points import cubic_path
 from ...document.model import Curve, Document
 from ...document.style import USUAL_WIDTH, Style
 from ...tasks.progress import Report, part, silent, told
+from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve, view_of
-from ...view_model.fitting.cubics import RELATIVE_TOLERANCE
 from ...view_model.stroke_box import around_dot
 from ..errors import ExchangeError
 from ..node_types import letters_of

@@ -9,10 +9,9 @@ from msgspec.structs import replace
 from ...document.model import Document
 from ...document.style import Style
 from ...families import Family
-from ...view_model.animation.motion import Course
-from ...view_model.animation.motion_picture import OWN, Role, rivals_of
-from ...view_model.animation.motion_settings import Pace, Repeat
 from ...view_model.curve.curve_view import view_of
+from ...view_model.motion import OWN, Course, Role, rivals_of
+from ...view_model.motion_settings import Pace, Repeat
 from ..errors import ExchangeError
 from .styles import LIGHT, PictureStyle
 

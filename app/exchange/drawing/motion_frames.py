@@ -12,8 +12,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
-from ...view_model.animation.motion import round_of
-from ...view_model.animation.motion_picture import (
+from ...view_model.motion import (
     OWN,
     TRAIL,
     Dot,
@@ -21,9 +20,10 @@ from ...view_model.animation.motion_picture import (
     arrow_segments,
     colour_of,
     dots_at,
+    round_of,
     scales_of,
 )
-from ...view_model.animation.motion_settings import Repeat
+from ...view_model.motion_settings import Repeat
 from ...view_model.palette import ACCENT, PAPER, colour_on
 from .drawing import Drawing, drawing_of
 from .film import Film

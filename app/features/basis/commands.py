@@ -15,8 +15,8 @@ from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
 from ...tools.toolbox import Toolbox
-from ...view_model.basis.basis_findings import findings_of, remark_on
-from ...view_model.basis.growth import growth_of_points
+from ...view_model.basis import growth_of_points
+from ...view_model.basis_findings import findings_of, remark_on
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...workbench.central_area import Pane
 from ...workbench.context import WindowContext, bar_menu

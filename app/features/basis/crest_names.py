@@ -17,7 +17,7 @@ from ...appearance.theme import Theme
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
 from ...plotting.text import with_halo
-from ...view_model.basis.basis_view import BasisView
+from ...view_model.basis import BasisView
 
 MOST = 24
 """Functions that are named, of all kinds together; among more, a number would stand on other lines."""

@@ -15,7 +15,7 @@ from ...plotting.drawing import Segments, polygon, thinned
 from ...plotting.graphs import pg
 from ...plotting.pixel_map import PixelMap
 from ...plotting.wide_line import RoundLine
-from ...view_model.basis.basis_view import BasisView
+from ...view_model.basis import BasisView
 
 _MOST_EACH = 64
 _LIMIT = 1e4

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...plotting.pixel_map import PixelMap
 from ...tools.pointer import Hit, Part, Pointer
-from ...view_model.basis.basis_view import BasisView
+from ...view_model.basis import BasisView
 from .layers import RailLayer, rail_height
 
 TICK_REACH = 10.0

@@ -21,7 +21,7 @@ from ...plotting.pens import with_dashes
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
 from ...plotting.stamps import Stamps
-from ...view_model.basis.basis_view import BasisView
+from ...view_model.basis import BasisView
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES
 from .crest_names import CrestNames, room_above

@@ -13,7 +13,7 @@ from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label, set_tip
-from ...view_model.basis.basis_view import BasisView, basis_formulas
+from ...view_model.basis import BasisView, basis_formulas
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES, LineStyle
 from ...widgets.boxes import Part, column_of, row_of

@@ -7,8 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from ...plotting.camera import GREATEST_SPAN, CameraOverT
 from ...plotting.tool_plot import ToolPlot
-from ...view_model.basis.basis_view import BasisView, basis_view
-from ...view_model.basis.cardinal_view import CardinalView, cardinal_view
+from ...view_model.basis import BasisView, CardinalView, basis_view, cardinal_view
 from ...view_model.curve.curve_view import CurveView
 from .layers import FunctionLayer, RailLayer, rail_height
 

@@ -11,7 +11,7 @@ from ...document.edits import EditError
 from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import ClipboardSelection
-from ...view_model.pieces.pasting import copied, parts_of
+from ...view_model.paste import copied, parts_of
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
 from ...workbench.context import WindowContext

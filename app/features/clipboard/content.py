@@ -10,8 +10,8 @@ from ...document.model import Curve, Point
 from ...exchange.table.clipboard import Block, read_titled_block
 from ...storage.format import Decoded, decode_counting
 from ...storage.format_error import FormatError
-from ...view_model.pieces.pasting import points_of_rows
-from ...view_model.points.point_columns import known_titles
+from ...view_model.paste import points_of_rows
+from ...view_model.point_columns import known_titles
 from ...widgets.number_text import decimal_mark
 from ...workbench.clipboard import CURVES, POINTS
 from .offer import Offer

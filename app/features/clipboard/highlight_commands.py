@@ -7,8 +7,7 @@ from ...actions.menus import EDIT_CLIPBOARD, EDIT_DELETE, POINT_MENU, POINTS_NUM
 from ...actions.needs import HIGHLIGHTED, Need
 from ...document.selection import all_points
 from ...document.several_curves import named
-from ...view_model.pieces.arrivals import with_parts
-from ...view_model.pieces.pasting import parts_of
+from ...view_model.paste import parts_of, with_parts
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted, remove
 

@@ -22,8 +22,9 @@ from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError
 from ...storage.format import Decoded
 from ...tasks.progress import Report, part, silent
-from ...view_model.pieces.arrivals import Arrival, Target
-from ...view_model.pieces.pasting import (
+from ...view_model.paste import (
+    Arrival,
+    Target,
     appended,
     appended_with_parameters,
     as_new_curve,

@@ -19,7 +19,7 @@ from ...document.words import count_of, digits_of_range, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
 from ...view_model.curve.curve_view import CurveView, ParametricCurve
-from ...view_model.points.smoothness import jolts_of
+from ...view_model.point_kinds import jolts_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ICON, choice_box, tool_button
 from ...widgets.fields import FieldEdit, FieldForm, NumberEdit

@@ -25,11 +25,10 @@ from ...document.point_group import NO_POINTS, some_points
 from ...document.several_curves import named, whole_curves
 from ...document.words import count_of, number
 from ...tools.segment_click import insert_at
-from ...view_model.fitting.reshape import Reshaped, reversed_curve
-from ...view_model.pieces.splitting import Split, places_between_ends, split
-from ...view_model.points.appending import with_closed
-from ...view_model.points.midpoints import Halved, with_midpoints
-from ...view_model.points.straight import segments_between
+from ...view_model.append import Halved, with_closed, with_midpoints
+from ...view_model.point_kinds import segments_between
+from ...view_model.reshape import Reshaped, reversed_curve
+from ...view_model.split import Split, places_between_ends, split
 from ...workbench.context import WindowContext
 from .join_commands import JoinCommands
 from .order_commands import OrderCommands

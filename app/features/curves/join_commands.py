@@ -21,9 +21,10 @@ from ...document import curve_edits
 from ...document.model import Document
 from ...document.several_curves import remove_curves
 from ...document.words import number
+from ...view_model.append import with_closed
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.distances import is_kept
-from ...view_model.pieces.joining import (
+from ...view_model.join import (
     End,
     Joined,
     Link,
@@ -32,7 +33,6 @@ from ...view_model.pieces.joining import (
     link_of,
     nearest_links,
 )
-from ...view_model.points.appending import with_closed
 from ...workbench.context import WindowContext
 
 

@@ -12,9 +12,8 @@ from ...document.model import Document
 from ...document.straight_edits import why_not_straight
 from ...document.words import count_of
 from ...view_model.geometry import segment_at
-from ...view_model.pieces.cutting_out import without_segments
-from ...view_model.pieces.splitting import Split
-from ...view_model.points.straight import segments_between
+from ...view_model.point_kinds import segments_between
+from ...view_model.split import Split, without_segments
 from ...workbench.context import WindowContext
 
 

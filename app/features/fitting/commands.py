@@ -25,7 +25,7 @@ from ...tasks.debounced_task import DebouncedTask
 from ...tasks.progress import Report
 from ...tools.pencil_detail import PencilDetail
 from ...view_model.curve.curve_view import CurveView, view_of
-from ...view_model.fitting.least_squares import Fitted, fitted_to_curve, is_of_points_alone
+from ...view_model.fit import Fitted, fitted_to_curve, is_of_points_alone
 from ...view_model.geometry import size_of
 from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...workbench.context import WindowContext

@@ -19,7 +19,7 @@ from ...document.words import count_of, number
 from ...tasks.progress import Report, part
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.transformed import views_ahead
-from ...view_model.fitting.simplifying import Simplified, simplified
+from ...view_model.fit import Simplified, simplified
 from ...workbench.context import WindowContext
 
 _PATIENCE_S = 0.08

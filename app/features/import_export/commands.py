@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ...exchange.table.prepared import PreparedTable
     from ...exchange.table.source import TableSource
     from ...exchange.table.table import Preview
-    from ...view_model.pieces.arrivals import Arrival
+    from ...view_model.paste import Arrival
     from .import_drawing_dialog import ImportDrawingDialog
     from .import_table_dialog import ImportTableDialog
 

@@ -11,7 +11,7 @@ from ...document.several_curves import add_imported, is_blank, left_behind
 from ...document.shapes import tidy_shapes
 from ...document.words import names_of
 from ...view_model.curve.transformed import views_ahead
-from ...view_model.pieces.arrivals import Arrival
+from ...view_model.paste import Arrival
 
 MANY_POINTS = 1000
 """Points of curves whose views are made beside the window."""

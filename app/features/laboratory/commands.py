@@ -16,7 +16,7 @@ from ...qt.overrides import SafeOverrides
 from ...tasks.debounced_task import DebouncedTask
 from ...view_model import analysis
 from ...view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
-from ...view_model.basis.growth import growth_of_data
+from ...view_model.basis import growth_of_data
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel, make_room

@@ -12,8 +12,8 @@ from ...actions.keymap import action_name, plain
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import with_decimals
-from ...view_model.animation.motion_picture import OWN, Dot, in_three_digits
-from ...view_model.animation.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
+from ...view_model.motion import OWN, Dot, in_three_digits
+from ...view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ICON, action_button, choice_box, tool_button
 from ...widgets.elided_label import ElidedLabel

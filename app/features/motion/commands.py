@@ -17,8 +17,8 @@ from ...actions.menus import (
 )
 from ...actions.needs import CURVE_THROUGH_TWO, Need
 from ...families import Family
-from ...view_model.animation.motion_settings import Pace, Repeat, timed_families
 from ...view_model.curve.curve_view import CurveView
+from ...view_model.motion_settings import Pace, Repeat, timed_families
 from ...workbench.context import WindowContext
 from .. import motion
 

@@ -11,8 +11,8 @@ from ...exchange.drawing.animation import FilmFormat, write_film
 from ...exchange.drawing.film import Film
 from ...exchange.drawing.styles import DARK, LIGHT
 from ...tasks.progress import Report
-from ...view_model.animation.motion import round_of
-from ...view_model.animation.motion_settings import MotionSettings
+from ...view_model.motion import round_of
+from ...view_model.motion_settings import MotionSettings
 from ...workbench.context import WindowContext
 from ...workbench.document_files import file_stem
 from .dialog import MotionDialog

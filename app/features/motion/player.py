@@ -12,9 +12,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from ...families import Family
 from ...session import Session
 from ...state.window_state import WindowStore
-from ...view_model.animation.motion import Course, folded, round_of
-from ...view_model.animation.motion_settings import SPEEDS, MotionSettings, Repeat
 from ...view_model.curve.curve_view import ParametricCurve
+from ...view_model.motion import Course, folded, round_of
+from ...view_model.motion_settings import SPEEDS, MotionSettings, Repeat
 
 FRAME_MS = 16
 """Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""

@@ -7,9 +7,10 @@ from PySide6.QtCore import QObject
 from curvecore.arrays import FloatArray
 
 from ...families import Family
-from ...view_model.animation.motion import Course
-from ...view_model.animation.motion_picture import (
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.motion import (
     OWN,
+    Course,
     Role,
     Scales,
     dots_at,
@@ -17,7 +18,6 @@ from ...view_model.animation.motion_picture import (
     rivals_of,
     scales_of,
 )
-from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from .bar import MotionBar
 from .export import MotionExport

@@ -16,7 +16,7 @@ from ...tools.rail import SCRUB
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
 from ...view_model.analysis.plot import PLOTS, Plot
-from ...view_model.basis.growth import growth_of_points
+from ...view_model.basis import growth_of_points
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.central_area import Pane
 from ...workbench.context import WindowContext

@@ -11,7 +11,7 @@ from ...document.edits import EditError
 from ...document.model import Document
 from ...document.words import count_of
 from ...session import Session
-from ...view_model.points.point_columns import POSITION, Column
+from ...view_model.point_columns import POSITION, Column
 from .edits import fill_cells, keepers, passed_over, paste_block, reset_name
 from .panel import PointTable
 

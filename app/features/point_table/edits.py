@@ -16,9 +16,9 @@ from ...document.edits import EditError
 from ...document.model import Document, Point
 from ...document.words import count_of, enumerated
 from ...exchange.table.clipboard import Block
+from ...view_model.append import appended_parameter, with_points_appended
 from ...view_model.curve.curve_view import CurveView, view_of
-from ...view_model.points.appending import appended_parameter, with_points_appended
-from ...view_model.points.point_columns import PARAMETER, POSITION, Column, knot_parameters
+from ...view_model.point_columns import PARAMETER, POSITION, Column, knot_parameters
 
 
 def fill_cells(

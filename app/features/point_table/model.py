@@ -20,8 +20,8 @@ from ...document.model import Point
 from ...document.words import number, with_minus
 from ...qt.overrides import SafeOverrides
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.points.point_columns import Column, columns_of
-from ...view_model.points.point_kinds import CORNER, POINT_KINDS, PointKind, kinds_of
+from ...view_model.point_columns import Column, columns_of
+from ...view_model.point_kinds import CORNER, POINT_KINDS, PointKind, kinds_of
 from ...widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
 
 Index = QModelIndex | QPersistentModelIndex

@@ -17,7 +17,7 @@ from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from ...qt.labels import Label, html_of
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.points.point_columns import POSITION, Column, known_titles
+from ...view_model.point_columns import POSITION, Column, known_titles
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ICON, action_button, tool_button
 from ...widgets.number_text import decimal_mark, exact_text

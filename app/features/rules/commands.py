@@ -154,7 +154,7 @@ class RuleCommands:
         name = name_of(document, curves)
         what = f"{counted(document, curves)} are" if name is None else f"“{name}” is"
         said = [f"{what} {family.title} now."] if len(after) > 1 else []
-        away = max(map(view_model.fitting.convert.needless_change, before, after))
+        away = max(map(view_model.convert.needless_change, before, after))
         if away:
             said.append(
                 f"The shape changed by up to {number(away, 2)}; “Convert to {family.label}” keeps it."
@@ -187,7 +187,7 @@ class RuleCommands:
     )
     def _convert(self, family: Family) -> None:
         session = self._session
-        made = view_model.fitting.convert.converted(session.active_view, family)
+        made = view_model.convert.converted(session.active_view, family)
         kept = "keeping the shape" if made.is_kept else f"within {number(made.residual, 2)}"
         if session.change(
             f"Convert to {family.title}, {kept}",
@@ -262,7 +262,7 @@ class RuleCommands:
 
 def _outlook(session: Session, family: Family) -> Opened:
     """Return what a conversion does to the curve of the moment."""
-    found = view_model.fitting.convert.outlook(session.active_view, family)
+    found = view_model.convert.outlook(session.active_view, family)
     text, tip = f"Convert to {family.label}, ", f"Write the same curve as {family.a_curve}: the shape stays"
     if not found.within:
         return Opened(f"{text}Keeping the Shape", tip, found.refusal)

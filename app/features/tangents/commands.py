@@ -16,9 +16,14 @@ from ...document.straight_edits import corners_of, why_not_straight
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.handles import with_velocities_pulled
 from ...view_model.geometry import segment_at
-from ...view_model.points.point_kinds import POINT_KINDS, PointKind, why_no_kinds
-from ...view_model.points.smoothness import inner_points
-from ...view_model.points.straight import segments_between, with_straight_segments
+from ...view_model.point_kinds import (
+    POINT_KINDS,
+    PointKind,
+    inner_points,
+    segments_between,
+    why_no_kinds,
+    with_straight_segments,
+)
 from ...workbench.context import WindowContext
 
 _Reshaped = Callable[[CurveView, Sequence[int]], Curve]

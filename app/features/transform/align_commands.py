@@ -21,7 +21,7 @@ from ...document.several_curves import changeable, named, what_stays
 from ...document.shapes import whole_shapes
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
 from ...session import Change, Session
-from ...view_model.boxes.alignment import align_curves, distribute_curves
+from ...view_model.align import align_curves, distribute_curves
 from ...workbench.context import WindowContext
 
 

@@ -16,7 +16,7 @@ from ...appearance.theme import Theme
 from ...document.model import Vector
 from ...document.transforms import Reference
 from ...qt.labels import Label
-from ...view_model.boxes.bounds import Bounds
+from ...view_model.boxes import Bounds
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import ICON, action_button, choice_box, tool_button
 from ...widgets.fields import FieldForm, NumberEdit, read_number

@@ -15,10 +15,10 @@ from ...document.several_curves import mapped, moved
 from ...document.transforms import rotation, skewing
 from ...document.words import number
 from ...state.window_state import WindowState
-from ...view_model.boxes.bounds import NINE
-from ...view_model.boxes.pivot import Turning
-from ...view_model.boxes.stretch import SIDES, resized
+from ...view_model.boxes import NINE
 from ...view_model.curve.curve_view import CurveView
+from ...view_model.pivot import Turning
+from ...view_model.resize import SIDES, resized
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel, make_room
 from .. import transform

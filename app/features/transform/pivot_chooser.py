@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QToolButton, QWidget
 
 from ...qt.overrides import SafeOverrides
-from ...view_model.boxes.bounds import NINE, name_of_place
+from ...view_model.boxes import NINE, name_of_place
 from ...widgets.controls import named
 
 _SIDE = 17

@@ -11,16 +11,10 @@ from ...document.curve_edits import begun, fresh_curve, reverse_curve, without_l
 from ...document.edits import EditError
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
+from ...view_model.append import Appending, closed_by_pen, is_quick, view_with_point, with_point_appended
 from ...view_model.curve.curve_view import CurveView, view_of
-from ...view_model.fitting.reshape import inserted_index
-from ...view_model.points.appending import (
-    Appending,
-    closed_by_pen,
-    is_quick,
-    view_with_point,
-    with_point_appended,
-)
-from ...view_model.points.straight import closed_by_line, with_line_appended
+from ...view_model.point_kinds import closed_by_line, with_line_appended
+from ...view_model.reshape import inserted_index
 from .. import hints
 from ..drag_machine import EditingSession
 from ..marks import Marks

@@ -15,7 +15,7 @@ from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
-from ...view_model.fitting.least_squares import SCATTERED, Fitted, fitted
+from ...view_model.fit import SCATTERED, Fitted, fitted
 from ..background import BackgroundTask
 from ..drag_machine import CANCELLED, THRESHOLD, EditingSession
 from ..marks import Marks

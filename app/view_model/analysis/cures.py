@@ -15,7 +15,7 @@ from ...document.derivatives import VelocityRule
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, told
-from ..basis.growth import growth_of_points
+from ..basis import growth_of_points
 from ..curve.curve_view import CurveView, view_of
 from ..curve.distances import dense, is_kept, largest_distance
 from .wiggle import overshoot

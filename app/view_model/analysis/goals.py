@@ -20,7 +20,7 @@ from curvecore import CurveError, chord_length, joint_report
 from ...document.model import Curve
 from ...document.words import number
 from ...families import FAMILIES
-from ..basis.growth import growth_of_points
+from ..basis import growth_of_points
 from ..curve.curve_view import CurveView
 from ..geometry import size_of
 

@@ -7,7 +7,7 @@ import enum
 import msgspec
 import numpy as np
 
-from ..basis.growth import growth_of_points
+from ..basis import growth_of_points
 from ..curve.curve_view import CurveView
 from ..curve.rounded_parameters import ParameterRounding
 from .wording import short

@@ -10,8 +10,7 @@ from curvecore.arrays import FloatArray
 from curvecore.bezier.flatten import segment_distance
 
 from ...document.derivatives import DERIVATIVES
-from ..basis.basis_view import weights_at
-from ..basis.growth import growth_at
+from ..basis import growth_at, weights_at
 from ..curve.core_curve import is_explicit, unbounded
 from ..curve.curve_view import CurveView
 from ..geometry import segment_at, within_segments

@@ -16,7 +16,7 @@ import numpy as np
 import curvecore
 from curvecore.arrays import BoolArray, FloatArray
 
-from ...basis.parameter_slopes import parameter_moves
+from ...basis import parameter_moves
 from ...curve.curve_view import CurveView
 from ...geometry import Samples, to_the_left, unit_tangents
 from ...line_styles import LineStyle, Sign

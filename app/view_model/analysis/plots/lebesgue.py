@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ....document.words import number
-from ...basis.growth import growth_at
+from ...basis import growth_at
 from ..plot import Plot, Sampled
 from ..plot_lines import Level, PlotData, Scale
 

@@ -6,7 +6,7 @@ import enum
 
 import msgspec
 
-from ...families import FAMILIES, Family
+from ..families import FAMILIES, Family
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 

@@ -1,8 +1,8 @@
-"""One curve made two or more, with its shape kept."""
+"""One curve made two or more, with its shape kept; segments cut out of a curve."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 from string import ascii_lowercase
 
@@ -13,15 +13,16 @@ from msgspec.structs import replace
 from curvecore import chebyshev
 from curvecore.parametrization import spread
 
-from ... import view_model
-from ...document.derivatives import DERIVATIVES
-from ...document.edits import EditError
-from ...document.model import Curve, ParametrizationKind, Point
-from ...document.words import number
-from ...families import HERMITE
-from ..curve.curve_view import CurveView, view_of
-from ..curve.distances import dense, is_kept, largest_distance, outcome
-from ..fitting.reshape import baked, refuse_without_curve, through, with_point_inserted
+from .. import view_model
+from ..document.derivatives import DERIVATIVES
+from ..document.edits import EditError
+from ..document.model import Curve, ParametrizationKind, Point
+from ..document.straight_edits import why_not_straight
+from ..document.words import number
+from ..families import HERMITE
+from .curve.curve_view import CurveView, view_of
+from .curve.distances import dense, is_kept, largest_distance, outcome
+from .reshape import baked, refuse_without_curve, through, with_point_inserted
 
 MOST_POINTS_SPLIT = 40
 """Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
@@ -71,7 +72,7 @@ def split(view: CurveView, *cuts: float) -> Split:
         parts = _split_polynomial(view, cuts) if of_one else _split_pieces(view, cuts)
     made = Split(parts, residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
-        within = view_model.fitting.convert.outlook(view, HERMITE).within
+        within = view_model.convert.outlook(view, HERMITE).within
         kept = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(
             f"{family.subject} cannot be split: its parts would be other curves, up to "
@@ -188,3 +189,45 @@ def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
         t = dense(part.parameters)
         residual = max(residual, largest_distance(view, np.where(t > end, t - (end - start), t), part, t))
     return residual
+
+
+def without_segments(view: CurveView, segments: Collection[int]) -> Split:
+    """Return what is left of a curve without some segments: a closed one is open then, an open one in parts.
+
+    Parameters are manual then, and all derivatives explicit. A point without a segment is left out.
+
+    Raises
+    ------
+    EditError
+        If the curve has no segments of its own, or nothing would be left.
+    """
+    if reason := why_not_straight(view.source.family):
+        raise EditError(reason)
+    refuse_without_curve(view)
+    whole = view_of(baked(view))
+    runs = [run for run in _runs(whole, segments) if len(run) > 1]
+    if not runs:
+        raise EditError("Nothing of the curve would be left; Delete removes it whole.")
+    names = names_of_parts(view.source.name, len(runs))
+    ended = ([beginning(run[0]), *run[1:-1], run[-1].without_corner()] for run in runs)
+    parts = (
+        part_of(whole.source, run, run[-1].t or 0.0, each) for run, each in zip(ended, names, strict=True)
+    )
+    curves = tuple(parts)
+    return Split(curves, residual_of_parts(view, curves))
+
+
+def _runs(whole: CurveView, segments: Collection[int]) -> Iterator[Sequence[Point]]:
+    """Yield the points of what is left, piece by piece; of a closed curve from where a segment goes on."""
+    points, first = whole.source.points, 0
+    if whole.source.is_closed:
+        first = min(segments) + 1
+        period = float(whole.parameters[-1] - whole.parameters[0])
+        again = [replace(point, t=(point.t or 0.0) + period) for point in points[:first]]
+        points = (*points[first:], *again)
+    run: list[Point] = []
+    for place, point in enumerate(points):
+        run.append(point)
+        if (first + place) % len(points) in segments or place == len(points) - 1:
+            yield run
+            run = []

@@ -13,9 +13,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Vector
-from ...document.point_group import PointGroup
-from ..curve.curve_view import CurveMap, CurveView
+from ..document.model import Vector
+from ..document.point_group import PointGroup
+from .curve.curve_view import CurveMap, CurveView
 
 _ALONG = 1e-14
 """Share of a map that may lead across the axes: what is rounded."""

@@ -8,13 +8,13 @@ import numpy as np
 import curvecore
 from curvecore import CurveError
 
-from ...document.derivatives import DERIVATIVES
-from ...document.edits import EditError
-from ...document.words import count_of, number
-from ...families import Family
-from ..curve.curve_view import CurveView, view_of
-from ..curve.distances import dense, is_kept, largest_distance
-from ..geometry import size_of
+from ..document.derivatives import DERIVATIVES
+from ..document.edits import EditError
+from ..document.words import count_of, number
+from ..families import Family
+from .curve.curve_view import CurveView, view_of
+from .curve.distances import dense, is_kept, largest_distance
+from .geometry import size_of
 from .reshape import Reshaped, refuse_without_curve, through
 
 _FOLLOWED = 1e-4

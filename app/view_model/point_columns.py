@@ -16,13 +16,13 @@ from msgspec.structs import replace
 
 from curvecore.arrays import BoolArray, FloatArray
 
-from ...document import edits
-from ...document.derivatives import DERIVATIVES, Derivative
-from ...document.edits import EditError
-from ...document.limits import not_after
-from ...document.model import Curve, Document, Vector
-from ...document.ties import with_derivative
-from ..curve.curve_view import CurveView
+from ..document import edits
+from ..document.derivatives import DERIVATIVES, Derivative
+from ..document.edits import EditError
+from ..document.limits import not_after
+from ..document.model import Curve, Document, Vector
+from ..document.ties import with_derivative
+from .curve.curve_view import CurveView
 
 PARAMETER, POSITION = -1, 0
 """Orders of what is no derivative."""

@@ -16,12 +16,12 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ...document.edits import delete_points
-from ...document.lines import is_line
-from ...document.model import Curve, Document, Point, Vector, vectors_of
-from ...document.ties import tied_if_parallel
-from ..curve.curve_view import CurveView, view_of
-from ..fitting.segment_fit import farthest, segment_near
+from ..document.edits import delete_points
+from ..document.lines import is_line
+from ..document.model import Curve, Document, Point, Vector, vectors_of
+from ..document.ties import tied_if_parallel
+from .curve.curve_view import CurveView, view_of
+from .fit import farthest, segment_near
 
 SAME = 1e-9
 """Share of the largest derivative of an order up to which two of them are the same."""

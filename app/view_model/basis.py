@@ -1,20 +1,33 @@
-"""The basis functions of a curve, sampled for the basis panel."""
+"""Basis and cardinal functions of a curve, sampled for the basis panel, and the growth of errors.
+
+The growth of errors of the points is the Lebesgue function Λ(t) and its largest value, the constant Λ. Where
+velocities or accelerations are estimated they follow the points, so it is the cardinal functions of the
+points that count, Λ(t) = Σ |Cᵢ(t)|. Errors of the data, where estimated derivatives count as given, are
+another question: they grow by Σ |Bᵢ₀(t)|, which is 1 for every Hermite curve.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+import math
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property, reduce
+from itertools import pairwise
 
 import msgspec
 import numpy as np
 
-from curvecore.analysis.cardinal import by_point
+import curvecore
+from curvecore import lebesgue_constant
+from curvecore.analysis.cardinal import CardinalBasis, by_point
+from curvecore.analysis.stability import lebesgue_constants
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
-from ...families import Family
-from ..curve.curve_view import CurveView, ParametricCurve
-from ..geometry import OneSided, crowded_at_ends, one_sided
+from ..families import Family
+from .curve.core_curve import Sides, sides_of, unbounded
+from .curve.curve_view import CurveView, ParametricCurve
+from .geometry import OneSided, crowded_at_ends, one_sided
 
 SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""
@@ -339,3 +352,151 @@ def weights_at(view: CurveView, t: float) -> FloatArray:
     basis = view.basis_curve.basis(np.array([t]))[:, :, 0]
     weights: FloatArray = by_point(basis, len(view.source.points))[0]
     return weights
+
+
+_MOST_EACH = 64
+"""Points up to which every function is sampled; of more, the least and the greatest at each t."""
+
+_SEEN, _FINE = 12, 33
+"""Segments to either side of its point in which a function can be told from 0, and samples of each."""
+
+
+class CardinalView(BasisView, frozen=True, eq=False, dict=True):
+    """Cardinal functions Cᵢ(t) as the panel draws them: one of each knot, and no others.
+
+    Attributes
+    ----------
+    cardinal
+        The functions.
+    values
+        (m, knots, 1); of many points the least and the greatest value at each sample, (m, 2, 1).
+    """
+
+    cardinal: CardinalBasis | None = None
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether the samples are those of the outline alone."""
+        return self.count > _MOST_EACH
+
+    def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
+        """Return (t, C) of the point at knot `index`, (m, 1), as far from it as it can be seen."""
+        knots = self.curve.parameters[max(index - _SEEN, 0) : index + _SEEN + 1]
+        t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
+        return t, self._at(t)[:, [self.owners[index]]]
+
+    def _support(self, knot: int) -> tuple[float, float]:
+        return self.curve.domain
+
+    def value_at(self, t: float, kind: int) -> FloatArray:
+        """Return the functions at `t`, one for each knot."""
+        return self._at(np.array([t]))[0, list(self.owners)]
+
+    def _at(self, t: FloatArray) -> FloatArray:
+        assert self.cardinal is not None
+        values: FloatArray = self.cardinal.basis(t)
+        return values
+
+
+def cardinal_view(view: CurveView) -> CardinalView | None:
+    """Sample the cardinal functions of a piecewise curve over its domain; None where there are none."""
+    curve, cardinal = view.basis_curve, view.cardinal
+    if curve is None or cardinal is None:
+        return None
+    t = segment_samples(curve.parameters).t
+    owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
+    if len(owners) <= _MOST_EACH:
+        values = cardinal.basis(t)[:, list(owners)]
+    else:
+        # All the others are 0 there.
+        near = np.pad(cardinal.local(t).values, ((0, 0), (0, 1)))
+        values = np.stack([near.min(axis=1), near.max(axis=1)], axis=1)
+    scales = np.ones((len(owners), 1))
+    return CardinalView(curve, owners, t, values[:, :, None], None, scales, cardinal=cardinal)
+
+
+def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
+    """Return Λ(t) of the points of a current curve at t (m,)."""
+    return view.cardinal.sums(t) if view.cardinal is not None else t * 0.0 + LARGEST
+
+
+def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
+    """Return the Lebesgue constant Λ of the points of a curve; infinite where it is beyond all floats.
+
+    `basis` lends functions, of which many take long. What is on screen may still be the functions of another
+    curve.
+    """
+    if not view.is_current or view.basis_curve is None:
+        return math.nan
+    return basis.lebesgue_constant if basis is not None and _lends(basis, view) else view.growth
+
+
+def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
+    """Return the Lebesgue constant where velocities and accelerations stay as they are."""
+    if not view.is_current or view.basis_curve is None:
+        return math.nan
+    if view.basis_curve.is_positive:
+        return 1.0
+    if basis is not None and _lends(basis, view):
+        return basis.lebesgue_constant
+    return lebesgue_constant(CardinalBasis(view.basis_curve, closed=view.source.is_closed))
+
+
+def _lends(basis: BasisView, view: CurveView) -> bool:
+    """Whether these are dense functions, and of this curve: family, settings and parameters decide."""
+    own = view.basis_curve
+    if own is None or basis.curve.is_local or basis.curve.functions_key != own.functions_key:
+        return False
+    if view.source.is_closed:
+        return False  # the samples may be those of an open curve
+    return bool(np.array_equal(basis.curve.parameters, view.parameters))
+
+
+def growths_of_points(views: Sequence[CurveView]) -> list[float]:
+    """Return the Lebesgue constants Λ of the points of many current curves in a fraction of the time."""
+    bases = [view.cardinal for view in views]
+    following = [basis for basis in bases if basis is not None and basis.follows]
+    constants = map(unbounded, lebesgue_constants(following))
+    return [
+        math.inf
+        if basis is None
+        else next(constants)
+        if basis.follows
+        else unbounded(lebesgue_constant(basis))
+        for basis in bases
+    ]
+
+
+_STEP = 1e-5
+"""Step of the differences as a share of the narrower gap: what is left out is its square."""
+
+
+def parameter_moves(view: CurveView, piece: int, t: FloatArray) -> FloatArray:
+    """Return dc/dt_i at t (m,) of one piece of a current curve, (m, k, 2): points and what was set stay.
+
+    The basis functions enter in closed form, the estimates by central differences.
+    """
+    core = view.pieces[piece]
+    moves = np.zeros((len(t), len(view.parameters), 2))
+    first = sum(len(each.parameters) - 1 for each in view.pieces[:piece])
+    moves[:, first : first + len(core.parameters)] = curvecore.parameter_sensitivity(core, t)
+    if core.derivatives and core.is_local:
+        segment, values = core.local_basis(t)
+        # After the knot at the start of the segment, before the one at its end.
+        for end, slopes in enumerate(reversed(_slopes(view))):
+            at = slopes[:, segment + first + end]
+            moves += np.einsum("mr,imrd->mid", values[:, end, 1:], at)
+    return moves
+
+
+def _slopes(view: CurveView) -> Sides:
+    """Return what each parameter i does to the derivatives before and after every knot, (i, k, R - 1, 2)."""
+    t, gaps = view.parameters, np.diff(view.parameters)
+    steps = _STEP * np.minimum(np.append(gaps, np.inf), np.insert(gaps, 0, np.inf))
+    changes = []
+    for index, step in enumerate(steps.tolist()):
+        shift = np.zeros(len(t))
+        shift[index] = step
+        far, near = (sides_of(view.source, view.at_knots, t + by, view.arrays) for by in (shift, -shift))
+        changes.append((np.array(far) - near)[:, :, 1:] / (2.0 * step))
+    return Sides(*np.array(changes).swapaxes(0, 1))

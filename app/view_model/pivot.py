@@ -15,12 +15,12 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import Curve, Vector
-from ...document.point_group import PointGroup
-from ...document.transforms import IDENTITY, Affine, mirrors, turn_of
-from ..curve.curve_view import CurveView
-from .bounds import Bounds, bounds_of
-from .stretch import between
+from ..document.model import Curve, Vector
+from ..document.point_group import PointGroup
+from ..document.transforms import IDENTITY, Affine, mirrors, turn_of
+from .boxes import Bounds, bounds_of
+from .curve.curve_view import CurveView
+from .resize import between
 
 _SLACK = 1e-9
 """Share of the size of a group within which points count as mapped."""

@@ -15,13 +15,13 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.edits import EditError
-from ...document.model import Document, Vector
-from ...document.point_group import PointGroup
-from ...document.several_curves import mapped
-from ...document.transforms import Affine, scaling
-from ..curve.curve_view import CurveView, view_of
-from .bounds import Bounds, bounds_of, is_whole
+from ..document.edits import EditError
+from ..document.model import Document, Vector
+from ..document.point_group import PointGroup
+from ..document.several_curves import mapped
+from ..document.transforms import Affine, scaling
+from .boxes import Bounds, bounds_of, is_whole
+from .curve.curve_view import CurveView, view_of
 
 _NEGLIGIBLE = 1e-10
 """Share of the largest change of a residual below which others say nothing of where to go."""

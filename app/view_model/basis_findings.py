@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from curvecore import cardinal_defect, slope_defect, sum_defect, worst_miss
 
-from ...document.words import number
-from ..curve.curve_view import CurveView
+from ..document.words import number
+from .curve.curve_view import CurveView
 
 _MOST_KNOTS = 400
 """Knots up to which the functions are measured: it takes arrays of 640 numbers for each."""

@@ -16,17 +16,17 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.chain import joint_of_row
 
-from ...document.curve_edits import reverse_curve
-from ...document.edits import EditError, freeze_parameters, stretched_beside
-from ...document.jet_edits import JetValue, with_jet_values
-from ...document.lines import is_line
-from ...document.model import Curve, Document, ParametrizationKind, Point, Vector
-from ...document.ties import tied_if_parallel
-from ...document.words import number
-from ...families import Family
-from ..curve.core_curve import Sides
-from ..curve.curve_view import CurveView, ParametricCurve, view_of
-from ..curve.distances import dense, is_kept, largest_distance, outcome
+from ..document.curve_edits import reverse_curve
+from ..document.edits import EditError, freeze_parameters, stretched_beside
+from ..document.jet_edits import JetValue, with_jet_values
+from ..document.lines import is_line
+from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
+from ..document.ties import tied_if_parallel
+from ..document.words import number
+from ..families import Family
+from .curve.core_curve import Sides
+from .curve.curve_view import CurveView, ParametricCurve, view_of
+from .curve.distances import dense, is_kept, largest_distance, outcome
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""

@@ -10,19 +10,19 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from ...document.derivatives import DERIVATIVES
-from ...document.edits import EditError, set_closed, set_position
-from ...document.model import Curve, Document, Point, Vector
-from ...document.point_group import PointGroup
-from ...document.ties import tied_if_parallel
-from ...document.words import number
-from ...families import titles_with_derivatives
-from ..curve.curve_view import CurveView, view_of
-from ..curve.distances import dense, is_kept, largest_distance
-from ..fitting.reshape import Reshaped, baked, refuse_without_curve, reversed_curve
-from ..geometry import polygon_length, size_of
-from ..points.straight import with_straight_segments
-from .splitting import beginning, part_of
+from ..document.derivatives import DERIVATIVES
+from ..document.edits import EditError, set_closed, set_position
+from ..document.model import Curve, Document, Point, Vector
+from ..document.point_group import PointGroup
+from ..document.ties import tied_if_parallel
+from ..document.words import number
+from ..families import titles_with_derivatives
+from .curve.curve_view import CurveView, view_of
+from .curve.distances import dense, is_kept, largest_distance
+from .geometry import polygon_length, size_of
+from .point_kinds import with_straight_segments
+from .reshape import Reshaped, baked, refuse_without_curve, reversed_curve
+from .split import beginning, part_of
 
 MOST_JOINED = 1000
 """Curves that are joined at once: the distances of all of their ends are compared."""

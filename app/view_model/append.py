@@ -1,7 +1,8 @@
-"""Points appended and curves closed so that no handle grows beyond what was drawn.
+"""Points appended, curves closed, and points inserted in the middle of segments.
 
 A point has one velocity, and its handles lie at ±h·v/3 of the segments on its two sides: a segment that is
 ten times as long as the one before it would pull the handle ahead ten times as far out as the person did.
+So handles are shortened until none is longer than it was drawn.
 """
 
 from __future__ import annotations
@@ -9,19 +10,21 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Sequence
 
+import msgspec
 import numpy as np
 from msgspec.structs import replace
 
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ...document.derivatives import DERIVATIVES
-from ...document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
-from ...document.lines import line_beside
-from ...document.model import Curve, Document, Point, Vector, vectors_of
-from ..curve.core_curve import parameters_of
-from ..curve.curve_view import CurveView, view_of
-from ..geometry import at_knots, polygon_length
+from ..document.derivatives import DERIVATIVES
+from ..document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
+from ..document.lines import line_beside
+from ..document.model import Curve, Document, Point, Vector, vectors_of
+from .curve.core_curve import parameters_of
+from .curve.curve_view import CurveView, view_of
+from .geometry import at_knots, polygon_length
+from .reshape import Reshaped, change_of_shape, inserted_index, refuse_without_curve, with_point_inserted
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24
 """Points up to which it takes a millisecond at each move of the pointer.
@@ -223,3 +226,56 @@ def appended_parameter(before: CurveView, point: Point) -> float:
     mean = span / last
     step = span * new / total if total > 0 else mean
     return float(t[-1]) + max(step, mean * 1e-3)
+
+
+class Halved(msgspec.Struct, frozen=True):
+    """A curve with segments halved, the points that were made, and where those are now that were given."""
+
+    made: Reshaped
+    new: frozenset[int]
+    old: frozenset[int]
+
+
+def with_midpoints(view: CurveView, segments: Collection[int], points: Collection[int]) -> Halved:
+    """Return the curve with a point in the middle of each of these segments, and the places of `points` then.
+
+    Its shape is kept as far as it is by one point; see `reshape.with_point_inserted`.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or no room for a point.
+    """
+    refuse_without_curve(view)
+    now, new, old, steps, middles = view, frozenset[int](), frozenset(points), list[Reshaped](), list[float]()
+    # From the last on: what lies behind keeps its place, whatever a rule makes of the parameters.
+    for segment in sorted(segments, reverse=True):
+        t = _middle(now, segment)
+        index = inserted_index(now, t)
+        steps.append(with_point_inserted(now, t))
+        middles.append(_middle(view, segment))
+        now = view_of(steps[-1].curve)
+        new = _shifted(new, index) | {index}
+        old = _shifted(old, index)
+    moved, left_rule = (
+        any(getattr(step, name) for step in steps) for name in ("parameters_moved", "left_rule")
+    )
+    # Where each keeps the shape, all do up to their sum.
+    residual = sum(step.residual for step in steps)
+    if moved:
+        residual = change_of_shape(view, now, np.sort(np.append(view.parameters, middles)))
+    made = replace(steps[-1], residual=residual, parameters_moved=moved, left_rule=left_rule)
+    return Halved(made, new, old)
+
+
+def _middle(view: CurveView, segment: int) -> float:
+    """Return the parameter between a point and the next one."""
+    assert view.curve is not None
+    places, end = view.curve.places, view.curve.domain[1]
+    after = places[segment + 1] if segment + 1 < len(places) else end
+    return float(places[segment] + after) / 2
+
+
+def _shifted(points: frozenset[int], index: int) -> frozenset[int]:
+    """Return the places of points after another one came before `index`."""
+    return frozenset(each + (each >= index) for each in points)

@@ -1,0 +1,488 @@
+"""Curves of few points near others: fitted to data, one segment for several, and curves simplified.
+
+`fitted` gives the curve of a document that is near data. `segment_near` puts one segment in the place of a
+piece of curve: the lengths of its handles, and derivatives of higher orders, are unknowns of a linear
+least-squares problem for given parameters of positions along the piece; these move to the feet of their
+perpendiculars, and so on, as in P. J. Schneider, "An algorithm for automatically fitting digitized curves",
+Graphics Gems, Academic Press 1990, 612-626. `simplified` fits curves anew between their corners; corners stay
+where they are, and so do straight lines between them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Sequence
+from itertools import chain, pairwise
+from math import ceil, cos, radians
+from typing import NamedTuple
+
+import msgspec
+import numpy as np
+import numpy.typing as npt
+from msgspec.structs import replace
+
+import curvecore
+from curvecore import CurveError, ParametricCurve
+from curvecore.arrays import FloatArray, IntArray
+
+from ..document.derivatives import DERIVATIVES
+from ..document.edits import EditError
+from ..document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
+from ..document.words import count_of, number
+from ..families import HERMITE, Family
+from ..tasks.progress import Report, part, silent
+from .cubics import CORNER, RELATIVE_TOLERANCE, points_of_cubics
+from .curve.curve_view import CurveView
+
+SCATTERED = "The data scatter so far; more points would follow that alone."
+
+_MANY, _FEW = 1000, 300
+"""Places on a curve that are enough to say what it looks like; points of which it is not said by these alone.
+
+Places between points that have errors would make a smooth curve of the errors.
+"""
+
+
+class Fitted(NamedTuple):
+    """A curve of the document near data.
+
+    Attributes
+    ----------
+    curve
+        The curve; its parameters are its own, so that it stays as it was fitted.
+    core
+        The same as the core has it.
+    deviation, root_mean_square
+        The largest distance of the data from it, and the root of the mean of the squares.
+    place
+        The datum that is farthest away.
+    is_scattered
+        Whether it is so far off because the data have errors as large as that.
+    """
+
+    curve: Curve
+    core: ParametricCurve
+    deviation: float
+    root_mean_square: float
+    place: Vector
+    is_scattered: bool
+
+    @property
+    def words(self) -> str:
+        """The number of points, and their distance."""
+        points, stays = count_of(len(self.curve.points), "point"), "stays at " if self.is_scattered else ""
+        mean = number(self.root_mean_square, 2)
+        text = f"{points}; largest deviation {stays}{number(self.deviation, 3)}, root mean square {mean}."
+        return f"{text} {SCATTERED}" if stays else text
+
+
+class Data(NamedTuple):
+    """The data that a curve is fitted to.
+
+    Attributes
+    ----------
+    points
+        (m, 2).
+    times
+        Their parameters, (m,).
+    """
+
+    points: FloatArray
+    times: FloatArray
+
+
+def is_of_points_alone(view: CurveView) -> bool:
+    """Whether the points of a curve are what is fitted: of many, or where it may swing between them."""
+    return not view.source.family.curve_class.is_local or len(view.parameters) >= _FEW
+
+
+def data_of(view: CurveView) -> Data:
+    """Return what a curve shows: its points and, where these are few and the curve calm, places between.
+
+    A curve whose functions reach far may swing between its points as nobody meant it to.
+
+    Raises
+    ------
+    EditError
+        If there is no curve.
+    """
+    if not view.is_current:
+        raise EditError(view.problem)
+    assert view.curve is not None
+    t = view.parameters
+    if not is_of_points_alone(view):
+        share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
+        t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
+        return Data(view.curve.evaluate(t), t)
+    return Data(view.at_knots, t)
+
+
+def fitted_to_curve(
+    view: CurveView,
+    model: Curve,
+    *,
+    count: int | None = None,
+    tolerance: float | None = None,
+    keeps_times: bool = False,
+    report: Report = silent,
+) -> Fitted:
+    """Return a curve of few points near another, over its interval, of the family and style of `model`.
+
+    `keeps_times` leaves every place its t, so that a motion stays the same; else only the shape counts.
+
+    Raises
+    ------
+    EditError
+        If there is no such curve.
+    """
+    data = data_of(view)
+    rule = replace(model.parametrization, start=float(data.times[0]), end=float(data.times[-1]))
+    return fitted(
+        replace(model, parametrization=rule),
+        data.points,
+        count=count,
+        tolerance=tolerance,
+        times=data.times if keeps_times else None,
+        report=report,
+    )
+
+
+def fitted(
+    model: Curve,
+    points: npt.ArrayLike,
+    *,
+    count: int | None = None,
+    tolerance: float | None = None,
+    times: FloatArray | None = None,
+    report: Report = silent,
+) -> Fitted:
+    """Return the curve of the family, style and interval of `model` that is near `points`, (m, 2).
+
+    Closed where the model is. `times` are parameters of the data, which are kept; see `curvecore.fit` for
+    the rest.
+
+    Raises
+    ------
+    EditError
+        If there is no such curve.
+    """
+    data = np.asarray(points, dtype=np.float64)
+    if model.family.is_missing:
+        raise EditError(model.family.problem)
+    is_closed = model.closed and model.family.curve_class.can_close
+    found = _fit(model, data, count, tolerance, times, report, is_closed=is_closed)
+    rule = model.parametrization
+    span = (rule.start, rule.end) if times is None else found.curve.domain
+    own = _points(found.curve, span, is_closed=is_closed)
+    parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
+    curve = replace(model, points=own, parametrization=parametrization, closed=is_closed)
+    x, y = data[found.worst].tolist()
+    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y), found.is_scattered)
+
+
+def _fit(
+    model: Curve,
+    data: FloatArray,
+    count: int | None,
+    tolerance: float | None,
+    times: FloatArray | None,
+    report: Report,
+    *,
+    is_closed: bool,
+) -> curvecore.Fit:
+    """Return the core's fit; raise `EditError` with its reason where there is none."""
+    family = model.family
+    try:
+        return curvecore.fit(
+            data,
+            family.curve_class,
+            count,
+            tolerance=tolerance,
+            parameters=times,
+            settings=family.settings.in_effect(model.settings, closed=is_closed),
+            closed=is_closed,
+            progress=lambda share: report(share, "Fitting"),
+        )
+    except CurveError as problem:
+        text = str(problem)
+        raise EditError(f"{text[:1].upper()}{text[1:]}.") from None
+
+
+def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Point, ...]:
+    """Return the points of a curve of the document, whose parameters begin and end at `span`."""
+    (start, end), (first, last) = span, core.domain
+    stretch = (end - start) / (last - first)
+    jets = [piece.jets / stretch ** np.arange(float(piece.jets.shape[1]))[:, None] for piece in core.pieces]
+    times = start + (core.parameters - first) * stretch
+    times[-1] = end
+    joints = {0: (jets[-1][-1], jets[0][0])} if is_closed else {}
+    place = 0
+    for before, after in pairwise(jets):
+        place += len(before) - 1
+        joints[place] = (before[-1], after[0])
+    rows = list(chain(jets[0][:1], *(each[1:] for each in jets)))
+    return tuple(
+        _point(joints.get(index, (jet, jet)), float(t), may_turn=index in joints)
+        for index, (jet, t) in enumerate(zip(rows, times, strict=True))
+        if index < len(rows) - is_closed
+    )
+
+
+def _point(sides: tuple[FloatArray, FloatArray], t: float, *, may_turn: bool) -> Point:
+    before, after = (each.tolist() for each in sides)
+    is_corner = may_turn and before != after
+    x, y = before[0]
+    point = Point(x, y, t=t, corner=is_corner)
+    given = {each.name: tuple(value) for each, value in zip(DERIVATIVES, before[1:], strict=False)}
+    if is_corner:
+        ahead = zip(DERIVATIVES, after[1:], strict=False)
+        given |= {each.after: tuple(value) for each, value in ahead}
+    return replace(point, **given)
+
+
+_ROUNDS = 24
+_STEPS = 6
+"""Steps of Newton's to the feet of perpendiculars."""
+
+_LEAST = 1e-3
+"""Share of the chord below which a length is none: the curve would stop there."""
+
+
+def segment_near(family: Family, places: FloatArray, directions: FloatArray) -> FloatArray:
+    """Return the jets, (2, R, 2), of the segment over [0, 1] that is near to all `places` (m, 2).
+
+    `directions` are those at its ends, (2, 2), of length one.
+    """
+    steps = np.hypot(*np.diff(places, axis=0).T)
+    length = float(steps.sum())
+    u = np.concatenate([[0.0], np.cumsum(steps)]) / length
+    best, least = _thirds(family, places, directions, length), math.inf
+    for _ in range(_ROUNDS):
+        jets = _solved(family, places, directions, u, length)
+        curve = family.curve_class.from_jets(jets, np.array([0.0, 1.0]))
+        u = _feet(curve, places, u, 0.0, 1.0)
+        away = _largest(curve.evaluate(u) - places)
+        if away < least:
+            best, least = jets, away
+    return best
+
+
+def farthest(curve: ParametricCurve, places: FloatArray, start: float, end: float) -> float:
+    """Return how far places (m, 2) are from a curve between two parameters, at which first and last lie."""
+    t = np.linspace(start, end, 4 * len(places))
+    apart = places[:, None] - curve.evaluate(t)[None]
+    feet = t[np.argmin(np.einsum("mnd,mnd->mn", apart, apart), axis=1)]
+    for _ in range(_STEPS):
+        feet = _feet(curve, places, feet, start, end)
+    return _largest(curve.evaluate(feet) - places)
+
+
+def _largest(ways: FloatArray) -> float:
+    return float(np.hypot(ways[:, 0], ways[:, 1]).max())
+
+
+def _thirds(family: Family, places: FloatArray, directions: FloatArray, length: float) -> FloatArray:
+    """Return jets of a segment that is run through at an even pace."""
+    jets = np.zeros((2, family.derivatives + 1, 2))
+    jets[:, 0], jets[:, 1] = places[[0, -1]], length * directions
+    return jets
+
+
+def _solved(
+    family: Family, places: FloatArray, directions: FloatArray, u: FloatArray, length: float
+) -> FloatArray:
+    """Return the jets of the segment that is nearest to the places at the parameters `u`."""
+    jets = _thirds(family, places, directions, length)
+    functions = family.curve_class.from_jets(jets, np.array([0.0, 1.0])).basis(u)
+    rest = places - functions[:, :, 0] @ jets[:, 0]
+    # Columns: the two speeds, then x and y of each higher derivative at each end; rows: x, then y.
+    speeds = np.stack([np.outer(directions[end], functions[:, end, 1]).ravel() for end in (0, 1)], axis=1)
+    higher = functions[:, :, 2:].reshape(len(u), -1)
+    free = np.kron(np.eye(2), higher)
+    found = np.linalg.lstsq(np.hstack([speeds, free]), rest.T.ravel(), rcond=None)[0]
+    if found[:2].min() < _LEAST * length:
+        return jets
+    jets[:, 1] = found[:2, None] * directions
+    jets[:, 2:] = np.moveaxis(found[2:].reshape(2, 2, -1), 0, -1)
+    return jets
+
+
+def _feet(curve: ParametricCurve, places: FloatArray, u: FloatArray, start: float, end: float) -> FloatArray:
+    """Return parameters nearer to the feet of the perpendiculars from places to a curve; the ends stay."""
+    away, velocity, bend = curve.evaluate(u) - places, curve.evaluate(u, 1), curve.evaluate(u, 2)
+    slope = (away * velocity).sum(axis=1)
+    rise = (velocity * velocity).sum(axis=1) + (away * bend).sum(axis=1)
+    step = np.divide(slope, rise, out=np.zeros_like(u), where=rise > 0.0)
+    furthest = 0.1 * (end - start)
+    moved = np.clip(u - np.clip(step, -furthest, furthest), start, end)
+    moved[[0, -1]] = start, end
+    there = curve.evaluate(moved) - places
+    is_nearer = (there * there).sum(axis=1) < (away * away).sum(axis=1)
+    nearer: FloatArray = np.where(is_nearer, moved, u)
+    return nearer
+
+
+SHARE = 0.002
+"""How far a curve may be from what it was, as a share of the size of all that is simplified."""
+
+_TURN = cos(radians(20.0))
+"""Cosine of the angle from which a joint is a corner."""
+
+_LONG = 4.0
+"""Tolerances that the pieces at a corner are long, at least: else it is a tremble."""
+
+_STRAIGHT = 1e-9
+"""Of the length of a piece, by which its handles may be off the straight way."""
+
+_NEARLY_ON = radians(0.1)
+"""By how much handles of a point that is no corner are turned into one line, in radians."""
+
+_ANY = "a"
+"""Letter of a point that is what its handles make of it."""
+
+_PLACES = 16
+"""Places on a piece that say what it looks like."""
+
+
+class Simplified(msgspec.Struct, frozen=True):
+    """A document in which curves have fewer points.
+
+    Attributes
+    ----------
+    document
+        The document.
+    before, after
+        How many points the curves had that are changed, and have now.
+    deviation
+        How far these are from what they were at most.
+    """
+
+    document: Document
+    before: int
+    after: int
+    deviation: float
+
+
+def simplified(
+    document: Document, views: Sequence[CurveView], curves: Collection[int], report: Report = silent
+) -> Simplified:
+    """Return the document with fewer points in those of some curves where that can be.
+
+    Raises
+    ------
+    EditError
+        If none of them has more points than it takes.
+    """
+    places = sorted(place for place in curves if _can_be_simpler(views[place]))
+    tolerance = SHARE * size_of([views[place] for place in places])
+    made, before, after, deviation = document, 0, 0, 0.0
+    for done, place in enumerate(places):
+        share = part(report, done / len(places), (done + 1) / len(places))
+        curve, off = _simpler(views[place], tolerance, share)
+        count, left = len(document.curves[place].points), len(curve.points)
+        if left < count and off <= tolerance:
+            made = made.with_curve(place, curve)
+            before, after, deviation = before + count, after + left, max(deviation, off)
+    if not before:
+        raise EditError("No curve of these takes fewer points than it has.")
+    return Simplified(made, before, after, deviation)
+
+
+def size_of(views: Sequence[CurveView]) -> float:
+    """Return the longer side of the box around the points of curves; 1 where there are none."""
+    points = [view.points for view in views if len(view.points)]
+    return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
+
+
+def _can_be_simpler(view: CurveView) -> bool:
+    curve = view.source
+    return view.is_current and len(curve.points) > 2
+
+
+def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, float]:
+    """Return a curve near another one, and how far off it is at most."""
+    assert view.curve is not None
+    closed = view.source.is_closed
+    path = curvecore.cubic_path(view.curve, max(RELATIVE_TOLERANCE * size_of([view]), 1e-300))
+    pieces, corners = path.control_points, _corners(path.control_points, tolerance, closed=closed)
+    if closed and len(corners):
+        # It begins at a corner.
+        pieces, corners = np.roll(pieces, -corners[0], axis=0), corners - corners[0]
+    cuts = [*(corners if closed and len(corners) else [0, *corners]), len(pieces)]
+    found, letters, off = list[FloatArray](), "", float(path.deviation)
+    for index, (start, end) in enumerate(pairwise(cuts)):
+        share = part(report, index / len(cuts), (index + 1) / len(cuts))
+        run, deviation = _run(pieces[start:end], tolerance, share, closed=closed and not len(corners))
+        found.append(run)
+        letters += (CORNER if len(corners) else _ANY) + _ANY * (len(run) - 1)
+        off = max(off, path.deviation + deviation)
+    letters += "" if closed else CORNER
+    points = points_of_cubics(np.concatenate(found), closed=closed, most_turned=_NEARLY_ON, letters=letters)
+    rule = Parametrization(ParametrizationKind.MANUAL)
+    made = replace(view.source.with_family(HERMITE), points=points.points, parametrization=rule)
+    return made, off + points.moved
+
+
+def _corners(pieces: FloatArray, tolerance: float, *, closed: bool) -> IntArray:
+    """Return the pieces that begin at a corner; an end of an open curve is none."""
+    ahead, behind = _directions(pieces, 1), _directions(pieces[:, ::-1], -1)
+    turned = (np.roll(behind, 1, axis=0) * ahead).sum(axis=1) < _TURN
+    is_long = np.linalg.norm(pieces[:, 3] - pieces[:, 0], axis=1) > _LONG * tolerance
+    turned &= is_long & np.roll(is_long, 1)
+    turned[0] &= closed
+    return np.flatnonzero(turned)
+
+
+def _directions(pieces: FloatArray, sign: int) -> FloatArray:
+    """Return the directions in which pieces begin, of length 1; 0 where they go nowhere."""
+    ways, missing = np.zeros((len(pieces), 2)), np.ones(len(pieces), dtype=np.bool_)
+    for index in range(1, 4):
+        steps = sign * (pieces[:, index] - pieces[:, 0])
+        lengths = np.linalg.norm(steps, axis=1)
+        new = missing & (lengths > 0)
+        ways[new] = steps[new] / lengths[new, None]
+        missing &= ~new
+    return ways
+
+
+def _run(pieces: FloatArray, tolerance: float, report: Report, *, closed: bool) -> tuple[FloatArray, float]:
+    """Return fewer pieces near those between two corners, and how far they are off at most."""
+    if not closed and _is_straight(pieces):
+        return np.linspace(pieces[0, 0], pieces[-1, 3], 4)[None], 0.0
+    if len(pieces) == 1:
+        return pieces, 0.0
+    data = np.concatenate(list(_sampled(pieces)))
+    try:
+        found = curvecore.fit(
+            data,
+            HERMITE.curve_class,
+            tolerance=tolerance,
+            closed=closed,
+            with_corners=False,
+            progress=lambda share: report(share, "Simplifying"),
+        )
+    except CurveError as problem:
+        raise EditError(f"A curve could not be fitted: {problem}.") from problem
+    made = curvecore.bezier_segments(found.curve)
+    is_better = len(made) < len(pieces) and found.deviation <= tolerance
+    return (made, float(found.deviation)) if is_better else (pieces, 0.0)
+
+
+def _sampled(pieces: FloatArray) -> Iterator[FloatArray]:
+    """Yield places on pieces, the end of the last one too."""
+    s = np.arange(_PLACES) / _PLACES
+    weights = np.stack([(1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s * s * (1 - s), s**3], axis=1)
+    yield np.einsum("mw,kwd->kmd", weights, pieces).reshape(-1, 2)
+    yield pieces[-1:, 3]
+
+
+def _is_straight(pieces: FloatArray) -> bool:
+    """Whether pieces lie on one straight line, each going on from the one before."""
+    places = pieces.reshape(-1, 2)
+    way = places[-1] - places[0]
+    length = float(np.hypot(*way))
+    if not length:
+        return False
+    off = (places - places[0]) @ np.array([-way[1], way[0]])
+    along = (places - places[0]) @ way
+    return bool(np.abs(off).max() <= _STRAIGHT * length**2 and (np.diff(along) >= 0).all())

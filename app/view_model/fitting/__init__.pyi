@@ -1,2 +1,0 @@
-# Modules that are imported when they are first used.
-from . import convert as convert

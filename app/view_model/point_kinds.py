@@ -1,0 +1,436 @@
+"""The kinds of points, and points changed to each of them with the shape kept as far as possible.
+
+`POINT_KINDS` lists a record for each kind, which keys, menus, buttons, table and marks read. To add one: its
+record, and an icon of its name in ``resources/icons``. A point is of the kind of the first record whose
+`are_of` holds of it.
+
+A corner divides the estimates of the rules, and every point of a natural spline feels that. The derivatives
+that a new corner would change, and no others, are set as they were, so that nothing moves before somebody
+moves it. Straight segments and retracted handles are made of corners.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+
+import msgspec
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore.arrays import BoolArray, IntArray
+
+from ..document.edits import EditError, estimate_derivatives, make_smooth
+from ..document.jet_edits import JetValue, with_jet_values
+from ..document.lines import ends_of, line_beside
+from ..document.model import Curve, Document, Point, Vector
+from ..document.straight_edits import corners_of, straighten, why_not_straight
+from ..document.ties import tied, tied_to_line, turned, untied
+from ..families import Family, titles_with_derivatives
+from .append import closed_by_pen, with_point_appended
+from .curve.curve_view import CurveView, view_of
+from .curve.handles import pulled_out, way_past
+from .curve.point_arrays import PointArrays
+from .reshape import estimates_kept, refuse_without_curve, with_jets
+
+_SAME = 1e-9
+"""Share of the largest derivative of an order up to which two of them are the same."""
+
+NO_CORNERS = "the ends of an open curve cannot be corners"
+ONE_SIDED = "the ends of an open curve have one side only"
+"""The words where some of the selected points are such ends."""
+
+
+def inner_points(curve: Curve, indices: Collection[int]) -> list[int]:
+    """Return those of the points `indices` that have curve on both sides, in order."""
+    return sorted(index for index in indices if curve.is_closed or 0 < index < len(curve.points) - 1)
+
+
+def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with corners at these points: both sides are explicit and free, and the shape stays.
+
+    Ends of an open curve are left out.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or nothing is left.
+    """
+    points = view.source.points
+    inner = _inner(view, indices, "a corner needs curve on both sides", NO_CORNERS)
+    new = [index for index in inner if not points[index].corner or points[index].tied]
+    cornered = {
+        index: untied(points[index]) if points[index].corner else points[index].as_corner() for index in new
+    }
+    return _written_down(view, cornered)
+
+
+def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with velocities at these points that go the same way, at speeds of their own.
+
+    Each handle keeps its length. They turn to the line from one tip to the other, so that the longer one
+    turns less; beside a straight segment to that line, which stays. A handle that lies on its point is pulled
+    out by a third of the way to the neighbour. Ends of an open curve are left out.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or nothing is left.
+    """
+    inner = _inner(view, indices, "it has one handle", ONE_SIDED)
+    was = view.source.points
+    new = [index for index in inner if was[index].even or not was[index].tied]
+    corners = {index: view.source.points[index] for index in new if view.source.points[index].corner}
+    document = Document((_written_down(view, corners),))
+    curve, points = document.curves[0], list(document.curves[0].points)
+    for index in new:
+        before, after = (_velocity(view, index, ahead=ahead) for ahead in (False, True))
+        if index in corners:
+            before, after = _in_one_direction(view, index, before, after)
+        points[index] = replace(tied(points[index], before, after), even=False)
+    return _kept(view, replace(curve, points=tuple(points)), new)
+
+
+def made_symmetric(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with one velocity, and one of each further derivative, on both sides of these points.
+
+    Each is the mean of the two; where they are alike already, the shape stays.
+
+    Raises
+    ------
+    EditError
+        If there is no curve.
+    """
+    document = Document((view.source,))
+    corners = [index for index in indices if view.source.points[index].corner]
+    for index in indices:
+        _refuse_without_tangent(view, index)
+        document = make_smooth(document, 0, index, _mean(view, index, 1))
+    points = list(document.curves[0].points)
+    for index in corners:
+        means = [_mean(view, index, order) for order in range(1, view.source.family.derivatives + 1)]
+        points[index] = points[index].with_derivatives(means, ())
+    return _kept(view, replace(view.source, points=tuple(points)), corners)
+
+
+def made_estimated(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with all derivatives at these points left to the rules."""
+    document = Document((view.source,))
+    for index in indices:
+        document = make_smooth(document, 0, index, None)
+    return estimate_derivatives(document, 0, indices).curves[0]
+
+
+def _inner(view: CurveView, indices: Collection[int], needs: str, none: str) -> list[int]:
+    """Return those of these points that have curve on both sides, refusing where there is none."""
+    for index in indices:
+        _refuse_without_tangent(view, index)
+    inner = inner_points(view.source, indices)
+    if len(inner) < len(indices) == 1:
+        raise EditError(f"Point {min(indices)} is an end of the curve; {needs}.")
+    if not inner:
+        raise EditError(f"{none[0].upper()}{none[1:]}.")
+    return inner
+
+
+def _written_down(view: CurveView, cornered: Mapping[int, Point]) -> Curve:
+    """Return the curve with these corners in place of its points, with all that is estimated there set."""
+    if not cornered or view.sides is None:
+        return view.source
+    points = list(view.source.points)
+    for index, point in cornered.items():
+        points[index] = with_jets(point, view.sides, index)
+    return _kept(view, replace(view.source, points=tuple(points)), cornered)
+
+
+def _velocity(view: CurveView, index: int, *, ahead: bool) -> Vector:
+    velocity = view.velocity_of(index, ahead=ahead)
+    assert velocity is not None
+    return velocity
+
+
+def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector) -> tuple[Vector, Vector]:
+    """Return the velocities at a corner turned to one direction."""
+    h, g = (view.spacing(index, ahead=ahead) or 1.0 for ahead in (False, True))
+    lines = [line_beside(view.source, index, ahead=ahead) for ahead in (False, True)]
+    # From the tip of one handle to that of the other.
+    direction = (h * before[0] + g * after[0], h * before[1] + g * after[1])
+    if lines[0] != lines[1]:
+        direction = before if lines[0] else after
+    elif not any(direction):
+        direction = after if any(after) else way_past(view, index)
+    first, second = (
+        turned(velocity, direction) if any(velocity) else pulled_out(view, index, direction, ahead=ahead)
+        for velocity, ahead in ((before, False), (after, True))
+    )
+    return first, second
+
+
+def _refuse_without_tangent(view: CurveView, index: int) -> None:
+    if view.sides is None:
+        raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
+
+
+def _mean(view: CurveView, index: int, order: int) -> Vector:
+    """Return the mean of a derivative before and after a point; at an end, that of its one side."""
+    assert view.sides is not None
+    before, after = (jets[index, order] for jets in view.sides)
+    if not view.source.is_closed and index == 0:
+        before = after
+    elif not view.source.is_closed and index == len(view.source.points) - 1:
+        after = before
+    x, y = ((before + after) / 2).tolist()
+    return (x, y)
+
+
+def _kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
+    """Return `changed` with all estimates as they were, except at the points `but`."""
+    own = np.delete(np.arange(len(changed.points)), sorted(but))
+    return estimates_kept(view, changed, own, own)
+
+
+def jolts_of(view: CurveView) -> list[int]:
+    """Return the corners at which the velocity goes on, and a derivative above it jumps: no eye sees one."""
+    if view.sides is None:
+        return []
+    before, after = (side[view.corners, 1:] for side in view.sides)
+    scale = np.abs(view.sides.after[:, 1:]).max(axis=(0, 2))
+    jumps = np.abs(after - before).max(axis=2) > _SAME * scale
+    is_jolt = ~jumps[:, 0] & jumps.any(axis=1)
+    return [index for index, jolt in zip(view.corners, is_jolt.tolist(), strict=True) if jolt]
+
+
+def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
+    """Return the curve with these segments straight: everything beside them stays.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or its family has no segments of their own.
+    """
+    if reason := why_not_straight(view.source.family):
+        raise EditError(reason)
+    refuse_without_curve(view)
+    corners = [index for index in corners_of(view.source, segments) if not view.source.points[index].tied]
+    cornered = with_corners(view, corners) if corners else view.source
+    return straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
+
+
+def with_line_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
+    """Return the document with a new last point on its curve `curve`, which `view` shows, after a line.
+
+    As `appending.with_point_appended`, where the family has no straight segments, or there was no point.
+
+    Raises
+    ------
+    EditError
+        If the position is not one that a document may hold, or leaves no way for a line.
+    """
+    return _with_last_straight(with_point_appended(document, curve, view, position), curve, view)
+
+
+def closed_by_line(document: Document, curve: int, view: CurveView) -> Document:
+    """Return the document with its curve `curve`, which `view` shows, closed by a straight line.
+
+    Raises
+    ------
+    EditError
+        If the curve cannot be closed.
+    """
+    return _with_last_straight(closed_by_pen(document, curve, view), curve, view)
+
+
+def _with_last_straight(document: Document, curve: int, before: CurveView) -> Document:
+    """Return the document with a straight segment behind the last point of `before`."""
+    last = len(before.source.points) - 1
+    if last < 0 or why_not_straight(before.source.family):
+        return document
+    made = with_straight_segments(view_of(document.curves[curve]), [last])
+    points = list(made.points)
+    for index in corners_of(made, [last]):
+        points[index] = tied_to_line(made, index)
+    return document.with_curve(curve, replace(made, points=tuple(points)))
+
+
+def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
+    """Return the segments of which both ends are among the points `indices`."""
+    count = len(curve.points)
+    last = count if curve.is_closed else count - 1
+    return [index for index in range(last) if {index, (index + 1) % count} <= set(indices)]
+
+
+def with_handle_retracted(view: CurveView, index: int, *, ahead: bool) -> Curve:
+    """Return the curve with the velocity zero on one side of a point, which is a corner then.
+
+    The other side stays. Where the handle at the other end of the segment is retracted, that is straight.
+
+    Raises
+    ------
+    EditError
+        If there is no curve.
+    """
+    refuse_without_curve(view)
+    curve = view.source
+    if inner_points(curve, [index]) and (not curve.points[index].corner or curve.points[index].tied):
+        curve = with_corners(view, [index])
+    segment = index if ahead else (index - 1) % len(curve.points)
+    start, end = ends_of(curve, segment)
+    far = curve.points[end if ahead else start].explicit_sides(1)[not ahead]
+    if far is not None and not any(far):
+        return with_straight_segments(view_of(curve), [segment])
+    return with_jet_values(curve, [JetValue(index, 1, ahead, (0.0, 0.0))])
+
+
+Outline = tuple[Vector, ...]
+
+
+class PointKind(msgspec.Struct, frozen=True, kw_only=True):
+    """A kind of point: what its handles do to each other.
+
+    Attributes
+    ----------
+    name
+        Its name in the program, and that of its icon.
+    title
+        What people call it.
+    action
+        The name of the action that makes points of it.
+    key
+        The keys of that, comma separated.
+    tip
+        What it is, and what becomes of points that are made so.
+    keywords
+        Other words by which the palette finds it.
+    step
+        What the step of the history says before "point 3".
+    one
+        How a point of the kind is named after "point 3, "; empty where nothing needs to be said.
+    made
+        Returns the curve of a view with points of this kind, its shape kept as far as can be; raises
+        `EditError` where it cannot be.
+    are_of
+        Tells which of some points are of this kind, unless of one before it.
+    outline
+        Corners of its mark, for one as large as a disc of radius 1; none for a disc.
+    is_open
+        Whether its mark has a dot of paper in the middle.
+    ends
+        Why ends of an open curve are left out; empty where they are not.
+    """
+
+    name: str
+    title: str
+    action: str
+    key: str
+    tip: str
+    keywords: str
+    step: str
+    one: str
+    made: Callable[[CurveView, Collection[int]], Curve]
+    are_of: Callable[[PointArrays], BoolArray]
+    outline: Outline = ()
+    is_open: bool = False
+    ends: str = ""
+
+
+_SIDE = 0.96
+"""Half the side of a square that looks as large as a disc of radius 1."""
+
+_SQUARE = ((-_SIDE, -_SIDE), (_SIDE, -_SIDE), (_SIDE, _SIDE), (-_SIDE, _SIDE))
+_REACH = 1.4
+_DIAMOND = ((0.0, -_REACH), (_REACH, 0.0), (0.0, _REACH), (-_REACH, 0.0))
+
+CORNER = PointKind(
+    name="point-corner",
+    title="Corner",
+    action="tangentCorner",
+    key="Shift+C, Alt+2",
+    tip="A velocity of its own on either side of the selected points: each handle moves alone",
+    keywords="cusp sharp break handles",
+    step="Corner at",
+    one="a corner",
+    made=with_corners,
+    are_of=lambda points: points.corners & ~points.ties,
+    outline=_DIAMOND,
+    ends=NO_CORNERS,
+)
+SMOOTH = PointKind(
+    name="point-smooth",
+    title="Smooth",
+    action="tangentSmooth",
+    key="Shift+S",
+    tip="One direction at the selected points, and a length of its own for each handle; tangent to a line",
+    keywords="tangent collinear G1 tie handles",
+    step="Smooth",
+    one="smooth",
+    made=made_smooth,
+    are_of=lambda points: points.ties & ~points.evens,
+    outline=_SQUARE,
+    ends=ONE_SIDED,
+)
+SYMMETRIC = PointKind(
+    name="point-symmetric",
+    title="Symmetric",
+    action="tangentSymmetric",
+    key="Shift+Y, Alt+1",
+    tip="One velocity on both sides of the selected points, the mean of two; one handle mirrors the other",
+    keywords="smooth C1 mirror equal handles length",
+    step="Symmetric",
+    one="symmetric",
+    made=made_symmetric,
+    are_of=lambda points: np.isfinite(points.given).any(axis=(1, 2, 3)).astype(bool),
+    outline=_SQUARE,
+    is_open=True,
+)
+ESTIMATED = PointKind(
+    name="point-estimated",
+    title="Estimated",
+    action="tangentEstimated",
+    key="Shift+A, Alt+3",
+    tip="Let the rules estimate the tangents of the selected points",
+    keywords="auto smooth automatic reset",
+    step="Estimate",
+    one="",
+    made=made_estimated,
+    are_of=lambda points: np.ones(len(points.points), dtype=bool),
+)
+
+POINT_KINDS = (CORNER, SMOOTH, SYMMETRIC, ESTIMATED)
+"""All kinds, in the order of menus and keys; a point is of the first that it is of."""
+
+
+def kinds_of(view: CurveView) -> IntArray:
+    """Return for each point the place of its kind in `POINT_KINDS`, (n,).
+
+    Ends of an open curve have one side, and are corners only for the curve that goes on there. All points of
+    families without velocities are of the last kind: where the curve goes, a rule decides.
+    """
+    kinds, last = np.full(len(view.points), len(POINT_KINDS) - 1, dtype=np.intp), len(view.points) - 1
+    if view.source.family.derivatives and view.source.has_derivatives:
+        holds = [kind.are_of(view.arrays) for kind in POINT_KINDS]
+        kinds = np.argmax(holds, axis=0)
+        for end in () if view.source.is_closed else (0, last):
+            if POINT_KINDS[kinds[end]].ends:
+                kinds[end] = POINT_KINDS.index(SYMMETRIC)
+    return kinds
+
+
+def kind_at(view: CurveView, index: int) -> PointKind:
+    """Return the kind that a point of a curve is of."""
+    return POINT_KINDS[kinds_of(view)[index]]
+
+
+def is_breakable(view: CurveView, index: int) -> bool:
+    """Whether a handle of a point moves another one along: it has curve on both sides, and is no corner."""
+    return kind_at(view, index) is not CORNER and bool(inner_points(view.source, [index]))
+
+
+def toggled(view: CurveView, index: int) -> PointKind:
+    """Return the kind that a double click gives a point: a corner becomes smooth, all else a corner."""
+    return SMOOTH if kind_at(view, index) is CORNER else CORNER
+
+
+def why_no_kinds(family: Family) -> str:
+    """Return why points of a family are of no kind, as a sentence; empty if they are."""
+    if family.derivatives:
+        return ""
+    return f"{family.subject} has no velocities at its points; choose {titles_with_derivatives()}."
