@@ -27,9 +27,8 @@ from app.cli.windows import open_windows
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.rows import RowDelegate
-from app.features.point_table.delegate import PointTableDelegate
 from app.features.point_table.model import PointTableModel
-from app.features.point_table.view import PointTableView
+from app.features.point_table.view import PointTableDelegate, PointTableView
 from app.features.recovery.autosave import snapshot_folder
 from app.features.wiggle.weight_bars import WeightBars
 from app.plotting.layers import Layer

@@ -16,8 +16,8 @@ from app.document import edits
 from app.document.edits import move_points, set_position
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.basis.crest_names import apart, crests_of
-from app.features.basis.layers import rail_height
+from app.features.basis.function_lines import apart, crests_of
+from app.features.basis.scene import rail_height
 
 
 @pytest.fixture

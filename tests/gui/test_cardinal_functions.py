@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.features.basis.crest_names import crests_of
-from app.features.basis.function_lines import FunctionLines
+from app.features.basis.function_lines import FunctionLines, crests_of
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.view_model.analysis.teaching import warnings_of

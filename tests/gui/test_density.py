@@ -10,7 +10,7 @@ import pytest
 from app.canvas.point_marks import RADIUS, discs_for, with_neighbours
 from app.document.model import Document, make_curve
 from app.families import HERMITE
-from app.features.basis.layers import spread_out
+from app.features.basis.scene import spread_out
 
 
 def row(count, gap):

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.features.basis.layers import rail_height
+from app.features.basis.scene import rail_height
 from app.features.lessons.commands import LessonCommands
 from app.features.lessons.lesson import LessonError, lesson_names, load_lesson, parse_lesson
 from app.session import Session

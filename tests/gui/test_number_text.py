@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from PySide6.QtGui import QFontMetrics, QGuiApplication
 
 from app.document.words import number
-from app.features.point_table.delegate import COMPACT_DIGITS, ColumnWidths, width_for
+from app.features.point_table.view import COMPACT_DIGITS, ColumnWidths, width_for
 from app.widgets.number_text import (
     NEGLIGIBLE,
     column_decimals,

@@ -15,9 +15,9 @@ from app.document import edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.point_table.controller import PointTableController
-from app.features.point_table.delegate import LEFT_PADDING, PADDING, CellEditor
+from app.features.point_table.commands import PointTableController
 from app.features.point_table.panel import INTERVAL_MS, PointTable
+from app.features.point_table.view import LEFT_PADDING, PADDING, CellEditor
 from app.session import MessageKind, Session
 from app.testing import wait_for_rest
 from app.view_model.point_columns import columns_of

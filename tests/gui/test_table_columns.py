@@ -15,8 +15,8 @@ from app.document import edits
 from app.document.edits import EditError
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
-from app.features.point_table.delegate import CellEditor
 from app.features.point_table.edits import passed_over
+from app.features.point_table.view import CellEditor
 from app.view_model import point_columns as columns
 from app.view_model.point_columns import Column
 

@@ -1,8 +1,7 @@
-"""Basis functions over t, and the t-rail at their foot.
+"""Basis functions over t, and the t-rail below them.
 
 - ``commands``: the pane, connected to the session; actions of the t-rail.
-- ``pane``: the functions with their header.  ``panel``: the gestures on them.  ``hits``: what lies under the
-  pointer.  ``tick_edit``: a t typed at its tick.
-- ``scene``: what is drawn.  ``layers``: functions, t-rail and scrub line, painted.
-  ``function_lines``: functions in pixels.  ``crest_names``: a number at each crest.
+- ``pane``: the plot with its header.  ``panel``: the plot, its hit test, and a t typed at its tick.
+- ``scene``: functions, t-rail and scrub line, painted.  ``function_lines``: functions in pixels, and a
+  number at each crest.
 """

@@ -1,20 +1,199 @@
-"""The basis panel: the functions with the gestures of the t-rail, typing at a tick, and the menu."""
+"""The plot of basis functions: what lies under the pointer, a t typed at its tick, and the gestures."""
 
 from __future__ import annotations
 
+import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QLineEdit, QWidget
 
+from ...appearance.theme import Theme
+from ...document.expression import ExpressionError
 from ...plotting.camera import CameraOverT
+from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
+from ...qt.labels import Label
+from ...qt.overrides import ENTER, PASSING, SafeOverrides
 from ...tools.pointer import Hit, Part, Pointer
 from ...tools.tool import CanvasQueries, Finder
 from ...tools.toolbox import Toolbox
-from .hits import hit_test
-from .layers import rail_height
-from .scene import BasisScene
-from .tick_edit import TickEdit
+from ...view_model.basis import BasisView
+from ...widgets.boxes import column_of
+from ...widgets.controls import named
+from ...widgets.fields import read_number
+from ...widgets.frames import OverlayFrame
+from ...widgets.number_text import decimal_mark, exact_text
+from .scene import BasisScene, RailLayer, rail_height
+
+TICK_REACH = 10.0
+"""Pixels to either side of a tick within which it is grabbed."""
+
+FUNCTION_REACH = 10.0
+
+_SCRUB_REACH = 4.0
+
+_PLACE_REACH = 5.0
+
+
+def hit_test(
+    pointer: Pointer, shown: PixelMap, basis: BasisView | None, rail: RailLayer, kinds: frozenset[int]
+) -> Hit | None:
+    """Return what lies under the pointer: on the rail a tick, above it the scrub line before functions.
+
+    On the rail's edge lie the dots of control points; a tick that is nearer, or is pointed at, goes before.
+    """
+    if (place := _hit_place(pointer, shown, rail)) is not None:
+        return place
+    if pointer.pixel[1] > shown.height - rail_height(rail.scale) - 2:
+        return _hit_tick(pointer, shown, rail)
+    scrub = rail.scrub
+    if scrub is not None and abs(shown.point(scrub, 0)[0] - pointer.pixel[0]) <= _SCRUB_REACH:
+        return Hit(Part.SCRUB, -1, (scrub, 0.0))
+    return _hit_function(pointer, shown, basis, kinds) if basis is not None else None
+
+
+def _hit_place(pointer: Pointer, shown: PixelMap, rail: RailLayer) -> Hit | None:
+    if rail.shown_places is None:
+        return None
+    top = shown.height - rail_height(rail.scale)
+    if abs(pointer.pixel[1] - top) > _PLACE_REACH:
+        return None
+    distances = np.abs(shown.x(rail.shown_places) - pointer.pixel[0])
+    index = int(np.argmin(distances))
+    nearest_tick = float(np.abs(shown.x(rail.parameters) - pointer.pixel[0]).min())
+    if distances[index] > _PLACE_REACH or (pointer.pixel[1] > top and nearest_tick <= distances[index]):
+        return None
+    return Hit(Part.PLACE, index, (float(rail.shown_places[index]), 0.0))
+
+
+def _hit_tick(pointer: Pointer, shown: PixelMap, rail: RailLayer) -> Hit | None:
+    parameters = rail.parameters
+    if not len(parameters):
+        return None
+    distances = np.abs(shown.x(parameters) - pointer.pixel[0])
+    # A selected tick wins over its neighbours.
+    for index in np.flatnonzero(distances <= TICK_REACH).tolist():
+        if rail.owner(index) in rail.selection:
+            distances[index] -= TICK_REACH
+    index = int(np.argmin(distances))
+    if distances[index] > TICK_REACH:
+        return None
+    return Hit(Part.TICK, rail.owner(index), (float(parameters[index]), 0.0), knot=index)
+
+
+def _hit_function(pointer: Pointer, shown: PixelMap, basis: BasisView, kinds: frozenset[int]) -> Hit | None:
+    t = pointer.position[0]
+    start, end = basis.curve.domain
+    if not start <= t <= end:
+        return None
+    best: tuple[float, Hit] | None = None
+    for kind in basis.shown_of(kinds):
+        values = basis.value_at(t, kind)
+        distances = np.abs(shown.y(values) - pointer.pixel[1])
+        # Functions that are zero here lie on top of each other; none of them is meant.
+        distances[values == 0] = np.inf
+        index = int(np.argmin(distances))
+        if distances[index] <= FUNCTION_REACH and (best is None or distances[index] < best[0]):
+            hit = Hit(Part.FUNCTION, basis.owners[index], (t, float(values[index])), kind=kind)
+            best = (float(distances[index]), hit)
+    return best[1] if best is not None else None
+
+
+_WIDTH, _WIDEST_REASON = 150, 320
+
+
+class TickEdit(OverlayFrame):
+    """Takes a number or an expression; Enter sets it, Escape or a click elsewhere gives it up.
+
+    What cannot be set is explained above the line, and stays there to be mended.
+
+    Signals
+    -------
+    typed
+        (knot, t) was typed and confirmed; who hears it answers with `close_and_return` or `refuse`.
+    """
+
+    typed = Signal(int, float)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__("tickEdit", parent)
+        self._knot = -1
+        self._tick = QPointF()
+        self._reason = named(Label(), "tickProblem")
+        self._reason.setWordWrap(True)
+        self.line = _TickLine(self)
+        self._rows = column_of(self._reason, self.line, margins=6, spacing=4, parent=self)
+        self.follow_theme()
+        self.hide()
+
+    @property
+    def problem(self) -> str:
+        """Why the number typed cannot be set; empty where it can."""
+        return self._reason.text()
+
+    def open(self, knot: int, t: float, tick: QPointF) -> None:
+        """Type the parameter of `knot`, now `t`, above its tick, which points at a pixel of the parent."""
+        self._knot, self._tick = knot, tick
+        self.line.setText(exact_text(t, decimal_mark()))
+        self.line.selectAll()
+        self.refuse("")
+
+    def confirm(self) -> None:
+        """Read what was typed and report it."""
+        try:
+            t = read_number(self.line.text())
+        except ExpressionError as reason:
+            self.refuse(str(reason))
+            return
+        self.refuse("")
+        self.typed.emit(self._knot, t)
+
+    def refuse(self, reason: str) -> None:
+        """Say why the number cannot be set; it stays to be mended."""
+        self._reason.setText(reason)
+        self._reason.setVisible(bool(reason))
+        self.place()
+        self.show()
+        self.raise_()
+        self.line.setFocus(Qt.FocusReason.PopupFocusReason)
+
+    def close_and_return(self) -> None:
+        """Put the line away and give the focus to the panel."""
+        self.below.setFocus(Qt.FocusReason.PopupFocusReason)
+        self.hide()
+
+    def place(self) -> None:
+        parent = self.below
+        width = min(_WIDEST_REASON if self.problem else _WIDTH, parent.width())
+        self._rows.activate()
+        height = max(self.heightForWidth(width), self.minimumSizeHint().height())
+        left = min(max(int(self._tick.x()) - width // 2, 0), parent.width() - width)
+        self.setGeometry(left, max(int(self._tick.y()) - height - 4, 0), width, height)
+
+    def set_theme(self, theme: Theme) -> None:
+        self.set_sheet(f"#tickProblem {{ color: {theme.warning.name()} }}")
+
+
+class _TickLine(SafeOverrides, QLineEdit):
+    def __init__(self, owner: TickEdit) -> None:
+        super().__init__(owner)
+        self._owner = owner
+        tip = "A number or an expression such as 1/3; Enter sets it, Escape leaves it"
+        named(self, "tickValue", "Parameter t", tip)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in ENTER:
+            self._owner.confirm()
+        elif event.key() == Qt.Key.Key_Escape:
+            self._owner.close_and_return()
+        else:
+            super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() not in PASSING:
+            self._owner.hide()
 
 
 class BasisPanel(ToolPlot, CanvasQueries):

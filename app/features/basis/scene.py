@@ -1,15 +1,352 @@
-"""Scene of the basis panel: every basis function over t, the t-rail at its foot, and the scrub line."""
+"""What the basis panel draws: functions, t-rail and scrub line."""
 
 from __future__ import annotations
 
-import numpy as np
-from PySide6.QtCore import QObject, Signal
+import math
+from bisect import bisect_left
+from collections.abc import Sequence
+from functools import lru_cache
 
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+
+from curvecore.arrays import BoolArray, FloatArray, IntArray
+
+from ...appearance.colours import point_colours
+from ...appearance.theme import Theme, mix
+from ...document.words import number
 from ...plotting.camera import GREATEST_SPAN, CameraOverT
+from ...plotting.layers import Layer
+from ...plotting.pens import with_dashes
+from ...plotting.pixel_map import PixelMap
+from ...plotting.plot_widget import PlotWidget
+from ...plotting.stamps import Stamps
 from ...plotting.tool_plot import ToolPlot
 from ...view_model.basis import BasisView, CardinalView, basis_view, cardinal_view
 from ...view_model.curve.curve_view import CurveView
-from .layers import FunctionLayer, RailLayer, rail_height
+from ...view_model.line_styles import KIND_DASHES
+from .function_lines import CrestNames, FunctionDrawing, FunctionLines, room_above, way_to_draw
+
+_RAIL_HEIGHT = 34.0
+
+
+def rail_height(scale: float) -> float:
+    """Return how many pixels at the foot of the plot area belong to the t-rail."""
+    return _RAIL_HEIGHT * scale
+
+
+_FADED, _CALM = 0.45, 0.9
+_NUMBERED_UP_TO = 40
+_MOST_EMPHASISED = 32
+_NEIGHBOURS = 2
+_OUTLINE, _FILL = 0.3, 0.07
+_MARKED_ONE_BY_ONE = 16
+"""Ticks up to which each is drawn; of more, as many as there is room for are stamped."""
+
+_LEAST_TICK_GAP = 4.0
+"""Pixels between ticks that are not chosen, at least: closer together they are a ribbon."""
+
+_PLACE_RADIUS = 3.0
+_IDLE = 0.6
+"""Share of the colour in the rim of a tick that does nothing."""
+
+_MOST_LOOKS = 24
+"""Sets of pens that are kept: one for each kind, opacity and width, before and after a change of theme."""
+
+
+class FunctionLayer(Layer):
+    """All basis functions, in one item."""
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self.kinds: frozenset[int] = frozenset(range(len(KIND_DASHES)))
+        self.emphasised: frozenset[int] = frozenset()
+        self._basis: BasisView | None = None
+        self._lines: FunctionLines | None = None
+        self._names = CrestNames(plot, self.update)
+
+    def render(self, basis: BasisView | None) -> None:
+        """Draw these functions from the next paint on."""
+        self._basis = basis
+        self.update()
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        """Draw the lines 0 and 1, the functions, and the emphasised ones on top."""
+        above_rail = QRectF(0, 0, shown.width, shown.height - rail_height(self.scale))
+        painter.setClipRect(above_rail, Qt.ClipOperation.IntersectClip)
+        self._paint_levels(painter, shown)
+        if self._basis is None:
+            return
+        if self._lines is None or not self._lines.are_of(self._basis, shown):
+            self._lines = FunctionLines(self._basis, shown, self._lines)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        if way_to_draw(self._basis) is FunctionDrawing.EACH:
+            self._paint_all(painter, self._basis)
+            kinds = self._basis.shown_of(self.kinds)
+            painter.setFont(self._number_font())
+            self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
+        else:
+            self._paint_together(painter, self._basis)
+
+    def _number_font(self) -> QFont:
+        return self.fonts.less(1.5, self.scale)
+
+    def room_above(self) -> float:
+        """Return how much height in pixels a number above its crest takes."""
+        return room_above(self._number_font(), self.scale)
+
+    def _paint_levels(self, painter: QPainter, shown: PixelMap) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QPen(self.theme.grid_coarse, 1))
+        for level in (0.0, 1.0):
+            y = round(shown.point(0.0, level)[1])
+            painter.drawLine(0, y, int(shown.width), y)
+
+    def _paint_all(self, painter: QPainter, basis: BasisView) -> None:
+        opacity = _FADED if self.emphasised else _CALM
+        self._paint_functions(painter, basis, basis.drawn, 1.0, opacity, without=self.emphasised)
+        self._paint_emphasised(painter, basis)
+
+    def _paint_together(self, painter: QPainter, basis: BasisView) -> None:
+        """Draw many functions in one go; those near the emphasised ones, and these, in their colours."""
+        assert self._lines is not None
+        for kind in basis.shown_of(self.kinds):
+            outline = QColor(self.theme.ink)
+            outline.setAlphaF(_OUTLINE)
+            pen = QPen(outline, self.scale)
+            if way_to_draw(basis) is FunctionDrawing.SPANS:
+                painter.setPen(pen)
+                self._lines.spans(kind).draw(painter)
+                continue
+            fill = QColor(self.theme.ink)
+            fill.setAlphaF(_FILL)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+            painter.setPen(QPen(fill, 1))
+            self._lines.band(kind).draw(painter)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+            painter.setPen(with_dashes(pen, KIND_DASHES[kind]))
+            painter.drawPolyline(self._lines.edge(kind, upper=False))
+            painter.drawPolyline(self._lines.edge(kind, upper=True))
+        if len(self.emphasised) <= _MOST_EMPHASISED:
+            self._paint_functions(painter, basis, self._neighbours(basis), 1.0, 1.0, without=self.emphasised)
+            self._paint_emphasised(painter, basis)
+
+    def _neighbours(self, basis: BasisView) -> Sequence[int]:
+        """Return the knots near the emphasised ones."""
+        knots = {k + by for k in self.emphasised for by in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
+        return [knot for knot in sorted(knots) if 0 <= knot < basis.count]
+
+    def _paint_emphasised(self, painter: QPainter, basis: BasisView) -> None:
+        knots = sorted(owner for owner in self.emphasised if owner < basis.count)
+        if knots and knots[0] == 0 and basis.owners[basis.drawn[-1]] == 0:
+            knots.append(basis.count - 1)
+        self._paint_functions(painter, basis, knots, 2.0, 1.0)
+
+    def _paint_functions(
+        self,
+        painter: QPainter,
+        basis: BasisView,
+        knots: Sequence[int],
+        width: float,
+        opacity: float,
+        without: frozenset[int] = frozenset(),
+    ) -> None:
+        assert self._lines is not None
+        wide = width * self.scale
+        kinds = [
+            (kind, _pens(basis.point_count, self.theme, opacity, wide, kind))
+            for kind in basis.shown_of(self.kinds)
+        ]
+        for knot in knots:
+            owner = basis.owners[knot]
+            if owner in without:
+                continue
+            for kind, pens in kinds:
+                painter.setPen(pens[owner])
+                if kind == 0 and wide > 1:
+                    # Qt takes many times as long for one long line that is wide.
+                    self._lines.wide(knot, kind, wide).draw(painter)
+                else:
+                    painter.drawPolyline(self._lines.function(knot, kind))
+
+
+class RailLayer(Layer):
+    """The t-rail: a tick for each t_i in the colour of its point; and the scrub line above it."""
+
+    z = 10.0
+
+    def __init__(self, plot: PlotWidget) -> None:
+        super().__init__(plot)
+        self.selection: frozenset[int] = frozenset()
+        self.hovered = -1
+        self.scrub: float | None = None
+        self.parameters: FloatArray = np.empty(0)
+        # Where control points act, None of points on the curve; which ticks do nothing.
+        self.places: FloatArray | None = None
+        self._idle: BoolArray = np.empty(0, dtype=np.bool_)
+        self._stamps = Stamps(lambda painter, size, _form: _tick(painter, size))
+        self._count = 0
+
+    def render(self, view: CurveView) -> None:
+        """Draw a tick at every knot from the next paint on."""
+        self.parameters = view.ticks
+        self._count = len(view.source.points)
+        curve = view.curve if view.is_current else None
+        self.places = None if curve is None or curve.interpolates else curve.places
+        self._idle = np.zeros(len(self.parameters), bool) if curve is None else curve.idle_parameters
+        self.update()
+
+    def owner(self, knot: int) -> int:
+        """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
+        return knot % self._count
+
+    @property
+    def shown_places(self) -> FloatArray | None:
+        """The parameters near which control points act most, where they are drawn."""
+        return self.places if self._count <= _NUMBERED_UP_TO else None
+
+    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
+        top = shown.height - rail_height(self.scale)
+        painter.setPen(QPen(self.theme.grid_coarse, 1))
+        painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
+        self._paint_ticks(painter, shown, top)
+        if (places := self.shown_places) is not None:
+            self._paint_places(painter, shown.x(places), top)
+        if self.scrub is not None:
+            self._paint_scrub(painter, shown, self.scrub)
+
+    def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
+        count = self._count
+        x = shown.x(self.parameters)
+        visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
+        if len(visible) > _MARKED_ONE_BY_ONE:
+            visible = self._stamp_ticks(painter, x, visible, count, top)
+        colours = point_colours(count, self.theme)
+        last = self.selection | {self.hovered}
+        order = sorted(visible.tolist(), key=lambda knot: self.owner(knot) in last)
+        numbers_right_of = -np.inf
+        painter.setFont(self.fonts.less(1.5, self.scale))
+        for index in order:
+            place, owner = float(x[index]), self.owner(index)
+            self._paint_tick(painter, place, top, owner, colours[owner])
+            chosen = owner in last
+            if chosen or (len(x) <= _NUMBERED_UP_TO and place > numbers_right_of):
+                self._paint_number(painter, place, top, owner, chosen=chosen)
+                numbers_right_of = place + 16 * self.scale if not chosen else numbers_right_of
+
+    def _paint_places(self, painter: QPainter, x: FloatArray, top: float) -> None:
+        """Draw a disc on the rail's edge where each control point acts most: its Greville abscissa."""
+        radius = _PLACE_RADIUS * self.scale
+        painter.setPen(QPen(self.theme.paper, self.scale))
+        for place, colour in zip(x.tolist(), point_colours(self._count, self.theme), strict=True):
+            painter.setBrush(colour)
+            painter.drawEllipse(QPointF(place, top), radius, radius)
+
+    def _stamp_ticks(
+        self, painter: QPainter, x: FloatArray, visible: IntArray, count: int, top: float
+    ) -> IntArray:
+        """Draw as many ticks as there is room for, and return the chosen ones, which are drawn after all."""
+        least = _LEAST_TICK_GAP * self.scale
+        is_idle = self._idle[visible]
+        ticks, gap = spread_out(x, visible[~is_idle], least)
+        # Stamped anew for every size: in steps, so that a drag does not.
+        room = gap // 2 - 1 if math.isfinite(gap) else gap  # a single tick has all the room there is
+        size = min(max(room, 0.5 * least), 5.0 * self.scale)
+        places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
+        owners = ticks % max(count, 1)
+        if is_idle.any():
+            self._paint_idle(painter, x[spread_out(x, visible[is_idle], least)[0]], top + 1 + size, size)
+        self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
+        chosen = {self.hovered}
+        if len(self.selection) <= _MOST_EMPHASISED:
+            chosen |= self.selection
+        return np.array([knot for knot in chosen if 0 <= knot < count], dtype=np.intp)
+
+    def _paint_idle(self, painter: QPainter, x: FloatArray, y: float, size: float) -> None:
+        """Draw ticks that do nothing hollow."""
+        painter.setBrush(self.theme.paper)
+        painter.setPen(QPen(self.theme.muted, self.scale))
+        for place in x.tolist():
+            painter.translate(place, y)
+            _tick(painter, size)
+            painter.translate(-place, -y)
+
+    def _paint_tick(self, painter: QPainter, x: float, top: float, index: int, colour: QColor) -> None:
+        size = (6.5 if index == self.hovered or index in self.selection else 5.0) * self.scale
+        tip = QPointF(x, top + 1)
+        base = top + 1 + 2 * size
+        selected = index in self.selection
+        rim = self.theme.accent if selected else self.theme.paper
+        if self._idle[index % len(self._idle)]:
+            # Hollow: dragging it does nothing.
+            colour, rim = self.theme.paper, rim if selected else mix(colour, self.theme.paper, _IDLE)
+        painter.setBrush(colour)
+        painter.setPen(QPen(rim, 1.5 * self.scale))
+        painter.drawPolygon(QPolygonF([tip, QPointF(x + size, base), QPointF(x - size, base)]))
+
+    def _paint_number(self, painter: QPainter, x: float, top: float, index: int, *, chosen: bool) -> None:
+        box = QRectF(x - 20, top + 13 * self.scale, 40, rail_height(self.scale) - 13 * self.scale)
+        if chosen:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self.theme.paper)
+            painter.drawRect(QRectF(x - 9 * self.scale, box.top() + 3, 18 * self.scale, box.height() - 4))
+        painter.setPen(self.theme.ink if chosen else self.theme.muted)
+        painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), str(index))
+
+    def _paint_scrub(self, painter: QPainter, shown: PixelMap, t: float) -> None:
+        x = shown.point(t, 0.0)[0]
+        painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
+        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height - rail_height(self.scale)))
+        size = 6 * self.scale
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.theme.accent)
+        painter.drawPolygon(QPolygonF([QPointF(x - size, 0), QPointF(x + size, 0), QPointF(x, 1.5 * size)]))
+        painter.setPen(self.theme.accent)
+        left = x > shown.width - 90 * self.scale
+        box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
+        side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
+        painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
+
+
+@lru_cache(maxsize=_MOST_LOOKS)
+def _pens(count: int, theme: Theme, opacity: float, width: float, kind: int) -> tuple[QPen, ...]:
+    """Return the pens of the functions of one kind, by their points; a drag needs sixty of them every frame.
+
+    Their colours are mixed with the paper: Qt draws opaque lines a third faster than translucent ones.
+    """
+    colours = (mix(colour, theme.paper, opacity) for colour in point_colours(count, theme))
+    # Ends of one pixel are square at no cost; wider ones are dots.
+    cap = Qt.PenCapStyle.RoundCap if width > 1 and kind == 0 else Qt.PenCapStyle.SquareCap
+    pens = (QPen(colour, width, Qt.PenStyle.SolidLine, cap) for colour in colours)
+    return tuple(with_dashes(pen, KIND_DASHES[kind]) for pen in pens)
+
+
+def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:
+    """Return ticks that lie at least so far apart, from the left, and the usual gap between them.
+
+    Parameters
+    ----------
+    x
+        The pixels of all ticks, ascending.
+    ticks
+        The indices of those that want to be drawn, ascending.
+    """
+    gaps = np.diff(x[ticks])
+    if len(gaps) and gaps.min() < least:
+        places, kept, index = x[ticks].tolist(), list[int](), 0
+        while index < len(places):
+            kept.append(index)
+            index = bisect_left(places, places[index] + least, index + 1)
+        ticks = ticks[kept]
+        gaps = np.diff(x[ticks])
+    return ticks, float(np.sort(gaps)[len(gaps) // 2]) if len(gaps) else math.inf
+
+
+def _tick(painter: QPainter, size: float) -> None:
+    painter.drawPolygon(QPolygonF([QPointF(0, -size), QPointF(size, size), QPointF(-size, size)]))
+
 
 _CALM_RANGE = (-0.5, 1.2)
 _MOST_ROOM = 0.2  # for numbers above the functions, of the height that these have

@@ -1,5 +1,4 @@
-"""The form of the active curve: name, interval of t and tangent rules, and its family's settings.
+"""The form of the active curve: name, interval of t, rules, and the settings of its family.
 
 - ``commands``: the form in the window.  ``panel``: the form.
-- ``setting_fields``: the fields of the family's settings.
 """

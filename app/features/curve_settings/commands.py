@@ -19,8 +19,7 @@ from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits, SliderGesture
-from .panel import CurveSettings, choice_of
-from .setting_fields import step_of
+from .panel import CurveSettings, choice_of, step_of
 
 _RULES = tuple((of, rule) for of in DERIVATIVES for rule in of.rules)
 

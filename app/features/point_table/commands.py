@@ -1,17 +1,117 @@
-"""The point table in the window: its dock, and what it shows."""
+"""The point table in the window: what is typed and pasted changes the document."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection, Mapping, Sequence
+from itertools import compress
+
+import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action, also
 from ...actions.menus import POINT_BUTTONS, POINT_MENU, POINTS_TYPED
 from ...actions.needs import Need
+from ...document.edits import EditError
+from ...document.model import Document
+from ...document.words import count_of
+from ...session import Session
 from ...view_model.curve.curve_view import CurveView
+from ...view_model.point_columns import POSITION, Column
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
-from .controller import PointTableController
+from .edits import fill_cells, keepers, passed_over, paste_block, reset_name
 from .panel import PointTable
+
+
+class PointTableController:
+    """Turns what is typed and pasted into the table into changes of the active curve.
+
+    Parameters
+    ----------
+    show_points
+        Called after numbers were pasted: the points may now lie anywhere.
+    """
+
+    def __init__(self, session: Session, panel: PointTable, show_points: Callable[[], None]) -> None:
+        self._session, self._panel, self._show_points = session, panel, show_points
+        panel.rows_selected.connect(session.selected.set_points)
+        panel.said.connect(session.say)
+        panel.refused.connect(session.refuse)
+        panel.model.number_entered.connect(self._set_number)
+        panel.fill_requested.connect(self._fill)
+        panel.paste_requested.connect(self._paste)
+        panel.reset_requested.connect(self._reset)
+        session.history_changed.connect(self._show_now)
+        session.opened.connect(self._show_now)
+        self._show_now()
+
+    def _show_now(self) -> None:
+        session = self._session
+        self._panel.show_now(session.active_view, streaming=session.is_previewing)
+
+    def _set_number(self, row: int, column: Column, number: float) -> None:
+        session, label, set_number = self._session, column.at(row), column.set
+        assert set_number is not None
+
+        def edit(document: Document) -> Document:
+            try:
+                return set_number(document, session.active_index, session.active_view, row, number)
+            except EditError as reason:
+                text = str(reason)
+                raise EditError(text if label in text else f"{label}: {text}") from reason
+
+        self._is_refused(session.change(f"Set {label}", edit).refusal)
+
+    def _is_refused(self, refusal: str) -> bool:
+        if refusal:
+            self._panel.refuse(refusal)
+        return bool(refusal)
+
+    def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
+        """Put one number into cells, the rows of each column."""
+        session = self._session
+        passed, numbers = passed_over(cells), dict.fromkeys(cells, value)
+        cells = {column: rows for column, rows in cells.items() if column.set is not None} or cells
+        what = count_of(sum(map(len, cells.values())), "cell")
+        change = session.change(
+            f"Fill {what}",
+            lambda document: fill_cells(document, session.active_index, session.active_view, cells, numbers),
+        )
+        if not self._is_refused(change.refusal):
+            session.say(f"Filled {what}{passed}.")
+            self._show_points()
+
+    def _paste(self, top: int, columns: Sequence[Column], numbers: np.ndarray) -> None:
+        """Put a block of numbers into the rows from `top` on."""
+        session, view = self._session, self._session.active_view
+        passed, can_be_set = passed_over(columns), [column.set is not None for column in columns]
+        if any(can_be_set):
+            columns, numbers = list(compress(columns, can_be_set)), numbers[:, can_be_set]
+        height, width = numbers.shape
+        whole = [column.order for column in columns].count(POSITION) == 2
+        what = count_of(height, "point") if whole else count_of(height * width, "value")
+        change = session.change(
+            f"Paste {what}",
+            lambda document: paste_block(document, session.active_index, view, top, columns, numbers),
+        )
+        if self._is_refused(change.refusal):
+            return
+        session.say(f"Pasted {what}{passed}.")
+        overwritten = range(top, min(top + height, len(view.source.points)))
+        session.selected.set_points(range(top, top + height))
+        self._panel.tell_who_kept(session.document, *keepers(view, overwritten, columns))
+        self._show_points()
+
+    def _reset(self, rows: Collection[int], columns: Sequence[Column]) -> None:
+        """Leave numbers to the rules again."""
+
+        def edit(document: Document) -> Document:
+            for column in columns:
+                if column.reset is not None:
+                    document = column.reset(document, self._session.active_index, rows)
+            return document
+
+        self._session.change(reset_name(rows, columns), edit)
 
 
 class PointTableCommands:

@@ -1,4 +1,4 @@
-"""Points: all of them, none, and with estimated derivatives.
+"""Points: their selection, kinds and derivatives, and straight segments between them.
 
 - ``commands``: the actions.
 """

@@ -1,21 +1,219 @@
-"""The points of a curve: all of them, none, and with estimated derivatives."""
+"""Commands for points: selection, kinds, straight segments, and derivatives."""
 
 from __future__ import annotations
 
-from ...actions.declaration import action, also
+from collections.abc import Callable, Collection, Sequence
+
+from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
 from ...actions.menus import (
     CANVAS_MENU,
     CHOSEN_MENU,
     CURVE_LIST_MENU,
     EDIT_SELECT,
+    POINT_BUTTONS,
+    POINT_MENU,
     POINTS_EDITING,
+    POINTS_KINDS,
     POINTS_VELOCITIES,
 )
-from ...actions.needs import SOME_CURVE, Need
+from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, SOME_CURVE, Need
 from ...document import edits
-from ...document.point_group import some_points
+from ...document.curve_edits import replace_curve
+from ...document.edits import AlreadySoError, EditError
+from ...document.lines import ends_of
+from ...document.model import Curve, Document
+from ...document.point_group import PointGroup, points_of, some_points
 from ...document.selection import NONE_FREE, all_points, free_curves
+from ...document.straight_edits import corners_of, why_not_straight
+from ...view_model.curve.curve_view import CurveView
+from ...view_model.curve.handles import with_velocities_pulled
+from ...view_model.geometry import segment_at
+from ...view_model.point_kinds import (
+    POINT_KINDS,
+    PointKind,
+    inner_points,
+    segments_between,
+    why_no_kinds,
+    with_straight_segments,
+)
 from ...workbench.context import WindowContext
+
+_Reshaped = Callable[[CurveView, Sequence[int]], Curve]
+"""Returns the curve of a view with something done to some of its points, or segments."""
+
+_VISIBLE = 16.0
+"""Pixels from a point at which a handle is clear of the point's disc."""
+
+_MOST_NAMED = 3
+"""Points or segments that a sentence names one by one."""
+
+_OF_A_KIND = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state: why_no_kinds(state.family))
+
+
+class TangentCommands:
+    """The kinds of points in the menu Points."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._session = context.session
+
+    @action_for_each(
+        POINT_KINDS,
+        lambda kind: Action(
+            kind.action,
+            kind.title,
+            POINTS_KINDS,
+            kind.key,
+            kind.name,
+            kind.tip,
+            f"{kind.title} Tangents",
+            needs=_OF_A_KIND,
+            checked=lambda state: state.point_kinds == {POINT_KINDS.index(kind)},
+            keywords=kind.keywords,
+        ),
+    )
+    @also_for_each(
+        lambda kind: [
+            *(strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)),
+        ]
+    )
+    def _make(self, kind: PointKind) -> None:
+        """Make the selected points of a kind."""
+        group, curves = self._session.selected.group, self._session.document.curves
+        inner = some_points(
+            (curve, frozenset(inner_points(curves[curve], indices)) if kind.ends else indices)
+            for curve, indices in group.parts
+        )
+        left_out = f"; {kind.ends}" if inner.count < group.count else ""
+        if self._reshape(kind.step, kind.made, inner if inner.parts else group):
+            self._tell(f"{kind.title} at {_points(inner)}{left_out}.", curves, inner)
+
+    @action(
+        "straightSegment",
+        "Straight Segment",
+        POINTS_KINDS,
+        "Alt+4, Shift+L",
+        "straight",
+        needs=Need(
+            HERMITE_CURVE.words,
+            lambda state: state.is_current and not why_not_straight(state.family),
+            why=lambda state: why_not_straight(state.family),
+        ),
+    )
+    @also(POINT_MENU(15), POINT_BUTTONS(15))
+    def _straighten_chosen(self) -> None:
+        """Make the segments between neighbouring selected points straight, with corners at their ends."""
+        session, curves = self._session, self._session.document.curves
+        segments = some_points(
+            (curve, frozenset(segments_between(curves[curve], indices)))
+            for curve, indices in session.selected.group.parts
+        )
+        if segments.parts:
+            self._straighten(segments)
+        else:
+            session.refuse("Select two neighbouring points, or click with the right button on the segment.")
+
+    @action(
+        "pullVelocity",
+        "Pull Out Velocity",
+        POINTS_VELOCITIES,
+        "",
+        "spline-pointer",
+        "Give the selected points handles of their own to drag; Alt+drag a point does too",
+        needs=HERMITE_POINTS,
+        keywords="handle velocity tangent",
+    )
+    @also(POINT_MENU(16))
+    def _pull_velocities(self) -> None:
+        group, reach = self._session.selected.group, _VISIBLE * self._context.central.canvas.camera.pixel_size
+        stands = "stands" if group.only_point else "of each of them stands"
+        self._reshape(
+            "Pull out velocity of",
+            lambda view, points: with_velocities_pulled(view, points, reach),
+            group,
+            f"The velocity {stands} out already; drag the square handle.",
+        )
+
+    def _tell(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
+        """Say what was done, and which tangents beside it were written down to keep the shape."""
+        after, kept = self._session.document.curves, []
+        for curve, indices in group.parts:
+            points = zip(before[curve].points, after[curve].points, strict=True)
+            others = {at for at, (old, new) in enumerate(points) if at not in indices and old != new}
+            kept.append((curve, frozenset(others)))
+        beside = some_points(kept)
+        if beside.parts:
+            which = f"{beside.count} other points" if beside.count > _MOST_NAMED else _points(beside)
+            done = f"{done} To keep the shape, the estimates of {which} are set now."
+        self._session.say(done)
+
+    # Straight segments
+
+    @PlaceAction("straightHere", "Straight Segment", like="straightSegment")
+    def straighten_at(self, t: float) -> None:
+        """Make the segment of the active curve straight that runs through `t`."""
+        session = self._session
+        segment = segment_at(session.active_view.parameters, t)
+        self._straighten(points_of(session.active_index, [segment]))
+
+    def _straighten(self, segments: PointGroup) -> None:
+        """Make segments straight; each is named by the point that it begins at."""
+        before = self._session.document.curves
+        text = _straight_text(before, segments)
+        if not self._change(text, with_straight_segments, segments, "That is straight already."):
+            return
+        after, corners, ends = self._session.document.curves, [], []
+        for curve, each in segments.parts:
+            made = frozenset(corners_of(before[curve], sorted(each)))
+            corners.append((curve, frozenset(at for at in made if not after[curve].points[at].tied)))
+            ends.append((curve, frozenset(at for segment in each for at in ends_of(before[curve], segment))))
+        cornered = some_points(corners)
+        at_corners = f", corner at {_points(cornered)}" if cornered.parts else ""
+        self._tell(f"{text}{at_corners}.", before, some_points(ends))
+
+    def _reshape(self, verb: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
+        """Put the curves that `made` returns for some of their points in the place of what they are.
+
+        `idle` says why that may change nothing. Return whether the document is another one now.
+        """
+        return bool(group.parts) and self._change(f"{verb} {group.words}", made, group, idle)
+
+    def _change(self, text: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
+        views = self._session.views
+
+        def one(document: Document, curve: int, indices: Collection[int]) -> Document:
+            view = views[curve]
+            if reason := why_no_kinds(view.source.family) or view.problem:
+                raise EditError(reason)
+            return replace_curve(document, curve, made(view, sorted(indices)))
+
+        def edit(document: Document) -> Document:
+            changed = group.changed(document, one)
+            if idle and changed == document:
+                raise AlreadySoError(idle)
+            return changed
+
+        return self._session.change(text, edit).is_done
+
+
+def _straight_text(curves: Sequence[Curve], segments: PointGroup) -> str:
+    """Return "Straight segment 3–4", or how many they are."""
+    if segments.count > _MOST_NAMED or len(segments.parts) > 1:
+        return f"{segments.count} straight segments"
+    names = [
+        f"{start}–{end}"
+        for curve, each in segments.parts
+        for start, end in (ends_of(curves[curve], segment) for segment in sorted(each))
+    ]
+    return f"Straight segment{'s' if len(names) > 1 else ''} {', '.join(names)}"
+
+
+def _points(group: PointGroup) -> str:
+    """Return "point 3", "points 1, 2 and 3" or "7 points"; of several curves how many they are."""
+    if len(group.parts) != 1 or not 1 < group.count <= _MOST_NAMED:
+        return group.words
+    *first, last = map(str, sorted(group.parts[0][1]))
+    return f"points {', '.join(first)} and {last}"
 
 
 class PointCommands:
@@ -104,4 +302,4 @@ class PointCommands:
         )
 
 
-COMMAND_SETS = (PointCommands,)
+COMMAND_SETS = (TangentCommands, PointCommands)
