@@ -19,7 +19,7 @@ from ..document.words import rounded_up
 from ..exchange.errors import ExchangeError
 from ..exchange.files import ImportOptions, begin_import, export, import_file
 from ..exchange.formats import FORMATS, ContentKind, ending_in, format_of
-from ..exchange.table.family_word import FamilyWord, read_family_word
+from ..exchange.table.columns import FamilyWord, read_family_word
 from ..families import HERMITE
 from ..storage.files import StorageError
 from ..tasks.progress import Report, part

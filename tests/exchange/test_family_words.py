@@ -6,7 +6,7 @@ from msgspec.structs import replace
 from app.document.model import Document, make_curve
 from app.exchange.files import export, import_file
 from app.exchange.options import Options
-from app.exchange.table.family_word import family_word, read_family_word
+from app.exchange.table.columns import family_word, read_family_word
 from app.families import FAMILIES, HERMITE, NO_SETTINGS, ChosenSettings
 from app.view_model.curve.curve_view import view_of
 from tests.own_families import EVERY

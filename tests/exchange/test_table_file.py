@@ -13,7 +13,7 @@ from app.exchange.options import Options
 from app.exchange.table import text as tables_of_text
 from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import TableOptions
-from app.exchange.table.layout import TextLayout
+from app.exchange.table.table import TextLayout
 from app.exchange.table.text import preview_table
 from app.exchange.table.thinning import thinned
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE

@@ -10,7 +10,7 @@ import pytest
 
 from app.exchange.files import ImportOptions, import_file
 from app.exchange.table.columns import ColumnMapping, guess, role_of
-from app.exchange.table.lines import comment_in, is_data
+from app.exchange.table.text import comment_in, is_data
 from tests.rows import each_row
 
 HASH_YX = "# y,x\n0.96,3.56\n4.93,6.58\n8.89,9.61\n"

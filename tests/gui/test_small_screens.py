@@ -20,7 +20,7 @@ from app.document.model import Document, make_curve
 from app.exchange.choice import ExportChoice
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS
-from app.exchange.table.prepared import TableSource
+from app.exchange.table.source import TableSource
 from app.exchange.table.text import preview_table
 from app.features.import_export.export_dialog import ExportDialog
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog

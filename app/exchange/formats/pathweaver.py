@@ -22,8 +22,7 @@ from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, Options
 from ..parts import Source, bezier_values, cell_of_number, checked_tolerance, sources_of
 from ..table.columns import AFTER, ROLES, mapping_of
-from ..table.layout import RowProblem, TextLayout
-from ..table.table import Table
+from ..table.table import RowProblem, Table, TextLayout
 from ..table.text import preview_table, read_table
 from . import ContentKind, Format, Written
 

@@ -11,8 +11,7 @@ from ...tasks.progress import part, told
 from ...view_model.curve.curve_view import CurveView, view_of
 from ..options import DEFAULT, Options
 from ..parts import cell_of_name, cell_of_number, distinct_names, sources_of
-from ..table.columns import AFTER, ROLES, WORDS
-from ..table.family_word import family_word
+from ..table.columns import AFTER, ROLES, WORDS, family_word
 from . import Format, Written
 
 

@@ -1,11 +1,10 @@
-"""Tables in.
+"""Tables, read as curves.
 
-- ``table``, ``source``: a table in memory, and the file it comes from, also as curves.
-- ``text``, ``lines``, ``layout``, ``columns``: tables of text.
-- ``numpy_array``, ``json_table``: arrays of NumPy and JSON, as tables.
-- ``curves``, ``thinning``: tables as curves, thinned out if asked.  ``prepared``: for the window.
-- ``family_word``: what a cell says of a curve's family.
+- ``source``: the file of a table, and the curves that options make of it; the way in for everybody else.
+- ``table``: tables in memory.  ``text``: tables of text, from bytes to numbers.  ``columns``: their roles.
+- ``curves``: tables as curves.  ``thinning``: as few rows as a tolerance takes.
 - ``clipboard``: blocks of numbers on the clipboard.
+- ``numpy_array``, ``json_table``: arrays of NumPy and JSON, as tables.
 """
 
 import lazy_loader as lazy

@@ -20,10 +20,8 @@ from ...tasks.progress import Report, part, silent
 from ..cubics_in import Imported
 from ..errors import ExchangeError
 from ..naming import numbered
-from .columns import AFTER, ROLES, ColumnMapping
-from .family_word import FamilyWord, read_family_word
-from .layout import MissingNumber, RowProblem
-from .table import Table
+from .columns import AFTER, ROLES, ColumnMapping, FamilyWord, read_family_word
+from .table import MissingNumber, RowProblem, Table
 from .thinning import Thinning, thinned
 
 MOST_CURVES = 1_000

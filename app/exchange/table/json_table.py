@@ -15,8 +15,7 @@ from ..errors import ExchangeError
 from ..json_in import json_in
 from ..naming import numbered
 from .columns import numbered_titles
-from .layout import RowProblem
-from .table import Table, table_of
+from .table import RowProblem, Table, table_of
 
 _GEO = """Feature FeatureCollection GeometryCollection LineString MultiLineString Polygon MultiPolygon
 Point MultiPoint"""

@@ -1,4 +1,4 @@
-"""A table in memory: its first rows for a dialog, and all of its numbers."""
+"""Tables in memory: their layout, their first rows for a dialog, and all of their numbers."""
 
 from __future__ import annotations
 
@@ -11,11 +11,59 @@ from curvecore.arrays import FloatArray
 from ...document.model import MAX_MAGNITUDE
 from ..errors import ExchangeError
 from .columns import ColumnMapping, Guess, guess
-from .layout import RowProblem, TextLayout
 
 MAX_COLUMNS = 64
 MAX_ROWS = 2_000_000
 PREVIEW_ROWS = 50
+SEPARATORS = ("\t", ";", ",", " ")
+
+
+class RowProblem(ExchangeError):  # noqa: N818 - the word for people
+    """Problem of a table, with its place.
+
+    Attributes
+    ----------
+    row, column
+        Counted from 1, the row as an editor of text counts lines; None where no one cell is meant.
+    """
+
+    def __init__(self, what: str, row: int, column: int | None = None) -> None:
+        super().__init__(f"Row {row}{what}" if column is None else f"Row {row}, column {column}{what}")
+        self.row, self.column = row, column
+
+
+class MissingNumber(RowProblem):
+    """A cell says that there is no number: its row can be left out, or another curve begin after it."""
+
+
+@dataclass(frozen=True)
+class TextLayout:
+    """Division of a text into cells.
+
+    Attributes
+    ----------
+    separator
+        One of `SEPARATORS`; a space stands for any run of blanks.
+    decimal_comma
+        Whether numbers are written 0,5.
+    header
+        Whether the first row holds titles.
+    skipped
+        Lines above that row that are neither: the name of an airfoil, the settings of an instrument.
+    units
+        Whether a row of units stands below the titles.
+    """
+
+    separator: str
+    decimal_comma: bool
+    header: bool
+    skipped: int = 0
+    units: bool = False
+
+    @property
+    def above(self) -> int:
+        """Number of lines above the first row of numbers."""
+        return self.skipped + self.header + self.units
 
 
 NO_TEXT = TextLayout(",", decimal_comma=False, header=True)

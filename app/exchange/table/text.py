@@ -1,12 +1,20 @@
-"""CSV, TSV and other tables of text in: bytes to columns of numbers, strictly."""
+"""CSV, TSV and other tables of text: bytes to columns of numbers, strictly.
+
+`preview_table` finds the layout of the first rows, `read_table` reads all of them; then come the layouts, and
+the bytes as lines, part by part: a large file is never in memory twice.
+"""
 
 from __future__ import annotations
 
+import codecs
+import csv
 import io
 import math
 import re
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from itertools import compress
+from statistics import mode
 
 import numpy as np
 
@@ -15,20 +23,18 @@ from curvecore.arrays import FloatArray
 from ...document.model import MAX_MAGNITUDE
 from ...tasks.progress import Report, silent
 from ..errors import ExchangeError
-from .columns import AFTER, ROLES, WORDS, ColumnMapping, guess, numbered_titles, role_of
-from .layout import (
+from .columns import AFTER, ROLES, UNITS, WORDS, ColumnMapping, guess, numbered_titles, role_of
+from .table import (
+    MAX_COLUMNS,
+    MAX_ROWS,
+    PREVIEW_ROWS,
+    SEPARATORS,
     MissingNumber,
+    Preview,
     RowProblem,
+    Table,
     TextLayout,
-    cells_of,
-    is_missing,
-    is_number,
-    sniffed,
-    titles_in,
-    titles_of,
 )
-from .lines import first_lines, is_data, parts_of, plain_utf_8
-from .table import MAX_COLUMNS, PREVIEW_ROWS, Preview, Table
 
 _FORMULA = ("=", "@")
 
@@ -326,3 +332,270 @@ def _number(cell: str, row: int, column: int, layout: TextLayout) -> float:
     if not math.isfinite(value) or abs(value) > MAX_MAGNITUDE:
         raise RowProblem(" must lie between −1e12 and 1e12.", row, column)
     return value
+
+
+# Layouts
+
+
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+_DECIMAL_COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?")
+
+
+_LONGEST_SHOWN = 10_000
+_ANY_WIDTH = 10**9
+_MISSING = frozenset(("nan", "na", "n/a", "null", "none", "-", "--"))
+
+
+def sniffed(lines: list[str]) -> TextLayout:
+    """Return the layout of which the first rows make the most sense."""
+    candidates = [
+        arranged(lines, separator, comma)
+        for separator in SEPARATORS
+        for comma in (False, True)
+        if not (comma and separator == ",")
+    ]
+    return max(candidates, key=lambda layout: _sense(lines, layout))
+
+
+def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayout:
+    """Return the layout with these marks: what the rows above the numbers are."""
+    plain = TextLayout(separator, decimal_comma, header=False)
+    rows = [cells_of(line, plain) for line in lines]
+    # Of rows that end with a separator nobody knows yet whether an empty cell follows it.
+    wholes = [len(cells_of(line, plain, _ANY_WIDTH)) for line in lines]
+    widths = {mode(map(len, rows)), mode(wholes)}
+    are_above = (
+        _is_above(row, {len(row), whole}.isdisjoint(widths), plain)
+        for row, whole in zip(rows, wholes, strict=True)
+    )
+    above = next((place for place, is_above in enumerate(are_above) if not is_above), 0)
+    if above == 0:
+        # Without a row of numbers the first one holds titles, if there are others.
+        return replace(plain, header=len(rows) > 1 and not any(is_number(cell, plain) for cell in rows[0]))
+    titles = above - 1
+    units = above > 1 and _is_units(rows[titles]) and _is_titles(rows[titles - 1], widths, plain)
+    titles -= units
+    if not _is_titles(rows[titles], widths, plain):
+        return replace(plain, skipped=above)
+    return replace(plain, header=True, skipped=titles, units=units)
+
+
+def _is_above(row: list[str], has_other_width: bool, layout: TextLayout) -> bool:
+    """Whether a row is no row of numbers, nor a broken one."""
+    numbers = sum(is_number(cell, layout) or is_missing(cell) for cell in row)
+    if numbers == len(row):
+        return False
+    # Between blanks a title such as "NACA 2412" has as many cells as a point.
+    return numbers == 0 or has_other_width or layout.separator == " "
+
+
+def _is_titles(row: list[str], widths: set[int], layout: TextLayout) -> bool:
+    """Whether a row above the numbers holds titles; between blanks, words that are known."""
+    if len(row) not in widths or any(is_number(cell, layout) for cell in row):
+        return False
+    return layout.separator != " " or all(map(role_of, row))
+
+
+def _is_units(row: list[str]) -> bool:
+    said = [cell.strip().lower() for cell in row if cell.strip()]
+    return bool(said) and all(
+        cell in UNITS or (cell[0], cell[-1]) in (("[", "]"), ("(", ")")) for cell in said
+    )
+
+
+def _sense(lines: list[str], layout: TextLayout) -> tuple[bool, bool, float, bool, bool]:
+    """Return what speaks for a layout, the weightiest first."""
+    first = cells_of(lines[layout.skipped], layout)
+    body = [cells_of(line, layout, len(first)) for line in lines[layout.above :]]
+    cells = [cell for row in body for cell in row]
+    share = sum(is_number(cell, layout) for cell in cells) / max(len(cells), 1)
+    even = all(len(row) == len(first) for row in body)
+    commas = any("," in cell for cell in cells)
+    return (len(first) > 1, even, share, layout.decimal_comma == commas, layout.separator != " ")
+
+
+def is_missing(cell: str) -> bool:
+    """Whether a cell says that there is no number."""
+    return cell.lower() in _MISSING
+
+
+def is_number(cell: str, layout: TextLayout) -> bool:
+    """Whether a cell is one number, written as the layout has it."""
+    return bool(_NUMBER.fullmatch(cell) or (layout.decimal_comma and _DECIMAL_COMMA.fullmatch(cell)))
+
+
+def cells_of(line: str, layout: TextLayout, width: int = 0) -> list[str]:
+    """Return the cells of a line; an empty one at the end, beyond `width`, counts as none."""
+    if layout.separator == " ":
+        return line.split()
+    if '"' in line:
+        try:
+            return [cell.strip() for cell in next(csv.reader([line], delimiter=layout.separator))]
+        except csv.Error:
+            return [line]
+    cells = [cell.strip() for cell in line.split(layout.separator)]
+    # "1; 2;" ends its row with a separator.
+    ends_so = layout.separator != "\t" and len(cells) > max(width, 1) and not cells[-1]
+    return cells[:-1] if ends_so else cells
+
+
+def titles_of(first: list[str], layout: TextLayout, comments: list[str]) -> tuple[str, ...]:
+    """Return the titles of the columns: the cells of the first row, of a comment, or "Column 1" and so on."""
+    numbered = numbered_titles(len(first))
+    given = first if layout.header else titles_in(comments, len(first), layout) or [""] * len(first)
+    return tuple(cell or title for cell, title in zip(given, numbered, strict=True))
+
+
+def titles_in(comments: list[str], width: int, layout: TextLayout) -> list[str]:
+    """Return as many titles as there are columns, from the last of some comments that has them; else none.
+
+    NumPy's savetxt writes "# y,x" above numbers between blanks. A sentence may have as many words as there
+    are columns, so titles between other marks than those of the rows, and between blanks, must be known ones.
+    """
+    for text in reversed(comments):
+        for said in (text, text.partition(":")[2]):
+            for separator in (layout.separator, *SEPARATORS):
+                marks = replace(layout, separator=separator)
+                cells = cells_of(said, marks, width)
+                if len(cells) != width or any(is_number(cell, marks) for cell in cells):
+                    continue
+                roles = list(map(role_of, cells))
+                is_row = separator == layout.separator != " " and width > 1
+                if is_row or all(roles) or {"x", "y"} <= set(roles):
+                    return cells
+    return []
+
+
+def cells_of_row(data: bytes, layout: TextLayout, row: int) -> tuple[str, ...]:
+    """Return the cells of a line of plain UTF-8, counted from 1, none beyond its end."""
+    lines = (data if b"\n" in data else data.replace(b"\r", b"\n")).split(b"\n", row)
+    if not 1 <= row <= len(lines):
+        return ()
+    text = lines[row - 1][:_LONGEST_SHOWN].decode("utf-8", "replace")
+    return tuple(cells_of(text.strip("\r\0"), layout))
+
+
+# From bytes to lines
+
+
+_BLOCK = 2**19
+"""Bytes that are read at once: some milliseconds, in which no other thread can do anything."""
+
+SNIFFED_LINES = 50
+_HEADS = (2**16, 2**22)
+_COMMENT = re.compile(r"[#%]+|//+|;+(?=\s*[^\W\d][^;]*[\s,][^\s;][^;]*$)")
+"""Marks of comments. A “;” may end an empty cell as well: it does unless words without another “;” follow."""
+
+_UTF_8_MARK = codecs.BOM_UTF8
+_UTF_16_MARKS = {codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be"}
+
+
+def plain_utf_8(data: bytes) -> bytes:
+    """Return a text without the mark at its beginning, and UTF-16 as UTF-8.
+
+    Raises
+    ------
+    ExchangeError
+        If it is empty, has too many lines, or claims UTF-16 and is none.
+    """
+    if not data or data.isspace():
+        raise ExchangeError("The file is empty.")
+    encoding = _UTF_16_MARKS.get(data[:2])
+    if encoding is not None:
+        try:
+            data = data[2:].decode(encoding).encode()
+        except UnicodeError as problem:
+            start = problem.start if isinstance(problem, UnicodeDecodeError) else 0
+            row = data.count(b"\n", 0, 2 + start) + 1
+            raise RowProblem(f" is not {encoding.upper()} text.", row) from None
+    if max(data.count(b"\n"), data.count(b"\r")) > MAX_ROWS:
+        raise ExchangeError(f"The table has more than {MAX_ROWS} rows.")
+    return data.removeprefix(_UTF_8_MARK)
+
+
+def parts_of(data: bytes) -> Iterator[tuple[int, list[str], int]]:
+    """Yield the lines of UTF-8 bytes in parts: the first one's number, the lines, the place after them.
+
+    Lines end where an editor ends them, not where str.splitlines does.
+    """
+    start, number = 0, 1
+    while start < len(data):
+        end = data.find(b"\n", start + _BLOCK)
+        end = len(data) if end < 0 else end
+        lines = _decoded(data[start:end], number).split("\n")
+        yield number, lines, end
+        start, number = end + 1, number + len(lines)
+
+
+@dataclass(frozen=True)
+class FirstLines:
+    """First lines of a table that hold data.
+
+    Attributes
+    ----------
+    lines, numbers
+        The lines, and their numbers, from 1, in an editor of text.
+    comments
+        The texts of the comments among and above these lines, by their numbers.
+    """
+
+    lines: list[str]
+    numbers: list[int]
+    comments: dict[int, str]
+
+    def comments_above(self, place: int) -> list[str]:
+        """Return the comments above the line at a place in `lines`."""
+        first = self.numbers[place] if place < len(self.numbers) else math.inf
+        return [text for number, text in self.comments.items() if number < first]
+
+
+def first_lines(data: bytes) -> FirstLines:
+    """Return the first lines of UTF-8 bytes that hold data.
+
+    Raises
+    ------
+    ExchangeError
+        If there is none.
+    """
+    for size in (*_HEADS, len(data)):
+        head = list(enumerate(_head(data, size), start=1))
+        found = [(number, line) for number, line in head if is_data(line)]
+        is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0][1]) >= _HEADS[0])
+        if found and is_enough:
+            numbers, lines = zip(*found[:SNIFFED_LINES], strict=True)
+            comments = {number: text for number, line in head if (text := comment_in(line))}
+            return FirstLines(list(lines), list(numbers), comments)
+    raise ExchangeError("The table has no rows of numbers.")
+
+
+def is_data(line: str) -> bool:
+    """Whether a line is neither empty nor a comment."""
+    text = line.lstrip()
+    # The marks first: this is asked of every row.
+    return bool(text) and not (text[0] in "#%/;" and _COMMENT.match(text))
+
+
+def comment_in(line: str) -> str:
+    """Return the text of a line that is a comment; empty for any other."""
+    mark = _COMMENT.match(line.lstrip())
+    return line.strip()[mark.end() :].strip() if mark else ""
+
+
+def _head(data: bytes, size: int) -> list[str]:
+    """Return the lines at the beginning, without one that is cut off."""
+    if len(data) <= size:
+        return _decoded(data, 1).split("\n")
+    end = data.rfind(b"\n", 0, size)
+    return _decoded(data[: end if end > 0 else size], 1, is_cut=end <= 0).split("\n")
+
+
+def _decoded(part: bytes, number: int, *, is_cut: bool = False) -> str:
+    try:
+        text = codecs.getincrementaldecoder("utf-8")().decode(part, final=not is_cut)
+    except UnicodeDecodeError as problem:
+        row = number + part.count(b"\n", 0, problem.start)
+        raise RowProblem(" is not UTF-8 text.", row) from None
+    if "\0" in text:
+        row = number + text.count("\n", 0, text.index("\0"))
+        raise RowProblem(" holds a zero byte; this is no text.", row)
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text

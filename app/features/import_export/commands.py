@@ -30,8 +30,7 @@ from .import_series import ImportSeries
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
-    from ...exchange.table.prepared import PreparedTable
-    from ...exchange.table.source import TableSource
+    from ...exchange.table.source import PreparedTable, TableSource
     from ...exchange.table.table import Preview
     from ...view_model.paste import Arrival
     from .import_drawing_dialog import ImportDrawingDialog

@@ -14,10 +14,15 @@ from ...document.expression import ExpressionError, parse_number
 from ...document.words import count_of, distance_words, number
 from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from ...exchange.table.curves import Missing
-from ...exchange.table.layout import TextLayout
-from ...exchange.table.prepared import MANY_ROWS, MOST_POINTS, PreparedTable, TableChoice, prepare_table
-from ...exchange.table.source import TableSource
-from ...exchange.table.table import Preview
+from ...exchange.table.source import (
+    MANY_ROWS,
+    MOST_POINTS,
+    PreparedTable,
+    TableChoice,
+    TableSource,
+    prepare_table,
+)
+from ...exchange.table.table import Preview, TextLayout
 from ...exchange.table.thinning import Thinning
 from ...families import FAMILIES, HERMITE
 from ...qt.labels import Label, tip_of
