@@ -64,9 +64,8 @@ def read(data, _tolerance):
 @pytest.fixture
 def corners():
     record = _corners()
-    FORMATS.add(record)
-    yield record
-    FORMATS.remove(record)
+    with FORMATS.with_record(record):
+        yield record
 
 
 def _corners(**fields):
@@ -198,19 +197,21 @@ def test_options_of_every_kind_are_arguments_within_their_limits(tmp_path, capsy
 )
 def test_what_another_format_has_already_is_an_error_that_names_both(fields, reason):
     before = list(FORMATS)
-    with pytest.raises(ValueError, match=f"^{re.escape(reason)}$"):
-        FORMATS.add(_corners(**fields))
+    with (
+        pytest.raises(ValueError, match=f"^{re.escape(reason)}$"),
+        FORMATS.with_record(_corners(**fields)),
+    ):
+        pass
     assert list(FORMATS) == before
 
 
 def test_a_flag_that_the_command_line_has_already_is_an_error_that_names_it():
     mine = _corners(options=(Check(name="output", flag="--thin", help="mine", default=False),))
-    FORMATS.add(mine)
-    try:
-        with pytest.raises(ValueError, match=r"“output” of a format needs another flag: .*--thin"):
-            main(["convert", "a.svg", "b.svg"])
-    finally:
-        FORMATS.remove(mine)
+    with (
+        FORMATS.with_record(mine),
+        pytest.raises(ValueError, match=r"“output” of a format needs another flag: .*--thin"),
+    ):
+        main(["convert", "a.svg", "b.svg"])
 
 
 def test_it_is_gone_afterwards(tmp_path, capsys):

@@ -10,15 +10,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
-from importlib import import_module
 from pathlib import Path
-from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ...document.words import distance_words, enumerated
+from ...view_model.registry import Registry
 from ..errors import ExchangeError
 
 if TYPE_CHECKING:
@@ -147,33 +146,22 @@ class Format(FileKind):
     read: Callable[..., Any] | None = None
     recognises: Callable[[bytes], bool] | None = None
 
+    @property
+    def name(self) -> str:
+        """The name in the program: the first ending."""
+        return self.ending
 
-class Registry:
-    """All formats, those of this package and those that were added."""
+    @property
+    def sort_key(self) -> tuple[int, ...]:
+        """The key by which formats are sorted in lists."""
+        return (self.rank,)
 
-    def __init__(self) -> None:
-        self._found: list[Format] | None = None
 
-    def __iter__(self) -> Iterator[Format]:
-        if self._found is None:
-            names = [each.name for each in iter_modules(__path__)]
-            found = [each for name in names for each in import_module(f"{__name__}.{name}").FORMATS]
-            self._found = _unambiguous(found)
-        return iter(sorted(self._found, key=lambda each: each.rank))
+class FormatRegistry(Registry[Format]):
+    """All formats: those of this package, and in tests one more.
 
-    def add(self, new: Format) -> None:
-        """Add a format that no module of this package lists.
-
-        Raises
-        ------
-        ValueError
-            If an ending of its files, or the name of an option, is another one's already.
-        """
-        self._found = _unambiguous([*self, new])
-
-    def remove(self, known: Format) -> None:
-        """Take a format out again."""
-        self._found = [each for each in self if each is not known]
+    No two of them write, or read, files of one ending, or have options of one name.
+    """
 
     @property
     def written(self) -> tuple[Format, ...]:
@@ -195,24 +183,25 @@ class Registry:
         """Those that are read."""
         return tuple(each for each in self if each.kind)
 
+    @staticmethod
+    def _sorted(records: Iterable[Format]) -> list[Format]:
+        """Return formats by rank; raise `ValueError` where two cannot be told apart."""
+        formats = Registry._sorted(records)
+        owners: dict[tuple[str, str], tuple[Format, object]] = {}
+        for new in formats:
+            claims: list[tuple[str, str, object]] = [
+                ("write", ending, new) for ending in new.endings if new.write
+            ]
+            claims += [("read", ending, new) for ending in new.endings if new.kind]
+            claims += [("have an option", option.name, option) for option in new.options]
+            for verb, name, record in claims:
+                owner, claimed = owners.setdefault((verb, name), (new, record))
+                if claimed is not record:
+                    raise ValueError(f"“{owner.title}” and “{new.title}” both {verb} “{name}”.")
+        return formats
 
-def _unambiguous(formats: list[Format]) -> list[Format]:
-    """Return formats of which no two write, or read, files of one ending, or name two options alike."""
-    known: dict[tuple[str, str], tuple[Format, object]] = {}
-    for each in formats:
-        said: list[tuple[str, str, object]] = [
-            ("write", ending, each) for ending in each.endings if each.write
-        ]
-        said += [("read", ending, each) for ending in each.endings if each.kind]
-        said += [("have an option", option.name, option) for option in each.options]
-        for verb, name, record in said:
-            other, of_other = known.setdefault((verb, name), (each, record))
-            if of_other is not record:
-                raise ValueError(f"“{other.title}” and “{each.title}” both {verb} “{name}”.")
-    return formats
 
-
-FORMATS = Registry()
+FORMATS = FormatRegistry(Format, __name__)
 
 
 Known = TypeVar("Known", bound=FileKind)

@@ -86,14 +86,12 @@ def read_trajectories(data: bytes) -> Table:
     return table_of(np.array(rows), _TITLES, words={0: words}, said=_LEFT_OUT)
 
 
-FORMATS = (
-    Format(
-        endings=(".traj", ".chor"),
-        title="Choreo trajectory",
-        rank=77,
-        kind=ContentKind.TABLE,
-        plural="Choreo trajectories",
-        read=read_trajectories,
-        recognises=lambda data: is_object(data) and b'"samples"' in data and bool(_MARKS.search(data)),
-    ),
+CHOREO = Format(
+    endings=(".traj", ".chor"),
+    title="Choreo trajectory",
+    rank=77,
+    kind=ContentKind.TABLE,
+    plural="Choreo trajectories",
+    read=read_trajectories,
+    recognises=lambda data: is_object(data) and b'"samples"' in data and bool(_MARKS.search(data)),
 )

@@ -176,19 +176,17 @@ def _local_powers(t: FloatArray, piece: ParametricCurve) -> FloatArray:
     return np.asarray(((c3[i] * u + c2[i]) * u + v[:-1][i]) * u + y[:-1][i])
 
 
-FORMATS = (
-    Format(
-        endings=(".py",),
-        title="Python with NumPy",
-        description="A program that computes the curves; it needs NumPy alone.",
-        rank=80,
-        write=python_code,
-    ),
-    Format(
-        endings=(".scipy.py",),
-        title="Python with SciPy",
-        description="The curves as objects of scipy.interpolate.",
-        rank=90,
-        write=scipy_code,
-    ),
+PYTHON = Format(
+    endings=(".py",),
+    title="Python with NumPy",
+    description="A program that computes the curves; it needs NumPy alone.",
+    rank=80,
+    write=python_code,
+)
+SCIPY = Format(
+    endings=(".scipy.py",),
+    title="Python with SciPy",
+    description="The curves as objects of scipy.interpolate.",
+    rank=90,
+    write=scipy_code,
 )

@@ -20,14 +20,12 @@ def _write(document: Document, options: Options) -> Written:
         raise ExchangeError(f"The document cannot be written: {problem}.") from problem
 
 
-FORMATS = (
-    Format(
-        endings=(DOCUMENT_ENDING,),
-        title="Curvebench document",
-        rank=0,
-        write=_write,
-        kind=ContentKind.DOCUMENT,
-        plural="Curvebench documents",
-        recognises=is_document,
-    ),
+DOCUMENT = Format(
+    endings=(DOCUMENT_ENDING,),
+    title="Curvebench document",
+    rank=0,
+    write=_write,
+    kind=ContentKind.DOCUMENT,
+    plural="Curvebench documents",
+    recognises=is_document,
 )

@@ -133,16 +133,14 @@ def _layer(drawing: Drawing, source: Source, names: Names) -> str:
     return name
 
 
-FORMATS = (
-    Format(
-        endings=(".dxf",),
-        title="DXF splines",
-        description="SPLINE entities of the true degree with their knots, a layer for each curve.",
-        rank=40,
-        options=(POINTS, TOLERANCE, CUBIC),
-        write=dxf_text,
-        kind=ContentKind.DRAWING,
-        plural="DXF drawings",
-        read=read_dxf,
-    ),
+DXF = Format(
+    endings=(".dxf",),
+    title="DXF splines",
+    description="SPLINE entities of the true degree with their knots, a layer for each curve.",
+    rank=40,
+    options=(POINTS, TOLERANCE, CUBIC),
+    write=dxf_text,
+    kind=ContentKind.DRAWING,
+    plural="DXF drawings",
+    read=read_dxf,
 )

@@ -163,28 +163,26 @@ def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatA
     return np.asarray(result)
 
 
-FORMATS = (
-    Format(
-        endings=(".desmos.txt",),
-        title="Desmos expressions",
-        description="Expressions to paste into Desmos, one a line.",
-        rank=130,
-        options=(TOLERANCE,),
-        write=desmos_expressions,
-    ),
-    Format(
-        endings=(".path.txt",),
-        title="SVG path data",
-        description="The d attributes of SVG paths.",
-        rank=140,
-        options=(TOLERANCE,),
-        write=svg_path_data,
-    ),
-    Format(
-        endings=(".coefficients.json",),
-        title="Polynomial coefficients",
-        description="The coefficients of every polynomial piece, with the error that this form brings.",
-        rank=150,
-        write=coefficients_json,
-    ),
+DESMOS = Format(
+    endings=(".desmos.txt",),
+    title="Desmos expressions",
+    description="Expressions to paste into Desmos, one a line.",
+    rank=130,
+    options=(TOLERANCE,),
+    write=desmos_expressions,
+)
+PATH_DATA = Format(
+    endings=(".path.txt",),
+    title="SVG path data",
+    description="The d attributes of SVG paths.",
+    rank=140,
+    options=(TOLERANCE,),
+    write=svg_path_data,
+)
+COEFFICIENTS = Format(
+    endings=(".coefficients.json",),
+    title="Polynomial coefficients",
+    description="The coefficients of every polynomial piece, with the error that this form brings.",
+    rank=150,
+    write=coefficients_json,
 )

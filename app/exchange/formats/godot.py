@@ -75,13 +75,11 @@ def _pieces(points: FloatArray) -> tuple[FloatArray, bool]:
     return pieces, len(at) > 2 and bool((at[0] == at[-1]).all())
 
 
-FORMATS = (
-    Format(
-        endings=(".tres", ".tscn"),
-        title="Godot curve",
-        rank=78,
-        kind=ContentKind.DRAWING,
-        plural="Godot curves",
-        read=read_curves,
-    ),
+GODOT = Format(
+    endings=(".tres", ".tscn"),
+    title="Godot curve",
+    rank=78,
+    kind=ContentKind.DRAWING,
+    plural="Godot curves",
+    read=read_curves,
 )

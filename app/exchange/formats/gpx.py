@@ -118,13 +118,11 @@ def _projected(degrees: FloatArray) -> tuple[FloatArray, FloatArray, str]:
     return x, y, f"{said}; lengths from west to east are off by up to {off:.2g} %)."
 
 
-FORMATS = (
-    Format(
-        endings=(".gpx",),
-        title="GPX track",
-        rank=79,
-        kind=ContentKind.TABLE,
-        plural="GPX tracks",
-        read=read_gpx,
-    ),
+GPX = Format(
+    endings=(".gpx",),
+    title="GPX track",
+    rank=79,
+    kind=ContentKind.TABLE,
+    plural="GPX tracks",
+    read=read_gpx,
 )

@@ -293,31 +293,29 @@ def _plain(value: float) -> str:
     return repr(value + 0.0)
 
 
-FORMATS = (
-    Format(
-        endings=(".tex",),
-        title="LaTeX formula",
-        description="The polynomials as a formula.",
-        rank=100,
-        options=(DIGITS,),
-        write=latex_formula,
-    ),
-    Format(
-        endings=(".tikz", ".tikz.tex"),
-        title="TikZ picture",
-        description="Bézier curves for a TeX document.",
-        rank=110,
-        options=(TRUE_SIZE, TOLERANCE),
-        write=tikz_picture,
-    ),
-    Format(
-        endings=(".pgfplots.tex",),
-        title="PGFPlots axis",
-        description="A plot with axes for a TeX document.",
-        rank=120,
-        options=(TOLERANCE,),
-        write=pgfplots_axis,
-    ),
+LATEX = Format(
+    endings=(".tex",),
+    title="LaTeX formula",
+    description="The polynomials as a formula.",
+    rank=100,
+    options=(DIGITS,),
+    write=latex_formula,
+)
+TIKZ = Format(
+    endings=(".tikz", ".tikz.tex"),
+    title="TikZ picture",
+    description="Bézier curves for a TeX document.",
+    rank=110,
+    options=(TRUE_SIZE, TOLERANCE),
+    write=tikz_picture,
+)
+PGFPLOTS = Format(
+    endings=(".pgfplots.tex",),
+    title="PGFPlots axis",
+    description="A plot with axes for a TeX document.",
+    rank=120,
+    options=(TOLERANCE,),
+    write=pgfplots_axis,
 )
 
 

@@ -62,14 +62,12 @@ def _place(waypoints: list[_Waypoint], index: int, name: str) -> tuple[float, fl
     return found.x, found.y
 
 
-FORMATS = (
-    Format(
-        endings=(".path",),
-        title="PathPlanner path",
-        rank=76,
-        kind=ContentKind.DRAWING,
-        plural="PathPlanner paths",
-        read=read_path,
-        recognises=lambda data: is_object(data) and b'"prevControl"' in data,
-    ),
+PATHPLANNER = Format(
+    endings=(".path",),
+    title="PathPlanner path",
+    rank=76,
+    kind=ContentKind.DRAWING,
+    plural="PathPlanner paths",
+    read=read_path,
+    recognises=lambda data: is_object(data) and b'"prevControl"' in data,
 )

@@ -146,17 +146,15 @@ class _Path:
         self.deviation = float(away.max()) * margin
 
 
-FORMATS = (
-    Format(
-        endings=(".pathweaver.csv",),
-        title="PathWeaver path",
-        description="Waypoints with tangents for robots: one curve, between points of quintic pieces.",
-        rank=75,
-        options=(TOLERANCE,),
-        write=path_table,
-        kind=ContentKind.TABLE,
-        plural="PathWeaver paths",
-        read=read_path,
-        recognises=lambda data: _HEAD.match(data) is not None,
-    ),
+PATHWEAVER = Format(
+    endings=(".pathweaver.csv",),
+    title="PathWeaver path",
+    description="Waypoints with tangents for robots: one curve, between points of quintic pieces.",
+    rank=75,
+    options=(TOLERANCE,),
+    write=path_table,
+    kind=ContentKind.TABLE,
+    plural="PathWeaver paths",
+    read=read_path,
+    recognises=lambda data: _HEAD.match(data) is not None,
 )

@@ -36,36 +36,34 @@ def read(data: bytes, tolerance: float | None) -> Imported:
 
 # Qt is slow to import, and everything else does without: the lambdas ask for `drawing.image` when needed.
 # ruff: noqa: PLW0108
-FORMATS = (
-    Format(
-        endings=(".png",),
-        title="PNG picture",
-        description="Pixels, for slides and pages.",
-        rank=10,
-        options=_IN_PIXELS,
-        hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
-        write=lambda document, options: drawing.image.png_file(document, options),
-        preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
-    ),
-    Format(
-        endings=(".svg",),
-        title="SVG drawing",
-        description="Bézier curves, a path for each shape, in groups; cubic Hermite curves are exact.",
-        rank=20,
-        options=(*PICTURE, TOLERANCE),
-        write=svg_of,
-        preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
-        kind=ContentKind.DRAWING,
-        plural="SVG drawings",
-        read=read,
-    ),
-    Format(
-        endings=(".pdf",),
-        title="PDF document",
-        description="One page, sharp at every size.",
-        rank=30,
-        options=(*PICTURE, TOLERANCE),
-        write=lambda document, options: drawing.image.pdf_file(document, options),
-        preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
-    ),
+PNG = Format(
+    endings=(".png",),
+    title="PNG picture",
+    description="Pixels, for slides and pages.",
+    rank=10,
+    options=_IN_PIXELS,
+    hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],
+    write=lambda document, options: drawing.image.png_file(document, options),
+    preview=lambda document, options, room: drawing.image.png_preview(document, options, room),
+)
+SVG = Format(
+    endings=(".svg",),
+    title="SVG drawing",
+    description="Bézier curves, a path for each shape, in groups; cubic Hermite curves are exact.",
+    rank=20,
+    options=(*PICTURE, TOLERANCE),
+    write=svg_of,
+    preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
+    kind=ContentKind.DRAWING,
+    plural="SVG drawings",
+    read=read,
+)
+PDF = Format(
+    endings=(".pdf",),
+    title="PDF document",
+    description="One page, sharp at every size.",
+    rank=30,
+    options=(*PICTURE, TOLERANCE),
+    write=lambda document, options: drawing.image.pdf_file(document, options),
+    preview=lambda document, options, room: drawing.image.pdf_preview(document, options, room),
 )

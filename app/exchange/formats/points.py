@@ -67,12 +67,10 @@ def _derivatives(view: CurveView, index: int, *, ahead: bool) -> list[float]:
     return [number for vector in vectors for number in vector or (nan, nan)]
 
 
-FORMATS = (
-    Format(
-        endings=(".points.csv", ".points.tsv"),
-        title="Table of points (CSV)",
-        description="The points with their derivatives. Imported again, they give the same curves.",
-        rank=70,
-        write=points_table,
-    ),
+POINTS_TABLE = Format(
+    endings=(".points.csv", ".points.tsv"),
+    title="Table of points (CSV)",
+    description="The points with their derivatives. Imported again, they give the same curves.",
+    rank=70,
+    write=points_table,
 )

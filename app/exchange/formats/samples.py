@@ -210,15 +210,21 @@ def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:
     return (SAMPLES if values[SPACING.name] is Spacing.TOLERANCE else TOLERANCE,)
 
 
-FORMATS = tuple(
-    Format(
-        endings=(ending,),
-        title=f"Table of samples ({ending[1:].upper()})",
-        description=f"Numbers along each curve, with {words} between them.",
-        rank=50,
-        options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
-        hidden=_hidden,
-        write=partial(sampled_table, separator=separator),
-    )
-    for ending, separator, words in ((".csv", ",", "commas"), (".tsv", "\t", "tabs"))
+_samples = partial(
+    Format,
+    rank=50,
+    options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
+    hidden=_hidden,
+)
+CSV = _samples(
+    endings=(".csv",),
+    title="Table of samples (CSV)",
+    description="Numbers along each curve, with commas between them.",
+    write=sampled_table,
+)
+TSV = _samples(
+    endings=(".tsv",),
+    title="Table of samples (TSV)",
+    description="Numbers along each curve, with tabs between them.",
+    write=partial(sampled_table, separator="\t"),
 )
