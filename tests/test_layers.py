@@ -49,7 +49,7 @@ def packages() -> list[Path]:
         for name, text in sources.items()
         for found in re.findall(r'Registry\(\w+, f"\{__package__\}(.+)"\)', text)
     }
-    listed |= {name for name, text in sources.items() if "iter_modules(__path__)" in text}
+    listed |= {name for name, text in sources.items() if re.search(r"Registry\(\w+, __name__\)", text)}
     # What is not named in `FEATURES` the test above tells.
     listed.add("app.features")
     maps = {module_name(path): path.parent for path in ROOT.glob("app/**/__init__.py")}

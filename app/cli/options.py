@@ -13,7 +13,7 @@ from ..document.words import enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, Format, endings_of
-from ..exchange.formats.samples import COLUMNS
+from ..exchange.formats.tables import COLUMNS
 from ..exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
 from ..families import FAMILIES, HERMITE
 

@@ -5,10 +5,9 @@
 - ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
 - ``parts``: the curves of a document and their pieces, the source of everything else that is written.
 - ``code_runtime``: what exported Python brings along.
-- ``svg``: SVG out and in.  ``dxf_reader``, ``dxf_library``: DXF in, by ezdxf.
+- ``svg``: SVG out and in.  ``dxf_library``: ezdxf, for DXF.
   ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
 - ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
-  ``json_in``: JSON of other programs, checked as it is read.
 - ``child``: a process with limits for the files of others.  ``reading``: what is done there.
 - ``units``: units of length as files write them.
   ``rescaled``: documents in another unit, or elsewhere.

@@ -13,9 +13,9 @@ from PIL import Image
 from app.document.model import Document
 from app.document.style import LineCap
 from app.exchange.drawing.image import png_file
-from app.exchange.dxf_reader import read_dxf
 from app.exchange.facts import facts_of
 from app.exchange.formats import FORMATS
+from app.exchange.formats.dxf import read_dxf
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of

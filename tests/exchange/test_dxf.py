@@ -8,9 +8,8 @@ import pytest
 
 from app import exchange
 from app.document.model import Document, make_curve
-from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
-from app.exchange.formats.dxf import dxf_text
+from app.exchange.formats.dxf import dxf_text, read_dxf
 from app.exchange.options import Options
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of

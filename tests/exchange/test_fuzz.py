@@ -11,22 +11,17 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from app.document.model import Document, make_curve
-from app.exchange.dxf_reader import read_dxf
 from app.exchange.errors import ExchangeError
-from app.exchange.formats.choreo import read_trajectories
-from app.exchange.formats.dxf import dxf_text
+from app.exchange.formats.dxf import dxf_text, read_dxf
 from app.exchange.formats.godot import read_curves
 from app.exchange.formats.gpx import read_gpx
-from app.exchange.formats.pathplanner import read_path as read_robot_path
-from app.exchange.formats.pathweaver import read_path
-from app.exchange.formats.points import points_table
-from app.exchange.formats.samples import sampled_table
+from app.exchange.formats.json_tables import read_json
+from app.exchange.formats.robot_paths import read_pathplanner, read_pathweaver, read_trajectories
+from app.exchange.formats.tables import points_table, read_array, sampled_table
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.shapes import read_path_data
 from app.exchange.svg.writer import svg_of
-from app.exchange.table.json_table import read_json
-from app.exchange.table.numpy_array import read_array
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
@@ -113,7 +108,7 @@ READERS = {
         ],
     ),
     "pathweaver": (
-        lambda data: document_of_table(read_path(data)).document,
+        lambda data: document_of_table(read_pathweaver(data)).document,
         [
             b"X,Y,Tangent X,Tangent Y,Fixed Theta,Reversed,Name\n1,2,2,0,true,false,\n4,3,-1,1,true,true,a\n"
             b"6,6,0,2,,true,\n"
@@ -129,7 +124,7 @@ READERS = {
         ],
     ),
     "pathplanner": (
-        lambda data: read_robot_path(data).document,
+        lambda data: read_pathplanner(data).document,
         [
             b'{"waypoints":[{"anchor":{"x":0,"y":0},"prevControl":null,"nextControl":{"x":1,"y":2}},{"anchor":{"x":3,'
             b'"y":0},"prevControl":{"x":2,"y":1},"nextControl":null}],"eventMarkers":[{}]}'

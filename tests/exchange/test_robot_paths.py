@@ -11,8 +11,7 @@ import pytest
 
 from app.exchange.errors import ExchangeError
 from app.exchange.files import ImportOptions, foreign_file, import_file
-from app.exchange.formats.choreo import read_trajectories
-from app.exchange.formats.pathplanner import read_path
+from app.exchange.formats.robot_paths import read_pathplanner, read_trajectories
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 
@@ -59,7 +58,7 @@ def test_a_path_of_pathplanner_is_its_bezier_pieces(smooth, seed, tmp_path):
     pieces = chained(random, 5, smooth=smooth)
     path = tmp_path / "a.path"
     path.write_bytes(path_of(pieces))
-    found = read_path(path.read_bytes())
+    found = read_pathplanner(path.read_bytes())
     assert found.deviation == 0.0  # up to 1e-15 were told of handles in one line but for rounding
     (curve,) = found.document.curves
     assert len(curve.points) == 6
@@ -91,7 +90,7 @@ def test_a_path_is_known_by_its_content_and_what_is_no_curve_is_told(tmp_path):
 
 def test_paths_of_2023_have_anchor_points_and_markers():
     content = path_of([[[0, 0], [1, 0], [2, 1], [3, 1]]], markers=[{"position": 0.5, "names": ["drop"]}])
-    found = read_path(content.replace(b'"anchor"', b'"anchorPoint"'))
+    found = read_pathplanner(content.replace(b'"anchor"', b'"anchorPoint"'))
     (curve,) = found.document.curves
     assert found.remarks == ("1 marker left out.",)
     assert [(point.x, point.y) for point in curve.points] == [(0, 0), (3, 1)]
@@ -119,7 +118,7 @@ def test_what_is_no_path_is_refused_with_its_place(old, new, sentence):
     text = path_of([[[0, 0], [1, 0], [2, 1], [3, 1]]]).decode()
     assert old in text
     with pytest.raises(ExchangeError) as refusal:
-        read_path(text.replace(old, new).encode())
+        read_pathplanner(text.replace(old, new).encode())
     assert str(refusal.value) == sentence
 
 

@@ -15,8 +15,7 @@ from app.exchange.cubics_in import Imported
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.files import export, import_file
-from app.exchange.formats.points import points_table
-from app.exchange.formats.samples import sampled_table
+from app.exchange.formats.tables import points_table, sampled_table
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of

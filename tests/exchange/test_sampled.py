@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.errors import ExchangeError
-from app.exchange.formats.samples import SAMPLES, TITLES, Spacing, sampled_table
+from app.exchange.formats.tables import SAMPLES, TITLES, Spacing, sampled_table
 from app.exchange.options import Options
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -116,7 +116,7 @@ def test_the_number_of_samples_has_limits(sketch, samples):
 
 def test_many_samples_are_computed_in_parts_that_fit_together(sketch, monkeypatch):
     whole = sampled_table(sketch, Options(own={"samples": 1500}))
-    monkeypatch.setattr("app.exchange.formats.samples._ROWS_AT_ONCE", 100)
+    monkeypatch.setattr("app.exchange.formats.tables._ROWS_AT_ONCE", 100)
     told = []
     parts = sampled_table(
         sketch, Options(report=lambda share, _word: told.append(share), own={"samples": 1500})

@@ -8,7 +8,7 @@ import pytest
 
 from app.document.model import Document, Point, make_curve
 from app.exchange.errors import ExchangeError
-from app.exchange.formats.samples import sampled_table
+from app.exchange.formats.tables import sampled_table
 from app.exchange.options import Options
 from app.exchange.table import text as tables_of_text
 from app.exchange.table.columns import ColumnMapping

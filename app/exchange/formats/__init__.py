@@ -1,9 +1,8 @@
-"""Formats of files, one record each: `FORMATS` finds those that the modules of this package list.
+"""Formats of files, one record each: `FORMATS` finds those that the modules of this package define.
 
-A module here defines `FORMATS`, its `Format` records. Nothing else names a format: the dialogs, their
-filters, what is done with dropped files, the command line, the README and the tests read the registry. The
-modules are imported when it is first asked; what takes long to import (Qt, ezdxf) they import when they use
-it.
+A `Format` in a module here is all that a format needs. Nothing else names one: the dialogs, their filters,
+dropped files, the command line, the README and the tests read the registry. The modules are imported when it
+is first asked; what takes long to import (Qt, ezdxf) they import when they use it.
 """
 
 from __future__ import annotations

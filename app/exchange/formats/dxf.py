@@ -1,4 +1,4 @@
-"""DXF, by ezdxf: splines with the control points and knots of their true degree.
+"""DXF, by ezdxf: splines with the control points and knots of their true degree, and every curve read.
 
 A chain of Bézier pieces is a B-spline whose inner knots have the multiplicity of its degree, so the
 control points go out, and come back, as they are.
@@ -6,22 +6,35 @@ control points go out, and come back, as they are.
 
 from __future__ import annotations
 
+import dataclasses
 import io
+import math
 import re
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 
+from curvecore import LagrangeCurve, chebyshev, cubic_path
+from curvecore.arrays import FloatArray
+
+from ... import exchange
 from ...document.model import Document
+from ...document.style import Style
 from ...tasks.progress import Report, part, told
+from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.curve_view import ParametricCurve
-from ..dxf_reader import CLOSED, PLANAR, WHITE, ezdxf_module, read_dxf
+from ..arcs import error_of_arc, pieces_of_arc
+from ..cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, lines
+from ..errors import LEFT_OUT, ExchangeError, Flaw, Missed
 from ..naming import Names
 from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options
 from ..parts import (
     Beziers,
     Source,
     accuracy,
+    bezier_values,
     beziers_of,
     checked_tolerance,
     cubics_of,
@@ -29,11 +42,14 @@ from ..parts import (
     sources_of,
     worst_of,
 )
-from ..units import dxf_code
+from ..units import dxf_code, unit_of_dxf
 from . import ContentKind, Format, Written
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
+    from ezdxf.entities.dxfgfx import DXFGraphic
+    from ezdxf.entities.spline import Spline
+    from ezdxf.math import Vec3
 
 _NOT_IN_A_LAYER = re.compile(r'[<>/\\":;?*|=`,\x00-\x1f\x7f-\x9f]')
 _LONGEST_LAYER = 200
@@ -131,6 +147,294 @@ def _layer(drawing: Drawing, source: Source, names: Names) -> str:
         digits = source.curve.style.colour
         layer.rgb = (int(digits[1:3], 16), int(digits[3:5], 16), int(digits[5:7], 16))
     return name
+
+
+# DXF in
+
+
+MAX_ENTITIES = 10_000
+HIGHEST_DEGREE_READ = 20
+
+CLOSED, PLANAR = 1, 8
+"""Flags of a SPLINE."""
+
+WHITE = 7
+"""Black on paper: the ink of the theme."""
+
+_PIECES_OF_A_TURN = 8
+"""At least: within 4.3e-6 of the radius, for drawings that are measured."""
+
+_FINEST_TURN = 1024
+_WITH_ARCS = ("LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE")
+_END = re.compile(r"(^|\n)[ \t]*0[ \t]*\n[ \t]*EOF\s*\Z")
+
+
+def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
+    """Return the curves in the model space of a DXF file.
+
+    SPLINE up to degree 3 and LINE, LWPOLYLINE and POLYLINE without bulges are taken exactly; arcs,
+    circles, ellipses and splines of higher degree within the tolerance. Rational and periodic splines,
+    and splines with fit points only, are left out with a remark.
+
+    Parameters
+    ----------
+    data
+        The whole file, as text.
+    tolerance
+        Largest distance allowed, in the file's unit; by default `RELATIVE_TOLERANCE` of each curve.
+
+    Raises
+    ------
+    ExchangeError
+        If the file is damaged, incomplete or too large, or holds no curve.
+    """
+    ezdxf = ezdxf_module()
+    text = _text(data)
+    try:
+        drawing: Drawing = ezdxf.read(io.StringIO(text))
+        entities = list(drawing.modelspace())
+    except MemoryError:
+        raise
+    except Exception as problem:
+        # What a damaged file makes a foreign parser raise has no end: StructureError, ValueError, …
+        raise _damaged("The DXF file", problem) from problem
+    if len(entities) > MAX_ENTITIES:
+        raise ExchangeError(f"The DXF file has {len(entities)} entities; {MAX_ENTITIES} can be read.")
+    reader = _Reader(drawing, tolerance)
+    for number, entity in enumerate(entities, start=1):
+        reader.take(entity, number)
+    found = imported(reader.paths, reader.missed).with_curves()
+    unit = unit_of_dxf(int(drawing.units))
+    return dataclasses.replace(found, document=replace(found.document, unit=unit))
+
+
+def _damaged(what: str, problem: Exception) -> ExchangeError:
+    reason = one_line(str(problem))[:120] or type(problem).__name__
+    return ExchangeError(f"{what} is damaged: {reason.rstrip('.')}.")
+
+
+def _text(data: bytes) -> str:
+    if not data.strip():
+        raise ExchangeError("The file is empty.")
+    if data.startswith(b"AutoCAD Binary DXF"):
+        raise ExchangeError("This is binary DXF; save it as text.")
+    if b"\0" in data:
+        raise ExchangeError("The file holds zero bytes; this is no DXF text.")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        # Before 2007 files were in the code page of the machine; only names are not plain ASCII.
+        text = data.decode("cp1252", "replace")
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    if not _END.search(text):
+        raise ExchangeError(
+            f"The DXF file ends at line {text.count(chr(10)) + 1} without EOF: it is cut off."
+        )
+    return text
+
+
+class _Reader:
+    """Collects the paths of one file, and what it leaves out."""
+
+    def __init__(self, drawing: Drawing, tolerance: float | None) -> None:
+        self._drawing = drawing
+        self._tolerance = tolerance
+        self.paths: list[ImportedPath | PointsAlone] = []
+        self.missed = Missed()
+
+    def take(self, entity: DXFGraphic, number: int) -> None:
+        """Add the paths of an entity, counted from 1."""
+        kind = entity.dxftype()
+        try:
+            if kind == "SPLINE":
+                self._take_spline(entity)  # type: ignore[arg-type]
+            elif kind in _WITH_ARCS:
+                self._take_path(entity, number)
+            else:
+                self._miss(entity)
+        except (ExchangeError, MemoryError):
+            raise
+        except Exception as problem:
+            # As above: a foreign parser.
+            raise _damaged(f"Entity {number} ({kind})", problem) from problem
+
+    def _miss(self, entity: DXFGraphic, outcome: str = LEFT_OUT) -> None:
+        self.missed.note(Flaw(entity.dxftype(), outcome), entity)
+
+    def _take_spline(self, spline: Spline) -> None:
+        points = np.array([tuple(point)[:2] for point in spline.control_points], dtype=float)
+        knots = np.array(spline.knots, dtype=float)
+        degree = int(spline.dxf.degree)
+        weights = list(spline.weights)
+        if len(points) == 0:
+            self._take_fit_points(spline)
+        elif weights and max(weights) != min(weights):
+            self._miss(spline, "with weights left out")
+        elif not 1 <= degree <= HIGHEST_DEGREE_READ:
+            self._miss(spline, f"of degree {degree} left out")
+        elif not _is_clamped(knots, degree, len(points)):
+            self._miss(spline, "with knots that are periodic or broken left out")
+        else:
+            self._add(spline, _beziers(points, knots, degree), bool(spline.dxf.flags & CLOSED))
+
+    def _take_fit_points(self, spline: Spline) -> None:
+        """Add the natural spline through fit points: what else the curve does, the file does not say."""
+        points = [(float(point[0]), float(point[1])) for point in spline.fit_points]
+        closed = bool(spline.dxf.flags & CLOSED)
+        if closed and len(points) > 1 and points[0] == points[-1]:
+            points.pop()
+        distinct = [here for here, before in zip(points, [None, *points[:-1]], strict=True) if here != before]
+        if len(distinct) < 2:
+            self._miss(spline, "with less than two points left out")
+            return
+        if not np.isfinite(distinct).all():
+            raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” is not finite.")
+        self._miss(spline, "with fit points alone came as the natural spline through them")
+        self.paths.append(PointsAlone(self._name(spline), self._look(spline), tuple(distinct), closed))
+
+    def _name(self, entity: DXFGraphic) -> str:
+        layer = str(entity.dxf.layer)
+        return layer if layer != "0" else f"{entity.dxftype().capitalize()} {len(self.paths) + 1}"
+
+    def _add(self, entity: DXFGraphic, pieces: FloatArray, closed: bool, deviation: float = 0.0) -> None:
+        if not np.isfinite(pieces).all():
+            raise ExchangeError(f"The {entity.dxftype()} on layer “{entity.dxf.layer}” is not finite.")
+        if pieces.shape[1] > 4:
+            pieces, deviation = self._as_cubics(pieces)
+        meets = bool((pieces[0, 0] == pieces[-1, -1]).all())
+        self.paths.append(
+            ImportedPath(
+                self._name(entity),
+                self._look(entity),
+                _raised(pieces),
+                meets and (closed or len(pieces) > 1),
+                deviation,
+            )
+        )
+
+    def _as_cubics(self, pieces: FloatArray) -> tuple[FloatArray, float]:
+        size = float(np.ptp(pieces.reshape(-1, 2), axis=0).max())
+        tolerance = self._tolerance or RELATIVE_TOLERANCE * max(size, 1e-300)
+        s = chebyshev(pieces.shape[1])
+        paths = [
+            cubic_path(LagrangeCurve(bezier_values(piece[None], np.array([0.0, 1.0]), s), s), tolerance)
+            for piece in pieces
+        ]
+        cubics = np.concatenate([path.control_points for path in paths])
+        return cubics, max(path.deviation for path in paths)
+
+    def _take_path(self, entity: DXFGraphic, number: int) -> None:
+        library = exchange.dxf_library
+        radius = _largest_radius(entity)
+        count = pieces_of_arc(radius, math.tau, self._tolerance, _FINEST_TURN, turn=_PIECES_OF_A_TURN)
+        whole = library.make_path(entity, segments=count)
+        closed = bool(getattr(entity, "is_closed", False)) or entity.dxftype() in ("CIRCLE",)
+        for path in whole.sub_paths() if whole.has_sub_paths else [whole]:
+            pieces = []
+            pen = _flat(path.start)
+            for command in path.commands():
+                if command.type == library.Command.CURVE4_TO:
+                    controls = (command.ctrl1, command.ctrl2, command.end)  # type: ignore[union-attr]
+                    pieces.append(np.array([[pen, *map(_flat, controls)]]))
+                elif command.type == library.Command.LINE_TO:
+                    pieces.append(lines(np.array([pen, _flat(command.end)])))
+                else:
+                    raise ExchangeError(f"Entity {number} ({entity.dxftype()}) has a curve of another kind.")
+                pen = _flat(command.end)
+            if pieces:
+                deviation = radius * error_of_arc(math.tau / count)
+                self._add(entity, _welded(np.concatenate(pieces)), closed, deviation)
+
+    def _look(self, entity: DXFGraphic) -> Look:
+        """Return a line in the colour of an entity, or of its layer."""
+        rgb, index = entity.rgb, int(entity.dxf.color)
+        if rgb is None and index in (0, 256) and entity.dxf.layer in self._drawing.layers:
+            layer = self._drawing.layers.get(entity.dxf.layer)
+            rgb, index = layer.rgb, abs(int(layer.dxf.color))
+        if rgb is None and 1 <= index <= 255 and index != WHITE:
+            rgb = exchange.dxf_library.aci2rgb(index)
+        return Look() if rgb is None else Look(Style(stroke="#{:02x}{:02x}{:02x}".format(*rgb)))
+
+
+def ezdxf_module() -> ModuleType:
+    """Return the library, an extra.
+
+    Raises
+    ------
+    ExchangeError
+        If it is not installed.
+    """
+    try:
+        return exchange.dxf_library.ezdxf
+    except ImportError:
+        raise ExchangeError("DXF needs the package ezdxf: pip install 'curvebench[dxf]'.") from None
+
+
+def _is_clamped(knots: FloatArray, degree: int, count: int) -> bool:
+    """Whether knots are as many as they must be, do not decrease, and begin and end at the points."""
+    if count <= degree or len(knots) != count + degree + 1 or not np.isfinite(knots).all():
+        return False
+    steps = np.diff(knots)
+    ends = (*steps[:degree], *steps[len(steps) - degree :])
+    inner = np.unique(knots[1:-1], return_counts=True)[1]
+    return bool((steps >= 0).all() and not any(ends) and knots[-1] > knots[0] and inner.max() <= degree)
+
+
+def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
+    """Return the Bézier pieces (k, degree + 1, 2) of a clamped B-spline."""
+    if len(knots) > 2 and (np.unique(knots[1:-1], return_counts=True)[1] == degree).all():
+        starts = np.arange(0, len(points) - 1, degree)
+        return np.asarray(points[starts[:, None] + np.arange(degree + 1)])
+    # ezdxf takes knots for equal that differ by less than 1e-9 of their size.
+    unit = (knots - knots[0]) / (knots[-1] - knots[0])
+    spline = exchange.dxf_library.BSpline(
+        [(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist()
+    )
+    found = [[_flat(point) for point in piece] for piece in spline.bezier_decomposition()]
+    return _welded(np.array(found, dtype=float).reshape(-1, degree + 1, 2))
+
+
+def _welded(pieces: FloatArray) -> FloatArray:
+    """Return pieces of which each begins exactly where the one before ends, a closed one's first too."""
+    pieces[1:, 0] = pieces[:-1, -1]
+    size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
+    if np.abs(pieces[-1, -1] - pieces[0, 0]).max() <= 1e-12 * size:
+        pieces[-1, -1] = pieces[0, 0]
+    return pieces
+
+
+def _raised(pieces: FloatArray) -> FloatArray:
+    """Return pieces of degree 1, 2 or 3 as cubics."""
+    degree = pieces.shape[1] - 1
+    if degree == 1:
+        return np.concatenate([lines(piece) for piece in pieces])
+    if degree == 2:
+        a, b, c = pieces.swapaxes(0, 1)
+        return np.stack([a, a + 2 / 3 * (b - a), c + 2 / 3 * (b - c), c], axis=1)
+    return pieces
+
+
+def _flat(point: Vec3) -> tuple[float, float]:
+    return (float(point.x), float(point.y))
+
+
+def _largest_radius(entity: DXFGraphic) -> float:
+    kind = entity.dxftype()
+    if kind in ("ARC", "CIRCLE"):
+        return abs(float(entity.dxf.radius))
+    if kind == "ELLIPSE":
+        return float(entity.dxf.major_axis.magnitude)
+    if kind == "LINE":
+        return 0.0
+    if kind == "LWPOLYLINE":
+        rows = [tuple(map(float, row)) for row in entity.get_points("xyb")]  # type: ignore[attr-defined]
+    else:
+        rows = [(*_flat(v.dxf.location), float(v.dxf.bulge)) for v in entity.vertices]  # type: ignore[attr-defined]
+    radius = 0.0
+    for (x0, y0, bulge), (x1, y1, _) in zip(rows, [*rows[1:], *rows[:1]], strict=True):
+        if bulge:
+            radius = max(radius, math.hypot(x1 - x0, y1 - y0) * (1 / abs(bulge) + abs(bulge)) / 4)
+    return radius
 
 
 DXF = Format(

@@ -1,10 +1,98 @@
-"""Tables in: of text, arrays of NumPy, JSON."""
+"""Tables: text and NumPy arrays are read; points with derivatives, and samples along curves, are written."""
 
 from __future__ import annotations
 
-from ..table.json_table import read_json
-from ..table.numpy_array import read_array
-from . import ContentKind, Format
+import io
+from collections.abc import Iterator, Mapping
+from functools import partial
+from math import isnan, nan
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from curvecore import ArcLength, curvature_error, flatten_pieces
+from curvecore.arrays import FloatArray
+
+from ...document.derivatives import DERIVATIVES
+from ...document.edits import interval
+from ...document.model import Document
+from ...document.words import NamedEnum, count_of
+from ...tasks.progress import Report, part, told
+from ...view_model.arc_lengths import arc_lengths_of
+from ...view_model.curve.curve_view import CurveView, ParametricCurve, view_of
+from ..errors import ExchangeError
+from ..options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
+from ..parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of
+from ..table.columns import AFTER, ROLES, WORDS, family_word, numbered_titles
+from ..table.table import MAX_COLUMNS, MAX_ROWS, Table, table_of
+from . import ContentKind, Format, Written
+
+_HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
+_SHAPES = (
+    "rows of 2 or more numbers (n, 2), a curve for each (k, n, 2), complex numbers (n,), or a structured "
+    "array with names"
+)
+
+
+def read_array(data: bytes) -> Table:
+    """Return the numbers of an .npy file as a table.
+
+    Raises
+    ------
+    ExchangeError
+        If it is none, holds objects (pickles are never loaded), or has no shape that is a table.
+    """
+    array = _array(data)
+    titles: tuple[str, ...] = ()
+    if array.dtype.names is not None:
+        titles = array.dtype.names
+        array = _fields(array)
+    elif array.dtype.kind == "c" and array.ndim == 1:
+        array = np.column_stack([array.real, array.imag])
+    if array.dtype.kind not in "fiub":
+        raise ExchangeError(f"The array holds {array.dtype} and no real numbers.")
+    blocks: tuple[int, ...] = ()
+    if array.ndim == 3 and 0 not in array.shape:
+        blocks = tuple(range(array.shape[1], array.shape[0] * array.shape[1], array.shape[1]))
+        array = array.reshape(-1, array.shape[2])
+    if array.ndim != 2 or array.shape[1] < 2:
+        raise ExchangeError(f"The array has the shape {array.shape}; it can be {_SHAPES}.")
+    said = ""
+    if array.shape[0] in (2, 3) and array.shape[1] > array.shape[0] + 1 and not blocks:
+        array, said = array.T, "The rows of the array are taken for columns."
+    return table_of(array.astype(float), titles or numbered_titles(array.shape[1]), blocks=blocks, said=said)
+
+
+def _array(data: bytes) -> npt.NDArray[Any]:
+    """Return the array without a copy; NumPy's own reader would make room for whatever the head claims."""
+    file = io.BytesIO(data)
+    try:
+        version = np.lib.format.read_magic(file)
+        shape, is_fortran, dtype = _HEADERS[version](file)
+    except KeyError:
+        raise ExchangeError("The .npy file is of a version that is not read; save it anew.") from None
+    except Exception:
+        # The head is Python's own syntax, and whatever its parser raises, this is no array.
+        raise ExchangeError("This is no .npy file, or its head is damaged.") from None
+    if dtype.hasobject:
+        raise ExchangeError("The array holds Python objects, which are never loaded; save it as numbers.")
+    count = int(np.prod([int(each) for each in shape], dtype=object))
+    if count > MAX_ROWS * MAX_COLUMNS:
+        raise ExchangeError(f"The array has {count:,} numbers; {MAX_ROWS * MAX_COLUMNS:,} can be read.")
+    if count * dtype.itemsize != len(data) - file.tell():
+        raise ExchangeError("The .npy file is cut off, or longer than its head says.")
+    flat = np.frombuffer(data, dtype, count, file.tell())
+    return flat.reshape(shape, order="F" if is_fortran else "C")
+
+
+def _fields(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    assert array.dtype.names is not None
+    columns = [array[name] for name in array.dtype.names]
+    if array.ndim != 1 or any(column.ndim != 1 or column.dtype.kind not in "fiub" for column in columns):
+        raise ExchangeError("A structured array must have one number for each name and row.")
+    return np.column_stack([column.astype(float) for column in columns])
+
 
 TEXT_TABLE = Format(
     endings=(".csv", ".tsv", ".txt", ".dat"),
@@ -21,11 +109,277 @@ NPY = Format(
     plural="NumPy arrays",
     read=read_array,
 )
-JSON = Format(
-    endings=(".json", ".geojson"),
-    title="JSON or GeoJSON",
-    rank=62,
-    kind=ContentKind.TABLE,
-    plural="JSON and GeoJSON",
-    read=read_json,
+
+
+# Points
+
+
+def points_table(document: Document, options: Options = DEFAULT) -> Written:
+    """Return the points of all visible curves, a row each; read back, they give curves of the same shape.
+
+    Tabs separate the cells of a file whose name ends in .tsv, commas those of any other.
+
+    Derivatives are those in force, estimated ones too. The derivatives after a corner stand in columns of
+    their own. The last row of a closed curve is its first point again, with the parameter at which it
+    returns there.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve.
+    """
+    separator = "\t" if options.path.lower().endswith(".tsv") else ","
+    sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
+    titles = (*ROLES, *AFTER)
+    rows = []
+    named = list(zip(sources, distinct_names(sources), strict=True))
+    for source, name in told(named, part(options.report, 0.5, 1.0), "Writing"):
+        curve = source.curve
+        words = [cell_of_name(name, separator), family_word(curve)]
+        rows += [(words, row) for row in _rows(view_of(curve))]
+    used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
+    lines = [separator.join([*WORDS, *(titles[place] for place in used)])]
+    lines += [
+        separator.join([*words, *(cell_of_number(row[place]) for place in used)]) for words, row in rows
+    ]
+    return Written("\n".join(lines) + "\n", 0.0, remarks)
+
+
+def _rows(view: CurveView) -> list[tuple[float, ...]]:
+    curve = view.source
+    rows = []
+    for index, point in enumerate(curve.points):
+        t = float(view.parameters[index])
+        is_corner = point.corner and curve.family.derivatives
+        after = _derivatives(view, index, ahead=True) if is_corner else [nan] * len(AFTER)
+        rows.append((t, point.x, point.y, *_derivatives(view, index, ahead=False), *after))
+    if curve.is_closed:
+        first = curve.points[0]
+        empty = (nan,) * (len(ROLES) + len(AFTER) - 3)
+        rows.append((interval(curve)[1], first.x, first.y, *empty))
+    return rows
+
+
+def _derivatives(view: CurveView, index: int, *, ahead: bool) -> list[float]:
+    """Return the derivatives on one side of a point, by their orders; NaN where there is none."""
+    vectors = (view.derivative_of(index, each.order, ahead=ahead) for each in DERIVATIVES)
+    return [number for vector in vectors for number in vector or (nan, nan)]
+
+
+POINTS_TABLE = Format(
+    endings=(".points.csv", ".points.tsv"),
+    title="Table of points (CSV)",
+    description="The points with their derivatives. Imported again, they give the same curves.",
+    rank=70,
+    write=points_table,
+)
+
+
+# Samples
+
+MOST_SAMPLES = 1_000_000
+
+_DERIVATIVES = tuple(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy")
+TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
+"""The columns of a table, unless others are chosen."""
+
+_ALL = ("t", "x", "y", *_DERIVATIVES, "curvature", "length")
+
+
+class Spacing(NamedEnum):
+    """Spacing of samples along a curve."""
+
+    T = "t", "equal steps of t"
+    LENGTH = "length", "equal arc lengths"
+    TOLERANCE = "tolerance", "as the tolerance takes"
+
+
+SPACING = OneOf(
+    name="spacing",
+    label="Samples",
+    tip="How the rows are spread along each curve",
+    default=Spacing.T,
+    choices={each: each.label for each in Spacing},
+    flag="--by",
+    help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
+)
+SAMPLES = Whole(
+    name="samples",
+    label="Rows",
+    title="Number of samples",
+    tip="Rows for each curve",
+    default=201,
+    limits=(2, MOST_SAMPLES),
+    help="rows of a table (default: %(default)s)",
+)
+COLUMNS = SomeOf(
+    name="columns",
+    label="Columns",
+    tip="Write the column {}",
+    widget="exportColumn_{}",
+    default=TITLES,
+    choices=_ALL,
+    needed="A table needs at least one column.",
+)
+
+_ROWS_AT_ONCE = 2_000
+_LENGTH, _CURVATURE = _ALL.index("length"), _ALL.index("curvature")
+_UNSURE = 1e-3
+"""Share of a curvature by which rounding may change it without a word."""
+_STRAIGHT = 1e-6
+"""Share of 1 / size below which a curvature counts as none."""
+_LENGTH_ACCURACY = 1e-9
+
+
+def sampled_table(document: Document, options: Options = DEFAULT, separator: str = ",") -> Written:
+    """Return the curves as a table; with several, the first column is the curve's name.
+
+    There are equal steps of t, of the arc length, or as many samples as a polyline within the tolerance
+    needs, as `SPACING` says. Numbers have a decimal point whatever the locale. The deviation is that of the
+    polyline through the samples.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve, or the number of samples is out of range.
+    """
+    samples, report = options[SAMPLES], options.report
+    if not 2 <= samples <= MOST_SAMPLES:
+        raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
+    sources, remarks = sources_of(document, part(report, 0.0, 0.1))
+    allowed = checked_tolerance(sources, options.tolerance)
+    chosen, rest = _columns(options[COLUMNS]), part(report, 0.1, 1.0)
+    named = len(sources) > 1
+    titles = [_ALL[column] for column in chosen]
+    lines, deviation, unsure = [separator.join(["curve", *titles] if named else titles)], 0.0, 0
+    for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
+        away = part(rest, place / len(sources), (place + 1) / len(sources))
+        lead = cell_of_name(name, separator) + separator if named else ""
+        for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
+            deviation = max(deviation, missed)
+            if _CURVATURE in chosen and not source.core.difference_digits:
+                size = np.maximum(np.abs(rows[:, _CURVATURE]), _STRAIGHT / max(source.size, 1e-300))
+                unsure += int(np.count_nonzero(curvature_error(source.core, rows[:, 0]) > _UNSURE * size))
+            lines += [lead + separator.join(map(cell_of_number, row)) for row in rows[:, chosen].tolist()]
+    if unsure:
+        rows_unsure = count_of(unsure, "row")
+        remarks = (*remarks, f"In {rows_unsure} rounding may change the curvature by more than a thousandth.")
+    return Written("\n".join(lines) + "\n", deviation, remarks, is_bound=False)
+
+
+def _samples_of(
+    core: ParametricCurve, options: Options, allowed: float, with_lengths: bool, report: Report
+) -> Iterator[tuple[FloatArray, float]]:
+    """Yield the rows of a curve, some at a time, with the deviation of the polyline through them."""
+    report(0.0, "Computing samples")
+    needed = with_lengths or options[SPACING] is Spacing.LENGTH
+    lengths = arc_lengths_of(core, _LENGTH_ACCURACY) if needed else None
+    t, bound = _parameters_of(core, options, allowed, lengths, part(report, 0.0, 0.5))
+    for first in range(0, len(t) - 1, _ROWS_AT_ONCE):
+        report(0.5 + 0.5 * first / len(t), "Computing samples")
+        # The last sample of a part is the first of the next.
+        some = t[first : first + _ROWS_AT_ONCE + 1]
+        missed = polyline_deviation(core, some) if bound is None else bound
+        yield _rows_of(core, some, lengths)[1 if first else 0 :], missed
+
+
+def _columns(titles: tuple[str, ...]) -> list[int]:
+    """Return the places of the columns wanted, in their usual order."""
+    if not titles or not set(titles) <= set(_ALL):
+        raise ExchangeError(f"A table can have the columns {', '.join(_ALL)}; at least one is needed.")
+    return [place for place, title in enumerate(_ALL) if title in titles]
+
+
+def _parameters_of(
+    core: ParametricCurve, options: Options, tolerance: float, lengths: ArcLength | None, report: Report
+) -> tuple[FloatArray, float | None]:
+    """Return the parameters to sample a curve at, both ends of its domain among them.
+
+    The second value is a bound of the deviation of the polyline through the samples, None where that is
+    to be measured. A tolerance that takes more vertices than a polyline can have is missed, and the bound
+    says so.
+    """
+    samples, spacing = options[SAMPLES], options[SPACING]
+    if spacing is Spacing.TOLERANCE:
+        pieces = flatten_pieces(core, tolerance)
+        return pieces.parameters, pieces.reached
+    if lengths is not None and spacing is Spacing.LENGTH:
+        return _by_length(core, lengths, samples, report), None
+    start, end = core.domain
+    return np.append(start + (end - start) * (np.arange(samples - 1) / (samples - 1)), end), None
+
+
+def _rows_of(core: ParametricCurve, t: FloatArray, lengths: ArcLength | None) -> FloatArray:
+    """Return the columns of `_ALL` at parameters t (m,), one row each.
+
+    Curvature is positive where the curve turns to the left, and NaN at a point at rest; the length counts
+    from the beginning of the curve, and is NaN where none are wanted. At a corner the values are those
+    after it.
+    """
+    orders = [core.evaluate(t, order) for order in range(len(DERIVATIVES) + 1)]
+    _, velocity, acceleration, *_ = orders
+    with np.errstate(all="ignore"):
+        cross = velocity[:, 0] * acceleration[:, 1] - velocity[:, 1] * acceleration[:, 0]
+        curvature = cross / np.hypot(*velocity.T) ** 3
+    length = lengths.length_at(t) if lengths is not None else np.full(len(t), np.nan)
+    return np.column_stack([t, *orders, curvature, length])
+
+
+def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
+    """Return about the largest distance of a curve from its chords between the parameters t (m,).
+
+    Measured at eight parameters a part, and parts end at the curve's own parameters, too; an eighth of the
+    second differences is added for what lies between the eight, as for a parabola.
+    """
+    inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
+    cuts = np.unique(np.concatenate([t, inner]))
+    at = (cuts[:-1, None] + np.diff(cuts)[:, None] * (np.arange(8) / 8)).ravel()
+    chord = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(t) - 2)
+    points, ends = core.evaluate(at), core.evaluate(t)
+    start, along = ends[chord], ends[chord + 1] - ends[chord]
+    offset = points - start
+    square = np.einsum("md,md->m", along, along)
+    with np.errstate(all="ignore"):
+        share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
+        distance = np.hypot(*(offset - share[:, None] * along).T)
+        eight = points.reshape(-1, 8, 2)
+        nine = np.concatenate([eight, np.append(eight[1:, :1], ends[None, -1:], axis=0)], axis=1)
+        bend = np.hypot(*np.diff(nine, n=2, axis=1).T).max(axis=0) / 8
+    return float((distance.reshape(-1, 8).max(axis=1) + bend).max())
+
+
+def _by_length(core: ParametricCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
+    """Return parameters at equal arc lengths."""
+    if not lengths.total.error < lengths.total.value < np.finfo(float).max:
+        raise ExchangeError("The curve has no length to divide.")
+    wanted = lengths.total.value * (np.arange(1, samples - 1) / (samples - 1))
+    t = [core.parameters[:1]]
+    for first in range(0, len(wanted), _ROWS_AT_ONCE):
+        report(first / len(wanted), "Dividing the length")
+        t.append(lengths.parameter_at(wanted[first : first + _ROWS_AT_ONCE]))
+    return np.unique(np.concatenate([*t, core.parameters[-1:]]))
+
+
+def _hidden(values: Mapping[str, Any]) -> tuple[Option[Any]]:
+    """Return the option that does not matter: the count where the tolerance says it, or else that."""
+    return (SAMPLES if values[SPACING.name] is Spacing.TOLERANCE else TOLERANCE,)
+
+
+_samples = partial(
+    Format,
+    rank=50,
+    options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
+    hidden=_hidden,
+)
+CSV = _samples(
+    endings=(".csv",),
+    title="Table of samples (CSV)",
+    description="Numbers along each curve, with commas between them.",
+    write=sampled_table,
+)
+TSV = _samples(
+    endings=(".tsv",),
+    title="Table of samples (TSV)",
+    description="Numbers along each curve, with tabs between them.",
+    write=partial(sampled_table, separator="\t"),
 )

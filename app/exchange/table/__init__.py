@@ -4,7 +4,8 @@
 - ``table``: tables in memory.  ``text``: tables of text, from bytes to numbers.  ``columns``: their roles.
 - ``curves``: tables as curves.  ``thinning``: as few rows as a tolerance takes.
 - ``clipboard``: blocks of numbers on the clipboard.
-- ``numpy_array``, ``json_table``: arrays of NumPy and JSON, as tables.
+
+Arrays of NumPy, JSON, GPX and some paths of robots become tables in ``formats``.
 """
 
 import lazy_loader as lazy
