@@ -15,13 +15,12 @@ import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 
-from ..document.curve_tree import NodeKind, whole_nodes
 from ..document.derivatives import EstimateRule
+from ..document.group_edits import are_in_groups, nodes_of
+from ..document.groups import NodeKind, shape_of, whole_nodes, whole_shapes
 from ..document.model import Document, ParametrizationKind
 from ..document.point_group import PointGroup
 from ..document.several_curves import counted, is_blank
-from ..document.shape_edits import are_in_groups, nodes_of
-from ..document.shapes import shape_of, whole_shapes
 from ..families import Family
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore

@@ -11,7 +11,7 @@ from PySide6.QtGui import QPainter
 
 from curvecore.arrays import BoolArray
 
-from ..document.lines import line_beside
+from ..document.constraints import line_beside
 from ..document.model import Curve
 from ..plotting.pixel_map import PixelMap
 from ..plotting.stamps import Mark

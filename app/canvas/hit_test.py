@@ -11,9 +11,9 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ..document.groups import shapes
 from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
-from ..document.shapes import shapes
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, Polyline

@@ -16,8 +16,8 @@ from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour
 from ..appearance.theme import mix
+from ..document.groups import shapes
 from ..document.model import Vector
-from ..document.shapes import shapes
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
 from ..plotting.pens import draw_line, pen_of

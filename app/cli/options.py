@@ -7,8 +7,8 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from ..document.lengths import MILLIMETRES, known_unit
 from ..document.model import Document
-from ..document.units import MILLIMETRES, known_unit
 from ..document.words import enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError

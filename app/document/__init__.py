@@ -1,27 +1,27 @@
-"""The document: immutable values and the edits that make new ones.
+"""The document: immutable values, and edits that return new ones.
 
-- ``model``: Document, Curve, Point and the rules for parameters.  ``derivatives``: those of points, and the
-  rules that estimate them.  ``limits``: the numbers that they may hold.
-- ``style``: stroke and fill of a curve.
-- ``shapes``: neighbouring curves that are drawn as one.
-- ``export``: the last export of a document.
-- ``decimals``: numbers added as they are written.
-- ``value``: their base.  ``fields``: what each field holds, and what it is called.
-- ``steps``: what has changed from one value to the next.
-- ``plain``: NumPy's numbers turned into Python's before a document holds them.
-- ``words``: names, numbers and plurals as people read them.
-- ``edits``, ``curve_edits``: pure functions ``(Document, …) -> Document``, of points and of whole curves.
-- ``transforms``, ``jet_edits``: of many points or derivatives at once.
-- ``kept_handles``: derivatives set for the spacing that moved points have.
-- ``several_curves``: of several curves at once, and curves from elsewhere.  ``point_group``: points of
-  several that change together.
-- ``curve_tree``: shapes and groups as a tree.  ``shape_edits``: made, taken apart and moved in the order.
-- ``straight_edits``: segments made straight.  ``lines``: straight ones found, and kept straight.
-- ``box_edits``: rectangles and ellipses drawn into a box.
-- ``style_edits``: how curves look, and what several have in common.
-- ``ties``: velocities before and after a point that go the same way.
-- ``selection``: selected curves and points followed through a change.
-- ``places``: where in it something is, in words.
-- ``image_edits``, ``plane_edits``: of the picture to trace; of unit, grid and guides.
-- ``expression``: numbers as people type them.  ``lengths``: with their units.  ``units``: their size.
+In reading order:
+
+- ``model``: `Document`, `Curve`, `Point`, and the rules for parameters.  ``style``: stroke and fill.
+  ``derivatives``: velocity, acceleration and jerk of a point, and the rules that estimate them.
+- ``fields``: base class of all values, and what each field may hold.  ``limits``: largest numbers,
+  `EditError`. ``field_paths``: paths of fields in words.  ``words``: names, numbers and plurals for people.
+- ``point_edits``: edits of the points of a curve and of their derivatives.  ``rule_edits``: of its family,
+  rules and parameters.  ``curve_edits``: of whole curves.  ``straight_edits``: segments made straight.
+  ``box_edits``: rectangles and ellipses.
+- ``constraints``: straight segments, ties and handles, kept while points move.
+- ``point_group``: points of several curves that change together.  ``several_curves``: edits of several
+  curves. ``transforms``: affine maps, alignment and distribution.
+- ``groups``: shapes and groups as a tree.  ``group_edits``: combine, group, reorder, rename.
+- ``style_edits``: stroke and fill of several curves.  ``plane_edits``: unit, grid, guides, reference image.
+- ``selection``: selected curves and points, followed through a change.
+- ``differences``: what changed from one document to the next.  ``plain_numbers``: numbers of NumPy made
+  plain.
+- ``expression``: numbers as people type them.  ``lengths``: lengths with units.
+
+To add an edit: write a pure function ``(document, curve, …) -> Document`` in the module of its subject. Raise
+`EditError` with a sentence for the status line where the edit is impossible; check numbers with
+`limits.checked`; return the document itself where nothing changes. An edit that moves points ends with
+`point_edits.with_points_elsewhere`, which keeps handles. A command calls it with
+``session.change(undo_text, edit)``.
 """

@@ -9,11 +9,11 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import HERMITE
+from .constraints import holds, tied
 from .curve_edits import add_curve, free_name, fresh_curve, is_numbered, replace_curve, without
 from .limits import checked_vector
 from .model import Document, Parametrization, ParametrizationKind, Point, Vector
 from .style import Style
-from .ties import holds, tied
 
 Piece = tuple[Vector, Vector, Vector, Vector]
 """The control points of a cubic piece."""

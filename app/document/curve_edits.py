@@ -12,9 +12,13 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
+from ..families import FAMILIES, Family, titles
+from .constraints import stretched
 from .derivatives import DERIVATIVES
-from .edits import EditError, delete_points, freeze_parameters, interval, refuse_equal_parameters, set_points
+from .limits import EditError
 from .model import Curve, Document, Parametrization, Point, Vector
+from .point_edits import delete_points, set_points
+from .rule_edits import freeze_parameters, refuse_equal_parameters, with_room_to_close
 from .style import PLAIN_STYLE
 from .words import enumerated
 
@@ -87,6 +91,14 @@ def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve
     return replace(document, curves=tuple(new))
 
 
+def rename_curve(document: Document, curve: int, name: str) -> Document:
+    """Give the curve a name, without the blanks around it."""
+    name = name.strip()
+    if not name:
+        raise EditError("A curve needs a name.")
+    return document.with_curve(curve, replace(document.curves[curve], name=name))
+
+
 def free_name(document: Document, word: str = "Curve") -> str:
     """Return a name for a new curve that no curve, shape or group has: they are listed together."""
     taken = {name for curve in document.curves for name in (curve.name, curve.shape, *curve.groups)}
@@ -122,6 +134,40 @@ def unstyled_model(curve: Curve) -> Curve:
     return replace(fresh_curve(Document(()), curve, usual), style=PLAIN_STYLE)
 
 
+def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale: float = 1.0) -> Document:
+    """Let the curve return to its first point, or not.
+
+    Under an automatic rule the segment that closes needs a part of the interval. `parameter_scale` is what
+    that does to the others, dt_new / dt_old, as for `append_point`: handles stay where the person put them.
+    """
+    old = document.curves[curve]
+    if closed and not old.family.curve_class.can_close:
+        raise EditError(
+            f"Choose {titles(each for each in FAMILIES if each.curve_class.can_close)} to close the curve: "
+            f"{_why_open(old.family)}."
+        )
+    if closed and len(old.points) < old.family.least_to_close:
+        raise EditError(_why_too_few(old.family))
+    points = tuple(stretched(point, parameter_scale) for point in old.points)
+    return document.with_curve(curve, with_room_to_close(replace(old, points=points, closed=closed)))
+
+
+def _why_open(family: Family) -> str:
+    """Return the reason for its curves not to return to their first point, in few words."""
+    reason = "is one polynomial" if family.curve_class.is_one_polynomial else "does not return smoothly"
+    return f"{family.a_curve} {reason}"
+
+
+def _why_too_few(family: Family) -> str:
+    """Return the reason for so few points of a family not to make a closed curve."""
+    if family.derivatives:
+        return "A closed curve needs at least two points."
+    return (
+        f"A closed curve needs at least three points here: of two, {family.a_curve} goes straight there and "
+        "back; points with velocities would bend it."
+    )
+
+
 def reverse_curve(document: Document, curve: int, parameters: Sequence[float]) -> Document:
     """Run through a curve the other way; its shape stays.
 
@@ -149,7 +195,7 @@ def _span_carried(curve: Curve) -> tuple[float, float]:
     """Return first and last of the manual parameters, in force or only remembered."""
     carried = [point.t for point in curve.points if point.t is not None]
     if curve.is_manual or not carried:
-        return interval(curve)
+        return curve.interval
     return carried[0], carried[-1]
 
 

@@ -17,7 +17,7 @@ from typing import NoReturn
 
 import msgspec
 
-from .model import MAX_MAGNITUDE
+from .limits import MAX_MAGNITUDE
 from .words import number
 
 MAX_LENGTH = 200

@@ -1,8 +1,8 @@
-"""Fields of the document's values: what each holds and what it is called, as its annotation says.
+"""Base class of the document's values, and their fields as the annotations describe them.
 
 A field is described where it is declared: ``width: Annotated[float | None, at_least(0), "Stroke width"]``.
-``plain`` makes numbers of what are numbers, the check of files and changes asks for the requirements, and the
-history takes the words.
+`plain_numbers` converts the numbers of such fields, the validation of files and changes checks the
+requirements, and the history names the fields.
 """
 
 from __future__ import annotations
@@ -15,7 +15,12 @@ from typing import Annotated, Any, Final, NamedTuple, Union, get_args, get_origi
 
 import msgspec
 
-from .value import Value
+Vector = tuple[float, float]
+"""A place or a way in the plane."""
+
+
+class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """An immutable value of the document; a file leaves out what is at its default."""
 
 
 class Requirement(NamedTuple):

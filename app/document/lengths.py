@@ -1,12 +1,37 @@
-"""Lengths as people type them, each with its unit: ``1in``, ``70 mm``, ``1/3``, ``2in + 3mm``, ``+10%``."""
+"""Units of length, and lengths as people type them: ``1in``, ``70 mm``, ``1/3``, ``2in + 3mm``, ``+10%``."""
 
 from __future__ import annotations
 
 import re
-from typing import NoReturn
+from typing import Final, NoReturn
 
 from .expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
-from .units import MILLIMETRES, known_unit
+
+MILLIMETRES: Final = {
+    "µm": 1e-3,
+    "mm": 1.0,
+    "cm": 10.0,
+    "m": 1e3,
+    "km": 1e6,
+    "in": 25.4,
+    "ft": 304.8,
+    "pt": 25.4 / 72,
+    "pc": 25.4 / 6,
+    "px": 25.4 / 96,
+}
+"""Millimetres of each unit that a picture can be drawn in at true size; px is CSS's."""
+
+_OTHER_NAMES: Final = {"um": "µm", "μm": "µm", "inch": "in", "inches": "in", '"': "in", "″": "in", "′": "ft"}
+
+
+def known_unit(name: str) -> str:
+    """Return the key of `MILLIMETRES` that a name means; empty where it is none, such as "s"."""
+    word = name.strip()
+    word = _OTHER_NAMES.get(word.lower(), word)
+    return next((each for each in (word, word.lower()) if each in MILLIMETRES), "")
+
+
+# Typed lengths
 
 _UNIT = re.compile(r"""(?<=[\d.,)\s])([^\W\d_]+|["″′])""")
 """A word after a number, or the mark of an inch or a foot."""

@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from .model import MAX_MAGNITUDE, Vector
+from .fields import Vector
 from .words import number
+
+MAX_MAGNITUDE = 1e12
+"""Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
 
 
 class EditError(ValueError):

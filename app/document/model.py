@@ -1,102 +1,29 @@
-"""The values a document is made of. All are immutable, compare by value and hold no arrays."""
+"""Values of a document: points, curves, guides, reference image. Immutable, compared by value, no arrays."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from operator import attrgetter
-from typing import Annotated
+from typing import Annotated, Final
 
 from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
-from .export import NEVER_EXPORTED, Export
-from .fields import LENGTH, Requirement, above, at_least, between, printed
+from .fields import LENGTH, Requirement, Value, above, at_least, between, few, printed
+from .fields import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .style import PLAIN_STYLE, Style
-from .value import Value
-from .value import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .words import NamedEnum
 
-_PATH = Requirement(lambda path: bool(path.strip()) and path.isprintable(), "be the name of a file")
-_OF_THIS_COMPUTER = Requirement(
-    # Opening another would knock at that computer, and on some systems with the person's password.
-    lambda path: not path.startswith(("//", "\\\\")),
-    "lead to a file of this computer, not to one of the network",
-)
-
-
-class ReferenceImage(Value, frozen=True, omit_defaults=False):
-    """A picture to trace, behind the curves.
-
-    Attributes
-    ----------
-    path
-        Its file: absolute in a document that is open, with forward slashes and relative to the document's
-        own folder in a file.
-    x, y
-        Where its lower left corner lies.
-    width, height
-        Its size in the plane; what the file holds is fitted into it.
-    opacity
-        From 0, invisible, to 1.
-    locked
-        Whether it is safe from being moved.
-    """
-
-    path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
-    x: Length
-    y: Length
-    width: Annotated[Length, above(0)]
-    height: Annotated[Length, above(0)]
-    opacity: Annotated[float, between(0, 1)] = 0.5
-    locked: bool = False
-
-
 Length = Annotated[float, LENGTH]
-"""A number that is twice as large in a drawing twice as large."""
-
-
-class Axis(NamedEnum):
-    """A coordinate of the plane."""
-
-    X = "x", "x"
-    Y = "y", "y"
-
-    @property
-    def coordinate(self) -> int:
-        """Which coordinate it is: 0 or 1."""
-        return int(self is Axis.Y)
-
-
-class Guide(Value, frozen=True):
-    """A line to draw along, all across the plane.
-
-    Attributes
-    ----------
-    axis
-        The coordinate that all of its points have in common: x of an upright line, y of a level one.
-    position
-        That coordinate.
-    """
-
-    axis: Axis
-    position: Length
-
-    def beside(self, place: Vector) -> Vector:
-        """Return its point that is level with a place, or straight above or below it."""
-        x, y = place
-        return (self.position, y) if self.axis is Axis.X else (x, self.position)
-
+"""Number that is twice as large in a drawing twice as large."""
 
 Lengths = Annotated[Vector | None, LENGTH]
-"""A vector of such, or none."""
+"""Vector of such numbers, or None."""
 
-LONGEST_UNIT = 12
-"""Characters of a unit's name."""
 
-MAX_MAGNITUDE = 1e12
-"""Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
+# Points and curves
 
 
 class ParametrizationKind(NamedEnum):
@@ -342,6 +269,126 @@ class Curve(Value, frozen=True, dict=True):
     def is_manual(self) -> bool:
         """Whether the person, not a rule, gives the parameters."""
         return self.parametrization.kind is ParametrizationKind.MANUAL
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The interval that the parameters span."""
+        rule = self.parametrization
+        if self.is_manual and len(self.points) > 1:
+            first, last = self.points[0].t, self.points[-1].t
+            if first is not None and last is not None:
+                return (first, rule.end if self.is_closed else last)
+        return (rule.start, rule.end)
+
+
+# Reference image and guides
+
+_PATH = Requirement(lambda path: bool(path.strip()) and path.isprintable(), "be the name of a file")
+_OF_THIS_COMPUTER = Requirement(
+    # Opening another would knock at that computer, and on some systems with the person's password.
+    lambda path: not path.startswith(("//", "\\\\")),
+    "lead to a file of this computer, not to one of the network",
+)
+
+
+class ReferenceImage(Value, frozen=True, omit_defaults=False):
+    """A picture to trace, behind the curves.
+
+    Attributes
+    ----------
+    path
+        Its file: absolute in a document that is open, with forward slashes and relative to the document's
+        own folder in a file.
+    x, y
+        Where its lower left corner lies.
+    width, height
+        Its size in the plane; what the file holds is fitted into it.
+    opacity
+        From 0, invisible, to 1.
+    locked
+        Whether it is safe from being moved.
+    """
+
+    path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
+    x: Length
+    y: Length
+    width: Annotated[Length, above(0)]
+    height: Annotated[Length, above(0)]
+    opacity: Annotated[float, between(0, 1)] = 0.5
+    locked: bool = False
+
+
+class Axis(NamedEnum):
+    """A coordinate of the plane."""
+
+    X = "x", "x"
+    Y = "y", "y"
+
+    @property
+    def coordinate(self) -> int:
+        """Which coordinate it is: 0 or 1."""
+        return int(self is Axis.Y)
+
+
+class Guide(Value, frozen=True):
+    """A line to draw along, all across the plane.
+
+    Attributes
+    ----------
+    axis
+        The coordinate that all of its points have in common: x of an upright line, y of a level one.
+    position
+        That coordinate.
+    """
+
+    axis: Axis
+    position: Length
+
+    def beside(self, place: Vector) -> Vector:
+        """Return its point that is level with a place, or straight above or below it."""
+        x, y = place
+        return (self.position, y) if self.axis is Axis.X else (x, self.position)
+
+
+# The document
+
+LONGEST_UNIT = 12
+"""Characters of a unit's name."""
+
+LONGEST_NAME: Final = 255
+LONGEST_OPTION: Final = 1000
+MOST_OPTIONS: Final = 64
+
+_NAME = Requirement(
+    lambda name: len(name) <= LONGEST_NAME and name.isprintable() and not {"/", "\\"} & {*name},
+    "be the name of a file without its folder",
+)
+_OPTIONS = few(MOST_OPTIONS, f"be at most {MOST_OPTIONS}")
+_OPTION = Requirement(
+    lambda texts: all(len(text) <= LONGEST_OPTION and text.isprintable() for text in texts),
+    f"be printable texts of at most {LONGEST_OPTION} characters",
+)
+
+
+class Export(Value, frozen=True):
+    """A format, a file and the options of an export.
+
+    Attributes
+    ----------
+    ending
+        Of the files of the format, such as ".png"; empty where the document was never exported.
+    name
+        Of the file, without its folder.
+    options
+        Options that are not at their defaults: their names, and their values as JSON.
+    """
+
+    ending: Annotated[str, printed(LONGEST_NAME, "be the end of a name")] = ""
+    name: Annotated[str, _NAME] = ""
+    options: Annotated[tuple[tuple[str, str], ...], _OPTIONS, _OPTION] = ()
+
+
+NEVER_EXPORTED: Final = Export()
 
 
 class Document(Value, frozen=True):

@@ -8,7 +8,7 @@ import msgspec
 from msgspec.structs import replace
 
 from .curve_edits import locked_sentence
-from .edits import EditError
+from .limits import EditError
 from .model import Document
 from .words import count_of, points
 

@@ -8,9 +8,9 @@ from operator import is_
 
 import msgspec
 
+from .groups import shape_around
 from .model import Curve, Document, Point, Vector
 from .point_group import PointGroup, some_points
-from .shapes import shape_around
 
 NONE_CHOSEN = "No curve is chosen; click one, or press Ctrl+A for all."
 """What is said to whoever wants something of a curve while none is edited and none chosen."""

@@ -12,12 +12,11 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each, without
-from .curve_tree import OUTSIDE, Container, counted_nodes, whole_nodes
-from .edits import PointsChange, moving, with_all_shifted
+from .group_edits import contained, with_own_names
+from .groups import OUTSIDE, Container, counted_nodes, shape_of, tidy_shapes, whole_nodes, whole_shapes
 from .model import Curve, Document, Vector
+from .point_edits import PointsChange, moving, with_all_shifted
 from .point_group import PointGroup, PointsEdit
-from .shape_edits import contained, with_own_names
-from .shapes import shape_of, tidy_shapes, whole_shapes
 from .transforms import Affine, placing, stepping, transform_points
 from .words import count_of
 

@@ -7,11 +7,10 @@ from collections.abc import Collection, Sequence
 from msgspec.structs import replace
 
 from ..families import Family, titles_with_derivatives
-from .edits import EditError
-from .jet_edits import JetValue, with_jet_values
-from .lines import ends_of, is_line
+from .constraints import ends_of, is_line, untied
+from .limits import EditError
 from .model import Curve, Document, Point
-from .ties import untied
+from .point_edits import JetValue, with_jet_values
 
 
 def why_not_straight(family: Family) -> str:

@@ -6,8 +6,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from .fields import LENGTH, SHARE, Requirement, at_least, few, matching
-from .value import Value
+from .fields import LENGTH, SHARE, Requirement, Value, at_least, few, matching
 from .words import NamedEnum
 
 INK: Final = ""

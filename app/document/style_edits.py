@@ -13,8 +13,8 @@ from msgspec.structs import replace
 
 from .curve_edits import with_each
 from .fields import fields_of
+from .groups import whole_shapes
 from .model import Curve, Document
-from .shapes import whole_shapes
 from .style import INK, NO_PAINT, Style
 
 STYLE_WORDS: Final = {field.name: field.words for field in fields_of(Style)}

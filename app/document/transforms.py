@@ -16,12 +16,12 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
+from .constraints import tied
 from .derivatives import VECTORS
-from .edits import EditError, PointsChange, all_placed, with_all_changed, with_points_elsewhere
-from .limits import checked_vector
+from .limits import EditError, checked_vector
 from .model import Document, Point, Vector, vectors_of
+from .point_edits import PointsChange, all_placed, with_all_changed, with_points_elsewhere
 from .point_group import PointGroup
-from .ties import tied
 from .words import NamedEnum
 
 _x, _y = attrgetter("x"), attrgetter("y")

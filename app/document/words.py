@@ -1,10 +1,13 @@
-"""Words for people: names of members, numbers, amounts, lists. What is shown is a view; values stay whole."""
+"""Words for people: labels of members, numbers, amounts, lists; and sums of decimals as people write them.
+
+Rounding happens here and nowhere else: a displayed number is a view, the value stays exact.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Sequence
-from decimal import ROUND_UP, Context
+from decimal import ROUND_UP, Context, Decimal
 from enum import StrEnum
 from typing import Self
 
@@ -141,3 +144,13 @@ def enumerated(words: Sequence[str], conjunction: str = "and") -> str:
 def listed(names: Sequence[str]) -> str:
     """Return "a was", "a and b were": the beginning of a sentence that says what became of them."""
     return f"{names_of(names)} {'was' if len(names) == 1 else 'were'}"
+
+
+def decimal_sum(a: float, b: float) -> float:
+    """Return a + b as the decimal numbers that they are written as."""
+    return float(Decimal(repr(a)) + Decimal(repr(b)))
+
+
+def decimal_product(a: float, b: float) -> float:
+    """Return a · b as the decimal numbers that they are written as."""
+    return float(Decimal(repr(a)) * Decimal(repr(b)))

@@ -9,11 +9,10 @@ from typing import Any, NamedTuple
 
 import msgspec
 
-from ..document.export import Export
-from ..document.model import Document
+from ..document.groups import whole_shapes
+from ..document.lengths import known_unit
+from ..document.model import Document, Export
 from ..document.several_curves import alone, name_of
-from ..document.shapes import whole_shapes
-from ..document.units import known_unit
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
 from .options import (

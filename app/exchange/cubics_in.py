@@ -14,9 +14,9 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray
 
-from ..document.limits import EditError
+from ..document.groups import tidy_shapes
+from ..document.limits import MAX_MAGNITUDE, EditError
 from ..document.model import (
-    MAX_MAGNITUDE,
     Curve,
     Document,
     Parametrization,
@@ -25,7 +25,6 @@ from ..document.model import (
     Vector,
     empty_document,
 )
-from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE, Style
 from ..families import HERMITE
 from ..storage.format_error import FormatError

@@ -13,7 +13,7 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec.structs import replace
 
-from ..document.units import known_unit
+from ..document.lengths import known_unit
 from ..document.words import NamedEnum
 from ..tasks.progress import Report, silent
 from .drawing.styles import INK, LIGHT, PictureStyle

@@ -7,13 +7,12 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from ..document.decimals import decimal_sum
-from ..document.edits import EditError
-from ..document.fields import Field, fields_of
+from ..document.fields import Field, Value, fields_of
+from ..document.lengths import MILLIMETRES, known_unit
+from ..document.limits import EditError
 from ..document.model import Document, Guide, Vector
 from ..document.several_curves import stepped, whole_curves
-from ..document.units import MILLIMETRES, known_unit
-from ..document.value import Value
+from ..document.words import decimal_sum
 
 _Value = TypeVar("_Value", bound=Value)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from ..document.units import known_unit
+from ..document.lengths import known_unit
 
 POINTS_PER_MILLIMETRE: Final = 72 / 25.4
 

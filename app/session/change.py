@@ -7,9 +7,9 @@ import traceback
 import msgspec
 
 from ..document.curve_edits import refuse_locked
-from ..document.edits import EditError
+from ..document.field_paths import with_path_in_words
+from ..document.limits import EditError
 from ..document.model import Document
-from ..document.places import with_place_in_words
 from ..storage.format_error import FormatError
 from ..storage.validation import validate_changes
 
@@ -52,5 +52,5 @@ def why_not_kept(before: Document, after: Document) -> str:
     try:
         validate_changes(before, after)
     except FormatError as reason:
-        return f"This cannot be kept: {with_place_in_words(after, str(reason))}."
+        return f"This cannot be kept: {with_path_in_words(after, str(reason))}."
     return ""

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from ..document.edits import EditError
-from ..document.export import NEVER_EXPORTED, Export
-from ..document.model import Document, empty_document
-from ..document.plain import plain
-from ..document.shapes import tidy_shapes
+from ..document.groups import tidy_shapes
+from ..document.limits import EditError
+from ..document.model import NEVER_EXPORTED, Document, Export, empty_document
+from ..document.plain_numbers import plain
 from ..storage.examples import template_title
 from ..storage.files import load
 from ..storage.open_file import FileChange, OpenFile, Reading

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from ..document.differences import reshaped
 from ..document.model import Document
 from ..document.point_group import NO_POINTS
 from ..document.selection import (
@@ -15,7 +16,6 @@ from ..document.selection import (
     returned_curves,
     returned_points,
 )
-from ..document.steps import reshaped
 
 if TYPE_CHECKING:
     from .selection import Selection

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..document.groups import whole_shapes
 from ..document.point_group import NO_POINTS
 from ..document.selection import SelectionState
-from ..document.shapes import whole_shapes
 from ..document.style import Style
 from .highlight import ClipboardSelection
 

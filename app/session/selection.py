@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from ..document.groups import whole_shapes
 from ..document.point_group import NO_POINTS, PointGroup, some_points
 from ..document.selection import SelectionState, existing_points
-from ..document.shapes import whole_shapes
 from ..document.style import Style
 from .selected import Selected
 

@@ -9,12 +9,12 @@ from pathlib import Path
 from msgspec.structs import replace
 from PySide6.QtGui import QUndoStack
 
-from ..document.edits import AlreadySoError, EditError
+from ..document.groups import tidy_shapes
+from ..document.limits import AlreadySoError, EditError
 from ..document.model import Curve, Document
-from ..document.plain import plain
+from ..document.plain_numbers import plain
 from ..document.selection import SelectionState
 from ..document.several_curves import is_blank
-from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE
 from ..families import Family
 from ..storage.examples import first_sketch

@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import chain, compress
 from operator import is_not
 
+from ..document.differences import are_known_to_move
 from ..document.model import Curve
-from ..document.steps import are_known_to_move
 from ..families import Family
 from ..view_model.curve.curve_view import CurveView, same_line, view_of
 from ..view_model.curve.transformed import views_after

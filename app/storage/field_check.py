@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from ..document.fields import Field, fields_of
-from ..document.model import MAX_MAGNITUDE, Curve, Point
-from ..document.value import Value
+from ..document.fields import Field, Value, fields_of
+from ..document.limits import MAX_MAGNITUDE
+from ..document.model import Curve, Point
 from .format_error import RANGE, FormatError, quoted, shortened
 
 

@@ -17,10 +17,10 @@ from typing import Any, Literal, TypeVar
 import msgspec
 from msgspec.structs import replace
 
+from ..document.fields import Value
+from ..document.groups import tidy_shapes
 from ..document.model import Curve, Document, Point
-from ..document.shapes import tidy_shapes
 from ..document.style import PLAIN_STYLE
-from ..document.value import Value
 from .coding import from_plain, to_plain
 from .format_error import FormatError, in_words, line_and_column, not_json, quoted
 from .migration import NOTHING, LeftOut, can_migrate, migrated

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 
-from ..document.model import MAX_MAGNITUDE
+from ..document.limits import MAX_MAGNITUDE
 
 _LONGEST_QUOTE = 40
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import msgspec
 
 from ..document.model import Document
-from ..document.plain import plain
+from ..document.plain_numbers import plain
 from . import files
 from .files import MissingError, Stamp, StorageError, UnconfirmedError
 from .format import VERSION, version_of

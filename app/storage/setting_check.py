@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 from msgspec.structs import replace
 
-from ..document.model import MAX_MAGNITUDE, Curve
+from ..document.limits import MAX_MAGNITUDE
+from ..document.model import Curve
 from ..families import Family, may_be_name
 
 

@@ -7,12 +7,12 @@ from contextlib import suppress
 from itertools import chain, repeat
 from operator import attrgetter, is_
 
+from ..document.constraints import holds
 from ..document.derivatives import VECTORS
+from ..document.differences import known_curves, moved_points
+from ..document.groups import shape_problem
 from ..document.limits import are_within
 from ..document.model import Curve, Document, ParametrizationKind, Point
-from ..document.shapes import shape_problem
-from ..document.steps import known_curves, moved_points
-from ..document.ties import holds
 from .field_check import check_fields
 from .format_error import FormatError
 

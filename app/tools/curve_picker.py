@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ..document.group_edits import pressed
+from ..document.groups import shape_of, whole_shapes
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
-from ..document.shape_edits import pressed
-from ..document.shapes import shape_of, whole_shapes
 from . import hints
 from .drag_machine import EditingSession
 from .pointer import Cursor, Hint, Hit, Part

@@ -8,7 +8,7 @@ from typing import Protocol
 
 import msgspec
 
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import SelectionState

@@ -6,7 +6,7 @@ import math
 
 import msgspec
 
-from ..document import edits, words
+from ..document import limits, point_edits, words
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
@@ -72,7 +72,7 @@ class MovePoints(Drag, frozen=True):
         document = moved(self.document, self.group, self.displacement(pointer))
         if self.snapper.caught is not None:
             # To the last bit where it snapped to: p + (q − p) may miss q by a rounding.
-            document = edits.set_position(document, *self.grip, self.snapper.caught.position)
+            document = point_edits.set_position(document, *self.grip, self.snapper.caught.position)
         return document
 
     @property
@@ -179,7 +179,7 @@ class DragHandle(CurveDrag, frozen=True):
                 self._broken.append(document.with_curve(self.curve, cornered))
             document = self._broken[0]
         derivative = self._derivative_at(pointer)
-        return edits.set_derivative(document, self.curve, *which, derivative, ahead=self.hit.ahead)
+        return point_edits.set_derivative(document, self.curve, *which, derivative, ahead=self.hit.ahead)
 
     def _breaks(self, pointer: Pointer) -> bool:
         """Whether the handle goes its own way, and the point becomes a corner."""
@@ -259,7 +259,7 @@ class PullVelocity(CurveDrag, frozen=True):
         """Put the handle ahead of the point under the pointer."""
         velocity = self._velocity_at(pointer)
         ahead = self.view.spacing(self.index, ahead=True) is not None
-        return edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
+        return point_edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
 
 
 class BendCurve(CurveDrag, frozen=True):
@@ -329,4 +329,4 @@ class Refuse(Drag, frozen=True):
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Make nothing of it."""
-        raise edits.EditError(self.reason)
+        raise limits.EditError(self.reason)

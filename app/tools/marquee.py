@@ -9,9 +9,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
+from ..document.group_edits import pressed
 from ..document.model import Vector
 from ..document.point_group import some_points
-from ..document.shape_edits import pressed
 from ..view_model.curve.curve_view import CurveView
 from . import hints
 from .curve_picker import chosen_curves

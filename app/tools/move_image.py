@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ..document.image_edits import move_image, scale_image, step_image
 from ..document.model import Document, ReferenceImage, Vector
+from ..document.plane_edits import move_image, scale_image, step_image
 from .drag import Drag, along_axis, axis_held, minus
 from .pointer import Cursor, Hint, Part, Pointer, Stride
 from .tool import Tool, ToolEvent, ToolRecord

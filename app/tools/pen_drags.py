@@ -8,10 +8,10 @@ from functools import cached_property
 import msgspec
 from msgspec.structs import replace
 
-from ..document import edits, words
+from ..document import point_edits, words
+from ..document.constraints import tied_to_line
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
-from ..document.ties import tied_to_line
 from ..view_model.append import Appending, with_point_appended
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
@@ -139,12 +139,12 @@ class AppendPoint(CurveDrag, frozen=True):
         if pointer.alt:
             return self._with_handle_ahead(document, index, velocity)
         self._whole[:] = [velocity]
-        return edits.set_velocity(document, self.curve, index, velocity)
+        return point_edits.set_velocity(document, self.curve, index, velocity)
 
     def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
         """Return the document with another velocity ahead of the new point alone."""
         before = self._whole[0] if self._whole else document.curves[self.curve].points[index].velocity
-        document = edits.make_corner(document, self.curve, index, before, velocity)
+        document = point_edits.make_corner(document, self.curve, index, before, velocity)
         curve = document.curves[self.curve]
         points = (*curve.points[:index], tied_to_line(curve, index))
         return document.with_curve(self.curve, replace(curve, points=points))
@@ -197,4 +197,4 @@ class InsertPoint(CurveDrag, frozen=True, dict=True):
             # The control point is not where the curve was pressed: it goes the same way.
             way = (place[0] - self.hit.position[0], place[1] - self.hit.position[1])
             place = plus(self.on_curve.curve.points[self.hit.index].position, way)
-        return edits.set_position(document, self.curve, self.hit.index, place)
+        return point_edits.set_position(document, self.curve, self.hit.index, place)

@@ -8,9 +8,9 @@ from enum import Enum, auto
 import msgspec
 from msgspec.structs import replace
 
-from ..document.decimals import decimal_product
 from ..document.model import Vector
 from ..document.transforms import clean_step
+from ..document.words import decimal_product
 
 _LEAST_PIXELS = 2.0
 """Pixels of a step by an arrow key, at least; the round number is at most two and a half times as far."""

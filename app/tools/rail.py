@@ -8,11 +8,11 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..document import words
-from ..document.decimals import decimal_sum
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import freeze_parameters, set_parameters
 from ..document.model import Curve, Document, ParametrizationKind, Vector
 from ..document.point_group import PointGroup, points_of
+from ..document.rule_edits import freeze_parameters, set_parameters
+from ..document.words import decimal_sum
 from ..view_model.curve.curve_view import CurveView
 from .drag import Drag
 from .drag_machine import CANCELLED, THRESHOLD, EditingSession

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 import numpy as np
 from msgspec.structs import replace
 
-from ..document.lines import ends_of, is_line
+from ..document.constraints import ends_of, is_line
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.distances import NearestPoint

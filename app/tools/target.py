@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.edits import EditError
+from ..document.differences import reshaped
+from ..document.groups import shape_of
+from ..document.limits import EditError
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
-from ..document.shapes import shape_of
-from ..document.steps import reshaped
 from ..view_model.boxes import Bounds, bounds_of
 from ..view_model.pivot import Anchor, Pivot, anchored
 from .drag_machine import EditingSession

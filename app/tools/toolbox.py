@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from msgspec.structs import replace
 
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.model import Vector
 from .background import Background
 from .drag_machine import CANCELLED, DragMachine, EditingSession

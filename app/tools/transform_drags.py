@@ -8,7 +8,7 @@ from collections.abc import Callable
 from msgspec.structs import replace
 
 from ..document import words
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from .drag import along_axis, axis_held, plus

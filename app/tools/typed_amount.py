@@ -7,9 +7,9 @@ import re
 import msgspec
 from msgspec.structs import replace
 
-from ..document.edits import EditError
 from ..document.expression import ExpressionError, parse_number
 from ..document.lengths import check_unit, typed_length
+from ..document.limits import EditError
 from ..document.model import Vector
 from ..document.words import with_minus
 

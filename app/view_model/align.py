@@ -6,11 +6,11 @@ from collections.abc import Collection, Sequence
 
 import msgspec
 
-from ..document.edits import EditError
+from ..document.group_edits import nodes_of
+from ..document.limits import EditError
 from ..document.model import Document
 from ..document.point_group import PointGroup
 from ..document.several_curves import changeable, moved, whole_curves
-from ..document.shape_edits import nodes_of
 from ..document.transforms import Edge, Reference, Spacing
 from .boxes import Bounds, bounds_of_each
 from .curve.curve_view import CurveView

@@ -17,10 +17,12 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
+from ..document.constraints import line_beside, stretched_beside
+from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import EditError, append_point, insert_points, set_closed, stretched_beside
-from ..document.lines import line_beside
+from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector, vectors_of
+from ..document.point_edits import append_point, insert_points
 from .curve.core_curve import parameters_of
 from .curve.curve_view import CurveView, view_of
 from .geometry import at_knots, polygon_length

@@ -40,11 +40,10 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.edits import EditError
-from ..document.jet_edits import JetValue, with_jet_values
-from ..document.kept_handles import with_handles_kept
-from ..document.lines import ends_of, line_beside
+from ..document.constraints import ends_of, line_beside, with_handles_kept
+from ..document.limits import EditError
 from ..document.model import Curve, Vector
+from ..document.point_edits import JetValue, with_jet_values
 from .basis import weights_at
 from .curve.curve_view import CurveView, view_of
 from .geometry import segment_at, size_of

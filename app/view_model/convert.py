@@ -9,7 +9,7 @@ import curvecore
 from curvecore import CurveError
 
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.words import count_of, number
 from ..families import Family
 from .curve.curve_view import CurveView, view_of

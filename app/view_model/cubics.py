@@ -20,9 +20,9 @@ from msgspec.structs import replace
 
 from curvecore.arrays import BoolArray, FloatArray
 
+from ..document.constraints import tied
 from ..document.limits import EditError
 from ..document.model import Point, Vector
-from ..document.ties import tied
 
 SMOOTH = 1e-9
 """By how much of the path's size a control point may move to make a joint smooth."""

@@ -16,10 +16,9 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ..document.edits import delete_points
-from ..document.lines import is_line
+from ..document.constraints import is_line, tied_if_parallel
 from ..document.model import Curve, Document, Point, Vector, vectors_of
-from ..document.ties import tied_if_parallel
+from ..document.point_edits import delete_points
 from .curve.curve_view import CurveView, view_of
 from .fit import farthest, segment_near
 

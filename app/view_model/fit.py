@@ -26,7 +26,7 @@ from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray, IntArray
 
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ..document.words import count_of, number
 from ..families import HERMITE, Family

@@ -10,11 +10,13 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
+from ..document.constraints import tied_if_parallel
+from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import EditError, set_closed, set_position
+from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
+from ..document.point_edits import set_position
 from ..document.point_group import PointGroup
-from ..document.ties import tied_if_parallel
 from ..document.words import number
 from ..families import titles_with_derivatives
 from .curve.curve_view import CurveView, view_of

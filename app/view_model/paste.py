@@ -9,16 +9,10 @@ from itertools import pairwise
 import msgspec
 from msgspec.structs import replace
 
+from ..document.constraints import stretched
 from ..document.curve_edits import without
-from ..document.curve_tree import Container
-from ..document.edits import (
-    EditError,
-    freeze_parameters,
-    insert_points,
-    set_interval,
-    set_points,
-    stretched,
-)
+from ..document.groups import Container, shape_of
+from ..document.limits import EditError
 from ..document.model import (
     Curve,
     Document,
@@ -28,9 +22,10 @@ from ..document.model import (
     Vector,
     make_curve,
 )
+from ..document.point_edits import insert_points, set_points
 from ..document.point_group import PointGroup
+from ..document.rule_edits import freeze_parameters, set_interval
 from ..document.several_curves import add_curves, is_blank, moved, whole_curves
-from ..document.shapes import shape_of
 from ..document.words import number
 from ..storage.validation import foresee
 from .append import appended_parameter, with_points_appended

@@ -16,12 +16,11 @@ from msgspec.structs import replace
 
 from curvecore.arrays import BoolArray, FloatArray
 
-from ..document import edits
+from ..document import limits, point_edits, rule_edits
+from ..document.constraints import with_derivative
 from ..document.derivatives import DERIVATIVES, Derivative
-from ..document.edits import EditError
-from ..document.limits import not_after
+from ..document.limits import EditError, not_after
 from ..document.model import Curve, Document, Vector
-from ..document.ties import with_derivative
 from .curve.curve_view import CurveView
 
 PARAMETER, POSITION = -1, 0
@@ -140,7 +139,7 @@ def _parameters_shown(view: CurveView) -> FloatArray:
 
 
 def _set_parameter(document: Document, curve: int, view: CurveView, index: int, t: float) -> Document:
-    return edits.set_parameter(document, curve, index, t, knot_parameters(view))
+    return rule_edits.set_parameter(document, curve, index, t, knot_parameters(view))
 
 
 def _set_parameters(document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
@@ -148,7 +147,7 @@ def _set_parameters(document: Document, curve: int, view: CurveView, values: Map
     count = len(document.curves[curve].points)
     kept = [] if len(values) == count else _parameters_in_force(view)[: len(view.source.points)]
     parameters = [
-        edits.checked(float(values[index]), "A t") if index in values else kept[index]
+        limits.checked(float(values[index]), "A t") if index in values else kept[index]
         for index in range(count)
     ]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
@@ -156,7 +155,7 @@ def _set_parameters(document: Document, curve: int, view: CurveView, values: Map
             raise not_after(index, before)
     if view.source.is_closed:
         parameters = [*parameters, _closing(view, parameters)]
-    return edits.freeze_parameters(document, curve, parameters)
+    return rule_edits.freeze_parameters(document, curve, parameters)
 
 
 def _closing(view: CurveView, parameters: Sequence[float]) -> float:
@@ -205,7 +204,7 @@ def _set_position(
     component: int, document: Document, curve: int, _view: CurveView, index: int, value: float
 ) -> Document:
     position = document.curves[curve].points[index].position
-    return edits.set_position(document, curve, index, with_component(position, component, value))
+    return point_edits.set_position(document, curve, index, with_component(position, component, value))
 
 
 def _set_positions(
@@ -216,7 +215,7 @@ def _set_positions(
     for index, value in values.items():
         x, y = with_component(points[index].position, component, float(value))
         points[index] = replace(points[index], x=x, y=y)
-    return edits.set_points(document, curve, points)
+    return point_edits.set_points(document, curve, points)
 
 
 def _given(order: int, component: int, view: CurveView) -> FloatArray:
@@ -255,7 +254,7 @@ def _set_derivatives(
             raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
         given = with_component(shown, component, float(value))
         points[index] = with_derivative(document.curves[curve], index, order, given, ahead=ahead)
-    return edits.set_points(document, curve, points)
+    return point_edits.set_points(document, curve, points)
 
 
 # The records
@@ -285,7 +284,9 @@ def _derivative_column(each: Derivative, component: int) -> Column:
         set_many=set_many,
         is_estimated=lambda view: np.isnan(_given(order, 0, view)),
         estimate=lambda curve: str(getattr(curve, each.rule_field).estimate),
-        reset=lambda document, curve, indices: edits.estimate_derivatives(document, curve, indices, (order,)),
+        reset=lambda document, curve, indices: point_edits.estimate_derivatives(
+            document, curve, indices, (order,)
+        ),
         after=partial(_derivative_after, order, component),
         order=order,
         component=component,

@@ -19,12 +19,11 @@ from msgspec.structs import replace
 
 from curvecore.arrays import BoolArray, IntArray
 
-from ..document.edits import EditError, estimate_derivatives, make_smooth
-from ..document.jet_edits import JetValue, with_jet_values
-from ..document.lines import ends_of, line_beside
+from ..document.constraints import ends_of, line_beside, tied, tied_to_line, turned, untied
+from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
+from ..document.point_edits import JetValue, estimate_derivatives, make_smooth, with_jet_values
 from ..document.straight_edits import corners_of, straighten, why_not_straight
-from ..document.ties import tied, tied_to_line, turned, untied
 from ..families import Family, titles_with_derivatives
 from .append import closed_by_pen, with_point_appended
 from .curve.curve_view import CurveView, view_of

@@ -16,12 +16,12 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.chain import joint_of_row
 
+from ..document.constraints import is_line, stretched_beside, tied_if_parallel
 from ..document.curve_edits import reverse_curve
-from ..document.edits import EditError, freeze_parameters, stretched_beside
-from ..document.jet_edits import JetValue, with_jet_values
-from ..document.lines import is_line
+from ..document.limits import EditError
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
-from ..document.ties import tied_if_parallel
+from ..document.point_edits import JetValue, with_jet_values
+from ..document.rule_edits import freeze_parameters
 from ..document.words import number
 from ..families import Family
 from .curve.core_curve import Sides

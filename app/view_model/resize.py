@@ -15,7 +15,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
 from ..document.several_curves import mapped

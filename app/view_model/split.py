@@ -15,7 +15,7 @@ from curvecore.parametrization import spread
 
 from .. import view_model
 from ..document.derivatives import DERIVATIVES
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..document.model import Curve, ParametrizationKind, Point
 from ..document.straight_edits import why_not_straight
 from ..document.words import number

@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QWidget
 from ..actions.declaration import Action, all_declared, declared_widgets
 from ..actions.menus import BarPosition
 from ..appearance.theme import Theme
-from ..document.edits import EditError
+from ..document.differences import reshaped
+from ..document.limits import EditError
 from ..document.model import Document
-from ..document.steps import reshaped
 from ..features import command_sets
 from ..session import Message, MessageKind
 from ..tasks.owner import TaskOwner, close_all

@@ -29,7 +29,7 @@ from ..actions.menus import (
     MenuSection,
 )
 from ..actions.qactions import Actions
-from ..document.shape_edits import pressed
+from ..document.group_edits import pressed
 from ..qt.labels import menu_text
 from ..settings.preferences import Preferences
 from ..storage.examples import example_name, example_paths

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from ..document.curve_edits import unstyled_model
 from ..document.model import Document, empty_document
-from ..document.plain import plain
+from ..document.plain_numbers import plain
 from ..exchange.formats import DOCUMENT_ENDING, FORMATS, can_import, endings_of, file_filters, format_of
 from ..qt.labels import breakable
 from ..session import Session

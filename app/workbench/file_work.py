@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from ..document.edits import EditError
+from ..document.limits import EditError
 from ..exchange.errors import ExchangeError
 from ..session import Session
 from ..storage.files import StorageError

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import curve_edits, edits
-from app.document.edits import EditError
+from app.document import curve_edits, point_edits, rule_edits
+from app.document.group_edits import moved_into
+from app.document.limits import EditError
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.several_curves import with_appearance
-from app.document.shape_edits import moved_into
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.validation import validate
 from app.view_model.curve.curve_view import view_of
@@ -54,7 +54,7 @@ def test_removing_the_last_curve_leaves_an_empty_one():
 
 def test_a_new_name_is_free(three):
     assert curve_edits.free_name(three) == "Curve 1"
-    taken = edits.rename_curve(three, 0, "Curve 1")
+    taken = curve_edits.rename_curve(three, 0, "Curve 1")
     assert curve_edits.free_name(taken) == "Curve 2"
 
 
@@ -75,8 +75,8 @@ def test_looks_are_set_and_nothing_else(three):
 def test_a_locked_curve_may_not_change(three):
     locked = with_appearance(three, {1}, locked=True)
     for changed in (
-        edits.move_points(locked, 1, [0], (1.0, 0.0)),
-        edits.set_family(locked, 1, LAGRANGE),
+        point_edits.move_points(locked, 1, [0], (1.0, 0.0)),
+        rule_edits.set_family(locked, 1, LAGRANGE),
         curve_edits.remove_curve(locked, 1),
     ):
         with pytest.raises(EditError, match="“B” is locked"):
@@ -87,13 +87,13 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
     locked = with_appearance(three, {1}, locked=True)
     for changed in (
         locked,
-        edits.rename_curve(locked, 1, "Other"),
+        curve_edits.rename_curve(locked, 1, "Other"),
         with_appearance(locked, {1}, colour="#d55e00"),
         with_appearance(locked, {1}, visible=False),
         with_appearance(locked, {1}, locked=False),
         moved_into(locked, {1}, 0).document,
         curve_edits.remove_curve(locked, 0),
-        edits.move_points(locked, 0, [0], (1.0, 0.0)),
+        point_edits.move_points(locked, 0, [0], (1.0, 0.0)),
     ):
         curve_edits.refuse_locked(locked, changed)
 
@@ -102,8 +102,8 @@ def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
 
 
 def test_a_corner_has_two_velocities_and_both_accelerations():
-    document = edits.set_derivative(manual(), 0, 1, 2, (1.0, 2.0))
-    cornered = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
+    document = point_edits.set_derivative(manual(), 0, 1, 2, (1.0, 2.0))
+    cornered = point_edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
     point = cornered.curves[0].points[1]
     assert (point.corner, point.velocity, point.velocity_after) == (True, (1.0, 0.0), (0.0, 1.0))
     assert point.acceleration == point.acceleration_after == (1.0, 2.0)
@@ -111,10 +111,10 @@ def test_a_corner_has_two_velocities_and_both_accelerations():
 
 
 def test_a_corner_has_both_jerks_and_turns_round_with_its_signs():
-    document = edits.set_derivative(manual(), 0, 1, 3, (1.0, 2.0))
-    document = edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
-    document = edits.set_derivative(document, 0, 1, 3, (5.0, 6.0), ahead=True)
-    document = edits.set_derivative(document, 0, 1, 2, (7.0, 8.0), ahead=True)
+    document = point_edits.set_derivative(manual(), 0, 1, 3, (1.0, 2.0))
+    document = point_edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
+    document = point_edits.set_derivative(document, 0, 1, 3, (5.0, 6.0), ahead=True)
+    document = point_edits.set_derivative(document, 0, 1, 2, (7.0, 8.0), ahead=True)
     point = document.curves[0].points[1]
     assert (point.jerk, point.jerk_after) == ((1.0, 2.0), (5.0, 6.0))
     parameters = [each.t for each in document.curves[0].points]
@@ -126,32 +126,32 @@ def test_a_corner_has_both_jerks_and_turns_round_with_its_signs():
 
 
 def test_a_smooth_point_has_one_velocity():
-    cornered = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
-    point = edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].points[1]
+    cornered = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
+    point = point_edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].points[1]
     assert point == replace(manual().curves[0].points[1], velocity=(0.5, 0.5))
 
 
 def test_each_side_of_a_corner_is_set_alone():
-    document = edits.make_corner(manual(), 0, 1, None, None)
-    document = edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
-    document = edits.set_derivative(document, 0, 1, 2, (4.0, 0.0), ahead=False)
+    document = point_edits.make_corner(manual(), 0, 1, None, None)
+    document = point_edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
+    document = point_edits.set_derivative(document, 0, 1, 2, (4.0, 0.0), ahead=False)
     point = document.curves[0].points[1]
     assert (point.velocity, point.velocity_after) == (None, (3.0, 0.0))
     assert (point.acceleration, point.acceleration_after) == ((4.0, 0.0), None)
 
 
 def test_estimating_clears_both_sides_of_a_corner():
-    document = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
-    point = edits.estimate_derivatives(document, 0, [1]).curves[0].points[1]
+    document = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
+    point = point_edits.estimate_derivatives(document, 0, [1]).curves[0].points[1]
     assert (point.corner, point.velocity, point.velocity_after) == (True, None, None)
 
 
 def test_numbers_of_a_corner_are_checked_too():
     wild = Point(0.0, 0.0, corner=True, velocity_after=(1e13, 0.0))
     with pytest.raises(EditError, match="x of the velocity of point 0"):
-        edits.set_points(manual(), 0, [wild])
+        point_edits.set_points(manual(), 0, [wild])
     with pytest.raises(EditError, match="x of the velocity of the point"):
-        edits.insert_points(manual(), 0, 0, [wild])
+        point_edits.insert_points(manual(), 0, 0, [wild])
 
 
 # Closed
@@ -159,21 +159,21 @@ def test_numbers_of_a_corner_are_checked_too():
 
 def test_a_polynomial_is_not_closed():
     with pytest.raises(EditError, match="is one polynomial"):
-        edits.set_closed(manual(LAGRANGE), 0, True)
+        curve_edits.set_closed(manual(LAGRANGE), 0, True)
 
 
 def test_two_points_alone_are_not_closed_and_the_reason_is_said():
-    document = edits.delete_points(manual(CUBIC_SPLINE), 0, [0, 1])
+    document = point_edits.delete_points(manual(CUBIC_SPLINE), 0, [0, 1])
     with pytest.raises(EditError, match=r"at least three points here: of two, a cubic .*there and back"):
-        edits.set_closed(document, 0, True)
+        curve_edits.set_closed(document, 0, True)
 
 
 @pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE, SEPTIC_HERMITE])
 def test_two_points_with_derivatives_are_closed_and_one_is_not(family):
-    document = edits.delete_points(manual(family), 0, [2, 3])
-    closed = edits.set_closed(document, 0, True)
+    document = point_edits.delete_points(manual(family), 0, [2, 3])
+    closed = curve_edits.set_closed(document, 0, True)
     validate(closed)
-    lens = edits.set_velocity(edits.set_velocity(closed, 0, 0, (0.0, 4.0)), 0, 1, (0.0, -4.0))
+    lens = point_edits.set_velocity(point_edits.set_velocity(closed, 0, 0, (0.0, 4.0)), 0, 1, (0.0, -4.0))
     for each in (closed, lens):
         view = view_of(each.curves[0])
         places = view.curve.evaluate(np.linspace(*view.curve.domain, 33))
@@ -185,45 +185,45 @@ def test_two_points_with_derivatives_are_closed_and_one_is_not(family):
         assert np.allclose(places[8], (1.0, height))
         assert np.allclose(places[24], (1.0, -height))
     assert height > 0.5
-    one = edits.delete_points(document, 0, [1])
+    one = point_edits.delete_points(document, 0, [1])
     with pytest.raises(EditError, match="at least two points"):
-        edits.set_closed(one, 0, True)
+        curve_edits.set_closed(one, 0, True)
 
 
 @pytest.mark.parametrize(("family", "least"), [(HERMITE, 2), (CUBIC_SPLINE, 3)])
 def test_a_closed_curve_stays_closed_as_long_as_its_points_make_an_area(family, least):
-    document = edits.set_closed(manual(family), 0, True)
+    document = curve_edits.set_closed(manual(family), 0, True)
     for count in (3, 2, 1):
-        document = edits.delete_points(document, 0, [0])
+        document = point_edits.delete_points(document, 0, [0])
         assert len(document.curves[0].points) == count
         assert document.curves[0].closed is (count >= least)
 
 
 def test_closing_manual_parameters_adds_a_segment_of_mean_length():
-    closed = edits.set_closed(manual(), 0, True)
+    closed = curve_edits.set_closed(manual(), 0, True)
     assert closed.curves[0].parametrization.end == 4.0
-    assert edits.interval(closed.curves[0]) == (0.0, 4.0)
+    assert closed.curves[0].interval == (0.0, 4.0)
     assert view_of(closed.curves[0]).parameters.tolist() == [0, 1, 2, 3, 4]
     validate(closed)
 
 
 def test_handles_stay_when_a_curve_is_closed():
-    document = edits.set_velocity(manual(), 0, 0, (4.0, 2.0))
-    closed = edits.set_closed(document, 0, True, parameter_scale=0.5)
+    document = point_edits.set_velocity(manual(), 0, 0, (4.0, 2.0))
+    closed = curve_edits.set_closed(document, 0, True, parameter_scale=0.5)
     assert closed.curves[0].points[0].velocity == (8.0, 4.0)
 
 
 @each_row(
     "change",
     [
-        lambda document: edits.freeze_parameters(document, 0, [0.0, 5.0, 6.0, 9.0]),
-        lambda document: edits.insert_points(document, 0, 4, [Point(1.0, 3.0, t=7.0)]),
-        lambda document: edits.append_point(document, 0, Point(1.0, 3.0, t=4.5)),
-        lambda document: edits.set_family(edits.set_family(document, 0, LAGRANGE), 0, HERMITE),
+        lambda document: rule_edits.freeze_parameters(document, 0, [0.0, 5.0, 6.0, 9.0]),
+        lambda document: point_edits.insert_points(document, 0, 4, [Point(1.0, 3.0, t=7.0)]),
+        lambda document: point_edits.append_point(document, 0, Point(1.0, 3.0, t=4.5)),
+        lambda document: rule_edits.set_family(rule_edits.set_family(document, 0, LAGRANGE), 0, HERMITE),
     ],
 )
 def test_a_closed_curve_always_finds_its_way_back(change):
-    closed = edits.set_closed(manual(), 0, True)
+    closed = curve_edits.set_closed(manual(), 0, True)
     changed = change(closed)
     validate(changed)
     view = view_of(changed.curves[0])
@@ -232,19 +232,19 @@ def test_a_closed_curve_always_finds_its_way_back(change):
 
 
 def test_remembered_parameters_come_back_to_a_closed_curve():
-    closed = edits.set_closed(manual(), 0, True)
-    uniform = edits.set_parametrization(closed, 0, ParametrizationKind.UNIFORM, [])
-    shorter = edits.set_interval(uniform, 0, 0.0, 1.0)
-    back = edits.set_parametrization(shorter, 0, ParametrizationKind.MANUAL, [])
+    closed = curve_edits.set_closed(manual(), 0, True)
+    uniform = rule_edits.set_parametrization(closed, 0, ParametrizationKind.UNIFORM, [])
+    shorter = rule_edits.set_interval(uniform, 0, 0.0, 1.0)
+    back = rule_edits.set_parametrization(shorter, 0, ParametrizationKind.MANUAL, [])
     validate(back)
     assert view_of(back.curves[0]).is_current
 
 
 def test_the_t_of_the_last_point_stays_before_the_return():
-    closed = edits.set_closed(manual(), 0, True)
+    closed = curve_edits.set_closed(manual(), 0, True)
     with pytest.raises(EditError, match="less than 4, where the curve returns to its first point"):
-        edits.set_parameter(closed, 0, 3, 4.5, [0.0, 1.0, 2.0, 3.0, 4.0])
-    later = edits.set_parameter(closed, 0, 4, 6.0, [0.0, 1.0, 2.0, 3.0, 4.0])
+        rule_edits.set_parameter(closed, 0, 3, 4.5, [0.0, 1.0, 2.0, 3.0, 4.0])
+    later = rule_edits.set_parameter(closed, 0, 4, 6.0, [0.0, 1.0, 2.0, 3.0, 4.0])
     assert later.curves[0].parametrization.end == 6.0
     validate(later)
 
@@ -253,7 +253,7 @@ def test_the_t_of_the_last_point_stays_before_the_return():
 
 
 def test_reversing_turns_points_parameters_and_sides_round():
-    document = edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
+    document = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
     turned = curve_edits.reverse_curve(document, 0, [0.0, 1.0, 2.0, 3.0])
     points = turned.curves[0].points
     assert [point.position for point in points] == list(reversed(SQUARE))
@@ -264,7 +264,7 @@ def test_reversing_turns_points_parameters_and_sides_round():
 
 
 def test_a_closed_curve_goes_on_beginning_where_it_began():
-    closed = edits.set_closed(manual(), 0, True)
+    closed = curve_edits.set_closed(manual(), 0, True)
     turned = curve_edits.reverse_curve(closed, 0, [0.0, 1.0, 2.0, 3.0, 4.0])
     assert [point.position for point in turned.curves[0].points] == [
         SQUARE[0],
@@ -277,7 +277,7 @@ def test_a_closed_curve_goes_on_beginning_where_it_began():
 
 @pytest.mark.parametrize("closed", [False, True])
 def test_remembered_parameters_ascend_after_reversing(closed):
-    document = edits.set_parametrization(manual(closed=closed), 0, ParametrizationKind.UNIFORM, [])
-    document = edits.set_interval(document, 0, 5.0, 5.5)
+    document = rule_edits.set_parametrization(manual(closed=closed), 0, ParametrizationKind.UNIFORM, [])
+    document = rule_edits.set_interval(document, 0, 5.0, 5.5)
     turned = curve_edits.reverse_curve(document, 0, view_of(document.curves[0]).parameters.tolist())
     validate(turned)

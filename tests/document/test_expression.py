@@ -9,7 +9,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from app.document.expression import CONSTANTS, FUNCTIONS, ExpressionError, parse_number
-from app.document.model import MAX_MAGNITUDE
+from app.document.limits import MAX_MAGNITUDE
 from tests.effort import calls_of
 from tests.rows import each_row
 from tests.texts import texts

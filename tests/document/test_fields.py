@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.fields import fields_of
+from app.document.fields import Value, fields_of
 from app.document.model import Axis, Document, Guide, Point, ReferenceImage, make_curve
-from app.document.plain import plain
+from app.document.plain_numbers import plain
 from app.document.style import Style
-from app.document.value import Value
 from app.exchange.rescaled import enlarged
 from app.families import HERMITE
 from app.storage.format_error import FormatError

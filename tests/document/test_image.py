@@ -7,9 +7,11 @@ import math
 import pytest
 from msgspec.structs import replace
 
-from app.document import curve_edits, edits
-from app.document.edits import EditError
-from app.document.image_edits import (
+from app.document import curve_edits, point_edits, rule_edits
+from app.document.group_edits import moved_into
+from app.document.limits import EditError
+from app.document.model import Document, ReferenceImage, empty_document, make_curve
+from app.document.plane_edits import (
     move_image,
     place_image,
     scale_image,
@@ -17,8 +19,6 @@ from app.document.image_edits import (
     set_image_file,
     set_image_opacity,
 )
-from app.document.model import Document, ReferenceImage, empty_document, make_curve
-from app.document.shape_edits import moved_into
 from app.families import HERMITE
 from app.storage.files import load, save
 from app.storage.format import decode, encode
@@ -109,8 +109,8 @@ def test_edits_of_curves_keep_the_image():
     changed = [
         curve_edits.add_curve(document, 0, make_curve([(5, 5)])),
         curve_edits.remove_curve(document, 0),
-        edits.move_points(document, 0, {0}, (1, 1)),
-        edits.set_family(document, 0, HERMITE),
+        point_edits.move_points(document, 0, {0}, (1, 1)),
+        rule_edits.set_family(document, 0, HERMITE),
         moved_into(curve_edits.add_curve(document, 0, make_curve(())), {0}, 2).document,
     ]
     assert all(each.image == document.image for each in changed)

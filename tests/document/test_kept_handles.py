@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.edits import EditError, delete_points, move_points, set_position
-from app.document.kept_handles import with_handles_kept
+from app.document.constraints import with_handles_kept
+from app.document.limits import EditError
 from app.document.model import (
     Curve,
     Document,
@@ -15,6 +15,7 @@ from app.document.model import (
     ParametrizationKind,
     Point,
 )
+from app.document.point_edits import delete_points, move_points, set_position
 from app.document.point_group import points_of
 from app.document.several_curves import stepped
 from app.document.transforms import rotation, scaling, transform_points

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from app.document.expression import ExpressionError
-from app.document.lengths import typed_length
-from app.document.units import MILLIMETRES
+from app.document.lengths import MILLIMETRES, typed_length
 from tests.rows import each_row
 
 MEANT = {

@@ -6,8 +6,9 @@ import math
 
 import pytest
 
-from app.document.edits import EditError, set_parameters
+from app.document.limits import EditError
 from app.document.model import Document, make_curve
+from app.document.rule_edits import set_parameters
 from tests.rows import each_row
 
 DOCUMENT = Document((make_curve([(0, 0), (1, 1), (2, 0)]),))

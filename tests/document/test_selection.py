@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.model import Document, Point, make_curve
 from app.document.selection import followed_points
 from tests.rows import each_row
@@ -37,7 +37,7 @@ def test_coincident_points_keep_their_order():
 
 
 def test_other_derivatives_do_not_make_another_point():
-    document = edits.set_velocity(Document((make_curve([(0, 0), (1, 1), (2, 0)]),)), 0, 1, (1.0, 0.0))
-    after = edits.insert_points(document, 0, 0, [Point(-1.0, 0.0)])
-    stretched = edits.set_interval(after, 0, 0.0, 5.0)
+    document = point_edits.set_velocity(Document((make_curve([(0, 0), (1, 1), (2, 0)]),)), 0, 1, (1.0, 0.0))
+    after = point_edits.insert_points(document, 0, 0, [Point(-1.0, 0.0)])
+    stretched = rule_edits.set_interval(after, 0, 0.0, 5.0)
     assert followed_points({1}, document.curves[0].points, stretched.curves[0].points) == {2}

@@ -7,9 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document.edits import EditError, append_point, set_family
+from app.document.group_edits import moved_into, stepped
+from app.document.limits import EditError
 from app.document.model import Document, Point, make_curve
+from app.document.point_edits import append_point
 from app.document.point_group import points_of
+from app.document.rule_edits import set_family
 from app.document.selection import followed_curves
 from app.document.several_curves import (
     active_after_removal,
@@ -23,7 +26,6 @@ from app.document.several_curves import (
     whole_curves,
     with_appearance,
 )
-from app.document.shape_edits import moved_into, stepped
 from app.document.style_edits import with_style
 from app.document.transforms import rotation
 from app.families import HERMITE

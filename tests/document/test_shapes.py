@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from app.document.groups import shape_of, shape_problem, shapes, tidy_shapes, whole_shapes
 from app.document.model import Document, make_curve
 from app.document.several_curves import with_appearance
-from app.document.shapes import shape_of, shape_problem, shapes, tidy_shapes, whole_shapes
 from app.document.style import Style
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from app.document.edits import EditError
+from app.document.limits import EditError
 from app.document.model import Document, Point, make_curve
 from app.document.straight_edits import corners_of, straighten
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE

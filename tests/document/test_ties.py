@@ -10,15 +10,23 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits, rule_edits
+from app.document.constraints import (
+    PARALLEL,
+    angle_between,
+    holds,
+    is_line,
+    line_beside,
+    tied,
+    turned,
+    untied,
+)
 from app.document.curve_edits import reverse_curve
-from app.document.jet_edits import JetValue, with_jet_values
-from app.document.lines import is_line, line_beside
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
-from app.document.plain import plain
+from app.document.plain_numbers import plain
+from app.document.point_edits import JetValue, with_jet_values
 from app.document.point_group import points_of
 from app.document.straight_edits import straighten
-from app.document.ties import PARALLEL, angle_between, holds, tied, turned, untied
 from app.document.transforms import Affine, Edge, align_points, rotation, scaling, transform_points
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.storage.format import decode, encode
@@ -84,7 +92,7 @@ def test_tied_turns_the_shorter_one_alone(v, w):
 def test_a_velocity_turns_the_other_along(vector, ahead):
     before = document()
     length = math.hypot(*getattr(before.curves[0].points[2], "velocity" if ahead else "velocity_after"))
-    point = edits.set_velocity(before, 0, 2, vector, ahead=ahead).curves[0].points[2]
+    point = point_edits.set_velocity(before, 0, 2, vector, ahead=ahead).curves[0].points[2]
     mine, other = (point.velocity_after, point.velocity) if ahead else (point.velocity, point.velocity_after)
     assert mine == vector
     assert math.hypot(*other) == pytest.approx(length)
@@ -92,9 +100,9 @@ def test_a_velocity_turns_the_other_along(vector, ahead):
 
 
 moves = st.one_of(
-    st.builds(lambda by: lambda d: edits.move_points(d, 0, [2], by), places),
-    st.builds(lambda by: lambda d: edits.move_points(d, 0, [1, 2], by), places),
-    st.builds(lambda to: lambda d: edits.set_position(d, 0, 3, to), places),
+    st.builds(lambda by: lambda d: point_edits.move_points(d, 0, [2], by), places),
+    st.builds(lambda by: lambda d: point_edits.move_points(d, 0, [1, 2], by), places),
+    st.builds(lambda to: lambda d: point_edits.set_position(d, 0, 3, to), places),
     st.builds(lambda a: lambda d: transform_points(d, 0, [1, 2, 3], rotation(a, (1.0, 1.0))), angles),
     st.builds(
         lambda x, y: lambda d: transform_points(d, 0, range(5), scaling(x, y, (0.0, 1.0))),
@@ -103,14 +111,14 @@ moves = st.one_of(
     st.builds(
         lambda k: lambda d: transform_points(d, 0, range(5), Affine(0.0, k, 0.0, 0.0, (0.0, 0.0))), sizes
     ),
-    st.builds(lambda v, a: lambda d: edits.set_velocity(d, 0, 2, v, ahead=a), vectors, st.booleans()),
+    st.builds(lambda v, a: lambda d: point_edits.set_velocity(d, 0, 2, v, ahead=a), vectors, st.booleans()),
     st.builds(
         lambda v, a: lambda d: d.with_curve(0, with_jet_values(d.curves[0], [JetValue(2, 1, a, v)])),
         vectors, st.booleans(),
     ),
-    st.just(lambda d: edits.delete_points(d, 0, [0])),
+    st.just(lambda d: point_edits.delete_points(d, 0, [0])),
     st.builds(lambda edge: lambda d: align_points(d, points_of(0, [1, 3]), edge), st.sampled_from(Edge)),
-    st.builds(lambda end: lambda d: edits.set_interval(d, 0, 0.0, end), sizes),
+    st.builds(lambda end: lambda d: rule_edits.set_interval(d, 0, 0.0, end), sizes),
 )  # fmt: skip
 
 
@@ -139,17 +147,22 @@ def test_reversing_turns_both_round():
 
 def test_what_is_left_to_the_rules_is_tied_to_nothing():
     for ahead in (False, True):
-        point = edits.set_velocity(document(), 0, 2, None, ahead=ahead).curves[0].points[2]
+        point = point_edits.set_velocity(document(), 0, 2, None, ahead=ahead).curves[0].points[2]
         assert (point.corner, point.tied) == (True, False)
-    assert not edits.estimate_derivatives(document(), 0, [2]).curves[0].points[2].tied
-    assert edits.estimate_derivatives(document(family=QUINTIC_HERMITE), 0, [2], (2,)).curves[0].points[2].tied
-    assert edits.make_smooth(document(), 0, 2, (1.0, 1.0)).curves[0].points[2] == Point(
+    assert not point_edits.estimate_derivatives(document(), 0, [2]).curves[0].points[2].tied
+    assert (
+        point_edits.estimate_derivatives(document(family=QUINTIC_HERMITE), 0, [2], (2,))
+        .curves[0]
+        .points[2]
+        .tied
+    )
+    assert point_edits.make_smooth(document(), 0, 2, (1.0, 1.0)).curves[0].points[2] == Point(
         3.0, 2.5, velocity=(1.0, 1.0)
     )
 
 
 def test_an_acceleration_is_the_side_s_own():
-    made = edits.set_derivative(document(family=QUINTIC_HERMITE), 0, 2, 2, (5.0, 5.0), ahead=True)
+    made = point_edits.set_derivative(document(family=QUINTIC_HERMITE), 0, 2, 2, (5.0, 5.0), ahead=True)
     point = made.curves[0].points[2]
     assert (point.acceleration, point.acceleration_after, point.tied) == (None, (5.0, 5.0), True)
 
@@ -164,7 +177,7 @@ def test_an_acceleration_is_the_side_s_own():
 def test_a_line_stays_one_wherever_its_end_goes(kind, closed, moved, to):
     before = with_line(kind=kind, closed=closed)
     assert is_line(before.curves[0], 2)
-    after = edits.set_position(before, 0, moved, to).curves[0]
+    after = point_edits.set_position(before, 0, moved, to).curves[0]
     p, q = after.points[2], after.points[3]
     if math.dist(p.position, q.position) > 1e-6:
         assert is_line(after, 2)
@@ -177,18 +190,21 @@ def test_a_handle_beside_a_line_keeps_to_it():
     before = with_line()
     assert line_beside(before.curves[0], 2, ahead=True)
     line = before.curves[0].points[2].velocity_after
-    after = edits.set_velocity(before, 0, 2, (10.0, 1.0)).curves[0]
+    after = point_edits.set_velocity(before, 0, 2, (10.0, 1.0)).curves[0]
     point = after.points[2]
     assert point.velocity_after == line
     along = (10.0 * line[0] + line[1]) / math.hypot(*line)
     assert math.hypot(*point.velocity) == pytest.approx(along)
     assert is_line(after, 2)
     # Behind the point the curve would turn back: the handle goes no further than to it.
-    assert edits.set_velocity(before, 0, 2, (-line[0], -line[1])).curves[0].points[2].velocity == (0.0, 0.0)
+    assert point_edits.set_velocity(before, 0, 2, (-line[0], -line[1])).curves[0].points[2].velocity == (
+        0.0,
+        0.0,
+    )
 
 
 def test_a_handle_pulled_out_of_a_line_bends_it_and_turns_the_other():
-    after = edits.set_velocity(with_line(), 0, 2, (1.0, 5.0), ahead=True).curves[0]
+    after = point_edits.set_velocity(with_line(), 0, 2, (1.0, 5.0), ahead=True).curves[0]
     assert not is_line(after, 2)
     assert holds(after.points[2])
 
@@ -205,13 +221,13 @@ def test_two_lines_that_turn_apart_end_a_tie():
     straight = document(points=((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0), (4.0, 0.0)), ties=())
     straight = straighten(straight, 0, [1, 2], [0.0, 0.25, 0.5, 0.75, 1.0])
     point = straight.curves[0].points[2]
-    smooth = edits.set_points(
+    smooth = point_edits.set_points(
         straight,
         0,
         [*straight.curves[0].points[:2], replace(point, tied=True), *straight.curves[0].points[3:]],
     )
     assert holds(smooth.curves[0].points[2])
-    after = edits.move_points(smooth, 0, [2], (0.0, 1.0)).curves[0]
+    after = point_edits.move_points(smooth, 0, [2], (0.0, 1.0)).curves[0]
     assert is_line(after, 1)
     assert is_line(after, 2)
     assert not after.points[2].tied
@@ -219,7 +235,7 @@ def test_two_lines_that_turn_apart_end_a_tie():
 
 def test_points_that_go_together_leave_the_line_between_them_alone():
     before = with_line(ties=())
-    after = edits.move_points(before, 0, [2, 3], (2.0, 1.0))
+    after = point_edits.move_points(before, 0, [2, 3], (2.0, 1.0))
     assert is_line(after.curves[0], 2)
 
 
@@ -228,7 +244,7 @@ def test_curved_segments_are_no_lines():
     assert not any(is_line(made.curves[0], segment) for segment in range(4))
     # Velocities that a point has on both sides bend the next segment when they turn.
     level = document(points=((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0), (4.0, 0.0)), ties=())
-    level = edits.set_points(
+    level = point_edits.set_points(
         level, 0, [replace(each, velocity=(4.0, 0.0)) for each in level.curves[0].points]
     )
     assert [is_line(level.curves[0], segment) for segment in range(4)] == [False] * 4

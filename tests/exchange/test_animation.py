@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 
-from app.document import edits
+from app.document import rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Document, make_curve
 from app.exchange import drawing
@@ -94,7 +94,7 @@ def test_a_loop_is_seamless(tmp_path):
 
 
 def test_cubic_and_quintic_run_side_by_side(tmp_path):
-    document = edits.set_rule(first_sketch(), 0, VelocityRule.CATMULL_ROM)
+    document = rule_edits.set_rule(first_sketch(), 0, VelocityRule.CATMULL_ROM)
     film = Film(width=320, fps=4, seconds=1, compared=frozenset((HERMITE, QUINTIC_HERMITE)), pace=Pace.LENGTH)
     write_film(document, tmp_path / "film.apng", film)
     pixels = frames_of(tmp_path / "film.apng")[1][0]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.model import Document, Point, make_curve
 from app.document.style import Style
 from app.exchange.cubics_in import Imported
@@ -39,8 +39,8 @@ def document():
     arch = make_curve([(0.0, 5.0), (1.0, 7.0), (3.0, 5.5)], name=NAMES[1], family=QUINTIC_HERMITE)
     line = make_curve([(0.0, 9.0), (1 / 3, 9.5), (2.0, 9.0)], name="Line")
     other = make_curve([(0.0, 10.0), (2.0, 11.0)], name="Line")
-    result = edits.make_corner(Document((pond, arch, line, other)), 0, 2, (1.0, 3.0), (-4.0, 0.5))
-    return edits.make_corner(result, 1, 1, None, None)
+    result = point_edits.make_corner(Document((pond, arch, line, other)), 0, 2, (1.0, 3.0), (-4.0, 0.5))
+    return point_edits.make_corner(result, 1, 1, None, None)
 
 
 def curves_of(document):
@@ -73,7 +73,7 @@ def test_a_table_of_points_gives_the_same_curves(document, ending, tmp_path):
 
 def test_manual_parameters_of_a_closed_curve_come_back(tmp_path):
     curve = replace(make_curve(SQUARE, family=HERMITE), closed=True)
-    frozen = edits.freeze_parameters(Document((curve,)), 0, [2.0, 2.5, 4.0, 7.0])
+    frozen = rule_edits.freeze_parameters(Document((curve,)), 0, [2.0, 2.5, 4.0, 7.0])
     path = tmp_path / "a.points.csv"
     export(frozen, path)
     back = import_file(path).document

@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.cli import main
-from app.document import edits
+from app.document import point_edits
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.exchange.drawing.drawing import drawing_of
@@ -38,7 +38,7 @@ def document(request):
     )
     hidden = replace(make_curve([(50.0, 50.0), (90.0, 0.0)], name="Secret"), visible=False)
     ink = make_curve([(0.0, 3.0), (2.0, 4.0)], name="Line")
-    return edits.make_corner(Document((closed, hidden, ink)), 0, 2, None, None)
+    return point_edits.make_corner(Document((closed, hidden, ink)), 0, 2, None, None)
 
 
 def paths(document, **options):

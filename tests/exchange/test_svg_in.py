@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.lines import is_line
+from app.document.constraints import is_line
 from app.document.model import Document, Point, make_curve
 from app.exchange.arcs import arc
 from app.exchange.drawing.styles import DARK

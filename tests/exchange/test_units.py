@@ -12,9 +12,9 @@ from msgspec.structs import replace
 from PySide6.QtGui import QImage
 
 from app.cli import main
+from app.document.lengths import MILLIMETRES, known_unit
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.document.units import MILLIMETRES, known_unit
 from app.exchange.choice import ExportChoice
 from app.exchange.drawing.drawing import drawing_of, trimmed
 from app.exchange.drawing.image import png_preview

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import limits, rule_edits
 from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
@@ -126,47 +126,47 @@ def test_settings_of_the_registry_are_sound(name):
 
 
 def test_the_document_holds_what_is_not_the_default(document):
-    chosen = edits.set_family_setting(document, 0, "amount", 5)
+    chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     assert dict(chosen.curves[0].settings) == {"amount": 5}
-    assert edits.set_family_setting(chosen, 0, "amount", 2) == document
-    assert edits.set_family_setting(document, 0, "amount", 2) is document
+    assert rule_edits.set_family_setting(chosen, 0, "amount", 2) == document
+    assert rule_edits.set_family_setting(document, 0, "amount", 2) is document
 
 
 def test_an_edit_refuses_what_the_family_does(document):
-    with pytest.raises(edits.EditError, match=r"^Amount of sway must be a whole number from 0 to 9\.$"):
-        edits.set_family_setting(document, 0, "amount", 10)
-    with pytest.raises(edits.EditError, match="has no setting"):
-        edits.set_family_setting(document, 0, "speed", 1)
+    with pytest.raises(limits.EditError, match=r"^Amount of sway must be a whole number from 0 to 9\.$"):
+        rule_edits.set_family_setting(document, 0, "amount", 10)
+    with pytest.raises(limits.EditError, match="has no setting"):
+        rule_edits.set_family_setting(document, 0, "speed", 1)
 
 
 def test_another_family_begins_with_its_defaults_and_going_back_gives_the_same_curve(document, swaying):
-    chosen = edits.set_family_setting(document, 0, "amount", 5)
-    assert edits.set_family(chosen, 0, swaying) == chosen
-    away = edits.set_family(chosen, 0, LAGRANGE)
+    chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
+    assert rule_edits.set_family(chosen, 0, swaying) == chosen
+    away = rule_edits.set_family(chosen, 0, LAGRANGE)
     assert away.curves[0].settings is NO_SETTINGS
     assert decode(encode(away)) == away
-    rational = edits.set_family_setting(
-        edits.set_family(away, 0, FAMILIES.named("floater_hormann")), 0, "degree", 1
+    rational = rule_edits.set_family_setting(
+        rule_edits.set_family(away, 0, FAMILIES.named("floater_hormann")), 0, "degree", 1
     )
     assert decode(encode(rational)) == rational
-    back = edits.set_family(rational, 0, swaying)
+    back = rule_edits.set_family(rational, 0, swaying)
     assert back.curves[0].settings == chosen.curves[0].settings
-    assert dict(edits.set_family(back, 0, FAMILIES.named("floater_hormann")).curves[0].settings) == {
+    assert dict(rule_edits.set_family(back, 0, FAMILIES.named("floater_hormann")).curves[0].settings) == {
         "degree": 1
     }
-    assert edits.set_family(away, 0, swaying) == chosen
+    assert rule_edits.set_family(away, 0, swaying) == chosen
 
 
 def test_the_view_follows_the_settings(document):
     view = view_of(document.curves[0])
-    other = view_of(edits.set_family_setting(document, 0, "amount", 7).curves[0], view)
+    other = view_of(rule_edits.set_family_setting(document, 0, "amount", 7).curves[0], view)
     assert other.curve.chosen == {"amount": 7, "first_side": "left"}
     assert np.abs(other.curve.evaluate(0.1) - view.curve.evaluate(0.1)).max() > 0.0
     assert other.growth > view.growth
 
 
 def test_facts_tell_all_settings(document):
-    facts = facts_of(edits.set_family_setting(document, 0, "amount", 7))[0]
+    facts = facts_of(rule_edits.set_family_setting(document, 0, "amount", 7))[0]
     assert {setting.name: value for setting, value in facts.settings.items()} == {
         "amount": 7,
         "first_side": "left",
@@ -184,7 +184,7 @@ def test_chosen_settings_are_values():
 
 def test_a_family_that_lost_a_setting_draws_edits_and_saves_its_curves(document, swaying):
     """As when its file is written anew while the document is open."""
-    chosen = edits.set_family_setting(document, 0, "amount", 5)
+    chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     stale = replace(
         chosen.curves[0], settings=ChosenSettings({"speed": 3, "amount": 50, "first_side": "right"})
     )
@@ -192,7 +192,7 @@ def test_a_family_that_lost_a_setting_draws_edits_and_saves_its_curves(document,
     open_document = Document((stale,))
     validate(open_document)
     assert dict(decode(encode(open_document)).curves[0].settings) == {"first_side": "right"}
-    mended = edits.set_family_setting(open_document, 0, "amount", 7)
+    mended = rule_edits.set_family_setting(open_document, 0, "amount", 7)
     assert dict(mended.curves[0].settings) == {"first_side": "right", "amount": 7}
 
 
@@ -207,8 +207,8 @@ def with_settings(document, text):
 
 def test_files_leave_out_defaults(document):
     assert b"settings" not in encode(document)
-    chosen = edits.set_family_setting(document, 0, "amount", 5)
-    chosen = edits.set_family_setting(chosen, 0, "first_side", "right")
+    chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
+    chosen = rule_edits.set_family_setting(chosen, 0, "first_side", "right")
     assert b'"settings": {"amount": 5, "first_side": "right"}' in encode(chosen)
     assert decode(encode(chosen)) == chosen
 
@@ -268,14 +268,14 @@ def test_files_are_strict_about_other_families(document, text, words):
 
 
 def test_what_a_missing_family_had_is_kept_for_it(document):
-    away = edits.set_family(edits.set_family_setting(document, 0, "amount", 5), 0, LAGRANGE)
+    away = rule_edits.set_family(rule_edits.set_family_setting(document, 0, "amount", 5), 0, LAGRANGE)
     text = encode(away).replace(b"tests_swaying", b"not_here")
     assert b'"other_settings": [["not_here", {"amount": 5}]]' in text
     assert encode(decode(text)) == text
 
 
 def test_a_missing_family_keeps_its_settings(document):
-    chosen = edits.set_family_setting(document, 0, "amount", 5)
+    chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     text = encode(chosen).replace(b"tests_swaying", b"not_here")
     assert encode(decode(text)) == text
     for bad in (b'{"Amount!": 5}', b'{"amount": 5.5}', b'{"amount": true}', b'{"amount": 1000000000000000}'):

@@ -16,7 +16,7 @@ from PySide6.QtCore import QLocale
 from PySide6.QtGui import QFontMetrics
 from shiboken6 import delete
 
-from app.document import edits
+from app.document import rule_edits
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.tasks import garbage
@@ -98,7 +98,7 @@ def arch(editor):
 def pen(editor):
     """An empty Hermite curve, and the pen in hand."""
     editor.new()
-    editor.session.commit(edits.set_family(editor.session.document, 0, HERMITE), "Begin")
+    editor.session.commit(rule_edits.set_family(editor.session.document, 0, HERMITE), "Begin")
     editor.trigger("addTool")
     return editor
 

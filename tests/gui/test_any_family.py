@@ -17,7 +17,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QToolBar
 
 from app.appearance.theme import theme_of
-from app.document import edits
+from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.families.family_file import families_in
@@ -48,7 +48,7 @@ def drawn(editor):
         nonlocal is_fitted
         document = Document((make_curve(POINTS, family=FAMILIES.named(name)),))
         if kind is not ParametrizationKind.CHORD_LENGTH:
-            document = edits.set_parametrization(document, 0, kind, np.linspace(0.0, 1.0, 6).tolist())
+            document = rule_edits.set_parametrization(document, 0, kind, np.linspace(0.0, 1.0, 6).tolist())
         editor.session.commit(document, "Begin")
         if not is_fitted:
             editor.fit()
@@ -286,7 +286,7 @@ def test_functions_that_lose_their_digits_are_drawn_and_measured(drawn):
     """The curve was refused: “must be 1 at parameter 2, not 1.000000008”."""
     editor = drawn("tests_gaussian")
     times = [0.0, 0.2, 0.6 - 1e-7, 0.6, 0.8, 1.0]
-    crowded = edits.set_parametrization(editor.session.document, 0, ParametrizationKind.MANUAL, times)
+    crowded = rule_edits.set_parametrization(editor.session.document, 0, ParametrizationKind.MANUAL, times)
     editor.session.commit(crowded, "Crowd")
     editor.settle()
     assert editor.session.active_view.is_current
@@ -313,10 +313,10 @@ def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn, tmp_pa
     path.write_text(REFUSING)
     (family,) = families_in(path)
     editor = drawn("hermite")
-    refusing = edits.set_family(editor.session.document, 0, family)
+    refusing = rule_edits.set_family(editor.session.document, 0, family)
     panel = editor.window.basis_panel
     times = [0.0, 0.2, 0.6 - 1e-7, 0.6, 0.8, 1.0]
-    crowded = edits.set_parametrization(refusing, 0, ParametrizationKind.MANUAL, times)
+    crowded = rule_edits.set_parametrization(refusing, 0, ParametrizationKind.MANUAL, times)
     editor.session.commit(crowded, "Crowd")
     editor.settle()
     view = editor.session.active_view

@@ -15,8 +15,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
 
 from app.appearance.theme import ThemeMode
-from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
+from app.document.point_edits import move_points, set_position
 from app.families import HERMITE
 from app.features.recovery.autosave import DELAY_MS, Autosave, origin_of, snapshot_folder, state_folder
 from app.features.recovery.bar import RecoveryBar

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.appearance.colours import point_colours
 from app.appearance.theme import LIGHT
-from app.document import edits
-from app.document.edits import move_points, set_position
+from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.point_edits import move_points, set_position
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.basis.function_lines import apart, crests_of
 from app.features.basis.scene import rail_height
@@ -398,9 +398,9 @@ def test_the_header_fits_whatever_it_has_to_say(editor, width):
     # Two parameters close together, as after a drag.
     times = editor.parameters
     times[3] = times[4] - 0.02
-    document = edits.freeze_parameters(editor.session.document, 0, times)
+    document = rule_edits.freeze_parameters(editor.session.document, 0, times)
     for family in FAMILIES:
-        editor.session.commit(edits.set_family(document, 0, family), "Begin")
+        editor.session.commit(rule_edits.set_family(document, 0, family), "Begin")
         check_header(editor, family)
 
 

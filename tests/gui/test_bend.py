@@ -11,8 +11,8 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.document import edits
-from app.document.edits import EditError
+from app.document import curve_edits, point_edits, rule_edits
+from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve, vectors_of
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.bend import Bend, BendWith
@@ -39,8 +39,8 @@ def with_everything_set(view):
 
 def ruled(editor, family, kind):
     """Give the curve of `arch` a family and a rule, at once."""
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
-    editor.session.commit(edits.set_parametrization(document, 0, kind, []), "Begin again")
+    document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    editor.session.commit(rule_edits.set_parametrization(document, 0, kind, []), "Begin again")
 
 
 def middle(editor, segment=1, share=0.4):
@@ -175,15 +175,15 @@ def test_without_handles_the_points_move_and_it_is_said(arch):
 
 
 def test_so_close_to_a_point_that_no_handle_reaches_alt_is_offered():
-    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE).curves[0])
+    view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE).curves[0])
     with pytest.raises(EditError, match="with Alt the point comes along"):
         Bend(view, float(view.parameters[1]), BendWith.DERIVATIVES)
     Bend(view, float(view.parameters[1]), BendWith.ALL).bent((2.0, 3.0), 1e-6)
 
 
 def test_the_change_is_the_one_of_least_norm():
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, LAGRANGE)
-    view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
+    document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, LAGRANGE)
+    view = view_of(rule_edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
     pull = (0.3, -0.2)
     target = tuple((view.curve.evaluate(0.41) + pull).tolist())
     delta = view_of(Bend(view, 0.41, BendWith.ALL).bent(target, 1e-9)).points - view.points
@@ -216,8 +216,8 @@ def answers(view, knots, orders):
 @pytest.mark.parametrize("segment", [0, 1])
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.83])
 def test_control_points_on_both_sides_of_the_joints_change_least(family, using, segment, share):
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
-    view = view_of(edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
+    document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    view = view_of(rule_edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
     # Explicit, so that no rule answers to the points.
     view = view_of(with_everything_set(view))
     t = view.parameters[segment] + share * (view.parameters[segment + 1] - view.parameters[segment])
@@ -243,7 +243,7 @@ def test_control_points_on_both_sides_of_the_joints_change_least(family, using, 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
 def test_close_to_a_point_the_point_goes_along(family):
     """Its handles used to swing three times as far as the pointer, and made a hook on both sides."""
-    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, family).curves[0])
+    view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, family).curves[0])
     t = float(view.parameters[1] + 0.06 * (view.parameters[2] - view.parameters[1]))
     pull = np.array([0.2, 0.3])
     after = view_of(Bend(view, t, BendWith.ALL).bent(tuple((view.curve.evaluate(t) + pull).tolist()), 1e-9))
@@ -257,7 +257,7 @@ def test_close_to_a_point_the_point_goes_along(family):
 @pytest.mark.parametrize("share", [0.1, 0.3, 0.5])
 def test_a_small_pull_is_no_large_swing_next_door(share):
     """A quintic's handles counted on one side alone: the neighbour went three times as far as the pointer."""
-    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, QUINTIC_HERMITE).curves[0])
+    view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, QUINTIC_HERMITE).curves[0])
     t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
     target = view.curve.evaluate(t) + np.array([0.0, 0.2])
     after = view_of(Bend(view, t, BendWith.ALL).bent(tuple(target.tolist()), 1e-9))
@@ -270,7 +270,7 @@ def test_a_small_pull_is_no_large_swing_next_door(share):
 @pytest.mark.parametrize(("share", "most"), [(0.5, 0.15), (0.7, 0.3), (0.85, 0.7)])
 def test_points_that_were_placed_move_far_less_than_the_pointer(share, most):
     """With h v for the norm they went along by 94 hundredths of the way."""
-    view = view_of(edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE).curves[0])
+    view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE).curves[0])
     t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
     target = tuple((view.curve.evaluate(t) + np.array([0.4, 0.3])).tolist())
     after = view_of(Bend(view, t, BendWith.ALL).bent(target, 1e-6))
@@ -279,10 +279,10 @@ def test_points_that_were_placed_move_far_less_than_the_pointer(share, most):
 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
 def test_the_norm_does_not_depend_on_the_unit_of_time(family):
-    slow = edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    slow = rule_edits.set_family(Document((make_curve(POINTS),)), 0, family)
     # No document holds a jerk by the cube of a thousandth.
     short = 1e-3 if family.derivatives < 3 else 1e-2
-    fast = edits.set_interval(slow, 0, 0.0, short)
+    fast = rule_edits.set_interval(slow, 0, 0.0, short)
     results = []
     for document, end in ((slow, 1.0), (fast, short)):
         curve = Bend(view_of(document.curves[0]), 0.4 * end, BendWith.ALL).bent((2.0, 3.0), 1e-9)
@@ -307,7 +307,7 @@ def test_the_grabbed_point_follows_ten_times_as_far_as_the_curve_is_large(family
         points = random.normal(size=(count, 2)).cumsum(axis=0)
         document = Document((make_curve(points, family=family),))
         parameters = view_of(document.curves[0]).parameters.tolist()
-        view = view_of(edits.set_parametrization(document, 0, kind, parameters).curves[0])
+        view = view_of(rule_edits.set_parametrization(document, 0, kind, parameters).curves[0])
         segment, share = count // 2 - 1, 0.4
         start, end = view.parameters[segment : segment + 2]
         t = float(start + share * (end - start))
@@ -379,9 +379,9 @@ def numbers_of(curve):
 
 
 def test_a_corner_and_a_closed_curve_bend_on_one_side():
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE)
-    document = edits.set_closed(document, 0, True)
-    document = edits.make_corner(document, 0, 0, (1.0, 1.0), (2.0, 0.0))
+    document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE)
+    document = curve_edits.set_closed(document, 0, True)
+    document = point_edits.make_corner(document, 0, 0, (1.0, 1.0), (2.0, 0.0))
     view = view_of(document.curves[0])
     t = float(view.parameters[-2:].mean())
     curve = Bend(view, t, BendWith.DERIVATIVES).bent((2.0, -1.0), 1e-9)
@@ -391,7 +391,7 @@ def test_a_corner_and_a_closed_curve_bend_on_one_side():
 
 
 def test_derivatives_have_no_hold_on_a_joint():
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE)
+    document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, HERMITE)
     view = view_of(document.curves[0])
     with pytest.raises(EditError, match="no hold"):
         Bend(view, float(view.parameters[1]), BendWith.DERIVATIVES)
@@ -454,7 +454,7 @@ def test_an_acceleration_handle_keeps_its_direction_with_shift_and_alt(arch):
 
 
 def test_at_a_corner_the_handles_move_independently(hermite):
-    document = edits.make_corner(hermite.session.document, 0, 1, (4.0, 4.0), (4.0, -4.0))
+    document = point_edits.make_corner(hermite.session.document, 0, 1, (4.0, 4.0), (4.0, -4.0))
     hermite.session.commit(document, "Make corner")
     hermite.drag_handle(to=(2, 3))
     assert hermite.curve.points[1].velocity == (4.0, 4.0)

@@ -5,7 +5,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.lines import is_line
+from app.document.constraints import is_line
 from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE
 from app.document.words import number

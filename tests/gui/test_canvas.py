@@ -317,7 +317,7 @@ def test_alt_drag_pulls_out_a_velocity_hidden_under_its_point(arch):
 
 
 def _with_velocity(editor, index, velocity):
-    from app.document.edits import set_velocity
+    from app.document.point_edits import set_velocity
 
     return set_velocity(editor.session.document, 0, index, velocity)
 
@@ -402,7 +402,7 @@ def test_coincident_points_are_explained_and_the_last_good_curve_stays(arch):
     before = arch.session.active_view.curve
     arch.drag_point(2, to=arch.point(1))
     # Where the mouse let go is a pixel away at most; put it exactly there.
-    from app.document.edits import set_position
+    from app.document.point_edits import set_position
 
     arch.session.commit(set_position(arch.session.document, 0, 2, arch.point(1)), "Meet")
     arch.settle()

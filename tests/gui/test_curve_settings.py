@@ -7,7 +7,7 @@ from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
 from app.appearance.theme import ThemeMode, apply_theme
-from app.document import edits
+from app.document import curve_edits, point_edits, rule_edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -123,8 +123,8 @@ def test_a_curve_keeps_its_name_when_nothing_is_typed(form):
 
 
 def test_an_interval_is_typed_as_an_expression_and_keeps_the_shape(quintic):
-    document = edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
-    quintic.session.commit(edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
+    document = point_edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
+    quintic.session.commit(point_edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
     s = np.linspace(0, 1, 50)
     before = quintic.session.active_view.curve.evaluate(s)
     quintic.type("intervalEnd", "5/2")
@@ -138,7 +138,7 @@ def test_an_interval_is_typed_as_an_expression_and_keeps_the_shape(quintic):
 
 
 def test_the_interval_of_manual_parameters(form):
-    document = edits.freeze_parameters(form.session.document, 0, [*range(1, 8), 8.5])
+    document = rule_edits.freeze_parameters(form.session.document, 0, [*range(1, 8), 8.5])
     form.session.commit(document, "Freeze")
     assert (form["intervalStart"].text(), form["intervalEnd"].text()) == ("1", "8.5")
     form.type("intervalStart", "-2")
@@ -148,7 +148,7 @@ def test_the_interval_of_manual_parameters(form):
 
 
 def test_an_interval_that_was_not_touched_is_not_rounded(form):
-    form.session.commit(edits.set_interval(form.session.document, 0, 1 / 3, 0.1 + 0.9), "Set")
+    form.session.commit(rule_edits.set_interval(form.session.document, 0, 1 / 3, 0.1 + 0.9), "Set")
     before, steps = form.session.document, form.session.undo_stack.count()
     assert form["intervalStart"].text() == "0.333333"
     form["intervalStart"].setFocus()
@@ -161,7 +161,7 @@ def test_an_interval_that_was_not_touched_is_not_rounded(form):
     assert form.session.undo_stack.count() == steps
     # Typed out, the short text is a number of its own.
     form.type("intervalStart", "0.333333")
-    assert edits.interval(form.session.document.curves[0])[0] == 0.333333
+    assert form.session.document.curves[0].interval[0] == 0.333333
 
 
 @pytest.mark.parametrize(
@@ -225,7 +225,7 @@ def test_a_refusal_goes_with_its_cause(form, way):
     elif way == "the same number":
         form.type("intervalEnd", "1")
     elif way == "another edit":
-        document = edits.move_points(form.session.document, 0, [0], (1.0, 0.0))
+        document = point_edits.move_points(form.session.document, 0, [0], (1.0, 0.0))
         form.session.commit(document, "Move point 0")
     else:
         form["velocityRule"].setFocus()
@@ -248,15 +248,15 @@ def test_another_window_leaves_what_is_typed(form):
 
 
 def test_a_closed_curve_with_a_corner(quintic):
-    document = edits.set_closed(quintic.session.document, 0, True)
-    document = edits.make_corner(document, 0, 3, None, (3.0, 4.0))
+    document = curve_edits.set_closed(quintic.session.document, 0, True)
+    document = point_edits.make_corner(document, 0, 3, None, (3.0, 4.0))
     quintic.session.commit(document, "Close")
     facts = quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
     assert facts == "8 points · degree 5 · 8 pieces · closed · 1 corner · 0 ≤ t ≤ 1"
     # Only the acceleration jumps there: no corner.
     velocity = quintic.session.active_view.velocity_of(5)
-    corner = edits.make_corner(quintic.session.document, 0, 5, velocity, velocity)
-    jumping = edits.set_derivative(corner, 0, 5, 2, (80.0, 9.0), ahead=True)
+    corner = point_edits.make_corner(quintic.session.document, 0, 5, velocity, velocity)
+    jumping = point_edits.set_derivative(corner, 0, 5, 2, (80.0, 9.0), ahead=True)
     quintic.session.commit(jumping, "Jolt")
     facts = quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
     assert "closed · 1 corner · 1 point with two sides ·" in facts
@@ -265,7 +265,7 @@ def test_a_closed_curve_with_a_corner(quintic):
     assert quintic.session.active_view.curve.domain == (0.0, 2.0)
     assert quintic.curve.points[3].velocity_after == (1.5, 2.0)
     parameters = quintic.session.active_view.parameters.tolist()
-    frozen = edits.freeze_parameters(quintic.session.document, 0, parameters)
+    frozen = rule_edits.freeze_parameters(quintic.session.document, 0, parameters)
     quintic.session.commit(frozen, "Freeze")
     quintic.type("intervalEnd", "4")
     assert quintic.session.active_view.parameters[-1] == 4.0
@@ -283,7 +283,7 @@ def test_escape_takes_back_what_was_typed(form):
 
 def test_what_is_being_typed_survives_a_change_of_the_curve(form):
     form.type("intervalEnd", "4", None)
-    form.session.commit(edits.move_points(form.session.document, 0, [0], (1.0, 0.0)), "Move point 0")
+    form.session.commit(point_edits.move_points(form.session.document, 0, [0], (1.0, 0.0)), "Move point 0")
     assert form["intervalEnd"].text() == "4"
     form.qtbot.keyClick(form["intervalEnd"], Qt.Key.Key_Return)
     assert form.session.active_view.curve.domain == (0.0, 4.0)
@@ -315,8 +315,8 @@ def test_choosing_rules(quintic):
 def test_reset_all_to_estimated(quintic):
     button = quintic.panel.findChild(QToolButton, "resetAllToEstimated")
     assert not button.isVisible()
-    document = edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
-    quintic.session.commit(edits.set_derivative(document, 0, 5, 2, (5.0, 6.0)), "Set")
+    document = point_edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
+    quintic.session.commit(point_edits.set_derivative(document, 0, 5, 2, (5.0, 6.0)), "Set")
     assert button.isVisible()
     quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert all(point.velocity is None and point.acceleration is None for point in quintic.curve.points)
@@ -326,8 +326,8 @@ def test_reset_all_to_estimated(quintic):
 
 def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
     form = Form(qtbot, HERMITE)
-    document = edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
-    form.session.commit(edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
+    document = point_edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
+    form.session.commit(point_edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
     qtbot.mouseClick(form["resetAllToEstimated"], Qt.MouseButton.LeftButton)
     assert form.curve.points[2].velocity is None
     assert form.curve.points[2].acceleration == (5.0, 6.0)
@@ -337,7 +337,7 @@ def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
 
 
 def test_a_problem_is_told_with_a_sign(form):
-    form.session.commit(edits.set_position(form.session.document, 0, 1, POINTS[0]), "Move")
+    form.session.commit(point_edits.set_position(form.session.document, 0, 1, POINTS[0]), "Move")
     assert form.message == f"⚠ {form.session.active_view.problem}"
     assert form["curveFacts"].text() == "8\N{NO-BREAK SPACE}points"
     form.session.undo_stack.undo()
@@ -347,7 +347,7 @@ def test_a_problem_is_told_with_a_sign(form):
 def test_rendering_commits_nothing_and_a_hidden_form_rests(quintic):
     steps = quintic.session.undo_stack.count()
     quintic.panel.hide()
-    quintic.session.preview(edits.set_interval(quintic.session.document, 0, 0.0, 3.0))
+    quintic.session.preview(rule_edits.set_interval(quintic.session.document, 0, 0.0, 3.0))
     assert quintic["intervalEnd"].text() == "1"
     quintic.panel.show()
     assert quintic["intervalEnd"].text() == "3"

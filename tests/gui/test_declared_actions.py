@@ -11,7 +11,7 @@ from app.actions.declaration import Action, PlaceAction, action, action_for_each
 from app.actions.keymap import plain
 from app.actions.menus import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.actions.needs import Need
-from app.document.edits import EditError
+from app.document.limits import EditError
 from app.features.help.shortcut_sheet import ShortcutSheet
 from app.session import Session
 from app.testing import Editor

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 
-from app.document.lines import is_line
+from app.document.constraints import is_line
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.view_model.point_kinds import SMOOTH, kind_at

@@ -15,9 +15,8 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, QPushButton
 
-from app.document.export import NEVER_EXPORTED, Export
-from app.document.model import Document, make_curve
-from app.document.shape_edits import grouped
+from app.document.group_edits import grouped
+from app.document.model import NEVER_EXPORTED, Document, Export, make_curve
 from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.files import import_file
 from app.exchange.formats import FORMATS, format_of, with_ending

@@ -11,8 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.hit_test import PixelOutline
-from app.document.edits import EditError
-from app.document.kept_handles import stretched
+from app.document.constraints import stretched
+from app.document.limits import EditError
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN

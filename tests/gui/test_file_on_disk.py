@@ -18,8 +18,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButton, QWidget
 
 from app.appearance.theme import ThemeMode
-from app.document.edits import move_points, set_position
 from app.document.model import Document, make_curve
+from app.document.point_edits import move_points, set_position
 from app.features.file_on_disk.commands import DiskCommands
 from app.features.file_on_disk.notices import Ownership, about_lock
 from app.session import Session

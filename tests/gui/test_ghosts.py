@@ -12,8 +12,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QLabel, QToolButton, QWidget
 
 from app.appearance.theme import DARK, LIGHT, theme_of
-from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from app.document.point_edits import set_position
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, ChosenSettings
 from app.plotting.pens import colour_of, dashed
 from app.view_model.analysis.ghost import Ghost, all_ghosts

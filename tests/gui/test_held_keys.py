@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenuBar
 
-from app.document import edits
+from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import HERMITE
 from app.features.reference_image.commands import ImageCommands
@@ -28,7 +28,7 @@ POINTS = ((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))
 def arch(editor):
     """Four points of an arch, snapping to the grid."""
     document = Document((make_curve(POINTS, family=HERMITE),))
-    document = edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
+    document = rule_edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
     editor.session.commit(document, "Begin")
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.trigger("toggleSnap")

@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QUndoView
 
 from app.appearance.theme import ThemeMode, apply_theme
-from app.document import edits
+from app.document import point_edits
 from app.document.model import make_curve
 from app.features.history.panel import HistoryPanel
 from app.session import Session
@@ -18,7 +18,7 @@ def history(qtbot):
     panel = HistoryPanel(session.undo_stack)
     qtbot.addWidget(panel)
     for index in (1, 2, 3):
-        document = edits.move_points(session.document, 0, [index], (0.5, 0.0))
+        document = point_edits.move_points(session.document, 0, [index], (0.5, 0.0))
         session.commit(document, f"Move point {index}")
     panel.resize(300, 240)
     with qtbot.waitExposed(panel):

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QToolButton, QWidget
 
-from app.document.edits import set_position
+from app.document.point_edits import set_position
 from app.families import HERMITE
 from app.features.hodograph.panel import HodographPanel
 

@@ -9,8 +9,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QFileDialog
 
-from app.document.edits import set_position
 from app.document.model import Document, make_curve
+from app.document.point_edits import set_position
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of

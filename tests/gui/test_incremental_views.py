@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.derivatives import AccelerationRule, VelocityRule
-from app.document.edits import EditError
+from app.document.limits import EditError
 from app.document.model import Curve, Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import CurveView, view_of
@@ -31,24 +31,24 @@ def step(data, document: Document, curve: Curve, view: CurveView) -> Document:
     point = curve.points[index]
     match data.draw(st.integers(0, 11)):
         case 0 | 1 | 2:
-            return edits.move_points(document, 0, {index}, data.draw(vectors))
+            return point_edits.move_points(document, 0, {index}, data.draw(vectors))
         case 3:
-            return edits.move_points(document, 0, range(len(curve.points)), data.draw(vectors))
+            return point_edits.move_points(document, 0, range(len(curve.points)), data.draw(vectors))
         case 4:
-            return edits.set_velocity(document, 0, index, data.draw(st.none() | vectors))
+            return point_edits.set_velocity(document, 0, index, data.draw(st.none() | vectors))
         case 5:
-            return edits.set_derivative(document, 0, index, 2, data.draw(st.none() | vectors))
+            return point_edits.set_derivative(document, 0, index, 2, data.draw(st.none() | vectors))
         case 6:
-            return edits.make_corner(document, 0, index, data.draw(st.none() | vectors), None)
+            return point_edits.make_corner(document, 0, index, data.draw(st.none() | vectors), None)
         case 7:
             flat = replace(point, corner=False, velocity_after=None, acceleration_after=None)
             points = (*curve.points[:index], flat, *curve.points[index + 1 :])
             return document.with_curve(0, replace(curve, points=points))
         case 8:
-            return edits.set_family(document, 0, data.draw(st.sampled_from(FAMILIES)))
+            return rule_edits.set_family(document, 0, data.draw(st.sampled_from(FAMILIES)))
         case 9:
             kind = data.draw(st.sampled_from(ParametrizationKind))
-            return edits.set_parametrization(document, 0, kind, view.parameters.tolist())
+            return rule_edits.set_parametrization(document, 0, kind, view.parameters.tolist())
         case 10:
             return document.with_curve(0, replace(curve, closed=not curve.closed))
         case _:
@@ -104,7 +104,7 @@ def test_random_edits_with_undo(data):
 def test_what_did_not_change_is_the_same_object():
     document = Document((make_curve(SQUARE, family=HERMITE),))
     view = view_of(document.curves[0])
-    moved = view_of(edits.move_points(document, 0, {2}, (0.5, 0.0)).curves[0], view)
+    moved = view_of(point_edits.move_points(document, 0, {2}, (0.5, 0.0)).curves[0], view)
     assert moved.points is not view.points
     assert moved.arrays.given is view.arrays.given
     assert moved.arrays.times is view.arrays.times
@@ -113,13 +113,13 @@ def test_what_did_not_change_is_the_same_object():
 
 def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
     document = Document((make_curve(SQUARE),))
-    uniform = edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
+    uniform = rule_edits.set_parametrization(document, 0, ParametrizationKind.UNIFORM, [])
     view = view_of(uniform.curves[0])
     key = (1e-3, (-10.0, -10.0, 10.0, 10.0))
     view.flattened(*key)
     frozen = set()
     for step_size in (0.0, 1e-3, 2e-3, 3e-3):
-        view = view_of(edits.move_points(uniform, 0, {1}, (step_size, 0.1)).curves[0], view)
+        view = view_of(point_edits.move_points(uniform, 0, {1}, (step_size, 0.1)).curves[0], view)
         view.flattened(*key)
         frozen.add(id(view._flattener._drawn._frozen))
     assert isinstance(view._flattener, Flattener)
@@ -129,10 +129,10 @@ def test_a_lagrange_curve_at_frozen_parameters_keeps_its_samples():
 def dragged(family, way, kind=ParametrizationKind.UNIFORM):
     """A curve whose third point is dragged, as its view follows it, and its view made from nothing."""
     document = Document((make_curve(SQUARE, family=family),))
-    document = edits.set_parametrization(document, 0, kind, [])
+    document = rule_edits.set_parametrization(document, 0, kind, [])
     first = view_of(document.curves[0])
-    view = view_of(edits.move_points(document, 0, {2}, (0.1, 0.0)).curves[0], first)
-    view = view_of(edits.move_points(document, 0, {2}, way).curves[0], view)
+    view = view_of(point_edits.move_points(document, 0, {2}, (0.1, 0.0)).curves[0], first)
+    view = view_of(point_edits.move_points(document, 0, {2}, way).curves[0], view)
     return view, view_of(view.source)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from app.document import edits
+from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.curve_view import view_of
@@ -19,7 +19,9 @@ BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
 
 def begin(editor, *curves, kind=ParametrizationKind.MANUAL):
     """Edit the first of curves; with parameters of its own its shape is kept."""
-    document = edits.set_parametrization(Document(curves), 0, kind, view_of(curves[0]).parameters.tolist())
+    document = rule_edits.set_parametrization(
+        Document(curves), 0, kind, view_of(curves[0]).parameters.tolist()
+    )
     editor.session.commit(document, "Begin", active=0)
     editor.fit()
     return editor

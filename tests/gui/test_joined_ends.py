@@ -7,7 +7,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.lines import is_line
+from app.document.constraints import is_line
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of

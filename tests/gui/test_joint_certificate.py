@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QDockWidget, QLabel, QTableView, QToolButton
 
 from app.appearance.theme import DARK, LIGHT
 from app.document.derivatives import VelocityRule
-from app.document.edits import set_position
 from app.document.model import Curve, Document, Parametrization, Point
+from app.document.point_edits import set_position
 from app.families import HERMITE
 from app.features.joints.model import COLUMNS, JointsModel
 from app.features.joints.panel import JointsPanel

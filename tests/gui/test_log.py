@@ -16,8 +16,8 @@ from app.diagnostics.crash_report import place_of, report_of
 from app.diagnostics.log import FORMAT, LAST_LINES, NAME, last_lines, logged
 from app.diagnostics.log_file import FILE_NAME, LogFile
 from app.diagnostics.slow_frames import SlowFrames
-from app.document.edits import set_position
 from app.document.model import Document, make_curve
+from app.document.point_edits import set_position
 from app.features.import_export.commands import ImportCommands
 from app.features.import_export.export_commands import ExportCommands
 from app.features.recovery.autosave import Autosave

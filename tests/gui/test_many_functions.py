@@ -8,8 +8,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QLabel
 
 from app.appearance.theme import LIGHT
-from app.document.edits import set_parameters
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
+from app.document.rule_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
 from app.plotting.pixel_map import PixelMap

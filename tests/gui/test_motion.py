@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from app.document import edits
+from app.document import rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import ParametrizationKind
 from app.exchange.drawing.animation import write_film
@@ -86,7 +86,7 @@ def motion(editor):
 def span(editor, start, end):
     """Give the parameters an interval of their own."""
     session = editor.session
-    session.commit(edits.set_interval(session.document, 0, start, end), "Set the interval")
+    session.commit(rule_edits.set_interval(session.document, 0, start, end), "Set the interval")
 
 
 def test_k_plays_and_pauses(editor, motion):
@@ -294,7 +294,7 @@ def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
 def test_cubic_beside_quintic(editor, motion):
     session = editor.session
     editor.choose_family(HERMITE)
-    session.commit(edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
+    session.commit(rule_edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
     editor.trigger("motionWithQuinticHermite")
     assert motion.player.is_playing
     motion.wait(0.3)
@@ -314,7 +314,7 @@ def test_cubic_beside_quintic(editor, motion):
 def test_all_families_that_go_through_the_points_run_side_by_side(editor, motion):
     session = editor.session
     editor.choose_family(HERMITE)
-    session.commit(edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
+    session.commit(rule_edits.set_rule(session.document, 0, VelocityRule.CATMULL_ROM), "Rule")
     editor.trigger("motionCompare")
     motion.wait(0.3)
     own, *others = motion.dots

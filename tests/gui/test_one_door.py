@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QLabel, QLineEdit, QSlider, QStyle, QStyleOptionSlider
 
-from app.document import edits
+from app.document import curve_edits, limits, point_edits, rule_edits
 from app.document.model import (
     Curve,
     Document,
@@ -50,8 +50,8 @@ def hat(name="Hat", right=0.0):
     """A curve with something set at two of its points."""
     points = [(right, 0), (right + 1, 2), (right + 3, 2), (right + 4, 0)]
     curve = make_curve(points, family=HERMITE, name=name)
-    document = edits.set_velocity(Document((curve,)), 0, 1, (3.0, 1.0))
-    return edits.set_velocity(document, 0, 2, (2.0, -1.0)).curves[0]
+    document = point_edits.set_velocity(Document((curve,)), 0, 1, (3.0, 1.0))
+    return point_edits.set_velocity(document, 0, 2, (2.0, -1.0)).curves[0]
 
 
 @pytest.fixture
@@ -194,7 +194,7 @@ def test_undo_during_a_drag_of_alpha_takes_back_the_drag_alone(two):
 
 def test_another_curve_while_the_pen_begins_one(editor):
     rings = [
-        edits.set_closed(
+        curve_edits.set_closed(
             Document((make_curve([(x, 0), (x + 2, 0), (x + 2, 2)], family=HERMITE),)), 0, True
         ).curves[0]
         for x in (0.0, 4.0)
@@ -289,10 +289,12 @@ def test_a_closed_curve_with_too_few_points_left_is_open(editor):
 
 def test_the_interval_of_a_polynomial_that_would_be_closed_leaves_room_to_close():
     document = Document((make_curve([(0, 0), (1, 2), (3, 2)], family=HERMITE),))
-    document = edits.freeze_parameters(edits.set_closed(document, 0, True), 0, [0.0, 0.3, 0.6, 1.0])
-    document = edits.set_interval(edits.set_family(document, 0, LAGRANGE), 0, 0.0, 2.0)
+    document = rule_edits.freeze_parameters(
+        curve_edits.set_closed(document, 0, True), 0, [0.0, 0.3, 0.6, 1.0]
+    )
+    document = rule_edits.set_interval(rule_edits.set_family(document, 0, LAGRANGE), 0, 0.0, 2.0)
     validate(document)
-    assert view_of(edits.set_family(document, 0, HERMITE).curves[0]).is_current
+    assert view_of(rule_edits.set_family(document, 0, HERMITE).curves[0]).is_current
 
 
 def test_points_that_would_share_a_parameter_are_not_pasted(editor):
@@ -358,7 +360,7 @@ def test_an_edit_finds_the_document_without_a_gesture_in_flight(two):
 
     def edit(document):
         found.append(document)
-        return edits.rename_curve(document, 0, "Named")
+        return curve_edits.rename_curve(document, 0, "Named")
 
     committed = session.committed
     change = session.change("Rename curve", edit)
@@ -376,7 +378,7 @@ def test_an_edit_that_refuses_changes_nothing_and_is_heard(two):
     before, steps = session.document, session.undo_stack.count()
 
     def edit(_document):
-        raise edits.EditError("There is no other way.")
+        raise limits.EditError("There is no other way.")
 
     change = session.change("Never", edit)
     assert not change
@@ -397,7 +399,7 @@ def test_a_change_that_is_none_is_no_step_and_no_refusal(two):
 def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
     session = two.session
     session.change("Lock", lambda document: with_appearance(document, [1], locked=True))
-    change = session.change("Move", lambda document: edits.set_position(document, 1, 0, (9.0, 9.0)))
+    change = session.change("Move", lambda document: point_edits.set_position(document, 1, 0, (9.0, 9.0)))
     assert not change
     assert change.refusal == two.status
     assert "locked" in change.refusal
@@ -414,7 +416,7 @@ def test_what_was_selected_is_selected_again_after_a_gesture_that_is_dropped(two
     if refuses:
 
         def edit(_document):
-            raise edits.EditError("There is no other way.")
+            raise limits.EditError("There is no other way.")
 
         session.change("Never", edit)
     else:

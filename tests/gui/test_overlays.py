@@ -9,8 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QLineEdit, QSlider, QToolButton
 
 from app.appearance.theme import ThemeMode
-from app.document.edits import set_position
 from app.document.model import ParametrizationKind
+from app.document.point_edits import set_position
 from app.families import HERMITE
 from app.features.overlays.commands import OverlayCommands
 from app.tasks.debounced_task import SETTLE_MS

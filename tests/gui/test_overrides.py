@@ -22,7 +22,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QLabel, QWidget
 
 import app
-from app.document.edits import set_position
+from app.document.point_edits import set_position
 from app.qt.overrides import SafeOverrides, empty_result, is_guarded
 
 ROOT = Path(__file__).resolve().parents[2]

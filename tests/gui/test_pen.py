@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from app.document import edits
+from app.document import curve_edits, point_edits, rule_edits
 from app.document.model import ParametrizationKind, Point
 from app.families import FAMILIES, QUINTIC_HERMITE
 from app.view_model.curve.handles import handles_of
@@ -27,7 +27,7 @@ def begin(editor, document):
 def lay(editor, *places):
     """Lay points at the end of the curve, as clicks with the pen do."""
     points = (*editor.curve.points, *(Point(*place) for place in places))
-    begin(editor, edits.set_points(editor.session.document, 0, points))
+    begin(editor, point_edits.set_points(editor.session.document, 0, points))
     editor.session.selected.set_points([len(points) - 1])
 
 
@@ -35,7 +35,7 @@ def lay(editor, *places):
 def ring(pen):
     """A closed curve of three points, and the pen in hand."""
     lay(pen, (0, 0), (2, 0), (1, 2))
-    begin(pen, edits.set_closed(pen.session.document, 0, True))
+    begin(pen, curve_edits.set_closed(pen.session.document, 0, True))
     return pen
 
 
@@ -55,10 +55,10 @@ def test_no_handle_gets_longer_than_it_was_drawn(pen):
     """
     empty, every = pen.session.document, list(ParametrizationKind)
     for place, family in enumerate(WITH_VELOCITIES):
-        document = edits.set_family(empty, 0, family)
-        document = edits.set_points(document, 0, [Point(*at(pen, x, 0)) for x in (0, 30)])
+        document = rule_edits.set_family(empty, 0, family)
+        document = point_edits.set_points(document, 0, [Point(*at(pen, x, 0)) for x in (0, 30)])
         for kind in every[place % 2 :: 2] if place else every:
-            begin(pen, edits.set_parametrization(document, 0, kind, [0.0, 1.0]))
+            begin(pen, rule_edits.set_parametrization(document, 0, kind, [0.0, 1.0]))
             pen.session.selected.set_points([1])
             pen.press(at(pen, 60, 0))
             pen.move(at(pen, 60, 45))
@@ -85,10 +85,10 @@ def test_the_handle_behind_stays_where_it_was_drawn_before_a_short_segment(pen):
 
 
 def test_an_acceleration_goes_along_by_the_square(pen):
-    begin(pen, edits.set_family(pen.session.document, 0, QUINTIC_HERMITE))
+    begin(pen, rule_edits.set_family(pen.session.document, 0, QUINTIC_HERMITE))
     pen.click(at(pen, 0, 0))
     pen.drag(at(pen, 30, 0), at(pen, 60, 0))
-    document = edits.set_derivative(pen.session.document, 0, 1, 2, (3.0, -4.0))
+    document = point_edits.set_derivative(pen.session.document, 0, 1, 2, (3.0, -4.0))
     pen.session.commit(document, "Set")
     old = pen.curve.points[1]
     pen.click(at(pen, 330, 0))
@@ -103,8 +103,8 @@ def test_the_handle_of_the_first_point_stays(pen):
     kinds = ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL
     for kind, span in product(kinds, (1.0, 2.5)):
         for family in WITH_VELOCITIES:
-            document = edits.set_parametrization(edits.set_family(empty, 0, family), 0, kind, [])
-            begin(pen, edits.set_interval(document, 0, 0.0, span))
+            document = rule_edits.set_parametrization(rule_edits.set_family(empty, 0, family), 0, kind, [])
+            begin(pen, rule_edits.set_interval(document, 0, 0.0, span))
             pen.press(at(pen, 0, 0))
             pen.move(tip)
             assert pen.status.partition(" · ")[2].startswith("the handle stays here"), (family, kind, span)
@@ -177,7 +177,7 @@ def test_escape_takes_back_a_point_added_near_the_curve(pen):
 
 
 def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
-    begin(ring, edits.set_parametrization(ring.session.document, 0, ParametrizationKind.CENTRIPETAL, []))
+    begin(ring, rule_edits.set_parametrization(ring.session.document, 0, ParametrizationKind.CENTRIPETAL, []))
     old, steps = ring.curve, ring.session.undo_stack.count()
     ring.hover((4, 1))
     assert ring.window.status_line.hint.startswith("Click to begin another curve")
@@ -273,9 +273,9 @@ def test_the_sheet_tells_what_the_pen_does(ring):
 @pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
 def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, kind):
     """Past the threshold all handles used to jump: the parameters move, and nothing was rescaled."""
-    begin(pen, edits.set_parametrization(pen.session.document, 0, kind, []))
+    begin(pen, rule_edits.set_parametrization(pen.session.document, 0, kind, []))
     points = [Point(x, y, velocity=(12.0, 0.0)) for x, y in ((0.0, 0.0), (4.0, 3.0), (8.0, 0.0), (12.0, 3.0))]
-    pen.session.commit(edits.set_points(pen.session.document, 0, points), "Begin")
+    pen.session.commit(point_edits.set_points(pen.session.document, 0, points), "Begin")
     pen.fit()
     before = [handles_of(pen.session.active_view, index)[0].position for index in (0, 3)]
     place = tuple(pen.session.active_view.curve.evaluate(0.5))

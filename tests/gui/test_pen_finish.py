@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.model import ParametrizationKind, Point
 from app.families import HERMITE, LAGRANGE
 from tests.gui.editor_facts import at
@@ -22,8 +22,8 @@ def pen(editor):
     """An open Hermite curve of three points, and the pen in hand."""
     editor.new()
     places = [at(editor, x, y) for x, y in ((0, 0), (100, 60), (200, 0))]
-    document = edits.set_family(editor.session.document, 0, HERMITE)
-    document = edits.set_points(document, 0, [Point(*place) for place in places])
+    document = rule_edits.set_family(editor.session.document, 0, HERMITE)
+    document = point_edits.set_points(document, 0, [Point(*place) for place in places])
     editor.session.commit(document, "Begin")
     editor.session.selected.set_points([2])
     editor.trigger("addTool")
@@ -83,8 +83,8 @@ def test_a_click_on_the_last_point_goes_on(pen):
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
 def test_a_click_on_the_first_point_of_a_curve_that_is_not_drawn_goes_on_from_there(pen, kind):
     """It closed a curve that had been finished long ago."""
-    document = edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.3, 1.0])
-    pen.session.commit(edits.set_velocity(document, 0, 1, (400.0, -90.0)), "Begin")
+    document = rule_edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.3, 1.0])
+    pen.session.commit(point_edits.set_velocity(document, 0, 1, (400.0, -90.0)), "Begin")
     drawn, first = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33)), pen.point(0)
     pen.hover(first)
     assert hint(pen) == "Click to go on with this curve from its first point · Drag to move point 0"

@@ -7,8 +7,8 @@ import math
 import pytest
 from PySide6.QtCore import Qt
 
-from app.document import edits
-from app.document.lines import is_line
+from app.document import point_edits, rule_edits
+from app.document.constraints import is_line
 from app.document.model import Point
 from app.families import FAMILIES, LAGRANGE
 from tests.gui.editor_facts import at
@@ -28,7 +28,7 @@ def lines(editor):
 def test_alt_click_makes_a_polygon(pen):
     empty = pen.session.document
     for family in WITH_VELOCITIES:
-        pen.session.commit(edits.set_family(empty, 0, family), "Begin")
+        pen.session.commit(rule_edits.set_family(empty, 0, family), "Begin")
         for place in PLACES:
             pen.click(at(pen, *place), keys=ALT)
         assert lines(pen) == [True] * 3, family
@@ -120,9 +120,9 @@ def test_a_finger_on_the_first_point_is_told_of_it(pen):
 def test_the_first_point_promises_to_close_only_what_can_be_closed(pen):
     """Of a Lagrange curve, too, and the click was refused."""
     *before, last = (at(pen, *place) for place in PLACES)
-    document = edits.set_points(pen.session.document, 0, [Point(*place) for place in before])
+    document = point_edits.set_points(pen.session.document, 0, [Point(*place) for place in before])
     for family in FAMILIES:
-        pen.session.commit(edits.set_family(document, 0, family), "Begin")
+        pen.session.commit(rule_edits.set_family(document, 0, family), "Begin")
         pen.session.selected.set_points([2])
         pen.click(last)
         assert not pen.window.status_line.hint.startswith("Click to close the curve"), family

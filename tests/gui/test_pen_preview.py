@@ -10,7 +10,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication
 
 from app.appearance.theme import LIGHT
-from app.document import edits
+from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from tests.gui.editor_facts import at
@@ -50,7 +50,7 @@ def ghost_pixels(editor):
 def test_what_is_shown_is_what_a_click_makes(editor, kind):
     for family in FAMILIES:
         pen = drawn(editor, family)
-        ruled = edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.4, 1.0])
+        ruled = rule_edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.4, 1.0])
         pen.session.commit(ruled, "Begin")
         document, steps = pen.session.document, pen.session.undo_stack.count()
         assert ahead(pen) is None, family

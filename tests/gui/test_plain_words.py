@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.actions.keymap import plain
-from app.document.edits import rename_curve
+from app.document.curve_edits import rename_curve
 from app.document.model import Document, ReferenceImage, make_curve
 from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands

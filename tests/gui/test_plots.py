@@ -10,8 +10,8 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
-from app.document.edits import set_position
 from app.document.model import Parametrization, ParametrizationKind, make_curve
+from app.document.point_edits import set_position
 from app.families import HERMITE, LAGRANGE
 from app.features.plots.commands import PlotCommands
 from app.features.plots.value_scale import ValueScale

@@ -12,9 +12,8 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.document.lines import is_line
+from app.document.constraints import angle_between, holds, is_line
 from app.document.model import Document, ParametrizationKind, make_curve
-from app.document.ties import angle_between, holds
 from app.exchange.files import export, import_file
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import decode, encode

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMainWindow, QToo
 
 from app.appearance.colours import point_colours
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme
-from app.document import edits
+from app.document import curve_edits, point_edits, rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -176,12 +176,12 @@ def test_a_panel_that_was_never_shown_holds_the_numbers_too(qtbot):
     qtbot.addWidget(panel)
     _controller = PointTableController(session, panel, lambda: None)
     assert panel.view.model().rowCount() == 8
-    session.commit(edits.delete_points(session.document, 0, {0}), "Delete point 0")
+    session.commit(point_edits.delete_points(session.document, 0, {0}), "Delete point 0")
     assert panel.view.model().rowCount() == 7
 
 
 def test_numbers_are_rounded_for_the_eye_only(table):
-    table.session.commit(edits.set_position(table.session.document, 0, 0, (1 / 3, -2 / 3)), "Move")
+    table.session.commit(point_edits.set_position(table.session.document, 0, 0, (1 / 3, -2 / 3)), "Move")
     assert (table.shown(0, X), table.shown(0, Y)) == ("0.333333", "−0.666667")
     assert (table.value(0, X), table.value(0, Y)) == (1 / 3, -2 / 3)
     assert "0.3333333333333333" in table.model.data(table.model.index(0, X), Role.ToolTipRole)
@@ -198,7 +198,7 @@ def test_rows_bear_the_colours_of_their_points(table, theme):
 
 
 def test_without_a_curve_there_are_no_parameters_but_the_points_stay(table):
-    table.session.commit(edits.set_position(table.session.document, 0, 1, (3.1, 3.35)), "Move")
+    table.session.commit(point_edits.set_position(table.session.document, 0, 1, (3.1, 3.35)), "Move")
     assert table.session.active_view.problem
     assert table.shown(3, T) == "–"
     assert table.shown(1, X) == "3.1"
@@ -211,10 +211,10 @@ def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
     assert hermite.model.data(index, Role.FontRole).italic()
     assert hermite.model.data(index, Role.ForegroundRole) == LIGHT.muted
     assert "estimated by the natural spline rule" in hermite.model.data(index, Role.ToolTipRole)
-    document = edits.set_rule(hermite.session.document, 0, VelocityRule.BESSEL)
+    document = rule_edits.set_rule(hermite.session.document, 0, VelocityRule.BESSEL)
     hermite.session.commit(document, "Rule")
     assert "Bessel" in hermite.model.data(index, Role.ToolTipRole)
-    document = edits.set_velocity(hermite.session.document, 0, 2, (1.0, 2.0))
+    document = point_edits.set_velocity(hermite.session.document, 0, 2, (1.0, 2.0))
     hermite.session.commit(document, "Set velocity")
     assert hermite.model.data(index, Role.FontRole) is None
     assert "estimated" not in hermite.model.data(index, Role.ToolTipRole)
@@ -318,7 +318,7 @@ def test_half_typed_numbers_do_not_reach_the_curve(table):
 
 def test_an_unchanged_text_is_no_edit(table):
     # 0.1 + 0.2 has 17 digits; 1/3 has more than the table shows.
-    table.session.commit(edits.set_position(table.session.document, 0, 0, (1 / 3, 0.1 + 0.2)), "Move")
+    table.session.commit(point_edits.set_position(table.session.document, 0, 0, (1 / 3, 0.1 + 0.2)), "Move")
     steps, before = table.session.undo_stack.count(), table.session.document
     for column, exact in ((X, 1 / 3), (Y, 0.1 + 0.2)):
         editor = table.edit(0, column)
@@ -368,14 +368,14 @@ def test_leaving_an_estimated_cell_untouched_keeps_it_estimated(hermite):
 def test_what_is_being_typed_survives_a_change_of_the_curve(table):
     editor = table.edit(3, X)
     table.qtbot.keyClicks(editor, "42")
-    table.session.commit(edits.move_points(table.session.document, 0, [3], (1.0, 1.0)), "Move point 3")
+    table.session.commit(point_edits.move_points(table.session.document, 0, [3], (1.0, 1.0)), "Move point 3")
     assert editor.text() == "42"
     table.qtbot.keyClick(editor, Qt.Key.Key_Return)
     assert table.point(3).position == (42.0, 3.5)
 
 
 def test_the_editor_grows_with_its_text(table):
-    table.session.commit(edits.set_position(table.session.document, 0, 0, (-1 / 3e-7, 0.0)), "Move")
+    table.session.commit(point_edits.set_position(table.session.document, 0, 0, (-1 / 3e-7, 0.0)), "Move")
     editor = table.edit(0, X)
     assert editor.width() > editor.fontMetrics().horizontalAdvance(editor.text())
     assert editor.geometry().right() <= table.view.viewport().rect().right()
@@ -461,8 +461,8 @@ def test_a_jerk_is_typed_reset_and_pasted_with_its_point(septic):
 def set_derivatives(table, *indices):
     document = table.session.document
     for index in indices:
-        document = edits.set_velocity(document, 0, index, (1.0, 2.0))
-        document = edits.set_derivative(document, 0, index, 2, (3.0, 4.0))
+        document = point_edits.set_velocity(document, 0, index, (1.0, 2.0))
+        document = point_edits.set_derivative(document, 0, index, 2, (3.0, 4.0))
     table.session.commit(document, "Set")
 
 
@@ -553,7 +553,7 @@ def test_rows_and_columns_are_those_of_the_cells(hermite):
 
 
 def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
-    document = edits.insert_points(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).points[0]])
+    document = point_edits.insert_points(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).points[0]])
     table.session.selected.set_points([8])
     assert table.session.selection == frozenset()
     table.session.commit(document, "Add point 8")
@@ -565,14 +565,14 @@ def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
 def test_deleting_points_never_writes_a_selection_back(table):
     table.session.selected.set_points([6, 7])
     changes = QSignalSpy(table.session.selection_changed)
-    table.session.commit(edits.delete_points(table.session.document, 0, {6, 7}), "Delete points")
+    table.session.commit(point_edits.delete_points(table.session.document, 0, {6, 7}), "Delete points")
     assert table.view.selected_rows() == frozenset()
     assert changes.count() == 1  # the session's own
 
 
 def test_another_family_keeps_the_selection(table):
     table.session.selected.set_points([3])
-    table.session.commit(edits.set_family(table.session.document, 0, HERMITE), "Family")
+    table.session.commit(rule_edits.set_family(table.session.document, 0, HERMITE), "Family")
     assert table.model.columnCount() == len(columns_of(derivatives=1))
     assert table.view.selected_rows() == {3}
     assert table.session.selection == {3}
@@ -582,7 +582,7 @@ def test_another_family_keeps_the_selection(table):
 
 
 def test_copied_cells_are_whole_numbers_with_tabs_between(table):
-    table.session.commit(edits.set_position(table.session.document, 0, 1, (1 / 3, -2.0)), "Move")
+    table.session.commit(point_edits.set_position(table.session.document, 0, 1, (1 / 3, -2.0)), "Move")
     table.click(0, X)
     table.click(1, Y, Qt.KeyboardModifier.ShiftModifier)
     assert table.copy() == "3.1\t3.35\n0.3333333333333333\t-2.0"
@@ -627,7 +627,7 @@ def test_paste_with_parameters_makes_them_manual(table):
 
 
 def test_paste_appends_to_manual_parameters_at_their_pace(table):
-    document = edits.freeze_parameters(table.session.document, 0, list(range(8)))
+    document = rule_edits.freeze_parameters(table.session.document, 0, list(range(8)))
     table.session.commit(document, "Freeze")
     table.click(7, X)
     table.paste("1 1\n2 2\n3 3")
@@ -640,7 +640,7 @@ def test_paste_appends_to_manual_parameters_at_their_pace(table):
 def test_pasted_points_leave_the_handles_of_the_others_alone(hermite, is_closed):
     if is_closed:
         closed(hermite)
-    document = edits.set_velocity(hermite.session.document, 0, 2, (3.0, 4.0))
+    document = point_edits.set_velocity(hermite.session.document, 0, 2, (3.0, 4.0))
     hermite.session.commit(document, "Set")
 
     def handle():
@@ -737,14 +737,16 @@ def many_points(count):
 
 def test_a_thousand_rows_are_updated_and_not_reset(qtbot):
     table = Table(qtbot, HERMITE, many_points(1000))
-    document = edits.freeze_parameters(table.session.document, 0, list(range(1000)))
+    document = rule_edits.freeze_parameters(table.session.document, 0, list(range(1000)))
     table.session.commit(document, "Freeze")
     resets, changes = QSignalSpy(table.model.modelReset), QSignalSpy(table.model.dataChanged)
     rows = QSignalSpy(table.model.rowsInserted)
-    document = edits.set_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
+    document = rule_edits.set_rule(document, 0, VelocityRule.FINITE_DIFFERENCE)
     table.session.commit(document, "Rule")
     changed = changes.count()
-    table.session.commit(edits.move_points(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500")
+    table.session.commit(
+        point_edits.move_points(table.session.document, 0, [500], (0.0, 1.0)), "Move point 500"
+    )
     # Finite differences reach as far as the neighbours.
     assert (changes.at(changed)[0].row(), changes.at(changed)[1].row()) == (499, 501)
     assert changes.count() == changed + 1
@@ -757,10 +759,10 @@ def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
     changes = QSignalSpy(table.model.dataChanged)
     before = table.session.document
     for step in range(1, 51):
-        table.session.preview(edits.move_points(before, 0, [3], (0.01 * step, 0.0)))
+        table.session.preview(point_edits.move_points(before, 0, [3], (0.01 * step, 0.0)))
     assert changes.count() < 10
     until(lambda: table.value(3, X) == 1.25 + 0.5)
-    table.session.preview(edits.move_points(before, 0, [3], (1.0, 0.0)))
+    table.session.preview(point_edits.move_points(before, 0, [3], (1.0, 0.0)))
     table.session.commit(table.session.document, "Move point 3")
     assert table.value(3, X) == 2.25  # a step of the history does not wait
 
@@ -768,7 +770,7 @@ def test_a_stream_of_previews_is_followed_at_a_pace_and_ends_on_the_last(qtbot):
 def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
     table = Table(qtbot)
     for step in range(5):
-        table.session.preview(edits.move_points(table.session.document, 0, [3], (0.1 * step, 0.0)))
+        table.session.preview(point_edits.move_points(table.session.document, 0, [3], (0.1 * step, 0.0)))
     table.session.cancel()
     until(lambda: table.value(3, X) == 1.25)
 
@@ -777,7 +779,7 @@ def test_a_hidden_table_rests_until_it_is_shown(qtbot):
     table = Table(qtbot)
     table.panel.hide()
     changes = QSignalSpy(table.model.dataChanged)
-    table.session.preview(edits.move_points(table.session.document, 0, [3], (1.0, 0.0)))
+    table.session.preview(point_edits.move_points(table.session.document, 0, [3], (1.0, 0.0)))
     until(lambda: not table.panel._timer.isActive())
     assert changes.count() == 0
     table.panel.show()
@@ -787,7 +789,7 @@ def test_a_hidden_table_rests_until_it_is_shown(qtbot):
 def test_rendering_commits_nothing(quintic):
     steps = quintic.session.undo_stack.count()
     for family in FAMILIES:
-        quintic.session.preview(edits.set_family(quintic.session.document, 0, family))
+        quintic.session.preview(rule_edits.set_family(quintic.session.document, 0, family))
         quintic.rest()
     quintic.session.cancel()
     assert quintic.session.undo_stack.count() == steps
@@ -856,7 +858,7 @@ def test_a_refusal_goes_with_its_cause(table, way):
     field.show()
     editor = table.type(3, X, "2*")
     assert table.message
-    document = edits.move_points(table.session.document, 0, [0], (1.0, 0.0))
+    document = point_edits.move_points(table.session.document, 0, [0], (1.0, 0.0))
     if way == "escape":
         table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
     elif way == "click elsewhere":
@@ -894,7 +896,9 @@ def test_a_column_keeps_its_decimals_while_previews_stream(table):
     assert decimals(table, X) == {2}
     before, seen = table.session.document, []
     for step in range(1, 6):
-        table.session.preview(edits.move_points(before, 0, [3], (0.5 * step + 0.1 ** (step % 3 + 1), 0.0)))
+        table.session.preview(
+            point_edits.move_points(before, 0, [3], (0.5 * step + 0.1 ** (step % 3 + 1), 0.0))
+        )
         table.rest()
         assert len(decimals(table, X)) == 1
         seen.append(decimals(table, X))
@@ -908,7 +912,7 @@ def test_a_number_that_outgrows_its_column_takes_decimals_once(table):
     before = table.session.document
     counts = []
     for x in (0.123, 5000.123, 0.123):
-        table.session.preview(edits.set_position(before, 0, 3, (x, 0.0)))
+        table.session.preview(point_edits.set_position(before, 0, 3, (x, 0.0)))
         table.rest()
         counts.append(decimals(table, X))
     assert max(counts[1]) < max(counts[0])
@@ -923,13 +927,13 @@ def test_a_change_of_decimals_is_painted_in_every_row(table):
         painted.append(index.row()),
         paint(painter, option, index),
     )
-    table.session.preview(edits.set_position(table.session.document, 0, 3, (1 / 3, 2.5)))
+    table.session.preview(point_edits.set_position(table.session.document, 0, 3, (1 / 3, 2.5)))
     table.rest()
     assert set(painted) == set(range(8))
 
 
 def test_rounding_residues_are_shown_as_zero_and_kept_whole(hermite):
-    document = edits.set_velocity(hermite.session.document, 0, 2, (8e-16, -1043.4))
+    document = point_edits.set_velocity(hermite.session.document, 0, 2, (8e-16, -1043.4))
     hermite.session.commit(document, "Set")
     assert float(texts(hermite, VX)[2]) == 0
     assert hermite.shown(2, VX) == "0"
@@ -1051,7 +1055,7 @@ def test_points_cannot_share_a_t(table):
 
 
 def closed(table):
-    table.session.commit(edits.set_closed(table.session.document, 0, True), "Close")
+    table.session.commit(curve_edits.set_closed(table.session.document, 0, True), "Close")
     return table.session.active_view
 
 
@@ -1082,7 +1086,7 @@ def test_pasting_into_a_closed_curve(hermite):
 
 
 def test_at_a_corner_the_table_has_what_is_before_it(hermite):
-    document = edits.make_corner(hermite.session.document, 0, 3, (1.0, 2.0), (3.0, 4.0))
+    document = point_edits.make_corner(hermite.session.document, 0, 3, (1.0, 2.0), (3.0, 4.0))
     hermite.session.commit(document, "Corner")
     assert (hermite.value(3, VX), hermite.value(3, VY)) == (1.0, 2.0)
     tip = hermite.model.data(hermite.model.index(3, VY), Role.ToolTipRole)
@@ -1096,7 +1100,7 @@ def test_at_a_corner_the_table_has_what_is_before_it(hermite):
 
 
 def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
-    document = edits.make_corner(hermite.session.document, 0, 3, None, (3.0, 4.0))
+    document = point_edits.make_corner(hermite.session.document, 0, 3, None, (3.0, 4.0))
     hermite.session.commit(document, "Corner")
     hermite.session.selected.set_points([3])
     button = hermite.panel.findChild(QToolButton, "resetToEstimated")
@@ -1106,7 +1110,7 @@ def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
 
 
 def test_a_corner_at_the_first_point_has_what_is_after_it(hermite):
-    document = edits.make_corner(hermite.session.document, 0, 0, None, (3.0, 4.0))
+    document = point_edits.make_corner(hermite.session.document, 0, 0, None, (3.0, 4.0))
     hermite.session.commit(document, "Corner")
     assert (hermite.value(0, VX), hermite.value(0, VY)) == (3.0, 4.0)
     hermite.type(0, VX, "5")
@@ -1131,7 +1135,7 @@ def test_neighbouring_numbers_of_a_quintic_table_never_touch(qtbot, scale):
     promised = PADDING + LEFT_PADDING
     assert least_gap() >= promised
     for x in (-1.59, -159.0, 1.59):
-        session.preview(edits.set_position(before, 0, 3, (x * scale, 1.1 * scale)))
+        session.preview(point_edits.set_position(before, 0, 3, (x * scale, 1.1 * scale)))
         table.rest()
         assert least_gap() >= promised
     session.cancel()

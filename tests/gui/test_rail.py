@@ -12,8 +12,9 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QSlider, QWidget
 
-from app.document.edits import set_closed, set_parameter
+from app.document.curve_edits import set_closed
 from app.document.model import ParametrizationKind
+from app.document.rule_edits import set_parameter
 from app.document.transforms import clean_step
 from app.families import FAMILIES, HERMITE
 from curvecore import centripetal, chebyshev, chebyshev_roots, chord_length, uniform

@@ -12,8 +12,8 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from msgspec.structs import replace
 
 from app.canvas.hit_test import PixelPoints, hit_test, nearer
-from app.document import edits
-from app.document.edits import EditError
+from app.document import curve_edits, point_edits, rule_edits
+from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.document.selection import all_points
 from app.document.transforms import Edge, align_points, distribute_points
@@ -365,17 +365,17 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(family=st.sampled_from(FAMILIES))
     def use_family(self, family):
-        self.edit(edits.set_family, family)
+        self.edit(rule_edits.set_family, family)
 
     @rule(kind=st.sampled_from(list(ParametrizationKind)))
     def use_parametrization(self, kind):
         view = self.session.active_view
         if view.is_current:
-            self.edit(edits.set_parametrization, kind, view.parameters.tolist())
+            self.edit(rule_edits.set_parametrization, kind, view.parameters.tolist())
 
     @rule(closed=st.booleans())
     def close(self, closed):
-        self.edit(edits.set_closed, closed)
+        self.edit(curve_edits.set_closed, closed)
 
     @rule(corner=st.booleans())
     def corner(self, corner):
@@ -384,14 +384,14 @@ class Gestures(RuleBasedStateMachine):
             return
         index = selected[1]
         if corner:
-            self.edit(edits.make_corner, index, (1.0, 2.0), None)
+            self.edit(point_edits.make_corner, index, (1.0, 2.0), None)
         else:
-            self.edit(edits.make_smooth, index, None)
+            self.edit(point_edits.make_smooth, index, None)
 
     @rule()
     def delete(self):
         session, chosen = self.session, self.session.selection
-        document = edits.delete_points(session.document, session.active_index, chosen)
+        document = point_edits.delete_points(session.document, session.active_index, chosen)
         session.selected.set_points([])
         session.commit(document, "Delete")
         self.note()
@@ -407,9 +407,9 @@ TestGestures = Gestures.TestCase
 
 def test_a_closed_curve_that_was_a_lagrange_curve_for_a_while_can_be_saved():
     # Frozen while it was open, its interval ended at the last point: no room to return to the first.
-    document = edits.set_family(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), 0, HERMITE)
-    document = edits.set_family(edits.set_closed(document, 0, True), 0, LAGRANGE)
-    document = edits.freeze_parameters(document, 0, [0.0, 0.5, 1.0])
+    document = rule_edits.set_family(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), 0, HERMITE)
+    document = rule_edits.set_family(curve_edits.set_closed(document, 0, True), 0, LAGRANGE)
+    document = rule_edits.freeze_parameters(document, 0, [0.0, 0.5, 1.0])
     assert document.curves[0].parametrization.end == 1.5
     validate(document)
-    validate(edits.insert_points(document, 0, 3, [Point(4, 0, t=2.0)]))
+    validate(point_edits.insert_points(document, 0, 3, [Point(4, 0, t=2.0)]))

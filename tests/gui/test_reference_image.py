@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QLabel, QT
 from app.appearance.theme import ThemeMode, theme_of
 from app.canvas import image_layer
 from app.canvas.image_layer import ImageFileError, inverted_lightness, read_image
-from app.document.image_edits import place_image, set_image
 from app.document.model import Document, make_curve
+from app.document.plane_edits import place_image, set_image
 from app.document.transforms import clean_step
 from app.features.reference_image.commands import ImageCommands
 from app.storage.files import load

@@ -11,7 +11,7 @@ from extents import CLOSE, box_shown, sampled_bounds
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.transforms import rotation, transform_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
@@ -273,11 +273,11 @@ RULES = [kind for kind in ParametrizationKind if kind is not ParametrizationKind
 
 def bent(family, kind):
     """Four points with all that can be set by hand."""
-    document = edits.set_family(Document((make_curve(POINTS),)), 0, family)
-    document = edits.set_parametrization(document, 0, kind, [])
-    document = edits.set_velocity(document, 0, 1, (3.0, 1.0))
-    document = edits.make_corner(document, 0, 2, (1.0, 2.0), (2.0, -5.0))
-    return edits.set_derivative(document, 0, 1, 2, (-4.0, 7.0))
+    document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, family)
+    document = rule_edits.set_parametrization(document, 0, kind, [])
+    document = point_edits.set_velocity(document, 0, 1, (3.0, 1.0))
+    document = point_edits.make_corner(document, 0, 2, (1.0, 2.0), (2.0, -5.0))
+    return point_edits.set_derivative(document, 0, 1, 2, (-4.0, 7.0))
 
 
 def turned(curve, t, centre):

@@ -5,7 +5,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit, QWidget
 
 from app.actions.qactions import Actions
-from app.document import edits
+from app.document import point_edits
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.window.connect import Commands
@@ -24,7 +24,7 @@ def shown(editor, monkeypatch):
 
 
 def delete_points(session):
-    session.change("Delete points", lambda document: edits.delete_points(document, 0, {1, 2}))
+    session.change("Delete points", lambda document: point_edits.delete_points(document, 0, {1, 2}))
 
 
 def delete_curve(session):
@@ -32,7 +32,7 @@ def delete_curve(session):
 
 
 def drop_a_drag(session):
-    session.preview(edits.move_points(session.document, 0, [1], (0.5, 0.0)))
+    session.preview(point_edits.move_points(session.document, 0, [1], (0.5, 0.0)))
     session.cancel()
 
 
@@ -127,7 +127,7 @@ def test_only_what_is_new_is_written(editor):
         for step in (0.1, 0.2, 0.3):
             editor.session.change(
                 "Move points",
-                lambda document, step=step: edits.move_points(document, 0, [0, 1], (step, 0.0)),
+                lambda document, step=step: point_edits.move_points(document, 0, [0, 1], (step, 0.0)),
             )
             editor.settle()
     finally:

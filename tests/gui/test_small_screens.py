@@ -15,8 +15,8 @@ import app.widgets
 import app.window
 import app.workbench
 from app.diagnostics.crash_dialog import CrashDialog
-from app.document.edits import set_position
 from app.document.model import Document, make_curve
+from app.document.point_edits import set_position
 from app.exchange.choice import ExportChoice
 from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS

@@ -9,7 +9,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document import edits
+from app.document import rule_edits
 from app.document.box_edits import ellipse_in, rectangle_in, with_pieces_drawn
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.style import PLAIN_STYLE
@@ -33,7 +33,7 @@ def pair(editor):
     """Two curves, the first one edited; snapping is on and the grid has a spacing of 0.5."""
     one = make_curve(POINTS)
     two = make_curve(OTHER, name="Base", family=HERMITE)
-    document = edits.set_parametrization(
+    document = rule_edits.set_parametrization(
         Document((one, two), grid_spacing=0.5), 0, ParametrizationKind.UNIFORM, []
     )
     editor.session.commit(document, "Begin")

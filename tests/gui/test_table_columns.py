@@ -11,8 +11,8 @@ from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.document import edits
-from app.document.edits import EditError
+from app.document import point_edits
+from app.document.limits import EditError
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.edits import passed_over
@@ -43,7 +43,7 @@ def at_distance(document, curve, _view, index, distance):
     if distance < 0:
         raise EditError("A distance is not negative.")
     factor = distance / math.hypot(x, y)
-    return edits.set_position(document, curve, index, (x * factor, y * factor))
+    return point_edits.set_position(document, curve, index, (x * factor, y * factor))
 
 
 BUILT_IN = columns.COLUMNS
@@ -113,7 +113,9 @@ def test_they_are_shown(editor, table):
 def test_their_widths_follow_their_numbers(editor, table):
     """A small number takes more digits: 7.14e−10."""
     before = table.cell_delegate.needed_widths(6, 6, table.fontMetrics())
-    editor.session.change("Near", lambda document: edits.set_position(document, 0, 0, (-3e-9 / 7, 4e-9 / 7)))
+    editor.session.change(
+        "Near", lambda document: point_edits.set_position(document, 0, 0, (-3e-9 / 7, 4e-9 / 7))
+    )
     editor.settle()
     after = table.cell_delegate.needed_widths(6, 6, table.fontMetrics())
     assert after[R] > before[R]
@@ -210,7 +212,7 @@ def curvatures_inside(view):
 def test_a_paste_passes_over_what_is_computed_and_says_so(monkeypatch, editor, table, get):
     """A whole table copied and pasted onto itself was refused: kappa is computed, or row 1 of it is empty."""
     monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, replace(CURVATURE, get=get), DISTANCE))
-    editor.session.change("Again", lambda document: edits.set_position(document, 0, 0, (6.0, 2.5)))
+    editor.session.change("Again", lambda document: point_edits.set_position(document, 0, 0, (6.0, 2.5)))
     editor.settle()
     before = editor.session.document
     table.selectAll()
@@ -253,7 +255,7 @@ def test_delete_leaves_what_a_rule_estimates_to_that(monkeypatch, editor, table)
     def at_speed(document, curve, view, index, speed):
         vx, vy = view.curve.evaluate(view.parameters[index], 1)
         factor = speed / math.hypot(vx, vy)
-        return edits.set_velocity(document, curve, index, (vx * factor, vy * factor))
+        return point_edits.set_velocity(document, curve, index, (vx * factor, vy * factor))
 
     speed = Column(
         name="|v|",
@@ -261,7 +263,9 @@ def test_delete_leaves_what_a_rule_estimates_to_that(monkeypatch, editor, table)
         get=speeds,
         set=at_speed,
         is_estimated=lambda view: np.array([point.velocity is None for point in view.source.points]),
-        reset=lambda document, curve, indices: edits.estimate_derivatives(document, curve, indices, (1,)),
+        reset=lambda document, curve, indices: point_edits.estimate_derivatives(
+            document, curve, indices, (1,)
+        ),
         derivatives=1,
     )
     monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, speed))

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from app.actions.state import DERIVATIVES
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -132,7 +132,7 @@ def test_the_menu_marks_what_the_points_are(wave):
 
 def test_a_hidden_velocity_is_pulled_out(wave):
     wave.select([1])
-    wave.session.commit(edits.set_velocity(wave.session.document, 0, 1, (0.0, 0.0)), "Stop")
+    wave.session.commit(point_edits.set_velocity(wave.session.document, 0, 1, (0.0, 0.0)), "Stop")
     wave.open_menu(wave.point(1))
     wave.choose("pullVelocity")
     assert wave.session.undo_stack.undoText() == "Pull out velocity of point 1"
@@ -168,7 +168,7 @@ def test_an_estimated_velocity_that_is_seen_becomes_explicit_as_it_is(wave):
 
 def test_both_velocities_of_a_corner_are_pulled_out(wave):
     wave.select([1])
-    wave.session.commit(edits.make_corner(wave.session.document, 0, 1, (0, 0), (0, 0)), "Corner")
+    wave.session.commit(point_edits.make_corner(wave.session.document, 0, 1, (0, 0), (0, 0)), "Corner")
     wave.trigger("pullVelocity")
     assert wave.handle(ahead=True).position == pytest.approx((4 / 3, 2 / 3))
     assert wave.handle(ahead=False).position == pytest.approx((2 / 3, 2 / 3))
@@ -313,7 +313,7 @@ def test_a_click_on_a_handle_over_a_point_selects_the_point(wave):
     velocity = (1.0, -1.0)
     span = wave.parameters[2] - wave.parameters[1]
     reach = tuple(3 * part / span for part in velocity)
-    wave.session.commit(edits.set_velocity(wave.session.document, 0, 1, reach), "Aim")
+    wave.session.commit(point_edits.set_velocity(wave.session.document, 0, 1, reach), "Aim")
     wave.select([1])
     assert wave.handle().position == pytest.approx(wave.point(2))
     document = wave.session.document
@@ -480,7 +480,7 @@ def test_points_pasted_out_of_sight_are_brought_into_view(wave, name):
 
 
 def test_a_new_curve_begins_with_parameters_of_its_own(wave):
-    document = edits.set_interval(wave.session.document, 0, 0.5, 2.0)
+    document = rule_edits.set_interval(wave.session.document, 0, 0.5, 2.0)
     wave.session.commit(document, "Interval")
     wave.trigger("freezeParameters")
     wave.paste_text("0 5\n1 6\n2 5")
@@ -500,7 +500,7 @@ def test_a_new_curve_begins_with_parameters_of_its_own(wave):
 
 
 def test_an_empty_document_shows_t_from_0_to_1(wave):
-    wave.session.commit(edits.set_interval(wave.session.document, 0, 0.5, 2.0), "Interval")
+    wave.session.commit(rule_edits.set_interval(wave.session.document, 0, 0.5, 2.0), "Interval")
     wave.new()
     low, _, high, _ = wave.window.basis_panel.pixel_map.box
     assert low == pytest.approx(-0.035, abs=1e-3)

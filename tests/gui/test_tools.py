@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
-from app.document import edits
+from app.document import point_edits
 from app.document.model import Point
 from app.testing import Editor
 from app.tools.canvas.select import SELECT
@@ -37,7 +37,7 @@ class Raise(Drag, frozen=True):
 
     def document_at(self, pointer):
         count = len(self.document.curves[self.curve].points)
-        return edits.insert_points(self.document, self.curve, count, [Point(*self.head(pointer))])
+        return point_edits.insert_points(self.document, self.curve, count, [Point(*self.head(pointer))])
 
 
 class RaiseTool(Tool):
@@ -182,7 +182,7 @@ class StampTool(Tool):
 
         def stamped(document):
             count = len(document.curves[host.active_index].points)
-            return edits.insert_points(document, host.active_index, count, [Point(*place)])
+            return point_edits.insert_points(document, host.active_index, count, [Point(*place)])
 
         context.drags.press(context.pointer, None, on_click=lambda: host.change("Stamp point", stamped))
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.model import Document, Point, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.commands import PointTableCommands
@@ -192,7 +192,7 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
     session.selected.activate(0)
     session.selected.set_points([0, 2])
     session.selected.set_hovered(2)
-    session.preview(edits.delete_points(session.document, 0, [1, 2]))
+    session.preview(point_edits.delete_points(session.document, 0, [1, 2]))
     assert named(session) == (0, {0}, {0}, -1, None)
     session.cancel()
     assert session.scrub.t == 1.0
@@ -203,17 +203,17 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
 def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
     """A preview of a shorter interval left it at 3 of [0, 2]."""
     session = Session()
-    session.commit(edits.set_interval(session.document, 0, 0.0, 5.0), "To 5")
+    session.commit(rule_edits.set_interval(session.document, 0, 0.0, 5.0), "To 5")
     session.scrub.set(3.0)
-    session.preview(edits.set_interval(session.document, 0, 0.0, 2.0))
+    session.preview(rule_edits.set_interval(session.document, 0, 0.0, 2.0))
     assert session.scrub.t == 2.0
-    session.preview(edits.set_interval(session.document, 0, 0.0, 4.0))
+    session.preview(rule_edits.set_interval(session.document, 0, 0.0, 4.0))
     assert session.scrub.t == 3.0
-    session.preview(edits.set_interval(session.document, 0, 3.5, 4.0))
+    session.preview(rule_edits.set_interval(session.document, 0, 3.5, 4.0))
     assert session.scrub.t == 3.5
     session.cancel()
     assert session.scrub.t == 3.0
-    session.commit(edits.delete_points(session.document, 0, range(1, 9)), "Delete")
+    session.commit(point_edits.delete_points(session.document, 0, range(1, 9)), "Delete")
     assert session.scrub.t is None
     session.undo_stack.undo()
     assert session.scrub.t == 3.0

@@ -11,7 +11,7 @@ from PySide6.QtGui import QEnterEvent, QGuiApplication, QImage, QStatusTipEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QSlider, QToolButton
 
-from app.document import edits
+from app.document import rule_edits
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.commands import PointTableCommands
 from app.features.reference_image.commands import ImageCommands
@@ -184,7 +184,7 @@ def test_t_goes_when_a_drag_ends_outside(pair):
 def test_t_goes_with_the_document(pair):
     pair.drag_parameter(1, to=0.4)
     session = pair.session
-    session.commit(edits.set_interval(session.document, session.active_index, 0.0, 20.0), "Stretch")
+    session.commit(rule_edits.set_interval(session.document, session.active_index, 0.0, 20.0), "Stretch")
     pair.settle()
     # The pointer rests, and t is another one below it.
     assert float(shown_t(pair).removeprefix("t ")) == pytest.approx(8, abs=0.1)

@@ -35,8 +35,9 @@ from PySide6.QtWidgets import (
 from app.actions.keymap import plain
 from app.appearance.theme import DARK, ThemeMode
 from app.cli.windows import open_windows
-from app.document.edits import rename_curve, set_velocity
+from app.document.curve_edits import rename_curve
 from app.document.model import ParametrizationKind
+from app.document.point_edits import set_velocity
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.import_export.export_commands import ExportCommands
 from app.session import Session

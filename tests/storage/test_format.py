@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.document.derivatives import DERIVATIVES, AccelerationRule, JerkRule, VelocityRule
+from app.document.limits import MAX_MAGNITUDE
 from app.document.model import (
-    MAX_MAGNITUDE,
     Curve,
     Document,
     Parametrization,

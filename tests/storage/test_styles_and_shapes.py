@@ -7,8 +7,7 @@ import json
 import pytest
 from msgspec.structs import replace
 
-from app.document.export import Export
-from app.document.model import Axis, Document, Guide, make_curve
+from app.document.model import Axis, Document, Export, Guide, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError

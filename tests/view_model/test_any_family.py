@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import curve_edits, point_edits
 from app.document.derivatives import VelocityRule
-from app.document.edits import EditError
+from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, titles
@@ -300,7 +300,7 @@ def test_closing_is_what_the_family_can(name):
         assert closed.curve.evaluate(closed.curve.domain[1]) == pytest.approx(POINTS[0])
         return
     with pytest.raises(EditError, match=family.a_curve) as refusal:
-        edits.set_closed(document, 0, True)
+        curve_edits.set_closed(document, 0, True)
     closing = titles(each for each in FAMILIES if each.curve_class.can_close)
     assert closing.startswith("Hermite, quintic Hermite")
     assert closing.endswith(" or cosine steps")
@@ -369,7 +369,8 @@ def effects_of(view, t):
     """Return how far a move of each point by 1 moves the curve at t, (points, m); the parameters stay."""
     document = Document((with_times(view.source, view.parameters[: len(view.points)].tolist()),))
     moved = [
-        edits.set_position(document, 0, i, (x + 1.0, y)) for i, (x, y) in enumerate(view.points.tolist())
+        point_edits.set_position(document, 0, i, (x + 1.0, y))
+        for i, (x, y) in enumerate(view.points.tolist())
     ]
     ways = [view_of(each.curves[0]).curve.evaluate(t) - view.curve.evaluate(t) for each in moved]
     return np.array(ways)[:, :, 0]

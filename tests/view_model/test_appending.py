@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES
 from app.features.point_table.edits import paste_block
@@ -45,8 +45,8 @@ def longest(document):
 @each_row("family", [family for family in FAMILIES if family.derivatives])
 def test_a_far_point_makes_no_handle_longer(family, kind, append):
     document = Document((make_curve([(0, 0), (0.3, 0.1), (0.5, 0)], family=family),))
-    document = edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])
-    document = edits.set_velocity(document, 0, 2, (0.4, 0.9))
+    document = rule_edits.set_parametrization(document, 0, kind, [0.0, 0.6, 1.0])
+    document = point_edits.set_velocity(document, 0, 2, (0.4, 0.9))
     after = append(document, view_of(document.curves[0]))
     assert len(after.curves[0].points) == 4
     assert longest(after) == pytest.approx(longest(document), rel=1e-9)

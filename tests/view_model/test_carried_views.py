@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.several_curves import mapped, moved, whole_curves
@@ -36,10 +36,10 @@ def several(family, kind=ParametrizationKind.CENTRIPETAL, **values) -> Document:
     document = moved(document, whole_curves(document, [1]), (300.0, -200.0))
     document = mapped(document, whole_curves(document, [1]), scaling(7.0, 3.0, (300.0, -200.0)))
     if family.derivatives:
-        document = edits.make_corner(document, 3, 2, (1.0, 0.5), None)
-        document = edits.set_velocity(document, 4, 1, (2.0, -1.0))
+        document = point_edits.make_corner(document, 3, 2, (1.0, 0.5), None)
+        document = point_edits.set_velocity(document, 4, 1, (2.0, -1.0))
     for place in range(len(curves)):
-        document = edits.set_parametrization(document, place, kind, [0.0, 0.2, 0.5, 0.6, 1.0])
+        document = rule_edits.set_parametrization(document, place, kind, [0.0, 0.2, 0.5, 0.6, 1.0])
     return document
 
 
@@ -135,7 +135,7 @@ def test_what_is_not_mapped_as_a_whole_is_made(family):
 def test_some_points_are_no_whole_curve_and_derivatives_may_stay():
     document = several(HERMITE)
     views = seen(document)
-    some = edits.move_points(document, 0, {0, 1}, (0.5, 0.5))
+    some = point_edits.move_points(document, 0, {0, 1}, (0.5, 0.5))
     turned = tuple(
         replace(curve, points=tuple(replace(point, x=-point.x) for point in curve.points))
         for curve in document.curves[3:]

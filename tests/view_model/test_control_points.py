@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from app.document.edits import EditError
+from app.document.limits import EditError
 from app.document.model import make_curve
 from app.families import FAMILIES
 from app.view_model.analysis.joints import certificate_of

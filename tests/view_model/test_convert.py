@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits, rule_edits
 from app.document.derivatives import VelocityRule
-from app.document.edits import EditError
+from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.view_model.convert import converted, outlook
@@ -30,7 +30,7 @@ def view(family, count=6, *, manual=False, closed=False):
     made = view_of(curve)
     if not manual:
         return made
-    frozen = edits.freeze_parameters(Document((curve,)), 0, made.parameters.tolist())
+    frozen = rule_edits.freeze_parameters(Document((curve,)), 0, made.parameters.tolist())
     return view_of(frozen.curves[0])
 
 
@@ -133,7 +133,7 @@ def test_these_are_not(one, other, words):
 def test_a_velocity_set_by_hand_makes_the_acceleration_jump():
     """Then no B-spline without knots that stand twice is that curve."""
     before = view(FAMILIES.named("hermite"), manual=True)
-    document = edits.set_velocity(Document((before.source,)), 0, 2, (3.0, 9.0))
+    document = point_edits.set_velocity(Document((before.source,)), 0, 2, (3.0, 9.0))
     with pytest.raises(EditError, match=r"its acceleration jumps at t = 0\.2"):
         converted(view_of(document.curves[0]), FAMILIES.named("b_spline"))
 
@@ -156,8 +156,8 @@ def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners)
     source = replace(make_curve(POINTS, family=FAMILIES.named("hermite")), closed=closed)
     source = replace(source, velocity_rule=VelocityRule.BESSEL)
     parameters = view_of(source).parameters.tolist()
-    before = view_of(edits.freeze_parameters(Document((source,)), 0, parameters).curves[0])
-    source = edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 9.0)).curves[0]
+    before = view_of(rule_edits.freeze_parameters(Document((source,)), 0, parameters).curves[0])
+    source = point_edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 9.0)).curves[0]
     before = view_of(source)
     inner = [index for index in corners if closed or index]
     if inner:

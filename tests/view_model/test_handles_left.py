@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from app.document.edits import set_parametrization
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.rule_edits import set_parametrization
 from app.families import FAMILIES
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_at

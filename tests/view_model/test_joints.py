@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Curve, Document, Parametrization, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -240,7 +240,9 @@ def test_a_smooth_point_is_certified_and_measured(family, closed):
     before = view_of(replace(make_curve(places, family=family), closed=closed))
     made = made_smooth(before, range(4))
     (vx, vy), index = made.points[1].velocity, 0 if closed else 1
-    document = edits.set_velocity(Document((made,)), 0, index, (3 * vx - vy, 3 * vy + 2 * vx), ahead=True)
+    document = point_edits.set_velocity(
+        Document((made,)), 0, index, (3 * vx - vy, 3 * vy + 2 * vx), ahead=True
+    )
     view = view_of(document.curves[0])
     row = next(row for row in certificate_of(view).rows if row.joint == index)
     assert row.smoothness.startswith("C⁰, G¹")

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits, rule_edits
+from app.document.constraints import is_line
 from app.document.derivatives import VelocityRule
-from app.document.edits import EditError
-from app.document.lines import is_line
+from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -42,7 +42,7 @@ def view(family=HERMITE, points=POINTS, *, manual=True, closed=False, corner=Non
     made = view_of(curve)
     if not manual:
         return made
-    frozen = edits.freeze_parameters(Document((curve,)), 0, made.parameters.tolist())
+    frozen = rule_edits.freeze_parameters(Document((curve,)), 0, made.parameters.tolist())
     return view_of(frozen.curves[0])
 
 
@@ -181,7 +181,7 @@ def test_a_curve_over_control_points_is_split_exactly(family, count, place):
 
 def test_handles_stay_when_a_point_is_inserted_under_a_rule():
     before = view(manual=False)
-    document = edits.set_velocity(Document((before.source,)), 0, 5, (3.0, 40.0))
+    document = point_edits.set_velocity(Document((before.source,)), 0, 5, (3.0, 40.0))
     before = view_of(document.curves[0])
     made = with_point_inserted(before, float(before.parameters[1:3].mean()))
     after = view_of(made.curve)
@@ -391,7 +391,7 @@ def test_some_curves_cannot_be_joined(first, second, reason):
 @each_row("family", FAMILIES)
 def test_reversing_keeps_the_shape_and_twice_is_the_curve(family, manual, closed):
     before = view(family, manual=manual, closed=closed and family is not LAGRANGE, corner=1)
-    document = edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 1.0), ahead=True)
+    document = point_edits.set_velocity(Document((before.source,)), 0, 1, (3.0, 1.0), ahead=True)
     before = view_of(document.curves[0])
     made = reversed_curve(before)
     # Through wild parameters a polynomial carries the rounding of its parameters, 1e-16, times some 100.
@@ -440,8 +440,8 @@ def test_a_closed_natural_cubic_is_the_periodic_spline():
 
 def test_explicit_data_at_the_seam_count_on_both_sides():
     closed = view(QUINTIC_HERMITE, closed=True)
-    document = edits.set_velocity(Document((closed.source,)), 0, 0, (5.0, -3.0))
-    document = edits.set_derivative(document, 0, 0, 2, (1.0, 2.0))
+    document = point_edits.set_velocity(Document((closed.source,)), 0, 0, (5.0, -3.0))
+    document = point_edits.set_derivative(document, 0, 0, 2, (1.0, 2.0))
     after = view_of(document.curves[0])
     for order, expected in ((1, (5.0, -3.0)), (2, (1.0, 2.0))):
         for t in after.curve.domain:
@@ -491,7 +491,7 @@ def test_the_start_of_a_closed_curve_may_be_a_corner():
 
 def test_symmetric_changes_nothing_but_beside_the_corner():
     cornered = view_of(with_corners(view(points=[(float(x), float(x % 3)) for x in range(9)]), [4]))
-    document = edits.set_velocity(Document((cornered.source,)), 0, 4, (30.0, -20.0), ahead=True)
+    document = point_edits.set_velocity(Document((cornered.source,)), 0, 4, (30.0, -20.0), ahead=True)
     turned = view_of(document.curves[0])
     smooth = view_of(made_symmetric(turned, [4]))
     assert smooth.velocity_of(4) == pytest.approx(

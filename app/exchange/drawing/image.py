@@ -15,8 +15,8 @@ from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QSizeF
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 
 from ... import __version__
+from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
-from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import part
 from ..errors import ExchangeError
 from ..formats import Written

@@ -11,9 +11,9 @@ from curvecore import CurveError
 from curvecore.arithmetic import vector_lengths
 from curvecore.arrays import FloatArray
 
+from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...document.style import FillRule, LineCap, LineJoin, Style
-from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import part, told
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve

@@ -15,7 +15,6 @@ from curvecore import ArcLength, curvature_error, flatten_pieces
 from curvecore.arrays import FloatArray
 
 from ...document.derivatives import DERIVATIVES
-from ...document.edits import interval
 from ...document.model import Document
 from ...document.words import NamedEnum, count_of
 from ...tasks.progress import Report, part, told
@@ -156,7 +155,7 @@ def _rows(view: CurveView) -> list[tuple[float, ...]]:
     if curve.is_closed:
         first = curve.points[0]
         empty = (nan,) * (len(ROLES) + len(AFTER) - 3)
-        rows.append((interval(curve)[1], first.x, first.y, *empty))
+        rows.append((curve.interval[1], first.x, first.y, *empty))
     return rows
 
 

@@ -18,8 +18,9 @@ from numpy.typing import ArrayLike
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import MAX_MAGNITUDE, Axis, Guide
-from ...document.units import MILLIMETRES
+from ...document.lengths import MILLIMETRES
+from ...document.limits import MAX_MAGNITUDE
+from ...document.model import Axis, Guide
 from ..drawing.frames import Frame
 from ..errors import ExchangeError
 

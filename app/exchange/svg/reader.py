@@ -16,7 +16,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.shapes import tidy_shapes
+from ...document.groups import tidy_shapes
 from ...document.style import Style
 from ...document.words import enumerated
 from ...view_model.stroke_box import extent_of, half_width

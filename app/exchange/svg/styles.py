@@ -18,7 +18,7 @@ from msgspec.structs import replace
 from numpy.typing import ArrayLike
 from tinycss2.color4 import parse_color
 
-from ...document.model import MAX_MAGNITUDE
+from ...document.limits import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
 from ..errors import LEFT_OUT, ExchangeError, Flaw
 from .cascade import INHERITED

@@ -15,9 +15,9 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ... import __version__
+from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
-from ...document.units import MILLIMETRES, known_unit
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed

@@ -9,9 +9,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
+from ...document.constraints import tied_if_parallel
 from ...document.derivatives import DERIVATIVES, VECTORS
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
-from ...document.ties import tied_if_parallel
 from ...document.words import NamedEnum
 from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format_error import FormatError

@@ -8,7 +8,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import MAX_MAGNITUDE
+from ...document.limits import MAX_MAGNITUDE
 from ..errors import ExchangeError
 from .columns import ColumnMapping, Guess, guess
 

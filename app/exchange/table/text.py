@@ -20,7 +20,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ...document.model import MAX_MAGNITUDE
+from ...document.limits import MAX_MAGNITUDE
 from ...tasks.progress import Report, silent
 from ..errors import ExchangeError
 from .columns import AFTER, ROLES, UNITS, WORDS, ColumnMapping, guess, numbered_titles, role_of

@@ -10,7 +10,7 @@ from ...actions.declaration import Action, action, action_for_each, also
 from ...actions.keymap import action_name
 from ...actions.menus import CURVE_STARTS, POINTS_TYPED, RAIL_MENU
 from ...actions.needs import TWO_POINTS, Need
-from ...document import edits
+from ...document import rule_edits
 from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
 from ...tools.rail import RAIL
@@ -99,7 +99,7 @@ class BasisCommands:
         if knot < len(view.ticks):
             change = session.change(
                 f"Change t of point {view.owner(knot)}",
-                lambda document: edits.set_parameter(
+                lambda document: rule_edits.set_parameter(
                     document, session.active_index, knot, t, view.ticks.tolist()
                 ),
             )
@@ -132,7 +132,7 @@ class BasisCommands:
         """Make the parameters manual, starting from those that a rule gives on the present interval."""
         session = self._session
         curve = session.active_curve
-        start, end = edits.interval(curve)
+        start, end = curve.interval
         rule = replace(curve.parametrization, kind=kind, start=start, end=end)
         ruled = session.document.with_curve(session.active_index, replace(curve, parametrization=rule))
         view = view_of(ruled.curves[session.active_index])
@@ -141,7 +141,7 @@ class BasisCommands:
             return
         session.change(
             f"Start from {kind.phrase} parameters",
-            lambda _: edits.freeze_parameters(ruled, session.active_index, view.parameters.tolist()),
+            lambda _: rule_edits.freeze_parameters(ruled, session.active_index, view.parameters.tolist()),
         )
 
     @action(

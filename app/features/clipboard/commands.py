@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ...actions.declaration import action, also
 from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, EDIT_CLIPBOARD, POINT_MENU
 from ...actions.needs import HIGHLIGHTED
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Curve, Document, Point
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import ClipboardSelection

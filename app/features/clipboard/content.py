@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 from PySide6.QtCore import QMimeData
 
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Curve, Point
 from ...exchange.table.clipboard import Block, read_titled_block
 from ...storage.format import Decoded, decode_counting

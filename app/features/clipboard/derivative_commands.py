@@ -12,7 +12,7 @@ from ...actions.declaration import action, also
 from ...actions.menus import EDIT_DERIVATIVES, POINT_MENU
 from ...actions.needs import HERMITE_POINTS, Need
 from ...actions.state import DERIVATIVES
-from ...document import derivatives, edits
+from ...document import derivatives, point_edits
 from ...document.model import Document, Point
 from ...exchange.table.clipboard import write_block
 from ...widgets.number_text import decimal_mark, exact_text
@@ -84,7 +84,7 @@ class DerivativeCommands:
             points = list(document.curves[curve].points)
             for index in indices:
                 points[index] = _with_derivatives(points[index], jet)
-            return edits.set_points(document, curve, points)
+            return point_edits.set_points(document, curve, points)
 
         change = session.change(
             f"Paste derivatives to {group.words}", lambda document: group.changed(document, pasted)

@@ -9,8 +9,8 @@ from PySide6.QtCore import QByteArray, QMetaType, QMimeData
 from PySide6.QtGui import QImage
 
 from ... import exchange
+from ...document.groups import tidy_shapes
 from ...document.model import Document
-from ...document.shapes import tidy_shapes
 from ...exchange.errors import ExchangeError
 from ...exchange.formats import Written
 from ...qt.overrides import SafeOverrides

@@ -14,8 +14,8 @@ from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU, EDIT_CLIPBOARD, EDIT_DERIVATIVES
-from ...document import curve_edits, edits
-from ...document.edits import EditError
+from ...document import curve_edits, point_edits
+from ...document.limits import EditError
 from ...document.model import Vector
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
@@ -195,7 +195,7 @@ class PasteCommands:
             refuse_unordered(pasted.points, pasted.first_row) if pasted.points[0].t is not None else None
             curve = as_new_curve(session.active_curve, pasted.points, name)
         document = curve_edits.add_curve(session.document, place, replace(curve, shape="", groups=()))
-        edits.set_points(document, place, curve.points)
+        point_edits.set_points(document, place, curve.points)
         if session.change(f"Paste as {name}", lambda _: document, active=place):
             self._show_points()
             session.say(f"Pasted {count_of(len(curve.points), 'point')} as “{name}”{pasted.note}.")

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from ...document.curve_tree import OUTSIDE, Container, Node
+from ...document.groups import OUTSIDE, Container, Node
 from .entries import Entry
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
-from ...document.curve_tree import Container, Node, NodeKind
+from ...document.groups import Container, Node, NodeKind
 from ...document.model import Curve
 from ...document.style import Style
 from ...document.words import count_of

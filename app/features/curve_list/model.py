@@ -13,9 +13,9 @@ from operator import is_not
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from ...document.curve_tree import Node, NodeKind, counted_nodes, tree_of
+from ...document.differences import changed_besides_points
+from ...document.groups import Node, NodeKind, counted_nodes, tree_of
 from ...document.model import Document
-from ...document.steps import changed_besides_points
 from ...qt.overrides import SafeOverrides
 from .entries import Entry, Key, Row, RowMarks, entries_of, row_of_curve, rows_around, state_of
 

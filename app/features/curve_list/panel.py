@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from ...appearance.colours import fill_colour
 from ...appearance.theme import theme_of
-from ...document.curve_tree import Node
+from ...document.groups import Node
 from ...document.model import Document
 from ...document.style import Style
 from ...qt.overrides import SafeOverrides

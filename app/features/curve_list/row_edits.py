@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from ...document.curve_tree import Node, NodeKind
-from ...document.edits import EditError, rename_curve
+from ...document.curve_edits import rename_curve
+from ...document.group_edits import moved_into, named_anew
+from ...document.groups import Node, NodeKind, whole_shapes
+from ...document.limits import EditError
 from ...document.model import Document
 from ...document.several_curves import named, with_appearance
-from ...document.shape_edits import moved_into, named_anew
-from ...document.shapes import whole_shapes
 from ...document.style_edits import with_style
 from ...session import Session
 from ...tools.drag_machine import CANCELLED

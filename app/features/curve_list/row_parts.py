@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QListView
 
 from ...appearance.theme import Theme, theme_of
-from ...document.curve_tree import Node
+from ...document.groups import Node
 from ...view_model.palette import adjustment_of
 from .entries import Row
 from .model import CurveListModel

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLineEdit, QListView, QStyledItemDelegate, QStyleO
 from ...appearance.colours import draw_style
 from ...appearance.icons import icon
 from ...appearance.theme import Theme, mix, theme_of
-from ...document.curve_tree import NodeKind
+from ...document.groups import NodeKind
 from ...qt.overrides import SafeOverrides
 from ...widgets.controls import named
 from .entries import Entry, Row

@@ -12,8 +12,8 @@ from ...actions.keymap import action_name
 from ...actions.menus import CURVE_ESTIMATES, CURVE_SETTINGS
 from ...actions.needs import Need
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
-from ...document.edits import set_family_setting, set_rule
 from ...document.model import Document
+from ...document.rule_edits import set_family_setting, set_rule
 from ...families import FAMILIES, Family, FamilySetting
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext

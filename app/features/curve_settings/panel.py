@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QLayout, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
-from ...document import edits
+from ...document import curve_edits, point_edits, rule_edits
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.model import Document
 from ...document.selection import NONE_CHOSEN
@@ -275,7 +275,7 @@ class CurveSettings(FieldForm):
 
     def _render_curve(self, view: CurveView) -> None:
         curve = view.source
-        interval = edits.interval(curve)
+        interval = curve.interval
         self.name_edit.show_text(curve.name)
         for edit, value in zip((self.start_edit, self.end_edit), interval, strict=True):
             edit.show_number(value, digits_of_range(*interval))
@@ -303,13 +303,15 @@ class CurveSettings(FieldForm):
     # What the person did
 
     def _rename(self, name: str) -> None:
-        self.edited.emit("Rename curve", lambda document, curve: edits.rename_curve(document, curve, name))
+        self.edited.emit(
+            "Rename curve", lambda document, curve: curve_edits.rename_curve(document, curve, name)
+        )
         self._render()
 
     def _set_interval(self, start: float | None, end: float | None) -> None:
         def edit(document: Document, curve: int) -> Document:
-            before = edits.interval(document.curves[curve])
-            return edits.set_interval(
+            before = document.curves[curve].interval
+            return rule_edits.set_interval(
                 document, curve, before[0] if start is None else start, before[1] if end is None else end
             )
 
@@ -318,12 +320,14 @@ class CurveSettings(FieldForm):
 
     def _set_rule(self, of: Derivative, place: int) -> None:
         rule = list(of.rules)[place]
-        self.edited.emit(choice_of(of, rule), lambda document, curve: edits.set_rule(document, curve, rule))
+        self.edited.emit(
+            choice_of(of, rule), lambda document, curve: rule_edits.set_rule(document, curve, rule)
+        )
 
     def _choose_setting(self, setting: FamilySetting, value: SettingValue) -> None:
         self.edited.emit(
             step_of(setting, value),
-            lambda document, curve: edits.set_family_setting(document, curve, setting.name, value),
+            lambda document, curve: rule_edits.set_family_setting(document, curve, setting.name, value),
         )
         self._render()
 
@@ -331,7 +335,7 @@ class CurveSettings(FieldForm):
         def edit(document: Document, curve: int) -> Document:
             given = document.curves[curve]
             everyone, orders = range(len(given.points)), range(1, given.family.derivatives + 1)
-            return edits.estimate_derivatives(document, curve, everyone, orders)
+            return point_edits.estimate_derivatives(document, curve, everyone, orders)
 
         self.edited.emit("Reset all to estimated", edit)
 

@@ -7,9 +7,9 @@ from collections.abc import Callable, Collection, Sequence
 from ...actions.declaration import action
 from ...actions.menus import ARRANGE_ORDER, ARRANGE_WALK
 from ...actions.needs import SECOND_CURVE, Need
+from ...document.group_edits import at_end, stepped
 from ...document.model import Document
 from ...document.several_curves import in_order, named, place_in
-from ...document.shape_edits import at_end, stepped
 from ...workbench.context import WindowContext
 
 Arrange = Callable[[Document, Collection[int], int], Sequence[int]]

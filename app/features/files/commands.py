@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 
 from ...actions.declaration import action, also
 from ...actions.menus import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE, TOOLBAR
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...workbench.context import WindowContext
 from .work_commands import WorkCommands
 

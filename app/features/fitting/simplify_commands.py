@@ -10,11 +10,11 @@ from msgspec.structs import replace
 from ...actions.declaration import action
 from ...actions.menus import ARRANGE_SHAPES
 from ...actions.needs import SOME_CURVE
-from ...document.edits import EditError
+from ...document.groups import tidy_shapes, whole_shapes
+from ...document.limits import EditError
 from ...document.model import Document
-from ...document.plain import plain
+from ...document.plain_numbers import plain
 from ...document.several_curves import changeable, named
-from ...document.shapes import tidy_shapes, whole_shapes
 from ...document.words import count_of, number
 from ...tasks.progress import Report, part
 from ...view_model.curve.curve_view import CurveView

@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QFileDialog
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.menus import FILE_EXCHANGE
-from ...document.edits import EditError
+from ...document.groups import counted_shapes
+from ...document.limits import EditError
 from ...document.model import Document
-from ...document.shapes import counted_shapes
 from ...document.style import Style
 from ...document.words import count_of, distance_words, listed
 from ...exchange import table

@@ -10,8 +10,8 @@ from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from ...document.expression import ExpressionError
+from ...document.lengths import known_unit
 from ...document.model import Document
-from ...document.units import known_unit
 from ...exchange.choice import ExportChoice, chosen, offered_options
 from ...exchange.formats import FORMATS
 from ...exchange.options import EXTENT, TRUE_SIZE, Extent, Option

@@ -9,8 +9,8 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem, QWidget
 
+from ...document.groups import counted_shapes, shapes
 from ...document.model import Curve, Document
-from ...document.shapes import counted_shapes, shapes
 from ...document.words import count_of, distance_words
 from ...exchange.cubics_in import Imported
 from ...exchange.drawing.image import png_preview

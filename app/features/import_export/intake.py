@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ... import exchange
+from ...document.groups import tidy_shapes
 from ...document.model import Document
-from ...document.plain import plain
+from ...document.plain_numbers import plain
 from ...document.several_curves import add_imported, is_blank, left_behind
-from ...document.shapes import tidy_shapes
 from ...document.words import names_of
 from ...view_model.curve.transformed import views_ahead
 from ...view_model.paste import Arrival

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action, also
 from ...actions.menus import POINT_BUTTONS, POINT_MENU, POINTS_TYPED
 from ...actions.needs import Need
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Document
 from ...document.words import count_of
 from ...session import Session

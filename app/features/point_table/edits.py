@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ...document import edits
+from ...document import point_edits, rule_edits
 from ...document.derivatives import DERIVATIVES
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Document, Point
 from ...document.words import count_of, enumerated
 from ...exchange.table.clipboard import Block
@@ -94,7 +94,7 @@ def paste_block(
             document = column.put(document, curve, view, _by_row(top, old[:, place]))
     points = [_new_point(columns, row) for row in new]
     if times:
-        document = edits.insert_points(document, curve, count, points)
+        document = point_edits.insert_points(document, curve, count, points)
         document = columns[times[0]].put(document, curve, view, _by_row(top, block[:, times[0]]))
     elif points:
         document = _append(document, curve, view, points)
@@ -138,9 +138,9 @@ def _append_to_closed(document: Document, curve: int, before: CurveView, new: Se
     """Append points to a closed curve with manual parameters: what leads back now leads through them."""
     times = knot_parameters(before)
     step = times[-1] - times[-2]
-    document = edits.insert_points(document, curve, len(before.source.points), new)
+    document = point_edits.insert_points(document, curve, len(before.source.points), new)
     more = (times[-1] + step * (offset + 1) for offset in range(len(new)))
-    return edits.freeze_parameters(document, curve, [*times, *more])
+    return rule_edits.freeze_parameters(document, curve, [*times, *more])
 
 
 def _append(document: Document, curve: int, view: CurveView, new: Sequence[Point]) -> Document:

@@ -14,8 +14,8 @@ from curvecore.arrays import FloatArray
 from ...appearance.colours import point_colours
 from ...appearance.theme import LIGHT, Theme
 from ...canvas.point_marks import mark_picture
-from ...document.edits import EditError, checked
 from ...document.expression import ExpressionError, parse_number
+from ...document.limits import EditError, checked
 from ...document.model import Point
 from ...document.words import number, with_minus
 from ...qt.overrides import SafeOverrides

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from ...actions.keymap import set_full_name
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Document
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError, read_titled_block, write_block

@@ -17,10 +17,10 @@ from ...actions.menus import (
     POINTS_VELOCITIES,
 )
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, SOME_CURVE, Need
-from ...document import edits
+from ...document import point_edits
+from ...document.constraints import ends_of
 from ...document.curve_edits import replace_curve
-from ...document.edits import AlreadySoError, EditError
-from ...document.lines import ends_of
+from ...document.limits import AlreadySoError, EditError
 from ...document.model import Curve, Document
 from ...document.point_group import PointGroup, points_of, some_points
 from ...document.selection import NONE_FREE, all_points, free_curves
@@ -298,7 +298,7 @@ class PointCommands:
         """Let the rules estimate the derivatives of the selected points again."""
         group = self._session.selected.group
         self._session.change(
-            "Reset derivatives", lambda document: group.changed(document, edits.estimate_derivatives)
+            "Reset derivatives", lambda document: group.changed(document, point_edits.estimate_derivatives)
         )
 
 

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QDateTime, QLocale
 
+from ...document.groups import counted_shapes
 from ...document.model import Document
-from ...document.shapes import counted_shapes
 from ...document.words import count_of
 from ...storage.reasons import shown
 from ...storage.recovery import Origin, Snapshot

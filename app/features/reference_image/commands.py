@@ -13,8 +13,8 @@ from ...actions.declaration import action, also, switch
 from ...actions.menus import FILE_IMAGE, IMAGE_BUTTONS
 from ...actions.needs import Need
 from ...canvas.image_layer import ImageFileError, read_image
-from ...document.image_edits import set_image, set_image_file, set_image_opacity
 from ...document.model import ReferenceImage
+from ...document.plane_edits import set_image, set_image_file, set_image_opacity
 from ...document.words import listed
 from ...state.window_state import WindowState
 from ...storage.image_path import PICTURES

@@ -9,8 +9,8 @@ from pathlib import Path
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from ...document.image_edits import place_image, set_image_locked
 from ...document.model import ReferenceImage, Vector
+from ...document.plane_edits import place_image, set_image_locked
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import action_button, check_box, named

@@ -24,9 +24,9 @@ from ...actions.menus import (
 )
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.state import ActionState
-from ...document import edits
+from ...document import rule_edits
 from ...document.curve_edits import replace_curve
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Document, ParametrizationKind
 from ...document.several_curves import counted, name_of, named
 from ...document.words import number
@@ -141,7 +141,7 @@ class RuleCommands:
         def edit(document: Document) -> Document:
             before.extend(session.views[index] for index in chosen)
             for index in chosen:
-                document = edits.set_family(document, index, family)
+                document = rule_edits.set_family(document, index, family)
             return document
 
         if session.change(f"Switch {several or 'to '}{family.title}", edit):
@@ -215,7 +215,9 @@ class RuleCommands:
             view = session.active_view
             if kind is ParametrizationKind.MANUAL and not view.is_current:
                 raise EditError("There are no parameters to start from; mend the points first.")
-            return edits.set_parametrization(document, session.active_index, kind, view.parameters.tolist())
+            return rule_edits.set_parametrization(
+                document, session.active_index, kind, view.parameters.tolist()
+            )
 
         session.change(f"Use {kind.phrase} parameters", edit)
 
@@ -236,7 +238,7 @@ class RuleCommands:
         parameters = session.active_view.parameters.tolist()
         session.change(
             "Freeze parameters",
-            lambda document: edits.freeze_parameters(document, session.active_index, parameters),
+            lambda document: rule_edits.freeze_parameters(document, session.active_index, parameters),
         )
 
     @action(
@@ -257,7 +259,7 @@ class RuleCommands:
         index, alpha = self._session.active_index, position / STEPS
         if document.curves[index].parametrization.exponent == alpha:
             return document
-        return edits.set_alpha(document, index, alpha)
+        return rule_edits.set_alpha(document, index, alpha)
 
 
 def _outlook(session: Session, family: Family) -> Opened:

@@ -9,17 +9,9 @@ from ...actions.declaration import action, also
 from ...actions.menus import ARRANGE_GROUPS, ARRANGE_SHAPES, CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU
 from ...actions.needs import SOME_CURVE, Need
 from ...document.curve_edits import remove_curve
-from ...document.curve_tree import counted_nodes
+from ...document.group_edits import Gathered, broken_apart, combined, grouped, groups_meant, ungrouped
+from ...document.groups import counted_nodes, whole_shapes
 from ...document.several_curves import active_after_removal, named
-from ...document.shape_edits import (
-    Gathered,
-    broken_apart,
-    combined,
-    grouped,
-    groups_meant,
-    ungrouped,
-)
-from ...document.shapes import whole_shapes
 from ...document.words import count_of
 from ...view_model.geometry import fills_holes
 from ...workbench.context import WindowContext

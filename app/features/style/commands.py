@@ -14,9 +14,9 @@ from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE
 from ...appearance.theme import LIGHT, Theme
+from ...document.groups import whole_shapes
 from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import named
-from ...document.shapes import whole_shapes
 from ...document.style import Style
 from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
 from ...session.change import why_not_kept

@@ -9,11 +9,11 @@ from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import QFormLayout, QFrame, QSizePolicy, QWidget
 
 from ...appearance.theme import Theme
-from ...document.decimals import decimal_product, decimal_sum
 from ...document.expression import ExpressionError
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...document.style_edits import common_values
 from ...document.transforms import clean_step_within
+from ...document.words import decimal_product, decimal_sum
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ChoiceRow, action_button

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from ...document.decimals import decimal_sum
 from ...document.expression import ExpressionError
-from ...document.words import number
+from ...document.words import decimal_sum, number
 from ...widgets.boxes import row_of
 from ...widgets.controls import named
 from ...widgets.fields import NumberEdit, read_number

@@ -16,9 +16,9 @@ from ...actions.menus import (
 )
 from ...actions.needs import Need
 from ...actions.state import ActionState
+from ...document.groups import whole_shapes
 from ...document.model import Document
 from ...document.several_curves import changeable, named, what_stays
-from ...document.shapes import whole_shapes
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
 from ...session import Change, Session
 from ...view_model.align import align_curves, distribute_curves

@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from ...document.expression import ExpressionError
-from ...document.units import MILLIMETRES, known_unit
+from ...document.lengths import MILLIMETRES, known_unit
 from ...document.words import number
 from ...widgets.boxes import row_of
 from ...widgets.controls import named, tool_button

@@ -8,7 +8,7 @@ from functools import partial
 from msgspec.structs import replace
 
 from ...document.curve_edits import begun, fresh_curve, reverse_curve, without_last_point
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
 from ...view_model.append import Appending, closed_by_pen, is_quick, view_with_point, with_point_appended

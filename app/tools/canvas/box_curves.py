@@ -12,10 +12,10 @@ from msgspec.structs import replace
 
 from ...document import words
 from ...document.box_edits import Piece, drawn_place, ellipse_in, rectangle_in, with_pieces_drawn
-from ...document.decimals import decimal_sum
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Document, Vector
 from ...document.style import Style
+from ...document.words import decimal_sum
 from ..drag import Drag
 from ..marks import Marks, Note
 from ..pointer import Hint, Pointer

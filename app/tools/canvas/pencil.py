@@ -10,7 +10,7 @@ from time import thread_time
 from msgspec.structs import replace
 
 from ...document.curve_edits import Begun, begun, fresh_curve, replace_curve
-from ...document.edits import EditError
+from ...document.limits import EditError
 from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
 from ...families import FAMILIES

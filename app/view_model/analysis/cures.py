@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ...document import edits
+from ...document import point_edits, rule_edits
 from ...document.derivatives import VelocityRule
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
@@ -56,13 +56,15 @@ class Remedy(NamedTuple):
     def applied(self, document: Document, curve: int, parameters: list[float]) -> Document:
         """Return the document with this remedy applied to one of its curves."""
         if self.rule is not None:
-            return edits.set_parametrization(document, curve, self.rule, parameters)
-        result = edits.set_family(document, curve, self.family)
+            return rule_edits.set_parametrization(document, curve, self.rule, parameters)
+        result = rule_edits.set_family(document, curve, self.family)
         if not self.family.derivatives:
             return result
-        result = edits.set_rule(result, curve, self.velocity_rule)
+        result = rule_edits.set_rule(result, curve, self.velocity_rule)
         if self.estimates:
-            result = edits.estimate_derivatives(result, curve, range(len(document.curves[curve].points)))
+            result = point_edits.estimate_derivatives(
+                result, curve, range(len(document.curves[curve].points))
+            )
         return result
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from curvecore.arrays import FloatArray
 
-from ...document import edits
+from ...document import rule_edits
 from ...document.model import Curve, Document
 from ..curve.curve_view import Box, CurveView, view_of
 from ..curve.distances import coincide
@@ -74,9 +74,9 @@ class GhostView:
 def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:
     """Return the document with the family or the rule of a ghost."""
     if ghost.family is not None:
-        return edits.set_family(document, curve, ghost.family)
+        return rule_edits.set_family(document, curve, ghost.family)
     assert ghost.kind is not None
-    return edits.set_parametrization(document, curve, ghost.kind, ())
+    return rule_edits.set_parametrization(document, curve, ghost.kind, ())
 
 
 def ghost_views(

@@ -18,8 +18,9 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
-from ...document.edits import EditError, set_velocity
+from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
+from ...document.point_edits import set_velocity
 from .core_curve import Sides
 from .curve_view import CurveView
 from .moving import Displacement

@@ -16,8 +16,8 @@ import numpy as np
 from curvecore import FrozenFlattening, FrozenSegments, ParametricCurve, Pieces, flatten_pieces
 from curvecore.drag.moved_points import MovedPoints
 
+from ...document.differences import differ_in_points
 from ...document.model import Curve, Vector
-from ...document.steps import differ_in_points
 from ..geometry import at_knots
 from .core_curve import Sides, moved_with_points
 from .point_arrays import PointArrays, rows_changed

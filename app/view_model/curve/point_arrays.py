@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...document.derivatives import DERIVATIVES
+from ...document.differences import have_only_moved
 from ...document.model import Point, Vector, vectors_of
-from ...document.steps import have_only_moved
 
 _x, _y = attrgetter("x"), attrgetter("y")
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.edits import delete_points, move_points, set_velocity
+from app.document.differences import changed_besides_points, moved_points, reshaped
 from app.document.model import Axis, Document, Guide, make_curve
-from app.document.plain import plain
-from app.document.steps import changed_besides_points, moved_points, reshaped
+from app.document.plain_numbers import plain
+from app.document.point_edits import delete_points, move_points, set_velocity
 from app.document.style import Style
 from app.families import HERMITE
 from tests.rows import each_row

@@ -18,11 +18,10 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from .fields import Field, fields_of
+from .constraints import holds
+from .differences import known_curves, moved_points
+from .fields import Field, Value, fields_of
 from .model import Curve, Document, Point, Vector, vectors_of
-from .steps import known_curves, moved_points
-from .ties import holds
-from .value import Value
 
 Values = TypeVar("Values", bound=Value)
 

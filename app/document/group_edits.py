@@ -13,11 +13,23 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from .curve_edits import free_copy_name, with_each
-from .curve_tree import OUTSIDE, Container, Node, NodeKind, group_around, tree_of, whole_nodes
-from .edits import EditError
+from .groups import (
+    OUTSIDE,
+    SHARED,
+    Container,
+    Node,
+    NodeKind,
+    group_around,
+    shape_of,
+    shared_start,
+    tree_of,
+    whole_nodes,
+    whole_shapes,
+    with_values,
+)
+from .limits import EditError
 from .model import Curve, Document
 from .selection import SelectionState
-from .shapes import SHARED, shape_of, shared_start, whole_shapes, with_values
 from .style import NO_PAINT, FillRule
 
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document import edits
+from app.document import point_edits
 from app.document.model import Document, Parametrization, Point, ReferenceImage, make_curve
-from app.document.plain import plain
+from app.document.plain_numbers import plain
 from app.families import HERMITE
 from app.storage.format import encode
 from app.storage.format_error import FormatError
@@ -66,9 +66,9 @@ def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
 def test_what_is_plain_stays_the_same_object():
     document = Document((make_curve([(0, 0), (1, 1)]), make_curve([(0, 0)])))
     assert plain(document) is document
-    moved = edits.move_points(document, 0, [1], (0.5, 0.5))
+    moved = point_edits.move_points(document, 0, [1], (0.5, 0.5))
     assert plain(moved, document) is moved
-    with_numpy = edits.insert_points(document, 0, 2, [Point(np.float64(3.0), 0.0)])
+    with_numpy = point_edits.insert_points(document, 0, 2, [Point(np.float64(3.0), 0.0)])
     mended = plain(with_numpy, document)
     assert mended.curves[1] is document.curves[1]
     assert mended.curves[0].points[:2] == document.curves[0].points

@@ -7,12 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document.curve_tree import Container, NodeKind, tree_of, whole_nodes
-from app.document.edits import EditError
-from app.document.model import Document, make_curve
-from app.document.selection import SelectionState
-from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
-from app.document.shape_edits import (
+from app.document.group_edits import (
     at_end,
     broken_apart,
     combined,
@@ -24,7 +19,11 @@ from app.document.shape_edits import (
     stepped,
     ungrouped,
 )
-from app.document.shapes import shape_problem, tidy_shapes
+from app.document.groups import Container, NodeKind, shape_problem, tidy_shapes, tree_of, whole_nodes
+from app.document.limits import EditError
+from app.document.model import Document, make_curve
+from app.document.selection import SelectionState
+from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
 from app.document.style import FillRule, Style
 from tests.rows import each_row
 

@@ -1,0 +1,164 @@
+"""Edits of the rules of a curve: family, settings, estimated derivatives, parameters and their interval.
+
+Parameters that a rule gives are not in the document: an edit that needs them takes them as `parameters`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from msgspec.structs import replace
+
+from ..families import Family, SettingValue
+from .constraints import stretched
+from .derivatives import DERIVATIVES, EstimateRule
+from .limits import EditError, checked, not_after
+from .model import Curve, Document, ParametrizationKind, Point
+from .words import number
+
+# Family and rules
+
+
+def set_family(document: Document, curve: int, family: Family) -> Document:
+    """Draw the same points with another family; going back gives the same curve back."""
+    return document.with_curve(curve, document.curves[curve].with_family(family))
+
+
+def set_family_setting(document: Document, curve: int, name: str, value: SettingValue) -> Document:
+    """Choose a setting of the curve's family."""
+    old = document.curves[curve]
+    setting = old.family.settings.named(name)
+    if setting is None:
+        raise EditError(f"{old.family.label} has no setting “{name}”.")
+    if not setting.allows(value):
+        raise EditError(f"{setting.label} must be {setting.requirement}.")
+    chosen = old.family.settings.without_defaults({**old.settings, name: value})
+    return document if chosen == old.settings else document.with_curve(curve, replace(old, settings=chosen))
+
+
+def set_rule(document: Document, curve: int, rule: EstimateRule) -> Document:
+    """Choose how derivatives that nobody set are estimated: those that the rule is for."""
+    (field,) = (each.rule_field for each in DERIVATIVES if isinstance(rule, each.rules))
+    return document.with_curve(curve, replace(document.curves[curve], **{field: rule}))
+
+
+# Parameters
+
+
+def set_alpha(document: Document, curve: int, alpha: float) -> Document:
+    """Use the power rule Δt = |Δp|^alpha."""
+    if not 0 <= alpha <= 1:
+        raise EditError("α must lie between 0 (uniform) and 1 (chord length).")
+    old = document.curves[curve]
+    rule = replace(old.parametrization, kind=ParametrizationKind.POWER, alpha=float(alpha))
+    return document.with_curve(curve, replace(old, parametrization=rule))
+
+
+def set_parametrization(
+    document: Document, curve: int, kind: ParametrizationKind, parameters: Sequence[float]
+) -> Document:
+    """Choose the rule for the parameters.
+
+    Going to manual brings back the manual parameters the points had, if every point still has one, and
+    otherwise starts from `parameters`, those in force now.
+    """
+    old = document.curves[curve]
+    if kind is ParametrizationKind.MANUAL and any(point.t is None for point in old.points):
+        return freeze_parameters(document, curve, parameters)
+    chosen = replace(old, parametrization=replace(old.parametrization, kind=kind))
+    return document.with_curve(curve, with_room_to_close(chosen))
+
+
+def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
+    """Make `parameters` the manual parameters; a closed curve has one more, where it returns to its start."""
+    old = document.curves[curve]
+    own, closing = parameters[: len(old.points)], parameters[len(old.points) :]
+    # A point that keeps its t stays the same value: what was computed of it is used again.
+    points = tuple(
+        point if point.t == t else replace(point, t=float(t))
+        for point, t in zip(old.points, own, strict=True)
+    )
+    rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
+    if closing:
+        rule = replace(rule, start=min(rule.start, float(parameters[0])), end=float(closing[0]))
+    return document.with_curve(curve, with_room_to_close(replace(old, points=points, parametrization=rule)))
+
+
+def set_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
+    """Make `parameters`, one for each knot, the manual parameters; their order must be that of the points."""
+    parameters = [checked(t, f"The t of point {index}") for index, t in enumerate(parameters)]
+    for index, (before, after) in enumerate(pairwise(parameters), start=1):
+        if not after > before:
+            raise not_after(index, before)
+    return freeze_parameters(document, curve, parameters)
+
+
+def set_parameter(
+    document: Document, curve: int, index: int, t: float, parameters: Sequence[float]
+) -> Document:
+    """Give point `index` the parameter `t` and freeze the others at `parameters`; the order is kept."""
+    t = checked(t, f"The t of point {index}")
+    if index > 0 and not t > (before := parameters[index - 1]):
+        raise not_after(index, before)
+    if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
+        whose = (
+            f"the t of point {index + 1}"
+            if index + 1 < len(document.curves[curve].points)
+            else "where the curve returns to its first point"
+        )
+        raise EditError(f"The t of point {index} must be less than {number(after, 6)}, {whose}.")
+    return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
+
+
+def set_interval(document: Document, curve: int, start: float, end: float) -> Document:
+    """Let the parameters span [start, end]; the curve keeps its shape and is run through faster or slower.
+
+    Manual parameters are mapped along, and derivatives that the person set are rescaled, so that the
+    handles stay.
+    """
+    start, end = checked(start, "The start of the interval"), checked(end, "The end of the interval")
+    if not start < end:
+        raise EditError(
+            f"The interval must end after it starts; {number(end, 6)} is not greater than {number(start, 6)}."
+        )
+    old = document.curves[curve]
+    old_start, old_end = old.interval
+    factor = (end - start) / (old_end - old_start)
+    points = tuple(
+        stretched(_shifted(point, (old_start, old_end), (start, end)), factor) for point in old.points
+    )
+    rule = replace(old.parametrization, start=start, end=end)
+    result = with_room_to_close(replace(old, points=points, parametrization=rule))
+    refuse_equal_parameters(result, "The interval is too short to keep the parameters apart.")
+    return document.with_curve(curve, result)
+
+
+def _shifted(point: Point, old: tuple[float, float], new: tuple[float, float]) -> Point:
+    """Map a manual parameter from interval `old` to `new`, the ends exactly."""
+    if point.t is None:
+        return point
+    s = (point.t - old[0]) / (old[1] - old[0])
+    return replace(point, t=new[1] if point.t == old[1] else new[0] + s * (new[1] - new[0]))
+
+
+def refuse_equal_parameters(curve: Curve, reason: str) -> None:
+    """Raise EditError with `reason` unless the parameters that the points carry increase strictly."""
+    given = [point.t for point in curve.points if point.t is not None]
+    if any(not b > a for a, b in pairwise(given)):
+        raise EditError(reason)
+
+
+def with_room_to_close(curve: Curve) -> Curve:
+    """Let the interval of a closed curve with manual parameters end after the t of its last point.
+
+    A curve of a family that cannot close stays open, but keeps the wish for the family it may get next.
+    """
+    if not (curve.closed and curve.is_manual and curve.points):
+        return curve
+    first, last, end = curve.points[0].t, curve.points[-1].t, curve.parametrization.end
+    if first is None or last is None or end > last:
+        return curve
+    # The segment that closes takes as long as the others do on average.
+    mean = (last - first) / (len(curve.points) - 1) if len(curve.points) > 1 else 1.0
+    return replace(curve, parametrization=replace(curve.parametrization, end=last + mean))
