@@ -36,7 +36,7 @@ def example_name(path: Path) -> str:
 
 def template_title(path: Path, document: Document) -> str:
     """Return what a copy of the example or of the lesson at `path` is called, until it is saved."""
-    if path.parent.name == "lessons":
-        number, _, words = path.name.partition(".")[0].partition("_")
+    if path.parent.parent.name == "lessons":
+        number, _, words = path.parent.name.partition("_")
         return f"Lesson {int(number)} ({words.replace('_', ' ')})" if number.isdecimal() else "Lesson"
     return f"{document.curves[0].name} (example)"

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -21,9 +23,11 @@ from PySide6.QtWidgets import (
 
 from app.features.basis.scene import rail_height
 from app.features.lessons.commands import LessonCommands
-from app.features.lessons.lesson import LessonError, lesson_names, load_lesson, parse_lesson
+from app.features.lessons.lesson import LessonError, lesson_code, lesson_names, load_lesson, parse_lesson
 from app.session import Session
 from app.storage.files import load
+from app.storage.resources import resource
+from app.testing import Editor
 from app.view_model.analysis.errors import POINT_ERROR
 from app.view_model.analysis.goals import result_of
 from app.view_model.analysis.laboratory_settings import LaboratorySettings
@@ -40,7 +44,7 @@ STEPS = [(name, number) for name in NAMES for number in range(len(load_lesson(na
 
 
 @pytest.mark.parametrize(("name", "number"), STEPS)
-def test_what_a_step_names_exists_and_its_goal_is_still_to_be_reached(name, number):
+def test_actions_and_curves_of_a_step_exist_and_its_goal_is_not_met_yet(name, number):
     lesson = load_lesson(name)
     step, document = lesson.steps[number], load(lesson.document)
     assert step.text
@@ -86,7 +90,7 @@ def test_a_lesson_is_chosen_stepped_through_and_left(editor, qtbot):
     assert not editor.window.context.docks["lessonsDock"].isVisible()
 
 
-def test_a_goal_ticks_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
+def test_a_goal_is_ticked_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
     open_step(editor, qtbot, "02_three_parameter_sets", 5)
     goal = find(editor, QLabel, "lessonGoal")
     assert "Goal" in goal.text()
@@ -96,7 +100,7 @@ def test_a_goal_ticks_when_the_curve_meets_it_and_stays_ticked(editor, qtbot):
     assert "Reached" in goal.text()
 
 
-def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
+def test_a_measured_goal_follows_the_curve(editor, qtbot):
     open_step(editor, qtbot, "01_basis_functions", 4)
     goal = find(editor, QLabel, "lessonGoal")
     assert "now 29.9" in goal.text()
@@ -105,13 +109,13 @@ def test_a_goal_that_is_measured_follows_the_curve(editor, qtbot):
     assert "✓" in goal.text()
 
 
-def test_a_goal_names_a_family_as_people_do(editor, qtbot):
+def test_a_goal_names_a_family_by_its_title(editor, qtbot):
     """It was asked for “floater hormann”."""
     open_step(editor, qtbot, "11_runge", 2)
     assert "The family is barycentric rational" in find(editor, QLabel, "lessonGoal").text()
 
 
-def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbot):
+def test_a_step_switches_actions_on_and_the_next_step_switches_them_off(editor, qtbot):
     editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.session.scrub.t is not None
@@ -119,7 +123,7 @@ def test_a_step_switches_on_what_it_shows_and_the_next_puts_it_away(editor, qtbo
     assert editor.session.scrub.t is None
 
 
-def test_the_functions_that_a_step_speaks_of_are_all_in_sight(editor, qtbot):
+def test_all_functions_of_a_step_are_visible(editor, qtbot):
     """Of functions that reach from −6.5 to 6.1 those between −0.5 and 1.2 were shown."""
     for number, lowest, highest in ((3, -6.5, 6.1), (2, -0.2, 1.0)):
         open_step(editor, qtbot, "01_basis_functions", number)
@@ -141,141 +145,108 @@ def test_the_gallery_works_by_keyboard(editor, qtbot):
     assert editor.curve.name == "Uneven"
 
 
-# Every goal can be reached, by what its step says
+# Every step does what it says
 
 
-def drag_to_chebyshev(editor):
-    editor.choose_parametrization("chebyshev")
+class Student(Editor):
+    """Editor with what the steps of lessons ask for, by real events: see ``do_step_N`` in a ``lesson.py``."""
+
+    def press_key(self, text):
+        self.key(QKeySequence(text)[0].key())
+
+    def type_parameters(self, values):
+        """Type all inner parameters, twice: each has to lie between its neighbours as they are then."""
+        for index, t in [*enumerate(values, start=1)] * 2:
+            if self.parameters[index] != t:
+                self.rail.type(index, f"{t}")
+
+    def type_chord_lengths(self):
+        """Type chord lengths with three decimals, from the last to the first, twice."""
+        points = np.array([(point.x, point.y) for point in self.curve.points])
+        lengths = np.hypot(*np.diff(points, axis=0).T)
+        rows = list(enumerate(np.cumsum(lengths)[:-1] / lengths.sum(), start=1))[::-1]
+        for index, t in rows + rows:
+            if self.parameters[index] != round(t, 3):
+                self.rail.type(index, f"{round(t, 3)}")
+
+    def choose_in_legend(self, family):
+        button = find(self, QToolButton, f"legendChoose_{family}")
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+        self.settle()
+
+    def type_setting(self, name, text):
+        self.show_dock("curveDock")
+        field = find(self, QLineEdit, f"setting{name.capitalize()}")
+        field.setFocus()
+        field.selectAll()
+        self.type_text(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
 
 
-def type_chord_lengths(editor):
-    points = np.array([(point.x, point.y) for point in editor.curve.points])
-    lengths = np.hypot(*np.diff(points, axis=0).T)
-    # From the last to the first, and again: each has to lie between its neighbours as they are then.
-    rows = list(enumerate(np.cumsum(lengths)[:-1] / lengths.sum(), start=1))[::-1]
-    type_missing(editor, [(index, round(t, 3)) for index, t in rows + rows])
+@pytest.fixture
+def student(editor):
+    return Student.on(editor.window)
 
 
-def type_missing(editor, rows):
-    """Type the parameters that are not there yet."""
-    for index, t in rows:
-        if editor.parameters[index] != t:
-            editor.rail.type(index, f"{t}")
+def functions_of(name):
+    """Return the functions ``do_step_N`` and ``reach_goal_N`` of a lesson by name."""
+    code = vars(lesson_code(resource("lessons", name)) or SimpleNamespace())
+    return {key: code[key] for key in code if key.startswith(("do_step_", "reach_goal_"))}
 
 
-def calm_by_hand(editor):
-    type_missing(editor, [*enumerate((0.2, 0.34, 0.48, 0.66, 0.81), start=1)] * 2)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_goal_has_a_function_that_reaches_it_and_quotes_the_step(name):
+    steps, functions = load_lesson(name).steps, functions_of(name)
+    with_goals = {f"reach_goal_{number}" for number, step in enumerate(steps, start=1) if step.goal}
+    assert {key for key in functions if key.startswith("reach_goal_")} == with_goals
+    for key, function in functions.items():
+        step = steps[int(key.rpartition("_")[2]) - 1]
+        assert function.__doc__.rstrip(".").casefold() in step.text.casefold(), key
 
 
-def press_in_legend(editor, name):
-    QTest.mouseClick(find(editor, QToolButton, f"legendChoose_{name}"), Qt.MouseButton.LeftButton)
-    editor.settle()
-
-
-def blend_less(editor):
-    editor.show_dock("curveDock")
-    field = find(editor, QLineEdit, "settingDegree")
-    field.setFocus()
-    field.selectAll()
-    editor.type_text(field, "1")
-    QTest.keyClick(field, Qt.Key.Key_Return)
-
-
-WAYS = {
-    ("01_basis_functions", 3): lambda editor: [
-        (editor.wheel((2.0, 0.0), -1), editor.add_point(5.5 + k / 2, -1.2)) for k in range(3)
-    ],
-    ("01_basis_functions", 4): drag_to_chebyshev,
-    ("02_three_parameter_sets", 4): calm_by_hand,
-    ("02_three_parameter_sets", 5): lambda editor: editor.choose_parametrization("chord_length"),
-    ("03_chord_length", 1): lambda editor: editor.choose_parametrization("chord_length"),
-    ("03_chord_length", 3): lambda editor: editor.choose_parametrization("centripetal"),
-    ("03_chord_length", 4): lambda editor: editor.key(Qt.Key.Key_2),
-    ("04_decimal_accuracy", 4): lambda editor: editor.key(Qt.Key.Key_2),
-    ("05_sensitivity", 3): drag_to_chebyshev,
-    ("05_sensitivity", 4): lambda editor: editor.key(Qt.Key.Key_2),
-    ("06_errors_along_t", 3): lambda editor: editor.key(Qt.Key.Key_2),
-    ("07_cubic_or_quintic", 4): lambda editor: editor.key(Qt.Key.Key_3),
-    ("09_exercise_rounded_parameters", 1): type_chord_lengths,
-    ("10_exercise_far_point", 1): type_chord_lengths,
-    ("10_exercise_far_point", 3): lambda editor: editor.choose_parametrization("centripetal"),
-    ("10_exercise_far_point", 4): lambda editor: editor.key(Qt.Key.Key_2),
-    ("11_runge", 2): lambda editor: press_in_legend(editor, "floater_hormann"),
-    ("11_runge", 3): blend_less,
-}
-
-
-def test_there_is_a_way_to_every_goal():
-    assert set(WAYS) == {(name, k) for name, k in STEPS if load_lesson(name).steps[k].goal is not None}
-
-
-def move_a_little(index, by):
-    def move(editor):
-        x, y = editor.point(index)
-        editor.drag_point(index, to=(x + by, y + by))
-
-    return move
-
-
-MOVES = {
-    ("01_basis_functions", 2): ("Drag a point", lambda editor: editor.drag_point(2, to=(2.5, 1.0))),
-    ("03_chord_length", 2): ("Move point 2 a little", move_a_little(2, 0.2)),
-    ("10_exercise_far_point", 2): ("Move one of the near points by very little", move_a_little(1, 0.1)),
-}
-"""What a step without a goal asks for, in its words."""
-
-WAYS_BACK = {
-    ("01_basis_functions", 4): (
-        "Take back the points",
-        lambda editor: [editor.trigger("undo") for _ in range(3)],
-    ),
-}
-"""What a step asks for first, because of what the one before has left."""
-
-
-def test_every_goal_is_reached_by_who_does_what_each_step_says(editor, qtbot):
+def test_every_goal_is_reached_by_doing_what_the_steps_say(student, qtbot):
     """In one go: the points that lesson 1 has one append were in the way of its next goal."""
     for name in NAMES:
-        open_step(editor, qtbot, name, 0)
-        reach_every_goal(editor, qtbot, name)
-        editor.session.files.give_up_changes()
+        open_step(student, qtbot, name, 0)
+        reach_every_goal(student, qtbot, name)
+        student.session.files.give_up_changes()
 
 
-def reach_every_goal(editor, qtbot, name):
-    for number, step in enumerate(load_lesson(name).steps):
-        if number:
-            click(qtbot, find(editor, QPushButton, "lessonNext"))
-        if any((name, number) in asked for asked in (MOVES, WAYS_BACK, WAYS)):
-            editor.fit()
-        for asked in (MOVES, WAYS_BACK):
-            words, act = asked.get((name, number), ("", lambda _editor: None))
-            assert words in step.text
-            act(editor)
+def reach_every_goal(student, qtbot, name):
+    functions = functions_of(name)
+    for number, step in enumerate(load_lesson(name).steps, start=1):
+        if number > 1:
+            click(qtbot, find(student, QPushButton, "lessonNext"))
+        do_step, reach_goal = (functions.get(f"{key}_{number}") for key in ("do_step", "reach_goal"))
+        if do_step or reach_goal:
+            student.fit()
+        if do_step:
+            do_step(student)
         if step.goal is None:
             continue
-        goal = find(editor, QLabel, "lessonGoal")
+        goal = find(student, QLabel, "lessonGoal")
         assert "Goal" in goal.text(), (name, number)
         assert "Reached" not in goal.text(), (name, number)
-        assert "any more" not in goal.text(), (name, number)
-        WAYS[name, number](editor)
-        editor.settle()
+        assert "have changed" not in goal.text(), (name, number)
+        reach_goal(student)
+        student.settle()
         assert "Reached" in goal.text(), (name, number, goal.text())
 
 
-def test_a_goal_waits_for_the_curve_that_it_names(editor, qtbot):
+def test_a_goal_waits_for_the_curve_that_it_names(student, qtbot):
     """With “In step” in hand, which was calm from the start, the goal used to tick."""
-    open_step(editor, qtbot, "02_three_parameter_sets", 4)
-    goal = find(editor, QLabel, "lessonGoal")
-    editor.fit()
-    editor.session.selected.activate(0)
+    open_step(student, qtbot, "02_three_parameter_sets", 4)
+    goal = find(student, QLabel, "lessonGoal")
+    student.fit()
+    student.session.selected.activate(0)
     assert "Reached" not in goal.text()
-    assert "click on the curve “Careless”" in goal.text()
-    editor.choose_parametrization("chord_length")
-    editor.session.selected.activate(2)
-    editor.choose_parametrization("chord_length")
-    assert "another rule makes the parameters now" in goal.text()
-    editor.trigger("undo")
-    calm_by_hand(editor)
+    assert "Click the curve “Careless”" in goal.text()
+    student.choose_parametrization("chord_length")
+    student.session.selected.activate(2)
+    student.choose_parametrization("chord_length")
+    assert "the rule for the parameters has changed" in goal.text()
+    student.trigger("undo")
+    student.type_parameters([0.2, 0.34, 0.48, 0.66, 0.81])
     assert "Reached" in goal.text()
 
 
@@ -286,7 +257,7 @@ def place(editor):
     return find(editor, QLabel, "lessonPlace").text()
 
 
-def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
+def test_undo_goes_back_from_the_next_lesson(editor, qtbot):
     """Next Lesson used to drop what the student had done, and Undo with it."""
     open_step(editor, qtbot, "03_chord_length", 3)
     editor.fit()
@@ -324,7 +295,7 @@ def test_the_next_lesson_is_a_step_that_undo_takes_back(editor, qtbot):
     assert editor.action("toggleLaboratory").isChecked()
 
 
-def test_work_is_kept_whatever_is_opened_next(editor, qtbot):
+def test_work_is_kept_when_another_document_is_opened(editor, qtbot):
     """From the list of lessons, which asked with a dialog; an example; and the same lesson begun again."""
     session = editor.session
     editor.window.commands[LessonCommands].open("08_cost")
@@ -353,7 +324,7 @@ def test_work_is_kept_whatever_is_opened_next(editor, qtbot):
         assert place(editor) == lesson
 
 
-def test_a_lesson_that_nothing_was_done_in_leaves_no_trace(editor, qtbot):
+def test_an_unchanged_lesson_leaves_no_undo_step(editor, qtbot):
     editor.window.commands[LessonCommands].open("08_cost")
     editor.window.commands[LessonCommands].open("07_cubic_or_quintic")
     assert editor.session.undo_stack.count() == 0
@@ -363,7 +334,7 @@ def test_a_lesson_that_nothing_was_done_in_leaves_no_trace(editor, qtbot):
     assert editor.message == ""
 
 
-def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):
+def test_a_lesson_begins_with_all_analysis_off(editor, qtbot):
     """What lesson 5 and 6 had switched on used to stay on in lesson 8."""
     editor.window.commands[LessonCommands].open("06_errors_along_t")
     editor.window.analysis.set_value(COUNT, 7)
@@ -377,7 +348,7 @@ def test_a_lesson_begins_with_a_clear_desk(editor, qtbot):
     assert editor.curve.name == "Five points"
 
 
-def test_a_step_sets_the_numbers_it_speaks_of(editor, qtbot):
+def test_a_step_sets_the_numbers_of_its_text(editor, qtbot):
     editor.window.commands[LessonCommands].open("04_decimal_accuracy")
     laboratory = editor.window.analysis.settings.laboratory
     assert (laboratory.on, laboratory.digits, len(laboratory.methods)) == (True, 16, 5)
@@ -401,7 +372,7 @@ def test_another_document_ends_the_lesson(editor, qtbot):
 
 
 @pytest.mark.parametrize("settings", ["digits", "digits many", "colour 3"])
-def test_a_setting_that_is_none_is_refused(settings):
+def test_an_unknown_or_bad_setting_is_refused(settings):
     with pytest.raises(LessonError, match="step 1"):
         parse_lesson(f"# T\n## A\n<!-- set: {settings} -->\nb", "some", Path("some.curve.json"))
 
@@ -423,7 +394,7 @@ def test_a_lesson_can_be_presented_with_its_laboratory_and_larger_type(editor, q
     assert editor.window.point_table.isVisible()
 
 
-def test_the_laboratory_comes_when_it_is_called_in_a_presentation(editor, qtbot):
+def test_the_laboratory_can_be_opened_in_a_presentation(editor, qtbot):
     editor.trigger("toggleLaboratory")
     editor.trigger("presentation")
     dock = find(editor, QDockWidget, "laboratoryDock")

@@ -125,7 +125,7 @@ def files_of(folder: Path) -> list[Path]:
     hostile = sorted((ROOT / "tests/data/hostile").iterdir())[::7]
     for path in (
         *(ROOT / "resources/examples").glob("*.json"),
-        *(ROOT / "resources/lessons").glob("0[1-3]*.json"),
+        *(ROOT / "resources/lessons").glob("0[1-3]*/*.json"),
         *hostile,
     ):
         shutil.copy(path, folder)

@@ -220,7 +220,7 @@ def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtb
     link.symlink_to(resource("examples", "robot_move.curve.json"))
     for path, title in (
         (resource("examples", "letter_s.curve.json"), "Letter S (example)"),
-        (resource("lessons", "08_cost.curve.json"), "Lesson 8 (cost)"),
+        (resource("lessons", "08_cost", "document.curve.json"), "Lesson 8 (cost)"),
         (link, "Robot move (example)"),
     ):
         editor.window.open_file(path)

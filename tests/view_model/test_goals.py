@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import importlib.util
+import dataclasses
+import os
 from pathlib import Path
 
 import numpy as np
@@ -11,14 +12,22 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson, parse_lesson
+from app.features.lessons.lesson import (
+    LessonError,
+    find_lesson,
+    lesson_code,
+    lesson_names,
+    load_lesson,
+    parse_lesson,
+    read_lesson,
+)
 from app.storage.files import load
 from app.storage.format import encode
+from app.storage.resources import resource
 from app.view_model.analysis.goals import GoalError, parse_goal, result_of
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 
-ROOT = Path(__file__).parents[2]
 SQUARE = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
 
 
@@ -29,10 +38,10 @@ def value(text):
 def test_the_lebesgue_constant_of_four_uniform_parameters():
     curve = make_curve(SQUARE)
     curve = Curve(curve.name, LAGRANGE, Parametrization(ParametrizationKind.UNIFORM), curve.points)
-    standing = result_of(parse_goal("lebesgue < 2"), view_of(curve))
-    assert standing.is_met
+    result = result_of(parse_goal("lebesgue < 2"), view_of(curve))
+    assert result.is_met
     # Brutman, Annals of Numerical Mathematics 4 (1997) 111-127: 1.6311
-    assert value(standing.text) == pytest.approx(1.631, abs=5e-4)
+    assert value(result.text) == pytest.approx(1.631, abs=5e-4)
 
 
 def test_a_parabola_leaves_its_box_by_an_eighth():
@@ -51,13 +60,13 @@ def test_joints_are_as_smooth_as_their_family(family, order):
     assert value(result_of(parse_goal("smoothness >= 2"), view_of(curve)).text) == order
 
 
-def test_smoothness_that_is_not_decided_does_not_count():
+def test_undecided_smoothness_does_not_count():
     """Points 1e-12 apart: the natural spline's acceleration goes on, which doubles do not show."""
     places = ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0))
     view = view_of(Curve("n", HERMITE, Parametrization(), tuple(Point(*place) for place in places)))
     result = result_of(parse_goal("smoothness >= 2"), view)
     assert not result.is_met
-    assert result.text == "Derivatives that are certainly continuous at every joint: at least 2; now 1"
+    assert result.text == "Derivatives certified continuous at every joint: at least 2; now 1"
 
 
 def test_the_distance_from_chord_lengths():
@@ -116,36 +125,34 @@ DETOURS = {
 
 
 @each_row("detour", DETOURS)
-def test_a_goal_is_not_reached_by_a_way_that_misses_the_point(detour):
+def test_a_goal_is_not_met_when_its_conditions_are_broken(detour):
     name, number, change, words = DETOURS[detour]
     goal, curve = given(name, number)
-    assert result_of(
-        parse_goal(f"{goal.measure} {goal.comparison} {goal.value}"), view_of(change(curve))
-    ).is_met
-    standing = result_of(goal, view_of(change(curve)), curve)
-    assert not standing.is_met
-    assert words in standing.text
+    assert result_of(dataclasses.replace(goal, conditions=()), view_of(change(curve))).is_met
+    result = result_of(goal, view_of(change(curve)), curve)
+    assert not result.is_met
+    assert words in result.text
 
 
 def test_a_goal_is_about_its_curve():
     goal, curve = given("02_three_parameter_sets", 4)
     other = load(load_lesson("02_three_parameter_sets").document).curves[0]
-    standing = result_of(goal, view_of(other), curve)
-    assert not standing.is_met
-    assert "click on the curve “Careless”" in standing.text
+    result = result_of(goal, view_of(other), curve)
+    assert not result.is_met
+    assert "Click the curve “Careless”" in result.text
 
 
-def test_a_point_that_was_moved_a_little_does_not_count_as_another():
+def test_a_slightly_moved_point_meets_the_condition_points():
     goal, curve = given("03_chord_length", 3)
     points = (replace(curve.points[0], y=0.3), *curve.points[1:])
     moved = replace(rule_of(curve, ParametrizationKind.CENTRIPETAL), points=points)
     assert result_of(goal, view_of(moved), curve).is_met
 
 
-def test_a_curve_that_is_none_meets_nothing():
-    standing = result_of(parse_goal("lebesgue > 0"), view_of(make_curve(SQUARE[:1])))
-    assert not standing.is_met
-    assert "no curve" in standing.text
+def test_a_single_point_meets_no_goal():
+    result = result_of(parse_goal("lebesgue > 0"), view_of(make_curve(SQUARE[:1])))
+    assert not result.is_met
+    assert "no curve" in result.text
 
 
 @each_row(
@@ -160,7 +167,7 @@ def test_a_curve_that_is_none_meets_nothing():
         "points < 3; x",
     ],
 )
-def test_what_is_no_goal_is_refused(text):
+def test_text_that_is_no_goal_is_refused(text):
     with pytest.raises(GoalError):
         parse_goal(text)
 
@@ -177,7 +184,7 @@ def test_what_is_no_goal_is_refused(text):
         ("# T\n## A\n<!-- curve: C; goal: lebesgue < 3; keep: colour -->\nb", "“colour” cannot be kept"),
     ],
 )
-def test_a_lesson_that_is_wrong_says_where(text, place):
+def test_a_wrong_lesson_is_refused_with_its_step(text, place):
     with pytest.raises(LessonError, match=place):
         parse_lesson(text, "some", Path("some.curve.json"))
 
@@ -188,9 +195,52 @@ def test_a_lesson_is_found_by_name_and_by_number():
         find_lesson("calculus")
 
 
-def test_the_documents_are_what_the_script_makes():
-    spec = importlib.util.spec_from_file_location("make_lessons", ROOT / "tests/data/make_lessons.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    made = {name: encode(document) for name, document in module.lessons().items()}
-    assert made == {name: load_lesson(name).document.read_bytes() for name in lesson_names()}
+@each_row("name", lesson_names())
+def test_the_document_of_a_lesson_is_as_the_program_saves_it(name):
+    path = load_lesson(name).document
+    assert encode(load(path)) == path.read_bytes()
+
+
+OTHER_LESSON = """# Longest step
+A lesson with a measure of its own.
+
+## One
+<!-- curve: C; goal: longest_step < 0.3; keep: ends -->
+Text.
+"""
+OTHER_CODE = """
+open(__file__ + ".was_run", "w").close()
+MEASURES = {"longest_step": ("Longest step of t", lambda view: float(max(view.parameters[1:])))}
+KEPT = {"ends": (lambda view, given: view.parameters[0] == 0.0, "the ends have moved")}
+"""
+
+
+def write_lesson(folder):
+    folder.mkdir(parents=True)
+    (folder / "lesson.md").write_text(OTHER_LESSON, encoding="utf-8")
+    (folder / "lesson.py").write_text(OTHER_CODE, encoding="utf-8")
+
+
+def test_the_python_of_a_lesson_from_elsewhere_is_never_run(tmp_path):
+    write_lesson(tmp_path / "lessons" / "12_sent")
+    assert lesson_code(tmp_path / "lessons" / "12_sent") is None
+    with pytest.raises(LessonError, match="“longest_step” is not a measure"):
+        read_lesson(tmp_path / "lessons" / "12_sent")
+    link = resource("lessons") / "05_sensitivity" / ".." / ".." / ".."
+    assert lesson_code(link / os.path.relpath(tmp_path, link.resolve()) / "lessons" / "12_sent") is None
+    assert not list(tmp_path.rglob("*.was_run"))
+
+
+def test_a_lesson_that_comes_with_the_program_brings_measures_and_conditions(tmp_path, monkeypatch):
+    monkeypatch.setattr("app.features.lessons.lesson.resource", tmp_path.joinpath)
+    write_lesson(tmp_path / "lessons" / "12_longest_step")
+    (tmp_path / "lessons" / "12_longest_step" / "lesson.py").write_text(
+        OTHER_CODE.replace("open(__file__", "# open(__file__"), encoding="utf-8"
+    )
+    assert lesson_names() == ["12_longest_step"]
+    goal = load_lesson("12_longest_step").steps[0].goal
+    assert goal.measure.label == "Longest step of t"
+    (condition,) = goal.conditions
+    assert condition.broken == "the ends have moved"
+    curve = replace(make_curve(SQUARE), name="C")
+    assert result_of(goal, view_of(curve), curve).text == "Longest step of t below 0.3; now 1"

@@ -1,25 +1,15 @@
-"""The lessons that come with the program: Markdown in steps, each with a document beside it.
-
-A lesson is ``NAME.md`` and ``NAME.curve.json`` in ``resources/lessons``. Its first heading is the title,
-the paragraph below it the summary; every second-level heading begins a step. A comment in a step says what
-goes with it, separated by semicolons::
-
-    <!-- curve: Careless; show: overlayBand; set: epsilon 0.02; goal: lebesgue < 5; keep: points, family -->
-
-``curve`` names the curve to edit, ``show`` the actions to switch on, ``set`` what the analysis does (see
-`SETTINGS`), ``goal`` what that curve shall meet, ``keep`` what may not change on the way (see `goals.KEPT`).
-In the text, a link to ``action:NAME`` triggers that action.
-"""
+"""Lessons: the text of a folder, read into steps; see the package for the form of a lesson."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 from typing import NamedTuple
 
 from ...storage.resources import resource
-from ...view_model.analysis.goals import Goal, GoalError, parse_goal
+from ...view_model.analysis.goals import Conditions, Goal, GoalError, Measures, parse_goal
 from ...view_model.analysis.laboratory_settings import RoundedPart
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
@@ -33,11 +23,11 @@ SETTINGS: dict[str, Callable[[str], float | RoundedPart]] = {
     "epsilon": float,
     "delta": float,
 }
-"""Settings of a step: rounding, digits, shift and number of methods of the laboratory; errors of the band."""
+"""Settings of a step: those of the laboratory, and the errors of the band."""
 
 
 class LessonError(ValueError):
-    """A lesson that cannot be read; the text says where and why."""
+    """Lesson that cannot be read; the message says where and why."""
 
 
 class Step(NamedTuple):
@@ -48,11 +38,11 @@ class Step(NamedTuple):
     text
         Markdown.
     curve
-        Name of the curve to edit; empty for the one that is edited.
+        Name of the curve to edit; empty for the active one.
     show
-        Names of actions to switch on.
+        Names of the actions to switch on.
     settings
-        What to set, by names out of `SETTINGS`.
+        Settings of the analysis, by names of `SETTINGS`.
     """
 
     title: str
@@ -64,7 +54,7 @@ class Step(NamedTuple):
 
 
 class Lesson(NamedTuple):
-    """A lesson, read."""
+    """Text of a lesson in steps, and the path of its document."""
 
     name: str
     title: str
@@ -74,75 +64,104 @@ class Lesson(NamedTuple):
 
 
 def lesson_names() -> list[str]:
-    """Return the names of all lessons, in the order to take them."""
-    return [path.stem for path in sorted(resource("lessons").glob("*.md"))]
+    """Return the names of all lessons that come with the program, in their order."""
+    return sorted(path.parent.name for path in resource("lessons").glob("*/lesson.md"))
 
 
 def find_lesson(word: str) -> str:
-    """Return the name of the lesson that `word` names, with its number or without; raise `LessonError`."""
+    """Return the name of the lesson with this name or number; raise `LessonError` where there is none."""
     names = lesson_names()
     for name in names:
-        if word in (name, name.partition("_")[2], name.partition("_")[0].lstrip("0")):
+        number, _, title = name.partition("_")
+        if word in (name, title, number.lstrip("0")):
             return name
     known = ", ".join(name.partition("_")[2] for name in names)
-    raise LessonError(f"There is no lesson “{word}”; there are {known}.")
+    raise LessonError(f"There is no lesson “{word}”; the lessons are {known}.")
 
 
 def load_lesson(name: str) -> Lesson:
-    """Read a lesson that comes with the program."""
-    path = resource("lessons", f"{name}.md")
-    return parse_lesson(path.read_text(encoding="utf-8"), name, path.with_name(f"{name}.curve.json"))
+    """Return a lesson that comes with the program."""
+    return read_lesson(resource("lessons", name))
 
 
-def parse_lesson(text: str, name: str, document: Path) -> Lesson:
-    """Return the lesson that `text` writes; raise `LessonError` where something in it is wrong."""
+def read_lesson(folder: Path) -> Lesson:
+    """Return the lesson of a folder; raise `LessonError` where its text is wrong."""
+    text = (folder / "lesson.md").read_text(encoding="utf-8")
+    code = lesson_code(folder)
+    measures: Measures = getattr(code, "MEASURES", {})
+    conditions: Conditions = getattr(code, "KEPT", {})
+    return parse_lesson(text, folder.name, folder / "document.curve.json", measures, conditions)
+
+
+def lesson_code(folder: Path) -> ModuleType | None:
+    """Return the module ``lesson.py`` of a lesson that comes with the program; None where it has none.
+
+    A lesson from anywhere else is text and a document: its Python is never run.
+    """
+    path = folder / "lesson.py"
+    if not path.exists() or folder.resolve().parent != resource("lessons").resolve():
+        return None
+    module = ModuleType(folder.name)
+    exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), module.__dict__)
+    return module
+
+
+def parse_lesson(
+    text: str,
+    name: str,
+    document: Path,
+    measures: Measures | None = None,
+    conditions: Conditions | None = None,
+) -> Lesson:
+    """Return the lesson that `text` states; raise `LessonError` where a part of it is wrong."""
     head, *pages = re.split(r"^## ", text, flags=re.MULTILINE)
     title, _, summary = head.strip().partition("\n")
     if not title.startswith("# ") or not pages:
         raise LessonError(f"{name}: a lesson begins with “# Title” and has steps “## Title”")
-    steps = tuple(_step(page, f"{name}, step {number}") for number, page in enumerate(pages, start=1))
+    steps = tuple(
+        _step(page, f"{name}, step {number}", measures, conditions)
+        for number, page in enumerate(pages, start=1)
+    )
     return Lesson(name, title[2:].strip(), " ".join(summary.split()), steps, document)
 
 
-def _step(page: str, place: str) -> Step:
+def _step(page: str, label: str, measures: Measures | None, conditions: Conditions | None) -> Step:
     title, _, body = page.partition("\n")
-    found = _COMMENT.search(body)
-    fields = _fields(found.group(1), place) if found is not None else {}
-    goal = _goal(fields, place) if "goal" in fields else None
+    comment = _COMMENT.search(body)
+    fields = _fields(comment.group(1), label) if comment is not None else {}
+    curve, goal = fields.get("curve", ""), None
+    if "goal" in fields:
+        try:
+            goal = parse_goal(
+                fields["goal"], curve, fields.get("keep", ""), measures=measures, conditions=conditions
+            )
+        except GoalError as problem:
+            raise LessonError(f"{label}: {problem}") from None
+        if not curve or not goal.conditions:
+            raise LessonError(f"{label}: a goal needs “curve”, and “keep” with what must stay as it is")
     show = tuple(word for word in re.split(r"[,\s]+", fields.get("show", "")) if word)
-    text, curve = _COMMENT.sub("", body).strip(), fields.get("curve", "")
-    settings = _settings(fields.get("set", ""), place)
-    return Step(title.strip(), text, curve, show, settings, goal)
+    text = _COMMENT.sub("", body).strip()
+    return Step(title.strip(), text, curve, show, _settings(fields.get("set", ""), label), goal)
 
 
-def _goal(fields: dict[str, str], place: str) -> Goal:
-    try:
-        goal = parse_goal(fields["goal"], fields.get("curve", ""), fields.get("keep", ""))
-    except GoalError as problem:
-        raise LessonError(f"{place}: {problem}") from None
-    if not goal.curve or not goal.kept:
-        raise LessonError(f"{place}: a goal needs “curve”, and “keep” for what may not change")
-    return goal
-
-
-def _settings(text: str, place: str) -> dict[str, float | RoundedPart]:
+def _settings(text: str, label: str) -> dict[str, float | RoundedPart]:
     settings: dict[str, float | RoundedPart] = {}
     for part in filter(None, (part.strip() for part in text.split(","))):
         name, _, value = part.partition(" ")
         if name not in SETTINGS:
-            raise LessonError(f"{place}: “{name}” is not one of {', '.join(SETTINGS)}")
+            raise LessonError(f"{label}: “{name}” is not one of {', '.join(SETTINGS)}")
         try:
             settings[name] = SETTINGS[name](value)
         except ValueError:
-            raise LessonError(f"{place}: “{part}” is no name with a value of its kind") from None
+            raise LessonError(f"{label}: “{value}” is not a value of “{name}”") from None
     return settings
 
 
-def _fields(comment: str, place: str) -> dict[str, str]:
+def _fields(comment: str, label: str) -> dict[str, str]:
     fields = {}
     for part in filter(None, (part.strip() for part in comment.split(";"))):
         key, _, value = part.partition(":")
         if key.strip() not in _KEYS or not value.strip():
-            raise LessonError(f"{place}: “{part}” is not one of {', '.join(_KEYS)} with a value")
+            raise LessonError(f"{label}: “{part}” is not one of {', '.join(_KEYS)} with a value")
         fields[key.strip()] = value.strip()
     return fields

@@ -1,15 +1,16 @@
-"""The goals of lessons, measured on the curve that is edited.
+"""Goals of lessons, measured on the active curve.
 
-A goal is written as ``measure comparison value``: ``lebesgue < 5``, ``family = quintic_hermite``. Beside it
-stand the curve that it is about, and what has to stay as it was given (`KEPT`): nobody shall make Λ small by
-deleting points. Nothing in it is executed; a measure is a name in a table.
+A goal is written as ``measure comparison value``: ``lebesgue < 5``, ``family = quintic_hermite``. It names
+its curve and the conditions under which it counts (`KEPT`), so that nobody makes Λ small by deleting points.
+No part of the text is executed: measures and conditions are names in tables. The Python file of a lesson
+that comes with the program can add to both tables.
 """
 
 from __future__ import annotations
 
 import operator
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -34,92 +35,148 @@ _COMPARISONS: dict[str, tuple[Callable[[float, float], bool], str]] = {
 }
 _SAMPLES = 2000
 _LITTLE = 0.1
-"""The way of a point, as a share of the drawing, up to which it counts as left where it was."""
+"""Distance that a point may move and still count as unmoved, as a share of the size of the points."""
 
 
 class GoalError(ValueError):
-    """A goal that cannot be read; the text says why."""
+    """Text that is no goal; the message says why."""
+
+
+class Measure(NamedTuple):
+    """Property of a curve that a goal asks for.
+
+    Attributes
+    ----------
+    label
+        Beginning of the sentence that states the goal.
+    value_of
+        Value of a current view: a number, or a word where there is `title_of`.
+    title_of
+        Function that returns the displayed text of a word; None for numbers.
+    """
+
+    label: str
+    value_of: Callable[[CurveView], float | str]
+    title_of: Callable[[str], str] | None = None
+
+
+class Condition(NamedTuple):
+    """Property of a curve that must stay as the lesson gave it.
+
+    Attributes
+    ----------
+    is_kept
+        Function of the view and of the curve as given: whether the curve still has the property.
+    broken
+        Clause that says what has changed.
+    """
+
+    is_kept: Callable[[CurveView, Curve], bool]
+    broken: str
+
+
+Measures = Mapping[str, tuple[str, Callable[[CurveView], float]]]
+"""Label and function of measures that are numbers, by the name in the text of a goal."""
+
+Conditions = Mapping[str, tuple[Callable[[CurveView, Curve], bool], str]]
+"""Function and clause of conditions, by the name in the text of a goal."""
 
 
 @dataclass(frozen=True)
 class Goal:
-    """Something that a curve meets or does not.
+    """Comparison that a curve meets or not, and the conditions under which it counts.
 
     Attributes
     ----------
     measure
-        A name in `MEASURES`, or ``family`` or ``parametrization``.
+        Property that is compared.
     comparison, value
-        As written; the value of ``family`` and ``parametrization`` is a word.
+        As written; a word can only be equal.
     curve
-        Name of the curve that it is about; empty for any.
-    kept
-        Names in `KEPT` of the properties that have to stay as given.
+        Name of the curve that the goal is about; empty for any.
+    conditions
+        Properties that must stay as given.
     """
 
-    measure: str
+    measure: Measure
     comparison: str
     value: str
     curve: str = ""
-    kept: tuple[str, ...] = ()
+    conditions: tuple[Condition, ...] = ()
 
 
 @dataclass(frozen=True)
 class GoalResult:
-    """Whether a curve meets a goal, and in words what is asked and what the curve has now."""
+    """Whether a curve meets a goal, and the sentence that states the goal and the value now."""
 
     is_met: bool
     text: str
 
 
-def parse_goal(text: str, curve: str = "", kept: str = "") -> Goal:
-    """Return the goal that `text` writes; raise `GoalError` where there is none.
+def parse_goal(
+    text: str,
+    curve: str = "",
+    kept: str = "",
+    *,
+    measures: Measures | None = None,
+    conditions: Conditions | None = None,
+) -> Goal:
+    """Return the goal that `text` states; raise `GoalError` where it states none.
 
-    `kept` names what has to stay as it was given, separated by commas.
+    Parameters
+    ----------
+    kept
+        Names of conditions, separated by commas.
+    measures, conditions
+        Those of the lesson, in addition to `MEASURES` and `KEPT`.
     """
-    found = _GOAL.fullmatch(text.strip())
-    if found is None:
-        raise GoalError(f"“{text}” is no goal; write “measure < value”")
-    measure, comparison, value = found.groups()
-    names = tuple(filter(None, (name.strip() for name in kept.split(","))))
-    for name in names:
-        if name not in KEPT:
-            raise GoalError(f"“{name}” cannot be kept; there are {', '.join(KEPT)}")
-    goal = Goal(measure, comparison, value, curve, names)
-    if goal.measure in _WORDS:
-        if goal.comparison != "=":
-            raise GoalError(f"“{text}”: {goal.measure} can only be =")
-    elif goal.measure not in MEASURES:
-        raise GoalError(f"“{goal.measure}” is no measure; there are {', '.join((*MEASURES, *_WORDS))}")
-    else:
+    parts = _GOAL.fullmatch(text.strip())
+    if parts is None:
+        raise GoalError(f"“{text}” is not a goal; write “measure < value”")
+    name, comparison, value = parts.groups()
+    known = _WORDS | {key: Measure(*labelled) for key, labelled in {**MEASURES, **(measures or {})}.items()}
+    if name not in known:
+        raise GoalError(f"“{name}” is not a measure; the measures are {', '.join(known)}")
+    goal = Goal(known[name], comparison, value, curve, _conditions(kept, {**KEPT, **(conditions or {})}))
+    if goal.measure.title_of is None:
         _number(goal)
+    elif comparison != "=":
+        raise GoalError(f"“{text}”: {name} can only be =")
     return goal
 
 
+def _conditions(kept: str, known: Conditions) -> tuple[Condition, ...]:
+    names = [name.strip() for name in kept.split(",") if name.strip()]
+    for name in names:
+        if name not in known:
+            raise GoalError(f"“{name}” cannot be kept; write one of {', '.join(known)}")
+    return tuple(Condition(*known[name]) for name in names)
+
+
 def result_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalResult:
-    """Return whether the curve of `view` meets `goal`, in words; `given` is the curve as it was given."""
+    """Return whether the curve of `view` meets `goal`; `given` is the curve as the lesson gave it."""
     if goal.curve and view.source.name != goal.curve:
-        return GoalResult(False, f"{_asked(goal)}; click on the curve “{goal.curve}”, which is meant")
+        return GoalResult(False, f"{_sentence(goal)}. Click the curve “{goal.curve}”: the goal is about it")
     if not view.is_current:
-        return GoalResult(False, f"{_asked(goal)}; there is no curve now")
+        return GoalResult(False, f"{_sentence(goal)}; there is no curve at the moment")
     is_met, now = _measured(goal, view)
-    changed = [KEPT[name] for name in goal.kept if given is not None and not KEPT[name].is_kept(view, given)]
-    if changed:
-        return GoalResult(False, f"{_asked(goal)}{now}, but {changed[0].words}")
-    return GoalResult(is_met, f"{_asked(goal)}{now}")
+    for condition in goal.conditions:
+        if given is not None and not condition.is_kept(view, given):
+            return GoalResult(False, f"{_sentence(goal)}{now}, but {condition.broken}")
+    return GoalResult(is_met, f"{_sentence(goal)}{now}")
 
 
-def _asked(goal: Goal) -> str:
-    if goal.measure in _WORDS:
-        return f"{_WORDS[goal.measure].words} {_WORDS[goal.measure].title_of(goal.value)}"
-    return f"{MEASURES[goal.measure][0]} {_COMPARISONS[goal.comparison][1]} {goal.value}"
+def _sentence(goal: Goal) -> str:
+    if goal.measure.title_of is not None:
+        return f"{goal.measure.label} {goal.measure.title_of(goal.value)}"
+    return f"{goal.measure.label} {_COMPARISONS[goal.comparison][1]} {goal.value}"
 
 
 def _measured(goal: Goal, view: CurveView) -> tuple[bool, str]:
-    """Return whether the value is the one that is asked for, and what it is now, in words."""
-    if goal.measure in _WORDS:
-        return _WORDS[goal.measure].of(view) == goal.value, ""
-    value = MEASURES[goal.measure][1](view)
+    """Return whether the value of the view meets the goal, and the clause with the value."""
+    value = goal.measure.value_of(view)
+    if isinstance(value, str):
+        return value == goal.value, ""
     now = number(value) if np.isfinite(value) else "∞"
     return _COMPARISONS[goal.comparison][0](value, _number(goal)), f"; now {now}"
 
@@ -128,11 +185,11 @@ def _number(goal: Goal) -> float:
     try:
         return float(goal.value)
     except ValueError:
-        raise GoalError(f"“{goal.value}” is no number") from None
+        raise GoalError(f"“{goal.value}” is not a number") from None
 
 
 def _overshoot(view: CurveView) -> float:
-    """Return how far the curve leaves the box of its points, in percent of the box's longer side."""
+    """Return the distance by which the curve leaves the box of its points, in percent of its longer side."""
     curve = view.curve
     assert curve is not None
     drawn = curve.evaluate(np.linspace(*curve.domain, _SAMPLES))
@@ -143,7 +200,7 @@ def _overshoot(view: CurveView) -> float:
 
 
 def _smoothness(view: CurveView) -> float:
-    """Return the least number of derivatives that are certainly continuous, of all joints."""
+    """Return the number of derivatives that are certified continuous at every joint."""
     assert view.curve is not None
     joints = joint_report(view.curve, closed=view.source.is_closed)
     return float(min((joint.parametric for joint in joints), default=np.inf))
@@ -159,24 +216,8 @@ def _chord_gap(view: CurveView) -> float:
     return float(np.abs((t - t[0]) / (t[-1] - t[0]) - chords).max())
 
 
-@dataclass(frozen=True)
-class Kept:
-    """Something that a goal wants left alone.
-
-    Attributes
-    ----------
-    is_kept
-        Whether the curve still has it, of its view and of the curve as it was given.
-    words
-        The words where it has not.
-    """
-
-    is_kept: Callable[[CurveView, Curve], bool]
-    words: str
-
-
 def _keeps_points(view: CurveView, given: Curve) -> bool:
-    """Whether there are as many points as given, each about where it was: a lesson may ask to move one."""
+    """Return whether all points are there, each about where it was: a lesson may ask to move one."""
     before = np.array([point.position for point in given.points])
     if before.shape != view.points.shape:
         return False
@@ -187,42 +228,35 @@ def _has_three_decimals(view: CurveView, _given: Curve) -> bool:
     return bool((np.round(view.parameters, 3) == view.parameters).all())
 
 
-KEPT = {
-    "points": Kept(_keeps_points, "the points are not the lesson’s any more (Undo brings them back)"),
-    "family": Kept(
-        lambda view, given: view.source.family == given.family, "the family is to stay what it was"
+KEPT: Conditions = {
+    "points": Condition(_keeps_points, "the points have changed (Undo restores them)"),
+    "family": Condition(
+        lambda view, given: view.source.family == given.family, "the family must stay as it was"
     ),
-    "rule": Kept(
+    "rule": Condition(
         lambda view, given: view.source.parametrization.kind is given.parametrization.kind,
-        "another rule makes the parameters now",
+        "the rule for the parameters has changed",
     ),
-    "decimals": Kept(_has_three_decimals, "some parameters have more than three decimals"),
+    "decimals": Condition(_has_three_decimals, "some parameters have more than three decimals"),
 }
-"""Properties that a goal may want left alone, by name."""
+"""Conditions by name."""
 
-MEASURES: dict[str, tuple[str, Callable[[CurveView], float]]] = {
+MEASURES: Measures = {
     "points": ("Points", lambda view: float(len(view.points))),
     "lebesgue": ("Lebesgue constant Λ", growth_of_points),
     "overshoot": ("Overshoot in percent", _overshoot),
-    "smoothness": ("Derivatives that are certainly continuous at every joint:", _smoothness),
+    "smoothness": ("Derivatives certified continuous at every joint:", _smoothness),
     "chord_gap": ("Largest distance from the chord-length parameters", _chord_gap),
 }
-"""The measures by name: the words for each, and its function of a current view."""
-
-
-class _Word(NamedTuple):
-    """A property that is a word: what is said of it, the one of a view, and the words for a value."""
-
-    words: str
-    of: Callable[[CurveView], str]
-    title_of: Callable[[str], str]
-
+"""Measures that are numbers, by name."""
 
 _WORDS = {
-    "family": _Word(
-        "The family is", lambda view: str(view.source.family), lambda name: FAMILIES.named(name).title
+    "family": Measure(
+        "The family is",
+        lambda view: str(view.source.family),
+        lambda name: FAMILIES.named(name).title,
     ),
-    "parametrization": _Word(
+    "parametrization": Measure(
         "The parameters are",
         lambda view: str(view.source.parametrization.kind),
         lambda name: name.replace("_", " "),
