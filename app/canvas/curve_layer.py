@@ -54,11 +54,11 @@ class EditedShapeLayer(Layer):
             self.set_visible(bool(shape))
             self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the shape."""
         if self._shape:
             usual = _WIDTH * self.scale
-            paint_shape(painter, self._shape, shown, self.theme, usual, self._line)
+            paint_shape(painter, self._shape, pixel_map, self.theme, usual, self._line)
 
 
 class CurveLayer(Layer):
@@ -91,12 +91,12 @@ class CurveLayer(Layer):
         self._view = view
         self.update()
 
-    def show_ghost(self, shown: PixelMap, *, held: bool = False) -> None:
+    def show_ghost(self, pixel_map: PixelMap, *, held: bool = False) -> None:
         """Let the curve as it is now stand behind the one to come and fade, or stay until it is released.
 
         A ghost that is held stays the one that it is.
         """
-        polyline = self.polyline(shown)
+        polyline = self.polyline(pixel_map)
         if polyline is not None and not self._ghost_held:
             self._ghost, self._ghost_held = polyline.points, held
             self._fade.stop()
@@ -121,37 +121,37 @@ class CurveLayer(Layer):
         self._ghost = None
         self.update()
 
-    def polyline(self, shown: PixelMap) -> Polyline | None:
+    def polyline(self, pixel_map: PixelMap) -> Polyline | None:
         """Return the curve as it is drawn, None without one."""
         if self._view is None or not self._view.has_curve:
             return None
-        return line_of(self._view, shown, self._view.source.style)
+        return line_of(self._view, pixel_map, self._view.source.style)
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw ghost and curve."""
         if self._ghost is not None and self.ghost_opacity > 0:
-            self._paint_ghost(painter, shown, self._ghost)
-        view, polyline = self._view, self.polyline(shown)
+            self._paint_ghost(painter, pixel_map, self._ghost)
+        view, polyline = self._view, self.polyline(pixel_map)
         if view is None or polyline is None:
             self.error = 0.0
             return
-        if self._error_of[0] is not polyline.deviation or self._error_of[1] is not shown:
-            self._error_of = (polyline.deviation, shown)
-            self.error = polyline.reached * max(shown.sx, shown.sy)
+        if self._error_of[0] is not polyline.deviation or self._error_of[1] is not pixel_map:
+            self._error_of = (polyline.deviation, pixel_map)
+            self.error = polyline.reached * max(pixel_map.sx, pixel_map.sy)
         for pen in self._pens(view):
-            self._line.show(polyline.points, shown, _WIDTH * self.scale)
+            self._line.show(polyline.points, pixel_map, _WIDTH * self.scale)
             painter.setPen(pen)
             self._line.draw(painter)
         if self.said:
-            self._paint_word(painter, shown)
+            self._paint_word(painter, pixel_map)
 
     @property
     def said(self) -> str:
         """The sentence about a line that is off; empty otherwise."""
         return f"Drawn within {number(self.error, 2)} pixels" if self.error > WORTH_A_WORD else ""
 
-    def _paint_word(self, painter: QPainter, shown: PixelMap) -> None:
-        plate = inside(0.0, shown.height, size_of(painter, self.said, 12.0, 6.0), shown)
+    def _paint_word(self, painter: QPainter, pixel_map: PixelMap) -> None:
+        plate = inside(0.0, pixel_map.height, size_of(painter, self.said, 12.0, 6.0), pixel_map)
         write_on_plate(painter, plate, self.said, self.theme.paper, self.theme.ink)
 
     def set_cased(self, cased: bool) -> None:
@@ -188,8 +188,8 @@ class CurveLayer(Layer):
     def _pen_of(self, colour: QColor, width: float) -> QPen:
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
 
-    def _paint_ghost(self, painter: QPainter, shown: PixelMap, points: FloatArray) -> None:
-        self._ghost_stroke.show(points, shown)
+    def _paint_ghost(self, painter: QPainter, pixel_map: PixelMap, points: FloatArray) -> None:
+        self._ghost_stroke.show(points, pixel_map)
         colour = QColor(self.theme.ghost)
         colour.setAlphaF(self.ghost_opacity)
         painter.setPen(QPen(colour, self.scale))
@@ -226,11 +226,11 @@ class ControlPolygonLayer(Layer):
             self.set_opacity(opacity_of(view))
             self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw thin lines, which stand back behind the curve."""
         if self._view is None or len(self._view.points) < 2:
             return
-        self._stroke.show(self._view.points, shown)
+        self._stroke.show(self._view.points, pixel_map)
         if self._made_for != (self.theme, self.scale):
             self._made_for = (self.theme, self.scale)
             self._made = QPen(self.theme.handle, _POLYGON_WIDTH * self.scale)
@@ -257,14 +257,14 @@ class PenLayer(Layer):
             self.set_visible(preview is not None or bool(lines))
             self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the curve or the lines."""
         if self._preview is not None:
-            self._stroke.show(line_of(self._preview, shown).points, shown)
+            self._stroke.show(line_of(self._preview, pixel_map).points, pixel_map)
             painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
             self._stroke.draw(painter)
             return
         painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
         for line in self._lines:
-            self._stroke.show(np.array(line), shown)
+            self._stroke.show(np.array(line), pixel_map)
             self._stroke.draw(painter)

@@ -72,45 +72,45 @@ class FigureLayer(Layer):
                 layer.set_visible(bool(figures or ghosts))
                 layer.update()
 
-    def ghost_lines(self, shown: PixelMap) -> list[FloatArray]:
+    def ghost_lines(self, pixel_map: PixelMap) -> list[FloatArray]:
         """Return the ghosts that are drawn, as polylines (k, 2) of the plane."""
-        return [_line_of(ghost, shown) for ghost in self.ghosts if ghost.is_drawn]
+        return [_line_of(ghost, pixel_map) for ghost in self.ghosts if ghost.is_drawn]
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
         for figure in self.figures:
             if figure.shape not in _ABOVE:
-                self._paint_figure(painter, shown, figure)
+                self._paint_figure(painter, pixel_map, figure)
         for ghost in self.ghosts:
-            self._paint_ghost(painter, shown, ghost)
+            self._paint_ghost(painter, pixel_map, ghost)
 
-    def _paint_above(self, painter: QPainter, shown: PixelMap) -> None:
+    def _paint_above(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw what the curve would hide, and the words."""
         for figure in self.figures:
             if figure.shape in _ABOVE:
-                self._paint_figure(painter, shown, figure)
+                self._paint_figure(painter, pixel_map, figure)
         for figure in self.figures:
             if figure.label:
-                self._paint_label(painter, shown, figure)
+                self._paint_label(painter, pixel_map, figure)
 
-    def _paint_figure(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
+    def _paint_figure(self, painter: QPainter, pixel_map: PixelMap, figure: Figure) -> None:
         painter.setPen(pen_of(figure.style, self.theme, self.scale))
-        pixels = _pixels(figure.points, shown)
+        pixels = _pixels(figure.points, pixel_map)
         match figure.shape:
             case Shape.LINE:
-                draw_line(painter, pixels, figure.style.dashes, shown)
+                draw_line(painter, pixels, figure.style.dashes, pixel_map)
             case Shape.SEGMENTS:
-                draw_segments(painter, pixels.reshape(-1, 4), shown)
+                draw_segments(painter, pixels.reshape(-1, 4), pixel_map)
             case Shape.ARROWS:
-                _draw_arrows(painter, pixels, shown)
+                _draw_arrows(painter, pixels, pixel_map)
             case Shape.TICKS:
-                _draw_ticks(painter, pixels, shown, _TICK * self.scale)
+                _draw_ticks(painter, pixels, pixel_map, _TICK * self.scale)
             case Shape.AREA:
-                self._paint_area(painter, shown, pixels)
+                self._paint_area(painter, pixel_map, pixels)
             case Shape.MARKS:
-                _draw_marks(painter, pixels, shown, figure.style.mark, _MARK * self.scale)
+                _draw_marks(painter, pixels, pixel_map, figure.style.mark, _MARK * self.scale)
 
-    def _paint_area(self, painter: QPainter, shown: PixelMap, pixels: FloatArray) -> None:
+    def _paint_area(self, painter: QPainter, pixel_map: PixelMap, pixels: FloatArray) -> None:
         """Fill polygons as one area, so that a translucent one has no seams."""
         is_corner = ~np.isnan(pixels[:, 0])
         corners = np.clip(pixels[is_corner], -_FAR, _FAR)
@@ -118,37 +118,37 @@ class FigureLayer(Layer):
         connect = np.append(is_corner[1:], False)[is_corner].astype(np.int32)
         path = pg.arrayToQPath(corners[:, 0], corners[:, 1], connect=connect, finiteCheck=False)
         path.setFillRule(Qt.FillRule.WindingFill)
-        self._area.fill(painter, path, painter.pen().color(), QRectF(0, 0, shown.width, shown.height))
+        self._area.fill(painter, path, painter.pen().color(), QRectF(0, 0, pixel_map.width, pixel_map.height))
 
-    def _paint_ghost(self, painter: QPainter, shown: PixelMap, ghost: GhostView) -> None:
+    def _paint_ghost(self, painter: QPainter, pixel_map: PixelMap, ghost: GhostView) -> None:
         if not ghost.is_drawn:
             return
         style = ghost.ghost.style
         painter.setPen(pen_of(style, self.theme, self.scale))
-        draw_line(painter, _pixels(_line_of(ghost, shown), shown), style.dashes, shown)
+        draw_line(painter, _pixels(_line_of(ghost, pixel_map), pixel_map), style.dashes, pixel_map)
 
-    def _paint_label(self, painter: QPainter, shown: PixelMap, figure: Figure) -> None:
+    def _paint_label(self, painter: QPainter, pixel_map: PixelMap, figure: Figure) -> None:
         """Write beside the last point, on a plate of paper, inside the drawing."""
-        x, y = _pixels(figure.points[-1:], shown)[0].tolist()
-        if not (-MARGIN < x < shown.width + MARGIN and -MARGIN < y < shown.height + MARGIN):
+        x, y = _pixels(figure.points[-1:], pixel_map)[0].tolist()
+        if not (-MARGIN < x < pixel_map.width + MARGIN and -MARGIN < y < pixel_map.height + MARGIN):
             return
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, figure.label, 8, 2)
-        plate = inside(x + 8, y - size.height() - 4, size, shown)
+        plate = inside(x + 8, y - size.height() - 4, size, pixel_map)
         write_on_plate(painter, plate, figure.label, self.theme.paper, self.theme.ink)
 
 
-def _line_of(ghost: GhostView, shown: PixelMap) -> FloatArray:
-    return ghost.line(TOLERANCE / max(shown.sx, shown.sy), shown.box)
+def _line_of(ghost: GhostView, pixel_map: PixelMap) -> FloatArray:
+    return ghost.line(TOLERANCE / max(pixel_map.sx, pixel_map.sy), pixel_map.box)
 
 
-def _pixels(points: FloatArray, shown: PixelMap) -> FloatArray:
+def _pixels(points: FloatArray, pixel_map: PixelMap) -> FloatArray:
     """Return pixels that can be reckoned with: NaN where there is nothing to draw, endless ones limited."""
     with np.errstate(over="ignore", invalid="ignore"):
-        return np.clip(shown.points(points), -_FARTHEST, _FARTHEST)
+        return np.clip(pixel_map.points(points), -_FARTHEST, _FARTHEST)
 
 
-def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None:
+def _draw_arrows(painter: QPainter, pixels: FloatArray, pixel_map: PixelMap) -> None:
     """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
     ends = pixels.reshape(-1, 2, 2)
     along, length = _directions(ends)
@@ -156,13 +156,13 @@ def _draw_arrows(painter: QPainter, pixels: FloatArray, shown: PixelMap) -> None
     side = np.column_stack([-head[:, 1], head[:, 0]]) * 0.45
     tips = ends[:, 1]
     barbs = [np.hstack([tips, tips - head + sign * side]) for sign in (1, -1)]
-    draw_segments(painter, np.vstack([ends.reshape(-1, 4), *barbs]), shown)
+    draw_segments(painter, np.vstack([ends.reshape(-1, 4), *barbs]), pixel_map)
 
 
-def _draw_ticks(painter: QPainter, pixels: FloatArray, shown: PixelMap, half: float) -> None:
+def _draw_ticks(painter: QPainter, pixels: FloatArray, pixel_map: PixelMap, half: float) -> None:
     ends = pixels.reshape(-1, 2, 2)
     along, _ = _directions(ends)
-    draw_segments(painter, np.hstack([ends[:, 0] - half * along, ends[:, 0] + half * along]), shown)
+    draw_segments(painter, np.hstack([ends[:, 0] - half * along, ends[:, 0] + half * along]), pixel_map)
 
 
 def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -172,8 +172,10 @@ def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
     return along / np.where(length > 0, length, 1.0)[:, None], length
 
 
-def _draw_marks(painter: QPainter, pixels: FloatArray, shown: PixelMap, mark: Mark, size: float) -> None:
-    near = np.all((pixels >= -MARGIN) & (pixels <= (shown.width + MARGIN, shown.height + MARGIN)), axis=1)
+def _draw_marks(painter: QPainter, pixels: FloatArray, pixel_map: PixelMap, mark: Mark, size: float) -> None:
+    near = np.all(
+        (pixels >= -MARGIN) & (pixels <= (pixel_map.width + MARGIN, pixel_map.height + MARGIN)), axis=1
+    )
     for x, y in pixels[near].tolist():
         draw_mark(painter, mark, x, y, size)
 
@@ -212,15 +214,15 @@ class TraceLayer(Layer):
         self.set_visible(bool(self.groups))
         self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the traces of every group, the last one on top.
 
         During a drag they are old results that stay: their dashes are made once.
         """
-        if self._drawn_at != (shown, self.scale):
-            self._drawn_at = shown, self.scale
+        if self._drawn_at != (pixel_map, self.scale):
+            self._drawn_at = pixel_map, self.scale
             self._lines = [
-                (trace.style, faded, self._line(points, trace.style, shown))
+                (trace.style, faded, self._line(points, trace.style, pixel_map))
                 for traces, faded in self.groups.values()
                 for trace in traces
                 for points in trace.pieces
@@ -229,9 +231,9 @@ class TraceLayer(Layer):
             painter.setPen(pen_of(style, self.theme, self.scale, _FADED if faded else 1.0))
             line.draw(painter)
 
-    def _line(self, points: FloatArray, style: LineStyle, shown: PixelMap) -> Stroke | Segments:
+    def _line(self, points: FloatArray, style: LineStyle, pixel_map: PixelMap) -> Stroke | Segments:
         with np.errstate(over="ignore"):
-            return line_in_pixels(shown.points(points), style.dashes, style.width * self.scale, shown)
+            return line_in_pixels(pixel_map.points(points), style.dashes, style.width * self.scale, pixel_map)
 
 
 class Annotations(QObject):

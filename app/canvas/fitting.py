@@ -53,10 +53,10 @@ def with_margin(box: PlaneBox) -> PlaneBox:
     return PlaneBox(box.low - margin, box.high + margin)
 
 
-def all_inside(shown: PixelMap, points: FloatArray) -> bool:
+def all_inside(pixel_map: PixelMap, points: FloatArray) -> bool:
     """Whether points (n, 2) of the plane lie in sight."""
-    pixels = shown.points(points)
-    return bool(((pixels >= 0) & (pixels <= (shown.width, shown.height))).all())
+    pixels = pixel_map.points(points)
+    return bool(((pixels >= 0) & (pixels <= (pixel_map.width, pixel_map.height))).all())
 
 
 def way_back_inside(pixel: float, size: float) -> float:

@@ -54,9 +54,9 @@ class GridLayer(Layer):
         self._tune_axes()
         self.update()
 
-    def spacing(self, shown: PixelMap) -> float:
+    def spacing(self, pixel_map: PixelMap) -> float:
         """Return the distance of the fine lines, along x as along y: what snapping to the grid goes by."""
-        return self._fixed or adaptive_steps(shown.sx)[1]
+        return self._fixed or adaptive_steps(pixel_map.sx)[1]
 
     def _tune_axes(self) -> None:
         """Keep the lines apart on the screen, both ways alike: the plane has the same unit along x and y."""
@@ -70,23 +70,23 @@ class GridLayer(Layer):
             # Numbers of an adaptive grid stand at the coarse lines alone, as dense along x as along y.
             self._plot.getAxis(side).set_distances(fine, fine if self._fixed else coarse)
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the lines; they are computed anew when another part of the plane is visible."""
-        if shown is not self._shown:
-            self._compute(shown)
+        if pixel_map is not self._shown:
+            self._compute(pixel_map)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(Qt.PenStyle.NoPen)
         for lines, colour in ((self._fine, self.theme.grid_fine), (self._coarse, self.theme.grid_coarse)):
             painter.setBrush(colour)
             lines.draw(painter)
 
-    def _compute(self, shown: PixelMap) -> None:
-        self._shown = shown
-        x_min, y_min, x_max, y_max = shown.box
-        seen = Stretch(x_min, x_max, shown.width), Stretch(y_min, y_max, shown.height)
+    def _compute(self, pixel_map: PixelMap) -> None:
+        self._shown = pixel_map
+        x_min, y_min, x_max, y_max = pixel_map.box
+        seen = Stretch(x_min, x_max, pixel_map.width), Stretch(y_min, y_max, pixel_map.height)
         for lines, step in ((self._coarse, self.steps[0]), (self._fine, self.steps[1])):
             x, y = (np.array(along.multiples(step), dtype=float) for along in seen)
-            lines.fill(_lines(shown.x(x), shown.y(y), shown))
+            lines.fill(_lines(pixel_map.x(x), pixel_map.y(y), pixel_map))
 
 
 def adaptive_steps(pixels_per_unit: float) -> tuple[float, float]:
@@ -115,11 +115,11 @@ def grid_steps(spacing: float, pixels_per_unit: float) -> tuple[float, float]:
     return (5 if round(factor / decade) == 2 else 10) * factor * spacing, factor * spacing
 
 
-def _lines(x: FloatArray, y: FloatArray, shown: PixelMap) -> FloatArray:
+def _lines(x: FloatArray, y: FloatArray, pixel_map: PixelMap) -> FloatArray:
     """Return vertical lines at `x` and horizontal lines at `y`, on whole pixels so that they stay crisp."""
     x, y = np.round(x), np.round(y)
-    vertical = np.column_stack([x, np.zeros_like(x), np.ones_like(x), np.full_like(x, shown.height)])
-    horizontal = np.column_stack([np.zeros_like(y), y, np.full_like(y, shown.width), np.ones_like(y)])
+    vertical = np.column_stack([x, np.zeros_like(x), np.ones_like(x), np.full_like(x, pixel_map.height)])
+    horizontal = np.column_stack([np.zeros_like(y), y, np.full_like(y, pixel_map.width), np.ones_like(y)])
     return np.vstack([vertical, horizontal])
 
 
@@ -142,15 +142,15 @@ class UnitLayer(Layer):
         self._unit = unit
         self.update()
 
-    def words(self, shown: PixelMap) -> str:
+    def words(self, pixel_map: PixelMap) -> str:
         """Return what stands there."""
-        offset = self._plot.getAxis("left").ticks_in(shown).offset
+        offset = self._plot.getAxis("left").ticks_in(pixel_map).offset
         return " ".join(filter(None, (offset, self._unit)))
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Write it."""
         painter.setFont(self.fonts.less(1.5, 1.0))
-        if text := self.words(shown):
+        if text := self.words(pixel_map):
             # In the colours of the axes, which it belongs to.
             plate = QRectF(QPointF(3, 4), size_of(painter, text, 8.0, 2.0))
             write_on_plate(painter, plate, text, self.theme.surface, self.theme.muted)
@@ -205,56 +205,56 @@ class GuidesLayer(Layer):
             self.lit = place
             self.update()
 
-    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+    def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
         """Return the guide at a pixel of the plot area, the nearest of several."""
         if not self.is_visible or not self.guides:
             return None
-        away = [abs(_pixel_of(guide, shown) - pixel[guide.axis.coordinate]) for guide in self.guides]
+        away = [abs(_pixel_of(guide, pixel_map) - pixel[guide.axis.coordinate]) for guide in self.guides]
         # Of those at one place the last one wins: it is drawn on top.
         nearest = len(away) - 1 - int(np.argmin(away[::-1]))
         if away[nearest] > _REACH:
             return None
-        return Hit(Part.GUIDE, nearest, self.guides[nearest].beside(shown.plane(*pixel)))
+        return Hit(Part.GUIDE, nearest, self.guides[nearest].beside(pixel_map.plane(*pixel)))
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw those in sight."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         for place, guide in enumerate(self.guides):
-            at, room = _pixel_of(guide, shown), (shown.width, shown.height)[guide.axis.coordinate]
+            at, room = _pixel_of(guide, pixel_map), (pixel_map.width, pixel_map.height)[guide.axis.coordinate]
             if 0 <= at <= room:
-                self._paint_guide(painter, shown, guide, round(at), is_lit=place == self.lit)
+                self._paint_guide(painter, pixel_map, guide, round(at), is_lit=place == self.lit)
 
     def _paint_guide(
-        self, painter: QPainter, shown: PixelMap, guide: Guide, at: int, *, is_lit: bool
+        self, painter: QPainter, pixel_map: PixelMap, guide: Guide, at: int, *, is_lit: bool
     ) -> None:
         pen = QPen(self.theme.accent, 1.0)
         if not is_lit:
             pen.setDashPattern(_DASHES)
         painter.setPen(pen)
         if guide.axis is Axis.X:
-            painter.drawLine(QPointF(at, 0), QPointF(at, shown.height))
+            painter.drawLine(QPointF(at, 0), QPointF(at, pixel_map.height))
         else:
-            painter.drawLine(QPointF(0, at), QPointF(shown.width, at))
+            painter.drawLine(QPointF(0, at), QPointF(pixel_map.width, at))
         if is_lit:
-            self._write(painter, shown, guide, at)
+            self._write(painter, pixel_map, guide, at)
 
-    def _write(self, painter: QPainter, shown: PixelMap, guide: Guide, at: int) -> None:
+    def _write(self, painter: QPainter, pixel_map: PixelMap, guide: Guide, at: int) -> None:
         """Write where the guide lies, near its upper or left end."""
         text = place_words(guide, self._unit)
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, text)
         if guide.axis is Axis.X:
-            left = at + _GAP if at + _GAP + size.width() <= shown.width else at - _GAP - size.width()
-            left = max(min(left, shown.width - size.width()), 0.0)
+            left = at + _GAP if at + _GAP + size.width() <= pixel_map.width else at - _GAP - size.width()
+            left = max(min(left, pixel_map.width - size.width()), 0.0)
             box = QRectF(QPointF(left, _GAP), size)
         else:
             top = at - _GAP - size.height()
-            top = max(min(top if top >= 0 else at + _GAP, shown.height - size.height()), 0.0)
+            top = max(min(top if top >= 0 else at + _GAP, pixel_map.height - size.height()), 0.0)
             box = QRectF(QPointF(_GAP, top), size)
         self._halo.write(painter, box, text, self.theme.paper, self.theme.accent_text, 2 * self.scale)
 
 
-def _pixel_of(guide: Guide, shown: PixelMap) -> float:
+def _pixel_of(guide: Guide, pixel_map: PixelMap) -> float:
     """Return where a guide lies in the plot area: from the left, or from the top."""
     place = (guide.position, 0.0) if guide.axis is Axis.X else (0.0, guide.position)
-    return shown.point(*place)[guide.axis.coordinate]
+    return pixel_map.point(*place)[guide.axis.coordinate]

@@ -96,26 +96,26 @@ class ShownHandles:
         handles = handles_on(view, self._sides, free=free and is_one)
         self._handles = handles if is_one else handles.of_velocities()
 
-    def of_selected(self, shown: PixelMap) -> Handles:
+    def of_selected(self, pixel_map: PixelMap) -> Handles:
         """Return the handles of the selected points; none where too many are in sight."""
-        handles, facing = self._seen(shown)
+        handles, facing = self._seen(pixel_map)
         return handles.of_arms(slice(facing, None))
 
-    def facing(self, shown: PixelMap) -> Handles:
+    def facing(self, pixel_map: PixelMap) -> Handles:
         """Return the handles that face the selected points from beyond the segments beside them."""
-        handles, facing = self._seen(shown)
+        handles, facing = self._seen(pixel_map)
         return handles.of_arms(slice(facing)).of_velocities()
 
-    def _seen(self, shown: PixelMap) -> tuple[Handles, int]:
+    def _seen(self, pixel_map: PixelMap) -> tuple[Handles, int]:
         """Return all handles in sight, and how many of the arms are facing ones: these come first."""
-        if self._in_sight[0] is not shown:
+        if self._in_sight[0] is not pixel_map:
             handles, facing = self._handles, self._facing_count
             if len(handles.indices) - facing > 2 * MOST_POINTS:
-                near = _near(handles, shown)
+                near = _near(handles, pixel_map)
                 handles, facing = handles.of_arms(near), int(near[:facing].sum())
                 if len(handles.indices) - facing > 2 * MOST_POINTS:
                     handles, facing = NO_HANDLES, 0
-            self._in_sight = (shown, handles, facing)
+            self._in_sight = (pixel_map, handles, facing)
         return self._in_sight[1:]
 
     @property
@@ -126,21 +126,21 @@ class ShownHandles:
             self._counted = (indices, sum(index not in self._selection for index in indices.tolist()))
         return self._counted[1]
 
-    def note(self, shown: PixelMap) -> str:
+    def note(self, pixel_map: PixelMap) -> str:
         """Return the sentence about handles that are left away; empty where all are shown."""
-        if len(self._handles.indices) <= 2 * MOST_POINTS or len(self._seen(shown)[0]):
+        if len(self._handles.indices) <= 2 * MOST_POINTS or len(self._seen(pixel_map)[0]):
             return ""
         return LEFT_AWAY
 
-    def paint(self, painter: QPainter, shown: PixelMap, ink: PointInk, share: float = 1.0) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap, ink: PointInk, share: float = 1.0) -> None:
         """Draw them: the fainter ones below the others, their marks a share of their usual size."""
-        handles, facing = self._seen(shown)
+        handles, facing = self._seen(pixel_map)
         if not len(handles):
             return
         lines: dict[tuple[Shade, int], list[QLineF]] = {}
         marks: list[Mark[HandleLook]] = []
         # As plain numbers: there are few, and in every frame of a drag each step through NumPy counts.
-        arms: list[Arm] = shown.points(handles.places).tolist()
+        arms: list[Arm] = pixel_map.points(handles.places).tolist()
         arms[:facing] = [arm[:2] for arm in arms[:facing]]
         for number, (arm, given) in enumerate(zip(arms, handles.explicit.tolist(), strict=True)):
             shade = Shade.FAINT if number < facing else Shade.STRONG
@@ -181,9 +181,9 @@ def _joined(first: PointSides, second: PointSides) -> PointSides:
     )
 
 
-def _near(handles: Handles, shown: PixelMap) -> BoolArray:
+def _near(handles: Handles, pixel_map: PixelMap) -> BoolArray:
     """Tell which arms reach into the area."""
-    pixels = shown.points(handles.places)
+    pixels = pixel_map.points(handles.places)
     low, high = pixels.min(axis=1), pixels.max(axis=1)
-    which: BoolArray = ((high > 0) & (low < [shown.width, shown.height])).all(axis=1)
+    which: BoolArray = ((high > 0) & (low < [pixel_map.width, pixel_map.height])).all(axis=1)
     return which

@@ -33,7 +33,7 @@ _SLIDES, _SAMPLES = 3, 17
 
 def hit_test(
     pixel: Vector,
-    shown: PixelMap,
+    pixel_map: PixelMap,
     view: CurveView,
     polyline: Polyline | None,
     selection: frozenset[int],
@@ -45,28 +45,28 @@ def hit_test(
     A selected point comes before the handles of the selected points, then other points, the handles that face
     the selected ones, and the curve.
     """
-    selected = _nearest_point(pixel, shown, view, sorted(selection))
-    handle = _nearest_handle(pixel, shown, handles)
+    selected = _nearest_point(pixel, pixel_map, view, sorted(selection))
+    handle = _nearest_handle(pixel, pixel_map, handles)
     if selected is not None and (handle is None or selected[1] <= handle[1]):
         return selected[0]
-    point = _nearest_point(pixel, shown, view, range(len(view.points)))
+    point = _nearest_point(pixel, pixel_map, view, range(len(view.points)))
     if handle is not None:
         over = point[0].index if point is not None and point[0].index not in selection else -1
         return replace(handle[0], over=over)
     if point is not None:
         return point[0]
-    if (facing_handle := _nearest_handle(pixel, shown, facing)) is not None:
+    if (facing_handle := _nearest_handle(pixel, pixel_map, facing)) is not None:
         return facing_handle[0]
-    return _on_curve(pixel, shown, view, polyline) if polyline is not None else None
+    return _on_curve(pixel, pixel_map, view, polyline) if polyline is not None else None
 
 
 def _nearest_point(
-    pixel: Vector, shown: PixelMap, view: CurveView, indices: Sequence[int]
+    pixel: Vector, pixel_map: PixelMap, view: CurveView, indices: Sequence[int]
 ) -> tuple[Hit, float] | None:
     if not len(indices):
         return None
     candidates = np.asarray(indices)
-    away = shown.points(view.points[candidates]) - pixel
+    away = pixel_map.points(view.points[candidates]) - pixel
     distances = np.hypot(away[:, 0], away[:, 1])
     # Of coincident points the last wins: it is drawn on top.
     best = len(distances) - 1 - int(np.argmin(distances[::-1]))
@@ -76,10 +76,10 @@ def _nearest_point(
     return Hit(Part.POINT, index, view.source.points[index].position), float(distances[best])
 
 
-def _nearest_handle(pixel: Vector, shown: PixelMap, handles: Handles) -> tuple[Hit, float] | None:
+def _nearest_handle(pixel: Vector, pixel_map: PixelMap, handles: Handles) -> tuple[Hit, float] | None:
     if not len(handles):
         return None
-    away = shown.points(handles.positions) - pixel
+    away = pixel_map.points(handles.positions) - pixel
     distances = np.hypot(away[:, 0], away[:, 1])
     best = int(np.argmin(distances))
     # Written so that NaN fails.
@@ -106,9 +106,9 @@ class PixelPoints:
         The part of the plane that the pixels are of.
     """
 
-    def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
-        self.shown, self._views = shown, dict(views)
-        self._pixels = shown.points(np.concatenate([view.points for _, view in views]))
+    def __init__(self, views: Sequence[tuple[int, CurveView]], pixel_map: PixelMap) -> None:
+        self.shown, self._views = pixel_map, dict(views)
+        self._pixels = pixel_map.points(np.concatenate([view.points for _, view in views]))
         counts = [len(view.points) for _, view in views]
         self._curves = np.repeat([place for place, _ in views], counts)
         self._indices = np.concatenate([np.arange(count) for count in counts])
@@ -129,7 +129,7 @@ class PixelPoints:
 
 def handle_or_point(
     pixel: Vector,
-    shown: PixelMap,
+    pixel_map: PixelMap,
     point: PartFound | None,
     own: Sequence[tuple[int, Handles]],
     facing: Sequence[tuple[int, Handles]],
@@ -140,46 +140,48 @@ def handle_or_point(
     The handles of the selected points, and those that face them, are those of each curve.
     """
     is_selected = point is not None and point.hit.index in selected.of(point.hit.curve)
-    handle = _nearest_of(pixel, shown, own)
+    handle = _nearest_of(pixel, pixel_map, own)
     if handle is not None and not (is_selected and point is not None and point.distance <= handle.distance):
         is_over = point is not None and not is_selected and point.hit.curve == handle.hit.curve
         over = point.hit.index if point is not None and is_over else -1
         return PartFound(replace(handle.hit, over=over), handle.distance)
-    return point or _nearest_of(pixel, shown, facing)
+    return point or _nearest_of(pixel, pixel_map, facing)
 
 
-def _nearest_of(pixel: Vector, shown: PixelMap, handles: Sequence[tuple[int, Handles]]) -> PartFound | None:
+def _nearest_of(
+    pixel: Vector, pixel_map: PixelMap, handles: Sequence[tuple[int, Handles]]
+) -> PartFound | None:
     """Return the nearest handle of some curves within reach."""
     found = [
         PartFound(replace(nearest[0], curve=curve), nearest[1])
         for curve, each in handles
-        if (nearest := _nearest_handle(pixel, shown, each)) is not None
+        if (nearest := _nearest_handle(pixel, pixel_map, each)) is not None
     ]
     return min(found, key=lambda each: each.distance, default=None)
 
 
-def nearer(found: PartFound | None, hit: Hit | None, pixel: Vector, shown: PixelMap) -> Hit | None:
+def nearer(found: PartFound | None, hit: Hit | None, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
     """Return a point or handle of another curve, where it is nearer than the one that is hit."""
     if found is None:
         return hit
     is_part = hit is not None and hit.part is not Part.CURVE
-    away = math.dist(shown.point(*hit.position), pixel) if hit is not None and is_part else math.inf
+    away = math.dist(pixel_map.point(*hit.position), pixel) if hit is not None and is_part else math.inf
     return found.hit if found.distance < away else hit
 
 
-def _on_curve(pixel: Vector, shown: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:
+def _on_curve(pixel: Vector, pixel_map: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:
     if view.curve is None or not view.is_current or len(polyline.points) < 2:
         return None
-    nearest = PixelOutline([shown.points(polyline.points)]).nearest(pixel)
+    nearest = PixelOutline([pixel_map.points(polyline.points)]).nearest(pixel)
     if nearest is None or nearest.distance > CURVE_REACH:
         return None
     t0, t1 = polyline.parameters[nearest.segment : nearest.segment + 2]
     t = float(t0 + nearest.share * (t1 - t0))
     x, y = view.curve.evaluate(t)
-    if np.hypot(*np.subtract(shown.point(float(x), float(y)), pixel)) > nearest.distance + _NEAR_ENOUGH:
+    if np.hypot(*np.subtract(pixel_map.point(float(x), float(y)), pixel)) > nearest.distance + _NEAR_ENOUGH:
         # On a straight piece the polyline knows the way and not the pace.
-        t = _slid(view.curve, shown, pixel, (float(t0), float(t1)))
-    t = _nearer(view.curve, shown.plane(*pixel), t, (float(t0), float(t1)))
+        t = _slid(view.curve, pixel_map, pixel, (float(t0), float(t1)))
+    t = _nearer(view.curve, pixel_map.plane(*pixel), t, (float(t0), float(t1)))
     x, y = view.curve.evaluate(t)
     index = int(np.searchsorted(view.parameters, t))
     return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
@@ -196,12 +198,12 @@ def _nearer(curve: ParametricCurve, place: Vector, t: float, between: tuple[floa
     return min(max(t + step, between[0]), between[1])
 
 
-def _slid(curve: ParametricCurve, shown: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:
+def _slid(curve: ParametricCurve, pixel_map: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:
     """Return the t between two others at which the curve is nearest to a pixel, to a small part of one."""
     share = 0.5
     for _ in range(_SLIDES):
         t = np.linspace(*between, _SAMPLES)
-        nearest = PixelOutline([shown.points(curve.evaluate(t))]).nearest(pixel)
+        nearest = PixelOutline([pixel_map.points(curve.evaluate(t))]).nearest(pixel)
         assert nearest is not None
         between, share = (float(t[nearest.segment]), float(t[nearest.segment + 1])), nearest.share
     return between[0] + share * (between[1] - between[0])
@@ -256,20 +258,20 @@ class LineFinder:
         """Find these curves from now on."""
         self._views, self._outline = views, None
 
-    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+    def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
         """Return the curve at `pixel`, the last one where several lie."""
         if not self._views:
             return None
-        if self._outline is None or self._outline.shown is not shown:
-            self._outline = _Outline(self._views, shown)
+        if self._outline is None or self._outline.shown is not pixel_map:
+            self._outline = _Outline(self._views, pixel_map)
         return self._outline.hit(pixel)
 
 
 class _Outline:
     """Curves as lines of pixels; of thousands those are looked at whose boxes are near a pixel."""
 
-    def __init__(self, views: Sequence[tuple[int, CurveView]], shown: PixelMap) -> None:
-        self.shown, self._views = shown, views
+    def __init__(self, views: Sequence[tuple[int, CurveView]], pixel_map: PixelMap) -> None:
+        self.shown, self._views = pixel_map, views
         boxes, off = zip(*(_box_of(view) for _, view in views), strict=True)
         self._boxes = np.array(boxes) + np.array(off)[:, None, None] * _OUTWARD
         self._near: list[int] = []
@@ -306,9 +308,9 @@ def _box_of(view: CurveView) -> tuple[FloatArray, float]:
     return view.known_box or (_ANYWHERE, 0.0)
 
 
-def pixels_of(view: CurveView, shown: PixelMap) -> FloatArray:
+def pixels_of(view: CurveView, pixel_map: PixelMap) -> FloatArray:
     """Return the curve as a polyline in pixels."""
-    return shown.points(line_of(view, shown).points)
+    return pixel_map.points(line_of(view, pixel_map).points)
 
 
 class FilledAreas:
@@ -328,27 +330,29 @@ class FilledAreas:
         if views is not self._views:
             self._views, self._shapes = views, None
 
-    def hit(self, pixel: Vector, shown: PixelMap, active: int | None, line: Hit | None) -> Hit | None:
+    def hit(self, pixel: Vector, pixel_map: PixelMap, active: int | None, line: Hit | None) -> Hit | None:
         """Return what lies at `pixel`: the topmost area, or the `line` there unless the area covers it.
 
         The inside of the shape that is edited is nothing: a rubber band for its points begins there.
         """
-        top = self._topmost(pixel, shown)
+        top = self._topmost(pixel, pixel_map)
         if top is None or (line is not None and line.index >= top.start):
             return line
         return (
-            Hit(Part.OTHER_CURVE, top.start, shown.plane(*pixel), inside=True) if active not in top else None
+            Hit(Part.OTHER_CURVE, top.start, pixel_map.plane(*pixel), inside=True)
+            if active not in top
+            else None
         )
 
-    def _topmost(self, pixel: Vector, shown: PixelMap) -> range | None:
+    def _topmost(self, pixel: Vector, pixel_map: PixelMap) -> range | None:
         if self._shapes is None:
             self._find()
         assert self._shapes is not None
-        place = np.array([shown.plane(*pixel)])
+        place = np.array([pixel_map.plane(*pixel)])
         around = np.all((self._boxes[:, 0] <= place) & (place <= self._boxes[:, 1]), axis=1)
         for number in reversed(np.flatnonzero(around).tolist()):
             views = self._drawn(self._shapes[number])
-            turns = windings([line_of(view, shown).points for view in views], place)
+            turns = windings([line_of(view, pixel_map).points for view in views], place)
             if is_inside(turns, views[0].source.style.fill_rule)[0]:
                 return self._shapes[number]
         return None

@@ -177,32 +177,32 @@ class ImageLayer(Layer):
         corner, size = np.array([image.x, image.y]), np.array([image.width, image.height])
         return np.array([corner, corner + size])
 
-    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+    def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
         """Return which part of the picture lies under `pixel`."""
         image = self._image
         if image is None:
             return None
         for corner in range(len(CORNERS)):
             place = corner_of(image, corner)
-            if math.dist(shown.point(*place), pixel) <= GRIP_REACH:
+            if math.dist(pixel_map.point(*place), pixel) <= GRIP_REACH:
                 return Hit(Part.IMAGE_CORNER, -1, place, knot=corner)
-        if _rect(image, shown).contains(QPointF(*pixel)):
+        if _rect(image, pixel_map).contains(QPointF(*pixel)):
             return Hit(Part.IMAGE, -1, (image.x, image.y))
         return None
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the picture, or the frame where it belongs."""
         image = self._image
         if image is None:
             return
-        rect = _rect(image, shown)
+        rect = _rect(image, pixel_map)
         if self._pixels is None:
             self._paint_frame(painter, rect)
             return
-        drawn = (image, self._pixels, shown, self.theme)
+        drawn = (image, self._pixels, pixel_map, self.theme)
         if any(old is not new for old, new in zip(self._drawn, drawn, strict=True)):
             ratio = painter.device().devicePixelRatioF()
-            self._shot = _shot(self._for_paper(self._level_for(rect, ratio)), rect, shown, ratio)
+            self._shot = _shot(self._for_paper(self._level_for(rect, ratio)), rect, pixel_map, ratio)
             self._drawn = drawn
         if self._shot is not None:
             painter.setOpacity(image.opacity)
@@ -254,31 +254,31 @@ class ImageLayer(Layer):
         painter.drawRect(visible)
         painter.drawText(visible, int(Qt.AlignmentFlag.AlignCenter), "The image is not there")
 
-    def _paint_grips(self, painter: QPainter, shown: PixelMap) -> None:
+    def _paint_grips(self, painter: QPainter, pixel_map: PixelMap) -> None:
         image = self._image
         if image is None:
             return
-        rect = _rect(image, shown).intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
+        rect = _rect(image, pixel_map).intersected(QRectF(-_FAR, -_FAR, 2 * _FAR, 2 * _FAR))
         painter.setPen(QPen(self.theme.accent, 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(rect)
         painter.setBrush(self.theme.paper)
         for corner in range(len(CORNERS)):
-            x, y = shown.point(*corner_of(image, corner))
+            x, y = pixel_map.point(*corner_of(image, corner))
             if max(abs(x), abs(y)) < _FAR:
                 painter.drawRect(QRectF(x - _GRIP, y - _GRIP, 2 * _GRIP, 2 * _GRIP))
 
 
-def _rect(image: ReferenceImage, shown: PixelMap) -> QRectF:
+def _rect(image: ReferenceImage, pixel_map: PixelMap) -> QRectF:
     """Return where the picture lies in pixels."""
-    left, top = shown.point(image.x, image.y + image.height)
-    return QRectF(left, top, image.width * shown.sx, image.height * shown.sy)
+    left, top = pixel_map.point(image.x, image.y + image.height)
+    return QRectF(left, top, image.width * pixel_map.sx, image.height * pixel_map.sy)
 
 
-def _shot(pixels: QImage, rect: QRectF, shown: PixelMap, ratio: float) -> QPixmap | None:
+def _shot(pixels: QImage, rect: QRectF, pixel_map: PixelMap, ratio: float) -> QPixmap | None:
     """Return what is visible of the picture, scaled once: to scale it at every paint would cost frames."""
     visible = rect.intersected(
-        QRectF(-_MARGIN, -_MARGIN, shown.width + 2 * _MARGIN, shown.height + 2 * _MARGIN)
+        QRectF(-_MARGIN, -_MARGIN, pixel_map.width + 2 * _MARGIN, pixel_map.height + 2 * _MARGIN)
     )
     if visible.isEmpty() or rect.isEmpty():
         return None
@@ -289,7 +289,7 @@ def _shot(pixels: QImage, rect: QRectF, shown: PixelMap, ratio: float) -> QPixma
         visible.width() * across,
         visible.height() * down,
     )
-    result = transparent(shown.width, shown.height, ratio)
+    result = transparent(pixel_map.width, pixel_map.height, ratio)
     painter = QPainter(result)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, True)
     painter.drawImage(visible, pixels, source)

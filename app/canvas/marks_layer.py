@@ -72,36 +72,38 @@ class MarksLayer(Layer):
             self.set_visible(marks != _NOTHING)
             self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw what there is."""
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
         if marks.box is not None:
-            self._paint_box(painter, shown, marks.box, has_grips=True)
+            self._paint_box(painter, pixel_map, marks.box, has_grips=True)
         if marks.frame is not None:
-            self._paint_box(painter, shown, marks.frame, has_grips=False)
-        if marks.pivot is not None and (marks.pivot_box is None or marks.pivot_box.is_roomy(shown.sx)):
-            self._paint_pivot(painter, *shown.point(*marks.pivot))
+            self._paint_box(painter, pixel_map, marks.frame, has_grips=False)
+        if marks.pivot is not None and (marks.pivot_box is None or marks.pivot_box.is_roomy(pixel_map.sx)):
+            self._paint_pivot(painter, *pixel_map.point(*marks.pivot))
         if marks.band is not None:
-            self._paint_band(painter, shown, *marks.band)
+            self._paint_band(painter, pixel_map, *marks.band)
         if marks.axis is not None:
-            self._paint_axis(painter, shown, *marks.axis)
+            self._paint_axis(painter, pixel_map, *marks.axis)
         if marks.ruler is not None:
-            self._paint_ruler(painter, shown, marks.ruler)
+            self._paint_ruler(painter, pixel_map, marks.ruler)
         if marks.snap is not None:
-            self._paint_snap(painter, shown, marks.snap)
+            self._paint_snap(painter, pixel_map, marks.snap)
         if marks.spot is not None:
-            self._paint_spot(painter, *shown.point(*marks.spot))
+            self._paint_spot(painter, *pixel_map.point(*marks.spot))
         if marks.note is not None:
-            self._paint_note(painter, shown, marks.note)
+            self._paint_note(painter, pixel_map, marks.note)
 
     def _pen(self, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
         return QPen(self.theme.accent, width * self.scale, style)
 
     # Box and band
 
-    def _paint_box(self, painter: QPainter, shown: PixelMap, box: TransformBox, *, has_grips: bool) -> None:
-        frame = _rectangle(shown, box.low, box.high)
+    def _paint_box(
+        self, painter: QPainter, pixel_map: PixelMap, box: TransformBox, *, has_grips: bool
+    ) -> None:
+        frame = _rectangle(pixel_map, box.low, box.high)
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
             return
         if box.is_whole:
@@ -116,7 +118,9 @@ class MarksLayer(Layer):
             painter.setPen(pen)
             painter.drawRect(frame)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        grips = [(grip, QPointF(*shown.point(*place))) for grip, place in box.grips(shown.sx) if has_grips]
+        grips = [
+            (grip, QPointF(*pixel_map.point(*place))) for grip, place in box.grips(pixel_map.sx) if has_grips
+        ]
         for grip, pixel in grips:
             if grip.does is TransformKind.ROTATE and not box.turns:
                 # Below the grips: it passes one of them.
@@ -154,37 +158,37 @@ class MarksLayer(Layer):
             painter.drawLine(centre - QPointF(arm, 0), centre + QPointF(arm, 0))
             painter.drawLine(centre - QPointF(0, arm), centre + QPointF(0, arm))
 
-    def _paint_band(self, painter: QPainter, shown: PixelMap, start: Vector, end: Vector) -> None:
+    def _paint_band(self, painter: QPainter, pixel_map: PixelMap, start: Vector, end: Vector) -> None:
         fill = QColor(self.theme.accent)
         fill.setAlphaF(0.10)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(self._pen())
         painter.setBrush(fill)
-        edge = QRectF(-20, -20, shown.width + 40, shown.height + 40)
-        painter.drawRect(_rectangle(shown, start, end).intersected(edge))
+        edge = QRectF(-20, -20, pixel_map.width + 40, pixel_map.height + 40)
+        painter.drawRect(_rectangle(pixel_map, start, end).intersected(edge))
 
     # Snapping, axis and ruler
 
-    def _paint_axis(self, painter: QPainter, shown: PixelMap, through: Vector, axis: int) -> None:
-        x, y = shown.point(*through)
+    def _paint_axis(self, painter: QPainter, pixel_map: PixelMap, through: Vector, axis: int) -> None:
+        x, y = pixel_map.point(*through)
         if not _is_drawable(x, y):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(self._pen(style=Qt.PenStyle.DotLine))
         if axis == 0:
-            painter.drawLine(QPointF(0, y), QPointF(shown.width, y))
+            painter.drawLine(QPointF(0, y), QPointF(pixel_map.width, y))
         else:
-            painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
+            painter.drawLine(QPointF(x, 0), QPointF(x, pixel_map.height))
 
-    def _paint_snap(self, painter: QPainter, shown: PixelMap, snap: Snap) -> None:
-        place = shown.point(*snap.position)
+    def _paint_snap(self, painter: QPainter, pixel_map: PixelMap, snap: Snap) -> None:
+        place = pixel_map.point(*snap.position)
         if not _is_drawable(*place):
             return
         pixel = QPointF(*place)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
         for guide in snap.guides:
-            from_ = shown.point(*guide)
+            from_ = pixel_map.point(*guide)
             if _is_drawable(*from_):
                 painter.drawLine(QPointF(*from_), pixel)
         around = self._around(place)
@@ -196,7 +200,7 @@ class MarksLayer(Layer):
             else:
                 painter.setPen(self._pen(1.5))
                 painter.drawLine(pixel - along * _ARM, pixel + along * _ARM)
-        self._paint_label(painter, shown, pixel, snap.label, around)
+        self._paint_label(painter, pixel_map, pixel, snap.label, around)
 
     def _paint_grid_line(
         self, painter: QPainter, pixel: QPointF, along: QPointF, words: Sequence[QRectF]
@@ -208,8 +212,8 @@ class MarksLayer(Layer):
             has_number = any(near.intersects(each) for each in words)
             painter.drawLine(pixel + way * (_NUMBER_ENDS if has_number else 0), pixel + way * _GRID_LINE)
 
-    def _paint_ruler(self, painter: QPainter, shown: PixelMap, ruler: Ruler) -> None:
-        start, end = shown.point(*ruler.start), shown.point(*ruler.end)
+    def _paint_ruler(self, painter: QPainter, pixel_map: PixelMap, ruler: Ruler) -> None:
+        start, end = pixel_map.point(*ruler.start), pixel_map.point(*ruler.end)
         if not _is_drawable(*start, *end):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
@@ -224,7 +228,7 @@ class MarksLayer(Layer):
         # On the side where the right angle is not, clear of the points at the ends.
         way = QPointF(abs(dy) * (-1 if dx >= 0 else 1), abs(dx) * (-1 if dy <= 0 else 1))
         middle = QPointF((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-        self._write_beyond(painter, shown, middle, (way, -way), ruler.text)
+        self._write_beyond(painter, pixel_map, middle, (way, -way), ruler.text)
 
     def _paint_spot(self, painter: QPainter, x: float, y: float) -> None:
         """Draw a ring where the pen would insert a point, or over the small one of another curve's point."""
@@ -236,32 +240,34 @@ class MarksLayer(Layer):
 
     # Words
 
-    def _paint_note(self, painter: QPainter, shown: PixelMap, note: Note) -> None:
-        place = shown.point(*note.position)
+    def _paint_note(self, painter: QPainter, pixel_map: PixelMap, note: Note) -> None:
+        place = pixel_map.point(*note.position)
         if _is_drawable(*place):
-            way = QPointF(*place) - QPointF(*shown.point(*note.work))
+            way = QPointF(*place) - QPointF(*pixel_map.point(*note.work))
             aside = QPointF(-way.y(), way.x())
-            self._write_beyond(painter, shown, QPointF(*place), (way, aside, -aside, -way), note.text)
+            self._write_beyond(painter, pixel_map, QPointF(*place), (way, aside, -aside, -way), note.text)
 
     def _write_beyond(
-        self, painter: QPainter, shown: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
+        self, painter: QPainter, pixel_map: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
     ) -> None:
         """Write beside a place, away from what is worked on."""
-        plate = self.readout_rect = beyond(place, ways, _CLEAR * self.scale, size_of(painter, text), shown)
+        plate = self.readout_rect = beyond(
+            place, ways, _CLEAR * self.scale, size_of(painter, text), pixel_map
+        )
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent_text)
 
     def _paint_label(
-        self, painter: QPainter, shown: PixelMap, pixel: QPointF, text: str, around: Surroundings
+        self, painter: QPainter, pixel_map: PixelMap, pixel: QPointF, text: str, around: Surroundings
     ) -> None:
         """Write beside a point, where it covers least of the curve and no number."""
         size, gap = size_of(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
-        self.snap_label_rect = free_corner(pixel, size, gap, around, shown)
+        self.snap_label_rect = free_corner(pixel, size, gap, around, pixel_map)
         theme = self.theme
         self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent_text, 2 * self.scale)
 
 
-def _rectangle(shown: PixelMap, a: Vector, b: Vector) -> QRectF:
-    return QRectF(QPointF(*shown.point(*a)), QPointF(*shown.point(*b))).normalized()
+def _rectangle(pixel_map: PixelMap, a: Vector, b: Vector) -> QRectF:
+    return QRectF(QPointF(*pixel_map.point(*a)), QPointF(*pixel_map.point(*b))).normalized()
 
 
 def _is_drawable(*pixels: float) -> bool:

@@ -51,44 +51,44 @@ class MotionLayer(Layer):
         self.dots, self.lines = dots, lines
         self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the lines, then the trails, then the dots with their arrows."""
         for role, line in self.lines:
-            self._paint_line(painter, shown, role, line)
+            self._paint_line(painter, pixel_map, role, line)
         for dot in self.dots:
-            self._paint_trail(painter, shown, dot)
+            self._paint_trail(painter, pixel_map, dot)
         self._written.clear()
         painter.setFont(self.fonts.at(9.0 * self.scale))
         for dot in self.dots:
-            self._paint_dot(painter, shown, dot)
+            self._paint_dot(painter, pixel_map, dot)
 
     def _colour(self, role: Role) -> QColor:
         return curve_colour(role.colour, self.theme) if role.colour else QColor(self.theme.accent)
 
-    def _paint_line(self, painter: QPainter, shown: PixelMap, role: Role, line: FloatArray) -> None:
+    def _paint_line(self, painter: QPainter, pixel_map: PixelMap, role: Role, line: FloatArray) -> None:
         painter.setPen(QPen(mix(self._colour(role), self.theme.paper, 0.6), self.scale))
-        draw_line(painter, shown.points(line), DASHED, shown)
+        draw_line(painter, pixel_map.points(line), DASHED, pixel_map)
 
-    def _paint_trail(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
+    def _paint_trail(self, painter: QPainter, pixel_map: PixelMap, dot: Dot) -> None:
         colour = self._colour(dot.role)
         painter.setPen(Qt.PenStyle.NoPen)
         radius = _TRAIL_DOT * self.scale
         with np.errstate(all="ignore"):
-            places = shown.points(dot.trail)
+            places = pixel_map.points(dot.trail)
         for age, (x, y) in enumerate(places.tolist()):
             if is_near(x, y):
                 colour.setAlphaF(0.65 * (1.0 - age / TRAIL))
                 painter.setBrush(colour)
                 painter.drawEllipse(QPointF(x, y), radius, radius)
 
-    def _paint_dot(self, painter: QPainter, shown: PixelMap, dot: Dot) -> None:
-        x, y = shown.point(*dot.place)
+    def _paint_dot(self, painter: QPainter, pixel_map: PixelMap, dot: Dot) -> None:
+        x, y = pixel_map.point(*dot.place)
         if not is_near(x, y):
             return
         for arrow in dot.arrows:
             colour = curve_colour(colour_of(dot, arrow), self.theme)
             words = f"{dot.role.title} {arrow.text}".strip()
-            self._paint_arrow(painter, shown, (x, y), shown.point(*arrow.tip), colour, words)
+            self._paint_arrow(painter, pixel_map, (x, y), pixel_map.point(*arrow.tip), colour, words)
         if dot.role is not OWN:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
@@ -96,20 +96,20 @@ class MotionLayer(Layer):
             painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_arrow(
-        self, painter: QPainter, shown: PixelMap, start: _Pixel, tip: _Pixel, colour: QColor, words: str
+        self, painter: QPainter, pixel_map: PixelMap, start: _Pixel, tip: _Pixel, colour: QColor, words: str
     ) -> None:
         length = float(np.hypot(tip[0] - start[0], tip[1] - start[1]))
         if not _SHORTEST <= length <= _FAR:
             return
         painter.setPen(QPen(colour, 2.0 * self.scale))
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        draw_segments(painter, arrow_segments(start, tip, 9.0 * self.scale), shown)
-        self._write_beyond(painter, shown, start, tip, words)
+        draw_segments(painter, arrow_segments(start, tip, 9.0 * self.scale), pixel_map)
+        self._write_beyond(painter, pixel_map, start, tip, words)
 
     def _write_beyond(
         self,
         painter: QPainter,
-        shown: PixelMap,
+        pixel_map: PixelMap,
         start: _Pixel,
         tip: _Pixel,
         words: str,
@@ -120,6 +120,6 @@ class MotionLayer(Layer):
         along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
-        plate = clear_of(self._written, inside(x, y, size, shown))
+        plate = clear_of(self._written, inside(x, y, size, pixel_map))
         self._written.append(plate)
         write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())

@@ -151,7 +151,7 @@ class OtherCurvesLayer(Layer):
             self._is_cased, self._picture = cased, None
             self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the picture; it is made anew when another part of the plane is visible.
 
         Where that takes long, the old one is moved along while the view moves, and made anew when it rests.
@@ -162,25 +162,29 @@ class OtherCurvesLayer(Layer):
         ratio = painter.device().devicePixelRatioF()
         key = (self.theme, self.scale, ratio)
         picture = self._picture
-        if picture is None or picture.key != key or not (picture.shown == shown or self._may_wait(shown)):
-            picture = self._picture = self._made(shown, ratio, key)
-        is_moved = picture.shown != shown
+        if (
+            picture is None
+            or picture.key != key
+            or not (picture.shown == pixel_map or self._may_wait(pixel_map))
+        ):
+            picture = self._picture = self._made(pixel_map, ratio, key)
+        is_moved = picture.shown != pixel_map
         if is_moved:
             self._rest.start()
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, is_moved)
-        self._compose(painter, shown, picture)
+        self._compose(painter, pixel_map, picture)
 
-    def _made(self, shown: PixelMap, ratio: float, key: tuple[object, ...]) -> Sheets:
+    def _made(self, pixel_map: PixelMap, ratio: float, key: tuple[object, ...]) -> Sheets:
         """Paint the picture of a part of the plane."""
         began, sheets = thread_time(), list[QPixmap]()
         for section in self._sections:
             if section.is_still:
-                sheets.append(transparent(shown.width, shown.height, ratio))
+                sheets.append(transparent(pixel_map.width, pixel_map.height, ratio))
                 with QPainter(sheets[-1]) as painter:
                     painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-                    self.paint_shapes(painter, shown, self._shapes[section.span])
+                    self.paint_shapes(painter, pixel_map, self._shapes[section.span])
         self._seconds, self._is_resting = thread_time() - began, False
-        return Sheets(tuple(sheets), shown, key)
+        return Sheets(tuple(sheets), pixel_map, key)
 
     def _rejoin(self) -> None:
         """Have all in one picture again, when many were painted in frame after frame for nothing."""
@@ -188,40 +192,40 @@ class OtherCurvesLayer(Layer):
         if self._calm_paints > _CALM and len(loose_places(self._sections)) > _FEW:
             self._sections, self._picture = sections_of((), len(self._shapes)), None
 
-    def _compose(self, painter: QPainter, shown: PixelMap, picture: Sheets) -> None:
+    def _compose(self, painter: QPainter, pixel_map: PixelMap, picture: Sheets) -> None:
         """Draw the picture, and within it what moves."""
         sheets = iter(picture.sheets)
         for section in self._sections:
             if section.is_still:
-                picture.draw(painter, shown, next(sheets))
+                picture.draw(painter, pixel_map, next(sheets))
             else:
                 painter.save()
-                self.paint_shapes(painter, shown, self._shapes[section.span])
+                self.paint_shapes(painter, pixel_map, self._shapes[section.span])
                 painter.restore()
 
-    def _may_wait(self, shown: PixelMap) -> bool:
+    def _may_wait(self, pixel_map: PixelMap) -> bool:
         """Whether the picture is slow to make, and good enough for a view that is moving."""
         assert self._picture is not None
-        magnified = shown.sx / self._picture.shown.sx
+        magnified = pixel_map.sx / self._picture.shown.sx
         return self._seconds > _SLOW and not self._is_resting and _NEAR[0] < magnified < _NEAR[1]
 
     def _make_anew(self) -> None:
         self._is_resting = True
         self.update()
 
-    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+    def paint_shapes(self, painter: QPainter, pixel_map: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint the shapes into the picture."""
         stroke, line = Stroke(), RoundLine()
         for shape in shapes:
             if is_plain(shape[0]):
                 for view in shape:
-                    self._paint_line(painter, stroke, view, shown)
+                    self._paint_line(painter, stroke, view, pixel_map)
             else:
                 usual = FAINT_WIDTH * self.scale
-                paint_shape(painter, shape, shown, self.theme, usual, line)
+                paint_shape(painter, shape, pixel_map, self.theme, usual, line)
 
-    def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
-        stroke.show(line_of(view, shown).points, shown)
+    def _paint_line(self, painter: QPainter, stroke: Stroke, view: CurveView, pixel_map: PixelMap) -> None:
+        stroke.show(line_of(view, pixel_map).points, pixel_map)
         if self._is_cased:
             painter.setPen(self._line(self.theme.paper, FAINT_WIDTH + 2 * CASING))
             stroke.draw(painter)
@@ -234,9 +238,9 @@ class OtherCurvesLayer(Layer):
     def _line(self, colour: QColor, width: float) -> QPen:
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, self.join)
 
-    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+    def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
         """Return the curve at `pixel` that is not locked, the last one where several lie."""
-        return self._finder.hit(pixel, shown)
+        return self._finder.hit(pixel, pixel_map)
 
 
 class FileLayer(OtherCurvesLayer):
@@ -244,11 +248,11 @@ class FileLayer(OtherCurvesLayer):
 
     z = -2.0
 
-    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+    def paint_shapes(self, painter: QPainter, pixel_map: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint dashed lines into the picture that is kept: dashes are slow to make."""
         painter.setPen(pen_of(FILE_STYLE, self.theme, self.scale))
         for (view,) in shapes:
-            draw_line(painter, pixels_of(view, shown), FILE_STYLE.dashes, shown)
+            draw_line(painter, pixels_of(view, pixel_map), FILE_STYLE.dashes, pixel_map)
 
 
 def _changed(before: dict[int, Shape], after: dict[int, Shape]) -> frozenset[int]:
@@ -299,23 +303,23 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             self._has_rings, self._picture = has_rings, None
             self.update()
 
-    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+    def paint_shapes(self, painter: QPainter, pixel_map: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint the marks of choice and rings into the picture: lines on curves, or boxes around shapes."""
         views = [view for shape in shapes for view in shape]
         is_many = len(self._views) > _HALOS_UP_TO
         stroke = Stroke()
         for view in views:
             if self._is_line(view):
-                stroke.show(line_of(view, shown).points, shown)
+                stroke.show(line_of(view, pixel_map).points, pixel_map)
                 self._paint_line_of(painter, stroke, view, has_halo=not is_many)
-            elif not is_many and not self._is_boxed(view, shown):
-                self._paint_on_style(painter, stroke, view, shown)
+            elif not is_many and not self._is_boxed(view, pixel_map):
+                self._paint_on_style(painter, stroke, view, pixel_map)
         # Over a fine line, and on the colours beside it, any other one would hide them.
-        boxed = views if is_many else [view for view in views if self._is_boxed(view, shown)]
+        boxed = views if is_many else [view for view in views if self._is_boxed(view, pixel_map)]
         if boxed:
-            self._paint_boxes(painter, shown, boxed)
+            self._paint_boxes(painter, pixel_map, boxed)
         if self._has_rings:
-            self._paint_rings(painter, shown, views)
+            self._paint_rings(painter, pixel_map, views)
 
     def _is_line(self, view: CurveView) -> bool:
         """Whether a curve is drawn here as a line, and not marked on what is painted."""
@@ -331,17 +335,19 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         )
         stroke.draw(painter)
 
-    def _is_boxed(self, view: CurveView, shown: PixelMap) -> bool:
+    def _is_boxed(self, view: CurveView, pixel_map: PixelMap) -> bool:
         """Whether a box marks a curve: its line is too fine to be drawn on."""
-        return not self._is_line(view) and 0 < self._line_width(view, shown) < _WIDE
+        return not self._is_line(view) and 0 < self._line_width(view, pixel_map) < _WIDE
 
-    def _line_width(self, view: CurveView, shown: PixelMap) -> float:
-        return line_width(view.source.style, shown, _WIDTH * self.scale) / self.scale
+    def _line_width(self, view: CurveView, pixel_map: PixelMap) -> float:
+        return line_width(view.source.style, pixel_map, _WIDTH * self.scale) / self.scale
 
-    def _paint_on_style(self, painter: QPainter, stroke: Stroke, view: CurveView, shown: PixelMap) -> None:
+    def _paint_on_style(
+        self, painter: QPainter, stroke: Stroke, view: CurveView, pixel_map: PixelMap
+    ) -> None:
         """Mark a wide line or an inside by a thin line on it."""
-        stroke.show(line_of(view, shown, view.source.style).points, shown)
-        casing = [(self.theme.paper, _CASED)] if self._line_width(view, shown) else []
+        stroke.show(line_of(view, pixel_map, view.source.style).points, pixel_map)
+        casing = [(self.theme.paper, _CASED)] if self._line_width(view, pixel_map) else []
         for pen in [*casing, (self.theme.accent, _ON_STYLE)]:
             painter.setPen(self._line(*pen))
             stroke.draw(painter)
@@ -354,27 +360,29 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         stroke.draw(painter)
         painter.setOpacity(1.0)
 
-    def _paint_boxes(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+    def _paint_boxes(self, painter: QPainter, pixel_map: PixelMap, views: Sequence[CurveView]) -> None:
         """Frame each painted shape, all in one call: it costs next to nothing, and hides no colour."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(self.theme.accent, max(round(self.scale), 1)))
-        painter.drawRects(_frames_of(views, shown, self.scale))
+        painter.drawRects(_frames_of(views, pixel_map, self.scale))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
 
-    def _paint_rings(self, painter: QPainter, shown: PixelMap, views: Sequence[CurveView]) -> None:
+    def _paint_rings(self, painter: QPainter, pixel_map: PixelMap, views: Sequence[CurveView]) -> None:
         """Ring the points of all curves over all lines: in one call for those of one opacity."""
         for opacity in {opacity_of(view) for view in views}:
-            near = [self._near(view, shown) for view in views if opacity_of(view) == opacity]
+            near = [self._near(view, pixel_map) for view in views if opacity_of(view) == opacity]
             painter.setOpacity(opacity)
             self._rings.draw_rings(
                 painter, np.concatenate(near), self.theme, self.radius * self.scale, self.rim * self.scale
             )
 
-    def _near(self, view: CurveView, shown: PixelMap) -> FloatArray:
+    def _near(self, view: CurveView, pixel_map: PixelMap) -> FloatArray:
         """Return the pixels of the points in sight, (k, 2); of very many some."""
-        pixels, margin = shown.points(view.points), 2 * _RADIUS * self.scale
-        is_near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
+        pixels, margin = pixel_map.points(view.points), 2 * _RADIUS * self.scale
+        is_near = ((pixels > -margin) & (pixels < (pixel_map.width + margin, pixel_map.height + margin))).all(
+            axis=1
+        )
         near: FloatArray = pixels[is_near]
         return near[:: max(len(near) // _MOST_RINGS, 1)]
 
@@ -384,26 +392,26 @@ class SiblingCurvesLayer(SelectedCurvesLayer):
 
     radius, rim = 3.0, 1.2
 
-    def paint_shapes(self, painter: QPainter, shown: PixelMap, shapes: Sequence[Shape]) -> None:
+    def paint_shapes(self, painter: QPainter, pixel_map: PixelMap, shapes: Sequence[Shape]) -> None:
         """Paint small rings into the picture."""
-        self._paint_rings(painter, shown, [view for shape in shapes for view in shape])
+        self._paint_rings(painter, pixel_map, [view for shape in shapes for view in shape])
 
 
 def _ring(painter: QPainter, radius: float, _form: int) -> None:
     painter.drawEllipse(QPointF(0.0, 0.0), radius, radius)
 
 
-def _frames_of(views: Sequence[CurveView], shown: PixelMap, scale: float) -> list[QRect]:
+def _frames_of(views: Sequence[CurveView], pixel_map: PixelMap, scale: float) -> list[QRect]:
     """Return a box around each painted shape, in pixels, as far as it is in or near the picture."""
-    corners = shown.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
-    widths = [line_width(view.source.style, shown, _WIDTH * scale) for view in views]
+    corners = pixel_map.points(np.concatenate([view.drawn_box for view in views])).reshape(-1, 2, 2)
+    widths = [line_width(view.source.style, pixel_map, _WIDTH * scale) for view in views]
     pads = BESIDE * scale + np.array(widths)[:, None] / 2
     names = [view.source.shape for view in views]
     starts = [at for at, name in enumerate(names) if not name or at == 0 or names[at - 1] != name]
     lows = np.minimum.reduceat(corners.min(axis=1) - pads, starts)
     highs = np.maximum.reduceat(corners.max(axis=1) + pads, starts)
     lows = np.maximum(lows, -_BEYOND).round()
-    highs = np.minimum(highs, (shown.width + _BEYOND, shown.height + _BEYOND)).round()
+    highs = np.minimum(highs, (pixel_map.width + _BEYOND, pixel_map.height + _BEYOND)).round()
     boxes = np.hstack([lows, highs - lows])[(highs > lows).all(axis=1)]
     return [QRect(*box) for box in boxes.astype(int).tolist()]
 
@@ -538,15 +546,15 @@ class DrawnCurves:
                 (above if is_over else below)[places.start] = shape
         return (below, edited, above) if is_layered else (below | above, edited, {})
 
-    def hit(self, pixel: Vector, shown: PixelMap) -> Hit | None:
+    def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
         """Return the curve at `pixel`, neither edited nor locked."""
         _, active, *_ = self._shown
-        line = self.selected.hit(pixel, shown) or self.others.hit(pixel, shown)
-        return self.areas.hit(pixel, shown, active, line)
+        line = self.selected.hit(pixel, pixel_map) or self.others.hit(pixel, pixel_map)
+        return self.areas.hit(pixel, pixel_map, active, line)
 
-    def locked_at(self, pixel: Vector, shown: PixelMap) -> int:
+    def locked_at(self, pixel: Vector, pixel_map: PixelMap) -> int:
         """Return the place of the locked curve at `pixel`, which a press goes through; −1 for none."""
-        hit = self._locked.hit(pixel, shown)
+        hit = self._locked.hit(pixel, pixel_map)
         return hit.index if hit is not None else -1
 
     def set_cased(self, cased: bool) -> None:

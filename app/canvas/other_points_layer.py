@@ -84,36 +84,38 @@ class OtherPointsLayer(Layer):
                 self._handles[place] = before.get(place) or ShownHandles()
                 self._handles[place].find(view, indices, free=False)
 
-    def handles(self, shown: PixelMap) -> list[tuple[int, ShownHandles]]:
+    def handles(self, pixel_map: PixelMap) -> list[tuple[int, ShownHandles]]:
         """Return the handles that are shown, by their curves; none where too many are in sight."""
-        count = sum(len(each.of_selected(shown).indices) for each in self._handles.values())
+        count = sum(len(each.of_selected(pixel_map).indices) for each in self._handles.values())
         return list(self._handles.items()) if count <= 2 * MOST_POINTS else []
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the selected points in sight, all in one call, and their handles."""
-        self._paint_handles(painter, shown)
+        self._paint_handles(painter, pixel_map)
         chosen = [(view, self._selected(place, view)) for place, view in self._views]
         parts = [(view, indices) for view, indices in chosen if indices]
         if not parts:
             return
-        pixels = shown.points(np.concatenate([view.points[indices] for view, indices in parts]))
+        pixels = pixel_map.points(np.concatenate([view.points[indices] for view, indices in parts]))
         kinds = np.concatenate([kinds_of(view)[indices] for view, indices in parts])
         margin = _REACH * _RADIUS * self.scale
-        near = ((pixels > -margin) & (pixels < (shown.width + margin, shown.height + margin))).all(axis=1)
+        near = ((pixels > -margin) & (pixels < (pixel_map.width + margin, pixel_map.height + margin))).all(
+            axis=1
+        )
         radius, rim = _RADIUS * self.scale, _RIM * self.scale
         stamps = self._plain if self.is_plain else self._ringed
         stamps.draw(
             painter, pixels[near], kinds[near], len(POINT_KINDS), self.theme, radius, rim, self._kinds
         )
 
-    def _paint_handles(self, painter: QPainter, shown: PixelMap) -> None:
+    def _paint_handles(self, painter: QPainter, pixel_map: PixelMap) -> None:
         if not self._handles:
             return
         ink = self._inks.of(self.theme, self.scale, self.fonts, over_picture=self.over_picture)
-        handles = self.handles(shown)
+        handles = self.handles(pixel_map)
         for _, each in handles:
-            each.paint(painter, shown, ink)
-        notes = [each.note(shown) for each in self._handles.values()] if handles else [LEFT_AWAY]
+            each.paint(painter, pixel_map, ink)
+        notes = [each.note(pixel_map) for each in self._handles.values()] if handles else [LEFT_AWAY]
         if any(notes) and not self._is_told():
             painter.setFont(self.fonts.times(0.9 * self.scale))
             write_in_corner(painter, max(notes), self.theme.paper, self.theme.muted)
@@ -132,18 +134,18 @@ class OtherPointsLayer(Layer):
         painter.drawEllipse(QPointF(0.0, 0.0), radius + _GAP * unit, radius + _GAP * unit)
         painter.restore()
 
-    def nearest(self, pixel: Vector, shown: PixelMap) -> PartFound | None:
+    def nearest(self, pixel: Vector, pixel_map: PixelMap) -> PartFound | None:
         """Return the point or the handle within reach that is nearest to `pixel`."""
         if not self._views:
             return None
-        if self._places is None or self._places.shown != shown:
-            self._places = PixelPoints(self._views, shown)
-        point, handles = self._places.nearest(pixel, self._group), self.handles(shown)
+        if self._places is None or self._places.shown != pixel_map:
+            self._places = PixelPoints(self._views, pixel_map)
+        point, handles = self._places.nearest(pixel, self._group), self.handles(pixel_map)
         if not handles:
             return point
-        own = [(place, each.of_selected(shown)) for place, each in handles]
-        facing = [(place, each.facing(shown)) for place, each in handles]
-        return handle_or_point(pixel, shown, point, own, facing, self._group)
+        own = [(place, each.of_selected(pixel_map)) for place, each in handles]
+        facing = [(place, each.facing(pixel_map)) for place, each in handles]
+        return handle_or_point(pixel, pixel_map, point, own, facing, self._group)
 
 
 def _stamp_plain(painter: QPainter, radius: float, kind: int) -> None:

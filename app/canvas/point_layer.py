@@ -123,13 +123,13 @@ class PointLayer(Layer):
             self.shown_handles.find(self._view, self.selection, free=self.shows_new_handle)
         self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw weights, handles, points and numbers."""
         view = self._view
         if view is None or not len(view.points):
             return
         colours = point_colours(len(view.points), self.theme)
-        self._locate(view, shown)
+        self._locate(view, pixel_map)
         self._ink = self._inks.of(self.theme, self.scale, self.fonts, over_picture=self.over_picture)
         self._have_kinds(view)
         pixels, visible = self._pixels, self._visible
@@ -137,11 +137,11 @@ class PointLayer(Layer):
             self._paint_weights(painter, pixels, visible, colours)
         discs = self._discs_of(pixels, visible)
         # Where points are small, handles as large as ever would be all that is seen of the neighbours.
-        self.shown_handles.paint(painter, shown, self._ink, discs.radius / (RADIUS * self.scale))
+        self.shown_handles.paint(painter, pixel_map, self._ink, discs.radius / (RADIUS * self.scale))
         self._paint_points(painter, discs, colours)
         self._paint_numbers(painter, pixels)
         if self.scrub is not None:
-            self._paint_scrub_dot(painter, shown)
+            self._paint_scrub_dot(painter, pixel_map)
 
     def _have_kinds(self, view: CurveView) -> None:
         """Tell the kinds of the points; under a drag they stay, and so do these arrays."""
@@ -153,20 +153,20 @@ class PointLayer(Layer):
         if not np.array_equal(kinds, self._kinds):
             self._kinds = kinds
 
-    def _locate(self, view: CurveView, shown: PixelMap) -> None:
+    def _locate(self, view: CurveView, pixel_map: PixelMap) -> None:
         """Find the pixels of all points, and which of them are on screen."""
         before, shown_before = self._pixels_of
-        if before is view and shown_before is shown:
+        if before is view and shown_before is pixel_map:
             return
-        self._pixels_of = (view, shown)
-        if before is not None and shown_before is shown and self._shift(before, view, shown):
+        self._pixels_of = (view, pixel_map)
+        if before is not None and shown_before is pixel_map and self._shift(before, view, pixel_map):
             return
-        self._pixels = shown.points(view.points)
-        visible = np.flatnonzero(_is_near(self._pixels, shown))
+        self._pixels = pixel_map.points(view.points)
+        visible = np.flatnonzero(_is_near(self._pixels, pixel_map))
         if not np.array_equal(visible, self._visible):
             self._visible = visible
 
-    def _shift(self, before: CurveView, view: CurveView, shown: PixelMap) -> bool:
+    def _shift(self, before: CurveView, view: CurveView, pixel_map: PixelMap) -> bool:
         """Find the pixels of points that have moved since another view; return whether all else stays."""
         now, then = view.displacement, before.displacement
         if now is None or then is None or then.moving is not now.moving:
@@ -177,8 +177,8 @@ class PointLayer(Layer):
         stays, self._pixels = True, self._pixels.copy()
         for row in rows:
             point, (x, y) = view.source.points[row], self._pixels[row].tolist()
-            place = shown.point(point.x, point.y)
-            stays = stays and _is_near_pixel(x, y, shown) == _is_near_pixel(*place, shown)
+            place = pixel_map.point(point.x, point.y)
+            stays = stays and _is_near_pixel(x, y, pixel_map) == _is_near_pixel(*place, pixel_map)
             self._pixels[row] = place
         return stays
 
@@ -373,9 +373,9 @@ class PointLayer(Layer):
         painter.setBrush(fill)
         painter.drawEllipse(place, radius, radius)
 
-    def _paint_scrub_dot(self, painter: QPainter, shown: PixelMap) -> None:
+    def _paint_scrub_dot(self, painter: QPainter, pixel_map: PixelMap) -> None:
         assert self.scrub is not None
-        pixel = shown.point(*self.scrub[1:])
+        pixel = pixel_map.point(*self.scrub[1:])
         if not is_near(*pixel):
             return
         painter.setPen(QPen(self.theme.paper, 2 * self.scale))
@@ -388,11 +388,13 @@ def opacity_of(view: CurveView) -> float:
     return 1.0 if view.source.visible else _HIDDEN
 
 
-def _is_near(pixels: FloatArray, shown: PixelMap) -> BoolArray:
+def _is_near(pixels: FloatArray, pixel_map: PixelMap) -> BoolArray:
     """Tell which points are close enough to the visible area to be drawn."""
     x, y = pixels[:, 0], pixels[:, 1]
-    return (x > -_MARGIN) & (x < shown.width + _MARGIN) & (y > -_MARGIN) & (y < shown.height + _MARGIN)
+    return (
+        (x > -_MARGIN) & (x < pixel_map.width + _MARGIN) & (y > -_MARGIN) & (y < pixel_map.height + _MARGIN)
+    )
 
 
-def _is_near_pixel(x: float, y: float, shown: PixelMap) -> bool:
-    return -_MARGIN < x < shown.width + _MARGIN and -_MARGIN < y < shown.height + _MARGIN
+def _is_near_pixel(x: float, y: float, pixel_map: PixelMap) -> bool:
+    return -_MARGIN < x < pixel_map.width + _MARGIN and -_MARGIN < y < pixel_map.height + _MARGIN

@@ -45,24 +45,24 @@ def is_plain(view: CurveView) -> bool:
     )
 
 
-def line_of(view: CurveView, shown: PixelMap, style: Style | None = None) -> Polyline:
+def line_of(view: CurveView, pixel_map: PixelMap, style: Style | None = None) -> Polyline:
     """Return a curve as a polyline of the plane, exact enough for the width of its line, or of a `style`."""
-    scale = max(shown.sx, shown.sy)
+    scale = max(pixel_map.sx, pixel_map.sy)
     width = (style or view.source.style).width or 0.0
     if width * scale <= _WIDE:
-        return view.flattened(TOLERANCE / scale, shown.box)
+        return view.flattened(TOLERANCE / scale, pixel_map.box)
     # Where the middle turns by some angle the edge turns with a larger radius.
     finer = min(width * scale / _WIDE, _MOST_FINER)
-    left, low, right, high = shown.box
+    left, low, right, high = pixel_map.box
     box = (left - width, low - width, right + width, high + width)
     return view.flattened(TOLERANCE / finer / scale, box)
 
 
-def line_width(style: Style, shown: PixelMap, usual: float) -> float:
+def line_width(style: Style, pixel_map: PixelMap, usual: float) -> float:
     """Return the width in pixels of a line in its style; 0 of none, `usual` where it has none of its own."""
     if not style.has_stroke:
         return 0.0
-    return usual if style.width is None else style.width * shown.sx
+    return usual if style.width is None else style.width * pixel_map.sx
 
 
 _NARROW = 4.0
@@ -96,7 +96,7 @@ class _Part(NamedTuple):
 def paint_shape(
     painter: QPainter,
     shape: Sequence[CurveView],
-    shown: PixelMap,
+    pixel_map: PixelMap,
     theme: Theme,
     usual: float,
     line: RoundLine,
@@ -112,64 +112,68 @@ def paint_shape(
     """
     style = shape[0].source.style
     parts = [
-        _Part(line_of(view, shown, style).points, view.source.is_closed) for view in shape if view.has_curve
+        _Part(line_of(view, pixel_map, style).points, view.source.is_closed)
+        for view in shape
+        if view.has_curve
     ]
     if style.has_fill:
-        area = _area(parts, shown)
+        area = _area(parts, pixel_map)
         area.setFillRule(FILL_RULES[style.fill_rule])
         painter.fillPath(area, with_opacity(fill_colour(style.fill, theme), style.fill_opacity))
-    if (width := line_width(style, shown, usual)) > 0:
+    if (width := line_width(style, pixel_map, usual)) > 0:
         pen = _pen(style, curve_colour(style.stroke, theme), min(width, _WIDEST))
-        _stroke(painter, [part for part in parts if not part.is_dot], style, pen, shown, line)
-        _paint_dots(painter, [part for part in parts if part.is_dot], style, pen, shown)
+        _stroke(painter, [part for part in parts if not part.is_dot], style, pen, pixel_map, line)
+        _paint_dots(painter, [part for part in parts if part.is_dot], style, pen, pixel_map)
 
 
-def _area(parts: Sequence[_Part], shown: PixelMap) -> QPainterPath:
+def _area(parts: Sequence[_Part], pixel_map: PixelMap) -> QPainterPath:
     """Return the inside of a shape, cut to what may be seen."""
     area = QPainterPath()
     for part in parts:
-        ring = ring_within(shown.points(part.points), shown.width, shown.height, MARGIN)
+        ring = ring_within(pixel_map.points(part.points), pixel_map.width, pixel_map.height, MARGIN)
         if len(ring) > 2:
             area.addPolygon(polygon(ring[:, 0], ring[:, 1]))
             area.closeSubpath()
     return area
 
 
-def _paint_dots(painter: QPainter, parts: Sequence[_Part], style: Style, pen: QPen, shown: PixelMap) -> None:
+def _paint_dots(
+    painter: QPainter, parts: Sequence[_Part], style: Style, pen: QPen, pixel_map: PixelMap
+) -> None:
     reach = MARGIN + pen.widthF()
     for part in parts:
-        x, y = shown.points(part.points[:1])[0].tolist()
-        if -reach <= x <= shown.width + reach and -reach <= y <= shown.height + reach:
+        x, y = pixel_map.points(part.points[:1])[0].tolist()
+        if -reach <= x <= pixel_map.width + reach and -reach <= y <= pixel_map.height + reach:
             painter.fillPath(dot_at(x, y, style, pen.widthF()), pen.color())
 
 
 def _stroke(
-    painter: QPainter, parts: Sequence[_Part], style: Style, pen: QPen, shown: PixelMap, line: RoundLine
+    painter: QPainter, parts: Sequence[_Part], style: Style, pen: QPen, pixel_map: PixelMap, line: RoundLine
 ) -> None:
     width, is_opaque = pen.widthF(), pen.color().alphaF() == 1.0
     reach = MARGIN + (overhang_of(pen) if width > _NARROW else 0.0)
     if pen.dashPattern():
-        _stroke_dashed(painter, parts, pen, style.dash_offset, shown, reach)
+        _stroke_dashed(painter, parts, pen, style.dash_offset, pixel_map, reach)
     elif is_opaque and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
         least, most = _FINE
         for part in parts:
             if least < width <= most:
-                line.show(part.points, shown, width)
+                line.show(part.points, pixel_map, width)
                 line.draw(painter)
                 continue
             stroke = Stroke(reach)
-            stroke.fill(shown.points(part.points), shown.width, shown.height)
+            stroke.fill(pixel_map.points(part.points), pixel_map.width, pixel_map.height)
             stroke.draw(painter)
     else:
-        painter.strokePath(_line(parts, shown, reach), pen)
+        painter.strokePath(_line(parts, pixel_map, reach), pen)
 
 
-def _line(parts: Sequence[_Part], shown: PixelMap, reach: float) -> QPainterPath:
+def _line(parts: Sequence[_Part], pixel_map: PixelMap, reach: float) -> QPainterPath:
     """Return the line of a shape, cut to what may be seen."""
     path = QPainterPath()
     for part in parts:
-        _add_line(path, part, shown, reach)
+        _add_line(path, part, pixel_map, reach)
     return path
 
 
@@ -182,10 +186,10 @@ def _pen(style: Style, colour: QColor, width: float) -> QPen:
     return pen_of(style, with_opacity(colour, opacity), width, is_dashed=is_dashed)
 
 
-def _add_line(line: QPainterPath, part: _Part, shown: PixelMap, reach: float) -> None:
+def _add_line(line: QPainterPath, part: _Part, pixel_map: PixelMap, reach: float) -> None:
     """Add a polyline to a path, cut to what may be seen; a closed one that is whole has no ends."""
-    pixels = shown.points(part.points)
-    runs = list(_runs(pixels, shown, reach))
+    pixels = pixel_map.points(part.points)
+    runs = list(_runs(pixels, pixel_map, reach))
     is_whole = len(runs) == 1 and len(runs[0]) == len(pixels)
     if part.is_closed and not is_whole and len(runs) > 1 and (runs[-1][-1] == runs[0][0]).all():
         runs[0] = np.concatenate([runs.pop()[:-1], runs[0]])
@@ -195,30 +199,30 @@ def _add_line(line: QPainterPath, part: _Part, shown: PixelMap, reach: float) ->
             line.closeSubpath()
 
 
-def _runs(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[FloatArray]:
+def _runs(pixels: FloatArray, pixel_map: PixelMap, reach: float) -> Iterator[FloatArray]:
     segments = np.hstack([pixels[:-1], pixels[1:]])
-    yield from runs_of(cut_segments(segments, shown.width, shown.height, reach))
+    yield from runs_of(cut_segments(segments, pixel_map.width, pixel_map.height, reach))
 
 
 def _stroke_dashed(
-    painter: QPainter, parts: Sequence[_Part], pen: QPen, offset: float, shown: PixelMap, reach: float
+    painter: QPainter, parts: Sequence[_Part], pen: QPen, offset: float, pixel_map: PixelMap, reach: float
 ) -> None:
     """Stroke with dashes that run on from the beginning of each polyline, however little of it is seen."""
     for part in parts:
-        pixels = np.clip(shown.points(part.points), -1e15, 1e15)
+        pixels = np.clip(pixel_map.points(part.points), -1e15, 1e15)
         lengths = np.hypot(*np.diff(pixels, axis=0).T)
         starts = np.concatenate([[0.0], np.cumsum(lengths)])
-        for first, end in _stretches(pixels, shown, reach + _FARTHEST_DASH):
+        for first, end in _stretches(pixels, pixel_map, reach + _FARTHEST_DASH):
             pen.setDashOffset(offset + float(starts[first]) / pen.widthF())
             line, run = QPainterPath(), pixels[first:end]
             line.addPolygon(polygon(run[:, 0], run[:, 1]))
             painter.strokePath(line, pen)
 
 
-def _stretches(pixels: FloatArray, shown: PixelMap, reach: float) -> Iterator[tuple[int, int]]:
+def _stretches(pixels: FloatArray, pixel_map: PixelMap, reach: float) -> Iterator[tuple[int, int]]:
     """Yield where vertices follow each other whose segments are near, as (first, end)."""
     low, high = np.minimum(pixels[:-1], pixels[1:]), np.maximum(pixels[:-1], pixels[1:])
-    is_near = ((high >= -reach) & (low <= (shown.width + reach, shown.height + reach))).all(axis=1)
+    is_near = ((high >= -reach) & (low <= (pixel_map.width + reach, pixel_map.height + reach))).all(axis=1)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], is_near, [False]]).astype(np.int8)))
     for first, last in edges.reshape(-1, 2).tolist():
         yield first, last + 1

@@ -117,13 +117,13 @@ class Axis:
             self._found = (asked, self._find(Stretch(low, high, size, self._factor)))
         return self._found[1]
 
-    def ticks_in(self, shown: PixelMap) -> Ticks:
+    def ticks_in(self, pixel_map: PixelMap) -> Ticks:
         """Return the ticks of the part that a map shows."""
-        x_min, y_min, x_max, y_max = shown.box
+        x_min, y_min, x_max, y_max = pixel_map.box
         if self._is_upright:
             least = max(y_min, self._least) if self._least < y_max else y_min
-            return self.ticks(least, y_max, shown.height * (y_max - least) / (y_max - y_min))
-        return self.ticks(x_min, x_max, shown.width)
+            return self.ticks(least, y_max, pixel_map.height * (y_max - least) / (y_max - y_min))
+        return self.ticks(x_min, x_max, pixel_map.width)
 
     def _find(self, seen: Stretch) -> Ticks:
         least = (_LEAST_UPRIGHT if self._is_upright else _LEAST_ACROSS) * self._scale
@@ -146,10 +146,10 @@ class Axis:
 class Side:
     """The side of the plot area where an axis is painted: pixels along it, and away from the area."""
 
-    def __init__(self, axis: Axis, shown: PixelMap, *, is_upright: bool, is_above: bool) -> None:
-        self.axis, self._shown, self._is_upright = axis, shown, is_upright
+    def __init__(self, axis: Axis, pixel_map: PixelMap, *, is_upright: bool, is_above: bool) -> None:
+        self.axis, self._shown, self._is_upright = axis, pixel_map, is_upright
         # From where ticks go out, and in which direction.
-        self._edge = 0.0 if is_upright or is_above else shown.height
+        self._edge = 0.0 if is_upright or is_above else pixel_map.height
         self._out = -1.0 if is_upright or is_above else 1.0
 
     @property
@@ -274,32 +274,32 @@ class Axes:
         self._grid.setContentsMargins(_MARGIN + left, _MARGIN + above, _MARGIN, _MARGIN + below)
         self._grid.activate()
 
-    def sides(self, shown: PixelMap) -> tuple[Side, ...]:
+    def sides(self, pixel_map: PixelMap) -> tuple[Side, ...]:
         """Return the sides of the plot area where the axis along x and the one along y are painted."""
-        if self._sides_of[0] is not shown or self._sides_of[1] is not self.are_rulers:
-            self._sides_of = (shown, self.are_rulers)
+        if self._sides_of[0] is not pixel_map or self._sides_of[1] is not self.are_rulers:
+            self._sides_of = (pixel_map, self.are_rulers)
             self._sides = (
-                Side(self["bottom"], shown, is_upright=False, is_above=self.are_rulers),
-                Side(self["left"], shown, is_upright=True, is_above=False),
+                Side(self["bottom"], pixel_map, is_upright=False, is_above=self.are_rulers),
+                Side(self["left"], pixel_map, is_upright=True, is_above=False),
             )
         return self._sides
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Paint both, in pixels of the plot area."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         if self.are_rulers:
             left, above = self["left"].thickness + _MARGIN, self["bottom"].thickness + _MARGIN
             painter.fillRect(QRectF(-left, -above, left, above), self._theme.surface)
-        for side in self.sides(shown):
+        for side in self.sides(pixel_map):
             side.paint(painter, self._theme)
-        if offset := self["bottom"].ticks_in(shown).offset:
-            self._write_offset(painter, shown, offset)
+        if offset := self["bottom"].ticks_in(pixel_map).offset:
+            self._write_offset(painter, pixel_map, offset)
 
-    def _write_offset(self, painter: QPainter, shown: PixelMap, text: str) -> None:
+    def _write_offset(self, painter: QPainter, pixel_map: PixelMap, text: str) -> None:
         """Write what the numbers along x leave out where both axes meet; numbers there give way."""
         across, left = self["bottom"].thickness, self["left"].thickness
         metrics = painter.fontMetrics()
-        top = -across if self.are_rulers else shown.height + 1
+        top = -across if self.are_rulers else pixel_map.height + 1
         box = QRectF(-left, top, max(metrics.horizontalAdvance(text) + 6, left), across)
         painter.fillRect(box, self._theme.surface if self.are_rulers else self._theme.paper)
         painter.setPen(self._theme.muted)
@@ -393,18 +393,18 @@ class Rulers:
             return 0
         return 1 if x < 0 <= y <= shown.height else None
 
-    def paint(self, painter: QPainter, shown: PixelMap, theme: Theme) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap, theme: Theme) -> None:
         """Paint the marks, in pixels of the plot area."""
         if not self.are_shown:
             return
-        sides = self._axes.sides(shown)
+        sides = self._axes.sides(pixel_map)
         if self.extent is not None:
             self._paint_bands(painter, sides, self.extent, theme)
         if self.pointer is not None:
             if self._marks_of is not theme:
                 self._marks, self._marks_of = Sprites(partial(_paint_mark, theme), _POINTER_MARK), theme
             x, y = self.pointer
-            marks = [(0, x, 0.0)] * (0 <= x <= shown.width) + [(1, 0.0, y)] * (0 <= y <= shown.height)
+            marks = [(0, x, 0.0)] * (0 <= x <= pixel_map.width) + [(1, 0.0, y)] * (0 <= y <= pixel_map.height)
             self._marks.draw(painter, marks)
 
     def _paint_bands(self, painter: QPainter, sides: Sequence[Side], extent: Extent, theme: Theme) -> None:

@@ -245,11 +245,11 @@ class Stroke:
         self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
         self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
 
-    def show(self, points: FloatArray, shown: PixelMap) -> None:
+    def show(self, points: FloatArray, pixel_map: PixelMap) -> None:
         """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
-        if self._shown[0] is not points or self._shown[1] is not shown:
-            self._shown = (points, shown)
-            self.fill(shown.points(points), shown.width, shown.height)
+        if self._shown[0] is not points or self._shown[1] is not pixel_map:
+            self._shown = (points, pixel_map)
+            self.fill(pixel_map.points(points), pixel_map.width, pixel_map.height)
 
     def fill(self, points: FloatArray, width: float, height: float) -> None:
         """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
@@ -322,10 +322,10 @@ def thinned(points: FloatArray, tolerance: float) -> FloatArray:
     return points[kept]
 
 
-def draw_segments(painter: QPainter, segments: FloatArray, shown: PixelMap) -> None:
+def draw_segments(painter: QPainter, segments: FloatArray, pixel_map: PixelMap) -> None:
     """Draw what lies near the area of segments (m, 4) in pixels, with the painter's pen."""
     drawn = Segments()
-    drawn.fill(cut_segments(segments, shown.width, shown.height))
+    drawn.fill(cut_segments(segments, pixel_map.width, pixel_map.height))
     drawn.draw(painter)
 
 

@@ -88,18 +88,18 @@ class Layer:
             self._opacity = opacity
             self._stack.update(self)
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Paint what the layer shows."""
         if self._paint is not None:
-            self._paint(painter, shown)
+            self._paint(painter, pixel_map)
 
-    def draw(self, painter: QPainter, shown: PixelMap) -> None:
+    def draw(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Paint; the painter is as before when it is done: opaque and smooth."""
         painter.save()
         try:
             if self._opacity < 1.0:
                 painter.setOpacity(self._opacity)
-            self.paint(painter, shown)
+            self.paint(painter, pixel_map)
         except Exception as problem:
             # The layers above are painted all the same.
             report(problem)
@@ -155,14 +155,14 @@ class LayerStack:
         """Have the layers that are still painted anew as well."""
         self._ground = None
 
-    def paint_ground(self, painter: QPainter, shown: PixelMap, origin: QPointF, region: QRegion) -> None:
+    def paint_ground(self, painter: QPainter, pixel_map: PixelMap, origin: QPointF, region: QRegion) -> None:
         """Paint what is still, and what lies beside the plot area, which begins at `origin`.
 
         Only in `region` of the viewport: clipped to several rectangles, Qt takes long for the whole picture.
         """
         ratio = painter.device().devicePixelRatioF()
         if self._ground is None or self._ground.devicePixelRatio() != ratio:
-            self._ground = self._make_ground(ratio, shown, origin)
+            self._ground = self._make_ground(ratio, pixel_map, origin)
         if region.rectCount() == 1:
             # Qt clips to it already.
             painter.drawPixmap(0, 0, self._ground)
@@ -172,33 +172,33 @@ class LayerStack:
             painter.drawPixmap(0, 0, self._ground)
         painter.setClipping(False)
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Paint the layers that are not still, in pixels of the plot area."""
         self.is_due = False
-        self._paint_layers(painter, shown, still=False)
+        self._paint_layers(painter, pixel_map, still=False)
 
-    def paint_still(self, painter: QPainter, shown: PixelMap, origin: QPointF) -> None:
+    def paint_still(self, painter: QPainter, pixel_map: PixelMap, origin: QPointF) -> None:
         """Paint the axes and the layers that are still; the plot area begins at `origin`."""
         painter.save()
-        self._paint_beside(painter, shown)
+        self._paint_beside(painter, pixel_map)
         painter.restore()
         painter.setClipRect(QRectF(self._area()).translated(-origin))
-        self._paint_layers(painter, shown, still=True)
+        self._paint_layers(painter, pixel_map, still=True)
 
-    def _paint_layers(self, painter: QPainter, shown: PixelMap, *, still: bool) -> None:
+    def _paint_layers(self, painter: QPainter, pixel_map: PixelMap, *, still: bool) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for layer in self._layers:
             if layer.is_visible and layer.is_shown and layer.is_still is still:
-                layer.draw(painter, shown)
+                layer.draw(painter, pixel_map)
 
-    def _make_ground(self, ratio: float, shown: PixelMap, origin: QPointF) -> QPixmap:
+    def _make_ground(self, ratio: float, pixel_map: PixelMap, origin: QPointF) -> QPixmap:
         """Return the paper, the axes and the layers that are still: one picture for the frames of a drag."""
         ground = QPixmap((QSizeF(self._viewport.size()) * ratio).toSize())
         ground.setDevicePixelRatio(ratio)
         ground.fill(self.theme.paper)
         with QPainter(ground) as painter:
             painter.translate(origin)
-            self.paint_still(painter, shown, origin)
+            self.paint_still(painter, pixel_map, origin)
         return ground
 
 

@@ -74,14 +74,16 @@ def with_dashes(pen: QPen, dashes: Dashes) -> QPen:
     return pen
 
 
-def line_in_pixels(pixels: FloatArray, dashes: Dashes, width: float, shown: PixelMap) -> Stroke | Segments:
+def line_in_pixels(
+    pixels: FloatArray, dashes: Dashes, width: float, pixel_map: PixelMap
+) -> Stroke | Segments:
     """Return what is to be drawn of a polyline (k, 2) in pixels with a pen of some width.
 
     Dashes run on over the vertices.
     """
     if not dashes:
         stroke = Stroke()
-        stroke.fill(pixels, shown.width, shown.height)
+        stroke.fill(pixels, pixel_map.width, pixel_map.height)
         return stroke
     # A pen's square caps make every dash longer by its width, and the gap shorter.
     pattern = [
@@ -89,13 +91,13 @@ def line_in_pixels(pixels: FloatArray, dashes: Dashes, width: float, shown: Pixe
         for place, length in enumerate(dashes)
     ]
     drawn = Segments()
-    drawn.fill(dashed(visible_segments(pixels, shown.width, shown.height), pattern))
+    drawn.fill(dashed(visible_segments(pixels, pixel_map.width, pixel_map.height), pattern))
     return drawn
 
 
-def draw_line(painter: QPainter, pixels: FloatArray, dashes: Dashes, shown: PixelMap) -> None:
+def draw_line(painter: QPainter, pixels: FloatArray, dashes: Dashes, pixel_map: PixelMap) -> None:
     """Draw a polyline (k, 2) in pixels with the painter's pen."""
-    line_in_pixels(pixels, dashes, painter.pen().widthF(), shown).draw(painter)
+    line_in_pixels(pixels, dashes, painter.pen().widthF(), pixel_map).draw(painter)
 
 
 def draw_mark(painter: QPainter, mark: Mark, x: float, y: float, size: float) -> None:

@@ -44,13 +44,13 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
     shown: PixelMap
     key: tuple[object, ...]
 
-    def draw(self, painter: QPainter, shown: PixelMap, sheet: QPixmap) -> None:
+    def draw(self, painter: QPainter, pixel_map: PixelMap, sheet: QPixmap) -> None:
         """Draw a sheet, where it lies when this part of the plane is visible."""
-        if shown is self.shown or shown == self.shown:
+        if pixel_map is self.shown or pixel_map == self.shown:
             painter.drawPixmap(0, 0, sheet)
             return
-        place = self.place_in(shown)
-        if (shown.sx, shown.sy) == (self.shown.sx, self.shown.sy):
+        place = self.place_in(pixel_map)
+        if (pixel_map.sx, pixel_map.sy) == (self.shown.sx, self.shown.sy):
             # On whole pixels of the screen, where it is as sharp as it was, and quickly copied.
             ratio = sheet.devicePixelRatio()
             corner = QPointF(round(place.x() * ratio) / ratio, round(place.y() * ratio) / ratio)
@@ -58,11 +58,11 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
         else:
             painter.drawPixmap(place, sheet, QRectF(sheet.rect()))
 
-    def place_in(self, shown: PixelMap) -> QRectF:
+    def place_in(self, pixel_map: PixelMap) -> QRectF:
         """Return where the sheets lie when another part of the plane is visible."""
         old = self.shown
-        x, y = shown.point(old.x0, old.y0)
-        return QRectF(x, y, old.width * shown.sx / old.sx, old.height * shown.sy / old.sy)
+        x, y = pixel_map.point(old.x0, old.y0)
+        return QRectF(x, y, old.width * pixel_map.sx / old.sx, old.height * pixel_map.sy / old.sy)
 
 
 _SHIFTS = 4

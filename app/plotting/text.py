@@ -57,10 +57,10 @@ def size_of(painter: QPainter, text: str, across: float = 10.0, down: float = 4.
     return QSizeF(metrics.horizontalAdvance(text) + across, metrics.height() + down)
 
 
-def inside(left: float, top: float, size: QSizeF, shown: PixelMap) -> QRectF:
+def inside(left: float, top: float, size: QSizeF, pixel_map: PixelMap) -> QRectF:
     """Return a box of some size near a place, moved so far that it lies in the drawing."""
-    left = min(max(left, _EDGE), max(shown.width - size.width() - _EDGE, _EDGE))
-    top = min(max(top, _EDGE), max(shown.height - size.height() - _EDGE, _EDGE))
+    left = min(max(left, _EDGE), max(pixel_map.width - size.width() - _EDGE, _EDGE))
+    top = min(max(top, _EDGE), max(pixel_map.height - size.height() - _EDGE, _EDGE))
     return QRectF(left, top, size.width(), size.height())
 
 
@@ -78,7 +78,7 @@ def clear_of(others: Sequence[QRectF], plate: QRectF) -> QRectF:
     return plate
 
 
-def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, shown: PixelMap) -> QRectF:
+def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, pixel_map: PixelMap) -> QRectF:
     """Return a box of some size whose nearest side is `gap` pixels from a place.
 
     It lies in the first of the directions `ways` in which it does not leave the drawing.
@@ -89,9 +89,9 @@ def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, sh
         away = gap + abs(dx) * size.width() / 2 + abs(dy) * size.height() / 2
         box = QRectF(0, 0, size.width(), size.height())
         box.moveCenter(place + QPointF(dx * away, dy * away))
-        if box == inside(box.left(), box.top(), size, shown):
+        if box == inside(box.left(), box.top(), size, pixel_map):
             return box
-    return inside(place.x() + gap, place.y() + gap, size, shown)
+    return inside(place.x() + gap, place.y() + gap, size, pixel_map)
 
 
 def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, ink: QColor) -> None:
@@ -182,15 +182,15 @@ class Surroundings(msgspec.Struct, frozen=True, eq=False):
 NOTHING = Surroundings(np.empty((0, 4)))
 
 
-def segments_near(points: FloatArray, pixel: Vector, shown: PixelMap) -> FloatArray:
+def segments_near(points: FloatArray, pixel: Vector, pixel_map: PixelMap) -> FloatArray:
     """Return the segments (k, 4) in pixels of a polyline of the plane that come near a pixel."""
-    (x, y), reach = shown.plane(*pixel), (_NEAR / shown.sx, _NEAR / shown.sy)
+    (x, y), reach = pixel_map.plane(*pixel), (_NEAR / pixel_map.sx, _NEAR / pixel_map.sy)
     here = np.array([x, y])
     starts, ends = points[:-1], points[1:]
     is_near = np.all(
         (np.minimum(starts, ends) < here + reach) & (np.maximum(starts, ends) > here - reach), axis=1
     )
-    return np.hstack([shown.points(starts[is_near]), shown.points(ends[is_near])])
+    return np.hstack([pixel_map.points(starts[is_near]), pixel_map.points(ends[is_near])])
 
 
 def number_box(centre: QPointF, length: int, scale: float) -> QRectF:
@@ -201,7 +201,7 @@ def number_box(centre: QPointF, length: int, scale: float) -> QRectF:
 
 
 def free_corner(
-    place: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, shown: PixelMap
+    place: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, pixel_map: PixelMap
 ) -> QRectF:
     """Return a box of some size on the corner of `place` where it covers least of what is around.
 
@@ -214,10 +214,10 @@ def free_corner(
     covered = covered_lengths(around.segments, boxes).tolist()
     for index, box in enumerate(boxes):
         covered[index] += _COVERED_WORDS * sum(box.intersects(each) for each in around.words)
-        if box != inside(box.left(), box.top(), size, shown):
+        if box != inside(box.left(), box.top(), size, pixel_map):
             covered[index] += _CUT_OFF
     best = boxes[covered.index(min(covered))]
-    return inside(best.left(), best.top(), size, shown)
+    return inside(best.left(), best.top(), size, pixel_map)
 
 
 def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: int, down: int) -> QRectF:

@@ -30,27 +30,27 @@ class WideLine:
         self._crowd: Crowd | None = None
         self._shown: tuple[FloatArray | None, PixelMap | None, float] = (None, None, 0.0)
 
-    def show(self, points: FloatArray, shown: PixelMap, width: float) -> None:
+    def show(self, points: FloatArray, pixel_map: PixelMap, width: float) -> None:
         """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
-        if self._shown[0] is points and self._shown[1] is shown and self._shown[2] == width:
+        if self._shown[0] is points and self._shown[1] is pixel_map and self._shown[2] == width:
             return
-        self._shown = (points, shown, width)
-        self.fill(shown.points(points), shown, width)
+        self._shown = (points, pixel_map, width)
+        self.fill(pixel_map.points(points), pixel_map, width)
 
-    def fill(self, pixels: FloatArray, shown: PixelMap, width: float) -> None:
+    def fill(self, pixels: FloatArray, pixel_map: PixelMap, width: float) -> None:
         """Take a polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
         self._crowd = None
         segments = self._segments.room_for(max(len(pixels) - 1, 0))
         segments[:, :2], segments[:, 2:] = pixels[:-1], pixels[1:]
-        if len(segments) and not _are_near(pixels, shown):
-            near = cut_segments(segments, shown.width, shown.height)
+        if len(segments) and not _are_near(pixels, pixel_map):
+            near = cut_segments(segments, pixel_map.width, pixel_map.height)
             self._segments.fill(near)
             segments = self._segments.room_for(len(near))
         if not len(segments):
             return
         if is_crowd(segments):
             self._crowd = Crowd()
-            self._crowd.fill(segments, shown.width, shown.height)
+            self._crowd.fill(segments, pixel_map.width, pixel_map.height)
         else:
             self._join(segments, width)
 
@@ -95,11 +95,11 @@ class RoundLine(WideLine):
         self._discs.draw(painter)
 
 
-def _are_near(pixels: FloatArray, shown: PixelMap) -> bool:
+def _are_near(pixels: FloatArray, pixel_map: PixelMap) -> bool:
     """Whether no pixel lies further away than a square around the area reaches: Qt clips those well."""
     # Both columns at once: apart, NumPy takes three times as long, in every frame of a drag.
     low, high = np.minimum.reduce(pixels, axis=None), np.maximum.reduce(pixels, axis=None)
-    return bool(low >= -MARGIN and high <= max(shown.width, shown.height) + MARGIN)
+    return bool(low >= -MARGIN and high <= max(pixel_map.width, pixel_map.height) + MARGIN)
 
 
 def overlap(segments: FloatArray) -> tuple[_ComplexArray, FloatArray]:

@@ -68,8 +68,8 @@ class FunctionLines:
     third of the time of making one.
     """
 
-    def __init__(self, basis: BasisView, shown: PixelMap, before: FunctionLines | None = None) -> None:
-        self._basis, self._shown = basis, shown
+    def __init__(self, basis: BasisView, pixel_map: PixelMap, before: FunctionLines | None = None) -> None:
+        self._basis, self._shown = basis, pixel_map
         way = way_to_draw(basis)
         needs_all = way is not FunctionDrawing.ENVELOPE
         self._x, self._y = self._pixels(basis.t, basis.values if needs_all else np.empty(0))
@@ -114,9 +114,9 @@ class FunctionLines:
         x, y = self._pixels(t, values)
         return {int(segment): (x[place], y[place]) for place, segment in enumerate(wide)}
 
-    def are_of(self, basis: BasisView, shown: PixelMap) -> bool:
+    def are_of(self, basis: BasisView, pixel_map: PixelMap) -> bool:
         """Tell whether these are the lines of `basis` as `shown`."""
-        return self._basis.values is basis.values and self._shown is shown
+        return self._basis.values is basis.values and self._shown is pixel_map
 
     def _all_stretches(self) -> list[list[FloatArray]]:
         """Return the vertices (R, m, 2) of each function: on each side of its knot, or all at once."""
@@ -362,7 +362,7 @@ class CrestNames:
     def paint(
         self,
         painter: QPainter,
-        shown: PixelMap,
+        pixel_map: PixelMap,
         basis: BasisView,
         kinds: list[int],
         theme: Theme,
@@ -373,8 +373,8 @@ class CrestNames:
             return
         self._find_crests(basis, kinds)
         self._measure(painter, scale)
-        crests = np.column_stack([shown.x(self._places[:, 0]), shown.y(self._places[:, 1])])
-        self._choose_sides(crests, Room(shown, basis, kinds, painter.clipBoundingRect().bottom(), scale))
+        crests = np.column_stack([pixel_map.x(self._places[:, 0]), pixel_map.y(self._places[:, 1])])
+        self._choose_sides(crests, Room(pixel_map, basis, kinds, painter.clipBoundingRect().bottom(), scale))
         places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
         kept = clear[apart(places[clear], self._cell)]
         self._written = np.round(places[kept])
@@ -466,12 +466,12 @@ class Lines:
     """
 
     def __init__(
-        self, shown: PixelMap, basis: BasisView, kinds: list[int], size: tuple[float, float]
+        self, pixel_map: PixelMap, basis: BasisView, kinds: list[int], size: tuple[float, float]
     ) -> None:
         self._half = np.array(size) / 2
-        self._x = shown.x(basis.t)
+        self._x = pixel_map.x(basis.t)
         values = basis.values[:, :, kinds].reshape(len(basis.t), -1)
-        y = shown.y(np.column_stack([values, np.zeros(len(values))]))
+        y = pixel_map.y(np.column_stack([values, np.zeros(len(values))]))
         self._top, self._bottom = np.minimum(y[:-1], y[1:]), np.maximum(y[:-1], y[1:])
         if basis.first is not None:
             # Where one segment ends and the next begins a column changes from one knot to another.

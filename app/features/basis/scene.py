@@ -71,21 +71,21 @@ class FunctionLayer(Layer):
         self._basis = basis
         self.update()
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the lines 0 and 1, the functions, and the emphasised ones on top."""
-        above_rail = QRectF(0, 0, shown.width, shown.height - rail_height(self.scale))
+        above_rail = QRectF(0, 0, pixel_map.width, pixel_map.height - rail_height(self.scale))
         painter.setClipRect(above_rail, Qt.ClipOperation.IntersectClip)
-        self._paint_levels(painter, shown)
+        self._paint_levels(painter, pixel_map)
         if self._basis is None:
             return
-        if self._lines is None or not self._lines.are_of(self._basis, shown):
-            self._lines = FunctionLines(self._basis, shown, self._lines)
+        if self._lines is None or not self._lines.are_of(self._basis, pixel_map):
+            self._lines = FunctionLines(self._basis, pixel_map, self._lines)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.shown_of(self.kinds)
             painter.setFont(self._number_font())
-            self._names.paint(painter, shown, self._basis, kinds, self.theme, self.scale)
+            self._names.paint(painter, pixel_map, self._basis, kinds, self.theme, self.scale)
         else:
             self._paint_together(painter, self._basis)
 
@@ -96,12 +96,12 @@ class FunctionLayer(Layer):
         """Return how much height in pixels a number above its crest takes."""
         return room_above(self._number_font(), self.scale)
 
-    def _paint_levels(self, painter: QPainter, shown: PixelMap) -> None:
+    def _paint_levels(self, painter: QPainter, pixel_map: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         for level in (0.0, 1.0):
-            y = round(shown.point(0.0, level)[1])
-            painter.drawLine(0, y, int(shown.width), y)
+            y = round(pixel_map.point(0.0, level)[1])
+            painter.drawLine(0, y, int(pixel_map.width), y)
 
     def _paint_all(self, painter: QPainter, basis: BasisView) -> None:
         opacity = _FADED if self.emphasised else _CALM
@@ -206,21 +206,21 @@ class RailLayer(Layer):
         """The parameters near which control points act most, where they are drawn."""
         return self.places if self._count <= _NUMBERED_UP_TO else None
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        top = shown.height - rail_height(self.scale)
+        top = pixel_map.height - rail_height(self.scale)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
-        painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(shown.width, round(top) + 0.5))
-        self._paint_ticks(painter, shown, top)
+        painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(pixel_map.width, round(top) + 0.5))
+        self._paint_ticks(painter, pixel_map, top)
         if (places := self.shown_places) is not None:
-            self._paint_places(painter, shown.x(places), top)
+            self._paint_places(painter, pixel_map.x(places), top)
         if self.scrub is not None:
-            self._paint_scrub(painter, shown, self.scrub)
+            self._paint_scrub(painter, pixel_map, self.scrub)
 
-    def _paint_ticks(self, painter: QPainter, shown: PixelMap, top: float) -> None:
+    def _paint_ticks(self, painter: QPainter, pixel_map: PixelMap, top: float) -> None:
         count = self._count
-        x = shown.x(self.parameters)
-        visible = np.flatnonzero((x > -20) & (x < shown.width + 20))
+        x = pixel_map.x(self.parameters)
+        visible = np.flatnonzero((x > -20) & (x < pixel_map.width + 20))
         if len(visible) > _MARKED_ONE_BY_ONE:
             visible = self._stamp_ticks(painter, x, visible, count, top)
         colours = point_colours(count, self.theme)
@@ -295,16 +295,16 @@ class RailLayer(Layer):
         painter.setPen(self.theme.ink if chosen else self.theme.muted)
         painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), str(index))
 
-    def _paint_scrub(self, painter: QPainter, shown: PixelMap, t: float) -> None:
-        x = shown.point(t, 0.0)[0]
+    def _paint_scrub(self, painter: QPainter, pixel_map: PixelMap, t: float) -> None:
+        x = pixel_map.point(t, 0.0)[0]
         painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
-        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height - rail_height(self.scale)))
+        painter.drawLine(QPointF(x, 0), QPointF(x, pixel_map.height - rail_height(self.scale)))
         size = 6 * self.scale
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.theme.accent)
         painter.drawPolygon(QPolygonF([QPointF(x - size, 0), QPointF(x + size, 0), QPointF(x, 1.5 * size)]))
         painter.setPen(self.theme.accent)
-        left = x > shown.width - 90 * self.scale
+        left = x > pixel_map.width - 90 * self.scale
         box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")

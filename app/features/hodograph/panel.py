@@ -106,40 +106,42 @@ class HodographPlot(ToolPlot, CanvasQueries):
 
     # Painting
 
-    def paint_layer(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint_layer(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw axes through the origin, the hodograph, the derivative at the knots and at the scrub line."""
         theme = self.theme
         if self.hodograph is None:
             painter.setPen(theme.muted)
             flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
-            area = QRectF(0, 0, shown.width, shown.height)
+            area = QRectF(0, 0, pixel_map.width, pixel_map.height)
             painter.drawText(area.adjusted(15, 3, -15, -3), flags, self.note)
             return
-        self._paint_origin(painter, shown)
+        self._paint_origin(painter, pixel_map)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         pen = QPen(theme.ghost if self.waits else theme.curve, 1.8)
         painter.setPen(pen)
         stroke = Stroke()
         with np.errstate(all="ignore"):
-            stroke.fill(shown.points(self.hodograph.points / self.unit), shown.width, shown.height)
+            stroke.fill(
+                pixel_map.points(self.hodograph.points / self.unit), pixel_map.width, pixel_map.height
+            )
         stroke.draw(painter)
-        self._paint_knots(painter, shown, self.hodograph)
+        self._paint_knots(painter, pixel_map, self.hodograph)
         if self.scrub is not None:
-            self._paint_scrub(painter, shown, self.scrub[1])
+            self._paint_scrub(painter, pixel_map, self.scrub[1])
 
-    def _paint_origin(self, painter: QPainter, shown: PixelMap) -> None:
-        x, y = (round(min(max(each, -9.0), 1e5)) for each in shown.point(0.0, 0.0))
+    def _paint_origin(self, painter: QPainter, pixel_map: PixelMap) -> None:
+        x, y = (round(min(max(each, -9.0), 1e5)) for each in pixel_map.point(0.0, 0.0))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
-        painter.drawLine(0, y, int(shown.width), y)
-        painter.drawLine(x, 0, x, int(shown.height))
+        painter.drawLine(0, y, int(pixel_map.width), y)
+        painter.drawLine(x, 0, x, int(pixel_map.height))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(self.theme.muted, 1.5))
         painter.drawEllipse(QPointF(x, y), 3.5, 3.5)
         painter.setPen(self.theme.muted)
         painter.drawText(QPointF(x + 6, y + 14), "0")
 
-    def _paint_knots(self, painter: QPainter, shown: PixelMap, hodograph: Hodograph) -> None:
+    def _paint_knots(self, painter: QPainter, pixel_map: PixelMap, hodograph: Hodograph) -> None:
         if len(hodograph.knots) > 64:
             return
         colours = point_colours(self.owners, self.theme)
@@ -147,9 +149,9 @@ class HodographPlot(ToolPlot, CanvasQueries):
         font.setPointSizeF(max(font.pointSizeF() - 1.5, 7.0))
         painter.setFont(font)
         with np.errstate(all="ignore"):
-            pixels = shown.points(hodograph.knots / self.unit)
+            pixels = pixel_map.points(hodograph.knots / self.unit)
         for knot, (x, y) in enumerate(pixels.tolist()):
-            if not (-MARGIN < x < shown.width + MARGIN and -MARGIN < y < shown.height + MARGIN):
+            if not (-MARGIN < x < pixel_map.width + MARGIN and -MARGIN < y < pixel_map.height + MARGIN):
                 continue
             painter.setPen(QPen(self.theme.paper, 1))
             painter.setBrush(colours[knot % self.owners])
@@ -159,15 +161,15 @@ class HodographPlot(ToolPlot, CanvasQueries):
                 painter.drawText(QPointF(x + 6, y - 4), str(knot))
         painter.setBrush(Qt.BrushStyle.NoBrush)
 
-    def _paint_scrub(self, painter: QPainter, shown: PixelMap, value: tuple[float, float]) -> None:
+    def _paint_scrub(self, painter: QPainter, pixel_map: PixelMap, value: tuple[float, float]) -> None:
         """Draw an arrow from the origin, and a dot at its end."""
-        start = np.array(shown.point(0.0, 0.0))
-        end = np.array(shown.point(value[0] / self.unit, value[1] / self.unit))
+        start = np.array(pixel_map.point(0.0, 0.0))
+        end = np.array(pixel_map.point(value[0] / self.unit, value[1] / self.unit))
         if not np.isfinite(end).all():
             return
         painter.setPen(QPen(self.theme.accent, 1.8))
-        draw_segments(painter, np.concatenate([start, end])[None], shown)
-        if (end >= -MARGIN).all() and (end <= (shown.width + MARGIN, shown.height + MARGIN)).all():
+        draw_segments(painter, np.concatenate([start, end])[None], pixel_map)
+        if (end >= -MARGIN).all() and (end <= (pixel_map.width + MARGIN, pixel_map.height + MARGIN)).all():
             painter.setPen(QPen(self.theme.paper, 1.5))
             painter.setBrush(self.theme.accent)
             painter.drawEllipse(QPointF(*end.tolist()), 5.0, 5.0)

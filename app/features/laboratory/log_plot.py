@@ -78,36 +78,36 @@ class LogPlot(FollowsTheme, PlotWidget):
         self.getAxis("left").set_ticks(_decades(low, high))
         self.getAxis("bottom").set_ticks(_decades(math.ceil(left), math.floor(right)))
 
-    def _paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def _paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         theme = self.layers.theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(QPen(QColor(theme.grid_fine), 1.0))
-        _, low, _, high = shown.box
+        _, low, _, high = pixel_map.box
         for exponent in range(math.ceil(low), math.floor(high) + 1):
-            y = shown.point(0.0, exponent)[1]
-            painter.drawLine(QPointF(0, y), QPointF(shown.width, y))
+            y = pixel_map.point(0.0, exponent)[1]
+            painter.drawLine(QPointF(0, y), QPointF(pixel_map.width, y))
         for place, (points, line) in enumerate(self._lines):
             painter.setPen(QPen(colour_of(line.style, theme), 1.5))
-            draw_line(painter, shown.points(points), line.style.dashes, shown)
-            self._paint_label(painter, shown, points, line, below=place > 0)
+            draw_line(painter, pixel_map.points(points), line.style.dashes, pixel_map)
+            self._paint_label(painter, pixel_map, points, line, below=place > 0)
         if self._marker is not None:
-            self._paint_marker(painter, shown, self._marker)
+            self._paint_marker(painter, pixel_map, self._marker)
 
     def _paint_label(
-        self, painter: QPainter, shown: PixelMap, points: FloatArray, line: LogLine, *, below: bool
+        self, painter: QPainter, pixel_map: PixelMap, points: FloatArray, line: LogLine, *, below: bool
     ) -> None:
         """Write a line's name above it to the left, or below it to the right, near its end."""
-        x, y = shown.points(points[-len(points) // (2 if below else 5) :])[0].tolist()
+        x, y = pixel_map.points(points[-len(points) // (2 if below else 5) :])[0].tolist()
         painter.setPen(colour_of(line.style, self.layers.theme))
         box = QRectF(x + 6, y + 2, 200, 18) if below else QRectF(x - 206, y - 24, 200, 18)
         side = Qt.AlignmentFlag.AlignLeft if below else Qt.AlignmentFlag.AlignRight
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignBottom), line.label)
 
-    def _paint_marker(self, painter: QPainter, shown: PixelMap, marker: float) -> None:
-        x = shown.point(math.log10(marker), 0.0)[0]
+    def _paint_marker(self, painter: QPainter, pixel_map: PixelMap, marker: float) -> None:
+        x = pixel_map.point(math.log10(marker), 0.0)[0]
         painter.setPen(QPen(self.layers.theme.accent, 1.0))
-        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
-        side = Qt.AlignmentFlag.AlignLeft if x < shown.width - 80 else Qt.AlignmentFlag.AlignRight
+        painter.drawLine(QPointF(x, 0), QPointF(x, pixel_map.height))
+        side = Qt.AlignmentFlag.AlignLeft if x < pixel_map.width - 80 else Qt.AlignmentFlag.AlignRight
         left = x + 4 if side == Qt.AlignmentFlag.AlignLeft else x - 84
         painter.drawText(QRectF(left, 2, 80, 18), int(side), f"n = {marker:g}")
 

@@ -66,32 +66,32 @@ class PlotLayer(Layer):
         self._strokes: list[list[Stroke | Segments]] = []
         self._strokes_of: tuple[object, object, float] = ((), None, 0.0)
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw every plot: levels and joints, lines, title."""
         painter.setFont(self.fonts.less(1.0, self.scale))
         if self.note:
             painter.setPen(self.theme.muted)
-            area = QRectF(0, 0, shown.width, shown.height)
+            area = QRectF(0, 0, pixel_map.width, pixel_map.height)
             painter.drawText(area, int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap), self.note)
             return
-        self._prepare(shown)
-        self._paint_joints(painter, shown)
-        for placed, strokes in zip(self.placed(shown.height), self._strokes, strict=True):
-            self._paint_ground(painter, placed, shown.width)
+        self._prepare(pixel_map)
+        self._paint_joints(painter, pixel_map)
+        for placed, strokes in zip(self.placed(pixel_map.height), self._strokes, strict=True):
+            self._paint_ground(painter, placed, pixel_map.width)
             painter.save()
-            painter.setClipRect(QRectF(0, placed.head - 1, shown.width, placed.height + 2))
-            self._paint_levels(painter, placed, shown.width)
+            painter.setClipRect(QRectF(0, placed.head - 1, pixel_map.width, placed.height + 2))
+            self._paint_levels(painter, placed, pixel_map.width)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
             for line, stroke in zip(placed.plot.lines, strokes, strict=True):
                 pen = self._pen(line)
-                if len(line.t) > _MOST_A_COLUMN * shown.width:
+                if len(line.t) > _MOST_A_COLUMN * pixel_map.width:
                     # Side by side, wider ones would make a bar.
                     pen.setWidthF(self.scale)
                 painter.setPen(pen)
                 stroke.draw(painter)
-                self._paint_jumps(painter, line, placed, shown)
+                self._paint_jumps(painter, line, placed, pixel_map)
             painter.restore()
-            self._paint_title(painter, placed, shown.width)
+            self._paint_title(painter, placed, pixel_map.width)
 
     def placed(self, height: float) -> list[PlacedPlot]:
         """Divide a height among the plots."""
@@ -105,28 +105,30 @@ class PlotLayer(Layer):
 
     # Lines
 
-    def _prepare(self, shown: PixelMap) -> None:
+    def _prepare(self, pixel_map: PixelMap) -> None:
         """Turn the values into pixels, unless they are already."""
         plots, where, scale = self._strokes_of
-        if plots is self.plots and where is shown and scale == self.scale:
+        if plots is self.plots and where is pixel_map and scale == self.scale:
             return
-        self._strokes_of = (self.plots, shown, self.scale)
+        self._strokes_of = (self.plots, pixel_map, self.scale)
         self._strokes = [
-            [_stroke(line, placed, shown, _WIDTH * self.scale) for line in placed.plot.lines]
-            for placed in self.placed(shown.height)
+            [_stroke(line, placed, pixel_map, _WIDTH * self.scale) for line in placed.plot.lines]
+            for placed in self.placed(pixel_map.height)
         ]
 
     def _pen(self, line: PlotLine) -> QPen:
         return QPen(colour_of(line.style, self.theme, 0.4 if self.waits else 1.0), _WIDTH * self.scale)
 
-    def _paint_jumps(self, painter: QPainter, line: PlotLine, placed: PlacedPlot, shown: PixelMap) -> None:
+    def _paint_jumps(
+        self, painter: QPainter, line: PlotLine, placed: PlacedPlot, pixel_map: PixelMap
+    ) -> None:
         """Mark both ends of every jump."""
         gaps = np.flatnonzero(np.isnan(line.values[1:-1])) + 1
         if not 0 < len(gaps) <= _MOST_JUMPS:
             return
         ends = np.concatenate([gaps - 1, gaps + 1])
-        x, y = shown.x(line.t[ends]), placed.y(line.values[ends])
-        near = (x > -9) & (x < shown.width + 9) & (y > placed.top - 9) & (y < placed.foot + 9)
+        x, y = pixel_map.x(line.t[ends]), placed.y(line.values[ends])
+        near = (x > -9) & (x < pixel_map.width + 9) & (y > placed.top - 9) & (y < placed.foot + 9)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour_of(line.style, self.theme))
         for place in np.column_stack([x, y])[near].tolist():
@@ -144,15 +146,15 @@ class PlotLayer(Layer):
         if placed.top:
             painter.drawLine(0, round(placed.top), int(width), round(placed.top))
 
-    def _paint_joints(self, painter: QPainter, shown: PixelMap) -> None:
-        x = shown.x(self.knots)
-        x = x[(x >= -1) & (x <= shown.width + 1)]
+    def _paint_joints(self, painter: QPainter, pixel_map: PixelMap) -> None:
+        x = pixel_map.x(self.knots)
+        x = x[(x >= -1) & (x <= pixel_map.width + 1)]
         if len(x) > 1 and float(np.median(np.diff(x))) < _LEAST_SPACING:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_fine, 1))
         for place in np.rint(x).astype(int).tolist():
-            painter.drawLine(place, 0, place, int(shown.height))
+            painter.drawLine(place, 0, place, int(pixel_map.height))
 
     def _paint_levels(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
         painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
@@ -192,19 +194,19 @@ class PlotLayer(Layer):
         return left
 
 
-def _stroke(line: PlotLine, placed: PlacedPlot, shown: PixelMap, width: float) -> Stroke | Segments:
+def _stroke(line: PlotLine, placed: PlacedPlot, pixel_map: PixelMap, width: float) -> Stroke | Segments:
     with np.errstate(over="ignore"):
-        x = np.clip(shown.x(line.t), -_FAR, _FAR)
+        x = np.clip(pixel_map.x(line.t), -_FAR, _FAR)
     y = placed.y(line.values)
-    if len(x) > _MOST_A_COLUMN * shown.width:
-        return _by_columns(x, y, shown)
-    return line_in_pixels(np.column_stack([x, y]), line.style.dashes, width, shown)
+    if len(x) > _MOST_A_COLUMN * pixel_map.width:
+        return _by_columns(x, y, pixel_map)
+    return line_in_pixels(np.column_stack([x, y]), line.style.dashes, width, pixel_map)
 
 
-def _by_columns(x: FloatArray, y: FloatArray, shown: PixelMap) -> Segments:
+def _by_columns(x: FloatArray, y: FloatArray, pixel_map: PixelMap) -> Segments:
     """Draw one upright line for each column of pixels: where there are more samples, no more is seen."""
     column = np.floor(x)
-    seen = (column >= 0) & (column <= shown.width) & ~np.isnan(y)
+    seen = (column >= 0) & (column <= pixel_map.width) & ~np.isnan(y)
     column, y = column[seen], y[seen]
     upright = Segments()
     if len(column):
@@ -215,7 +217,7 @@ def _by_columns(x: FloatArray, y: FloatArray, shown: PixelMap) -> Segments:
         middle = column[first] + 0.5
         # A line without length would not be drawn.
         ends = np.column_stack([middle, low - 0.5, middle, high + 0.5])
-        upright.fill(cut_segments(ends, shown.width, shown.height))
+        upright.fill(cut_segments(ends, pixel_map.width, pixel_map.height))
     return upright
 
 
@@ -229,17 +231,17 @@ class ScrubLayer(Layer):
         self.scrub: float | None = None
         self._plots = plots
 
-    def paint(self, painter: QPainter, shown: PixelMap) -> None:
+    def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the line through all plots, and the dots."""
         if self.scrub is None:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        x = shown.point(self.scrub, 0.0)[0]
-        painter.drawLine(QPointF(x, 0), QPointF(x, shown.height))
+        x = pixel_map.point(self.scrub, 0.0)[0]
+        painter.drawLine(QPointF(x, 0), QPointF(x, pixel_map.height))
         if self._plots.note:
             return
         painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
-        for placed in self._plots.placed(shown.height):
+        for placed in self._plots.placed(pixel_map.height):
             for line in placed.plot.lines:
                 share = placed.scale.share(line.value_at(self.scrub))
                 if 0 <= share <= 1:
