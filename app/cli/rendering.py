@@ -10,8 +10,7 @@ from msgspec.structs import replace
 
 from .. import exchange
 from ..document.words import enumerated
-from ..exchange.drawing.animation import FILMS, first_round, write_film
-from ..exchange.drawing.film import Film
+from ..exchange.drawing.film import FILMS, Film, first_round, write_film
 from ..exchange.files import export
 from ..exchange.formats import FORMATS, endings_of
 from ..view_model.motion_settings import Pace, Repeat

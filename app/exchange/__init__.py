@@ -1,19 +1,17 @@
-"""Files in and out.
+"""Import and export.
 
-- ``formats``: one record for each format, found by listing; what writes text beside them.
-- ``files``: the content of a file decides which, or its name.  ``options``, ``choice``: what a person chose.
-- ``drawing``: a document as a picture: SVG's source, PNG, PDF, films.
-- ``parts``: the curves of a document and their pieces, the source of everything else that is written.
-- ``code_runtime``: what exported Python brings along.
-- ``svg``: SVG out and in.  ``dxf_library``: ezdxf, for DXF.
-  ``arcs``, ``cubics_in``: their pieces as Hermite curves.  ``node_types``: of what kinds their points are.
-- ``table``: tables in, of text and of other kinds, and blocks of numbers on the clipboard.
-- ``child``: a process with limits for the files of others.  ``reading``: what is done there.
-- ``units``: units of length as files write them.
-  ``rescaled``: documents in another unit, or elsewhere.
-- ``naming``: names made different from each other.
-- ``errors``: what is raised, and what does not come in, by kind and count.
-- ``facts``: what ``curvebench info`` prints.
+- ``formats``: a record for each format, found by listing, with its reader and its writer.
+- ``files``: `import_file` and `export`; the content of a file or its name decides on the format.
+  ``options``, ``choice``: options of exports, and what a person chose of them.
+- ``parts``: the curves of a document and their pieces, the source of every writer of data.
+  ``code_runtime``: functions that exported Python consists of.
+- ``drawing``: a document as a picture: the source of SVG, PNG, PDF and films.
+- ``cubics_in``: paths of other programs as Hermite curves.  ``svg``: SVG.  ``dxf_library``: ezdxf, for DXF.
+- ``table``: tables read as curves, and blocks of numbers on the clipboard.
+- ``child``: a process with limits for drawings of others.  ``reading``: the work that is done in it.
+- ``units``: units of length, and documents in another unit.  ``naming``: different names.
+- ``errors``: the error of this package, and the record of content that is not imported as it is.
+- ``facts``: numbers about curves, for ``curvebench info``.
 """
 
 import lazy_loader as lazy

@@ -9,7 +9,6 @@ from . import files as files
 from . import options as options
 from . import parts as parts
 from . import reading as reading
-from . import rescaled as rescaled
 from . import svg as svg
 from . import units as units
 from .drawing.image import png_file as png_file

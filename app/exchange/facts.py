@@ -24,7 +24,7 @@ from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.curve.rounded_parameters import ParameterRounding
 from ..view_model.stroke_box import around_dot
 from .drawing.drawing import refuse_wild, too_much
-from .drawing.frames import frame_around
+from .drawing.outlines import frame_around
 from .errors import ExchangeError
 
 LENGTH_TOLERANCE = 1e-9

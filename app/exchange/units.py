@@ -1,10 +1,18 @@
-"""Units of length as files write them."""
+"""Units of length as files write them, and documents in another unit or moved as a whole."""
 
 from __future__ import annotations
 
-from typing import Final
+from functools import cache, partial
+from typing import Final, TypeVar
 
-from ..document.lengths import known_unit
+from msgspec.structs import replace
+
+from ..document.fields import Field, Value, fields_of
+from ..document.lengths import MILLIMETRES, known_unit
+from ..document.limits import EditError
+from ..document.model import Document, Guide, Vector
+from ..document.several_curves import stepped, whole_curves
+from ..document.words import decimal_sum
 
 POINTS_PER_MILLIMETRE: Final = 72 / 25.4
 
@@ -31,3 +39,66 @@ def unit_of_dxf(code: int) -> str:
 def size_in_words(width: float, height: float, unit: str) -> str:
     """Return a size with three digits, and its unit."""
     return f"{width:.4g} × {height:.4g} {unit}"
+
+
+# Documents in another unit
+
+
+_Value = TypeVar("_Value", bound=Value)
+
+
+def factor_between(unit: str, other: str) -> float:
+    """Return how many of the other unit one of the first is; 1 where either is no length."""
+    here, there = known_unit(unit), known_unit(other)
+    return MILLIMETRES[here] / MILLIMETRES[there] if here and there and here != there else 1.0
+
+
+def in_unit(document: Document, unit: str) -> Document:
+    """Return the document in a unit; as it is where either is no length."""
+    factor = factor_between(document.unit, unit)
+    if factor == 1.0:
+        return document
+    return replace(enlarged(document, factor), unit=unit)
+
+
+def enlarged(value: _Value, factor: float) -> _Value:
+    """Return a document, or a part of one, so many times as large: all that its fields call lengths."""
+    changed: dict[str, object] = {}
+    for field in _sized_fields(type(value)):
+        content = getattr(value, field.name)
+        if content is not None:
+            one = partial(_times if field.is_length else enlarged, factor=factor)
+            changed[field.name] = tuple(map(one, content)) if field.is_many else one(content)
+    return replace(value, **changed) if changed else value
+
+
+def _times(value: float, factor: float) -> float:
+    return value * factor
+
+
+@cache
+def _sized_fields(kind: type[Value]) -> tuple[Field, ...]:
+    """Return the fields that hold lengths, or values that may."""
+    return tuple(each for each in fields_of(kind) if each.is_length or each.holds_values)
+
+
+def shifted(document: Document, by: Vector) -> Document:
+    """Return a document with its curves and guides elsewhere, by decimals, whether locked or not.
+
+    Where no document may hold it, it stays where it is.
+    """
+    # A lock is against what a person does.
+    free = replace(document, curves=tuple(replace(curve, locked=False) for curve in document.curves))
+    try:
+        moved = stepped(free, whole_curves(free, range(len(free.curves))), by)
+    except EditError:
+        return document
+    curves = tuple(
+        replace(new, locked=old.locked) for new, old in zip(moved.curves, document.curves, strict=True)
+    )
+    guides = tuple(_moved(guide, by) for guide in document.guides)
+    return replace(document, curves=curves, guides=guides)
+
+
+def _moved(guide: Guide, by: Vector) -> Guide:
+    return replace(guide, position=decimal_sum(guide.position, by[guide.axis.coordinate]))

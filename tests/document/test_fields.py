@@ -12,7 +12,7 @@ from app.document.fields import Value, fields_of
 from app.document.model import Axis, Document, Guide, Point, ReferenceImage, make_curve
 from app.document.plain_numbers import plain
 from app.document.style import Style
-from app.exchange.rescaled import enlarged
+from app.exchange.units import enlarged
 from app.families import HERMITE
 from app.storage.format_error import FormatError
 from app.storage.validation import validate, validate_changes

@@ -13,8 +13,7 @@ from app.document import rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Document, make_curve
 from app.exchange import drawing
-from app.exchange.drawing.animation import FILMS, write_film
-from app.exchange.drawing.film import Film
+from app.exchange.drawing.film import FILMS, Film, write_film
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE

@@ -12,8 +12,7 @@ from PIL import Image
 from scipy.spatial import cKDTree
 
 from app.document.model import Document, ParametrizationKind
-from app.exchange.drawing.animation import write_film
-from app.exchange.drawing.film import Film
+from app.exchange.drawing.film import Film, write_film
 from app.exchange.facts import facts_of
 from app.exchange.files import ImportOptions, export, import_file
 from app.exchange.formats import FORMATS, endings_of

@@ -10,7 +10,7 @@ from PySide6.QtGui import QImage, QPainter
 from app.document.model import Document, make_curve
 from app.document.style import LineCap, LineJoin, Style
 from app.exchange.drawing.drawing import drawing_of
-from app.exchange.drawing.frames import Frame
+from app.exchange.drawing.outlines import Frame
 from app.exchange.drawing.painting import Painting
 from app.exchange.drawing.styles import INK
 from app.families import HERMITE

@@ -15,9 +15,9 @@ from app.document.model import (
     Point,
     make_curve,
 )
+from app.exchange.cubics_in import guessed
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
-from app.exchange.node_types import guessed
 from app.exchange.options import Options
 from app.exchange.svg.writer import number, svg_of
 from app.families import HERMITE

@@ -11,7 +11,7 @@ import pytest
 
 from app.document.constraints import is_line
 from app.document.model import Document, Point, make_curve
-from app.exchange.arcs import arc
+from app.exchange.cubics_in import arc
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options

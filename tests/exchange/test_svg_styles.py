@@ -9,10 +9,10 @@ from msgspec.structs import replace
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, LineCap, LineJoin, Style
 from app.exchange.options import Options
-from app.exchange.rescaled import in_unit
 from app.exchange.svg.coordinates import fitted_box
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
+from app.exchange.units import in_unit
 from app.storage.validation import validate
 from tests.rows import each_row
 

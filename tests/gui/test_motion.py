@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 from app.document import rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import ParametrizationKind
-from app.exchange.drawing.animation import write_film
+from app.exchange.drawing.film import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.bar import MotionBar
 from app.features.motion.player import Player

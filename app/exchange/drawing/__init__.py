@@ -1,12 +1,10 @@
-"""Documents as pictures.
+"""Documents as pictures and films.
 
-- ``drawing``: a document as cubic Bézier curves in a frame, the source of every picture.
-  ``outlines``: one curve as such.  ``frames``: what a picture shows.
-- ``annotations``: a grid, handles and basis functions to go with it.  ``styles``: its colours.
-- ``image``: it as PNG and PDF.  ``painting``: how it is painted.
-  Both need Qt.
-- ``film``: a motion as a film.  ``animation``: it as GIF, APNG and MP4.  ``motion_frames``: its frames; needs
-  Qt.  ``pillow``: what writes some of them.
+- ``outlines``: curves as cubic Bézier pieces, and the frame around them.
+- ``drawing``: the outlines of a document in a frame, the source of every picture.
+- ``annotations``: a grid, handles and basis functions beside the curves.  ``styles``: colours.
+- ``image``: PNG and PDF.  ``painting``: drawings painted with Qt.  Both need Qt.
+- ``film``: films of a motion.  ``motion_frames``: their frames; needs Qt.  ``pillow``: writes GIF and APNG.
 """
 
 import lazy_loader as lazy

@@ -18,7 +18,7 @@ from ...view_model.palette import point_palette
 from ..errors import ExchangeError
 from ..options import Options
 from .drawing import Annotation, Drawing
-from .frames import MARGIN, Frame, frame_with
+from .outlines import MARGIN, Frame, frame_with
 
 PANEL = 0.4
 """Height of the basis functions' panel against the picture's longer side."""

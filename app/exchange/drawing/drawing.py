@@ -1,4 +1,4 @@
-"""A document as cubic Bézier curves in a frame: what every picture of it is made from."""
+"""Drawings: the visible curves of a document as outlines in a frame, the source of every picture."""
 
 from __future__ import annotations
 
@@ -20,10 +20,9 @@ from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.stroke_box import around_dot
+from ..cubics_in import letters_of
 from ..errors import ExchangeError
-from ..node_types import letters_of
-from .frames import LARGEST, Frame, frame_around, frame_with
-from .outlines import Outline, by_shape, painted_extent
+from .outlines import LARGEST, Frame, Outline, by_shape, frame_around, frame_with, painted_extent
 
 POINT_RADIUS = 0.006
 """Of the discs at the points, against the larger side of the drawing."""
@@ -33,7 +32,7 @@ MOST_POINTS = 10_000
 
 _SAMPLES = 513
 
-_SLIMMEST = 0.02
+_SLIMMEST_TRIMMED = 0.02
 """Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""
 
 
@@ -288,7 +287,7 @@ def trimmed(drawing: Drawing) -> Drawing:
     """Return a drawing whose frame is the box around its curves with their strokes."""
     low, high = _painted(drawing)
     middle, size = low + (high - low) / 2, high - low
-    width, height = np.maximum(size, _SLIMMEST * size.max()).tolist()
+    width, height = np.maximum(size, _SLIMMEST_TRIMMED * size.max()).tolist()
     x, y = middle.tolist()
     return replace(drawing, frame=Frame(x - width / 2, y - height / 2, width, height))
 

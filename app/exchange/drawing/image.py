@@ -24,7 +24,7 @@ from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import POINTS_PER_MILLIMETRE, size_in_words
 from .drawing import Drawing
-from .frames import Frame
+from .outlines import Frame
 from .painting import Painting
 from .styles import PictureStyle
 

@@ -27,7 +27,7 @@ from ...view_model.motion_settings import Repeat
 from ...view_model.palette import ACCENT, PAPER, colour_on
 from .drawing import Drawing, drawing_of
 from .film import Film
-from .frames import Frame
+from .outlines import Frame
 from .painting import Painting
 
 _NOMINAL = 640.0

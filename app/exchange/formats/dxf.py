@@ -25,8 +25,16 @@ from ...document.style import Style
 from ...tasks.progress import Report, part, told
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.curve_view import ParametricCurve
-from ..arcs import error_of_arc, pieces_of_arc
-from ..cubics_in import Imported, ImportedPath, Look, PointsAlone, imported, lines
+from ..cubics_in import (
+    Imported,
+    ImportedPath,
+    Look,
+    PointsAlone,
+    error_of_arc,
+    imported,
+    lines,
+    pieces_of_arc,
+)
 from ..errors import LEFT_OUT, ExchangeError, Flaw, Missed
 from ..naming import Names
 from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options

@@ -18,8 +18,7 @@ from ...tasks.progress import part, told
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import Drawing, drawing_of
-from ..drawing.frames import Frame
-from ..drawing.outlines import Outline
+from ..drawing.outlines import Frame, Outline
 from ..errors import ExchangeError
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
 from ..parts import (

@@ -21,7 +21,7 @@ from curvecore.arrays import FloatArray
 from ...document.lengths import MILLIMETRES
 from ...document.limits import MAX_MAGNITUDE
 from ...document.model import Axis, Guide
-from ..drawing.frames import Frame
+from ..drawing.outlines import Frame
 from ..errors import ExchangeError
 
 NUMBER = r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"

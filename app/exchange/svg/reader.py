@@ -20,11 +20,10 @@ from ...document.groups import tidy_shapes
 from ...document.style import Style
 from ...document.words import enumerated
 from ...view_model.stroke_box import extent_of, half_width
-from ..cubics_in import Imported, ImportedPath, Look, imported
+from ..cubics_in import Imported, ImportedPath, Look, imported, parted
 from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Flaw, Missed
-from ..node_types import parted
-from ..rescaled import shifted
+from ..units import shifted
 from .cascade import Cascade
 from .context import Drawn, Group, Window, clip_box, is_seen, settled, with_line
 from .coordinates import (

@@ -21,8 +21,7 @@ from svgelements import SVGLexicalParser
 
 from curvecore.arrays import FloatArray
 
-from ..arcs import arc, arc_between
-from ..cubics_in import has_length, lines, put_end, rounding_of, without_roundings
+from ..cubics_in import arc, arc_between, has_length, lines, put_end, rounding_of, without_roundings
 from ..errors import ExchangeError
 from .coordinates import Viewport, length
 from .xml_tree import tag_of

@@ -20,16 +20,15 @@ from ...document.model import Document
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...tasks.progress import Report, part, silent, told
 from .. import drawing
+from ..cubics_in import guessed, joined
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed
-from ..drawing.frames import Frame
-from ..drawing.outlines import Outline
+from ..drawing.outlines import Frame, Outline
 from ..drawing.styles import PictureStyle
 from ..formats import Written
 from ..naming import Names
-from ..node_types import guessed, joined
 from ..options import DEFAULT, Options
 from ..parts import stated
-from ..rescaled import in_unit, shifted
+from ..units import in_unit, shifted
 from .own_files import MARK, NO_CURVES
 from .xml_tree import INKSCAPE_SPACE, SODIPODI_SPACE
 

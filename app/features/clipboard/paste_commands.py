@@ -213,5 +213,5 @@ def _known(found: Decoded, _report: Report) -> Imported:
 
 def _filled(target: Target, found: Imported, told: Callable[[float], object] | None = None) -> Arrival:
     """Return the target with what was read, in the unit of the document."""
-    sized = exchange.rescaled.in_unit(found.document, target.document.unit)
+    sized = exchange.units.in_unit(found.document, target.document.unit)
     return target.filled(sized.curves, told)

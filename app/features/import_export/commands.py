@@ -196,7 +196,7 @@ class ImportCommands:
                     return
                 if not begins and session.committed is not target:
                     arrival = intake.intake(session.committed, new)
-                factor = exchange.rescaled.factor_between(new.unit, arrival.document.unit)
+                factor = exchange.units.factor_between(new.unit, arrival.document.unit)
                 style = session.model.style
                 if self._put(path, arrival, begins=begins, anew=anew):
                     said = "Opened" if anew and path == self._opened else "Imported"

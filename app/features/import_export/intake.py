@@ -57,4 +57,4 @@ def _sized_for(document: Document, new: Document) -> Document:
     """Return what comes to a document, in its unit; one without curves takes what comes."""
     if is_blank(document):
         return new
-    return exchange.rescaled.in_unit(new, document.unit)
+    return exchange.units.in_unit(new, document.unit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from ...exchange.drawing.animation import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
+from ...exchange.drawing.film import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES
 from ...qt.labels import Label
 from ...widgets.boxes import form_of, row_of
 from ...widgets.controls import check_box, choice_box, push_button

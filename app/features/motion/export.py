@@ -7,8 +7,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from ...appearance.theme import theme_of
-from ...exchange.drawing.animation import FilmFormat, write_film
-from ...exchange.drawing.film import Film
+from ...exchange.drawing.film import Film, FilmFormat, write_film
 from ...exchange.drawing.styles import DARK, LIGHT
 from ...tasks.progress import Report
 from ...view_model.motion import round_of
