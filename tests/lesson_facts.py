@@ -14,12 +14,7 @@ from app.families import FAMILIES, ChosenSettings
 from app.features.lessons.lesson import Lesson, lesson_names
 from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
-from app.view_model.analysis.laboratory_settings import (
-    USUAL_SHIFT,
-    Calculation,
-    LaboratorySettings,
-    RoundedPart,
-)
+from app.view_model.analysis.settings import USUAL_SHIFT, Calculation, LaboratorySettings, RoundedPart
 from app.view_model.curve.curve_view import view_of
 from app.window.connect import all_actions
 from curvecore import chord_length, evaluate_rounded, exact_values, operation_counts, round_significant

@@ -21,14 +21,14 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.text import inside, size_of, write_on_plate
 from ..view_model import analysis
-from ..view_model.analysis.figures import Figure, Shape
+from ..view_model.analysis.overlay import Figure, Shape
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE, LineStyle, Mark
 from .other_curves_layer import FileLayer
 from .shape_painting import TOLERANCE
 
 if TYPE_CHECKING:
-    from ..view_model.analysis.ghosts import GhostView
+    from ..view_model.analysis.ghost_views import GhostView
     from ..view_model.analysis.legend import LegendRow
     from .legend import Legend, Room
 

@@ -17,10 +17,8 @@ from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind, Snapping
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.ghost import Ghost
-from ..view_model.analysis.overlay import Overlay
-from ..view_model.analysis.overlay_settings import OverlaySetting
-from ..view_model.analysis.plot import Plot
-from ..view_model.analysis.plot_lines import PlotData
+from ..view_model.analysis.overlay import Overlay, OverlaySetting
+from ..view_model.analysis.plot import Plot, PlotData
 from ..view_model.analysis.settings import AnalysisSettings
 from ..view_model.motion_settings import MotionSettings
 
@@ -243,7 +241,7 @@ class Analysis(QObject):
         """Take other values for some of the settings."""
         self._store.change(analysis=replace(self.settings, **fields))
 
-    def set_value(self, setting: OverlaySetting, value: float) -> None:
+    def set_value(self, setting: OverlaySetting[float], value: float) -> None:
         """Take another value for a setting of overlays."""
         self._store.change(analysis=self.settings.with_value(setting, value))
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractSlider, QSlider, QWidget
 
 from ..qt.labels import Label
 from ..qt.overrides import SafeOverrides
-from ..view_model.analysis.overlay_settings import Count, Factor
+from ..view_model.analysis.overlay import Count, Factor
 from .boxes import row_of
 from .controls import named
 
@@ -158,9 +158,13 @@ class SettingSlider(QWidget):
 def slider_of(setting: Factor | Count) -> SettingSlider:
     """Return the slider of a setting."""
     if isinstance(setting, Count):
-        steps = (setting.least, setting.most)
         return SettingSlider(
-            setting.name, setting.label, steps, lambda step: step, round, lambda value: f"{value:.0f}"
+            setting.name,
+            setting.label,
+            setting.limits,
+            lambda step: step,
+            round,
+            lambda value: f"{value:.0f}",
         )
     return SettingSlider(
         setting.name,

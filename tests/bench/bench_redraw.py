@@ -29,7 +29,7 @@ from app.document.style import Style
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
 from app.session import Session
 from app.testing import Editor
-from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
+from app.view_model.analysis.overlay import PARAMETER_ERROR, POINT_ERROR
 
 SIZE = (1200, 600)
 

@@ -18,7 +18,7 @@ from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES
-from app.view_model.analysis.teaching import Topic, warnings_of
+from app.view_model.analysis.warnings import Topic, warnings_of
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.rounded_parameters import curvature_error
 from curvecore import curvature

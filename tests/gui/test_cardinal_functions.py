@@ -15,7 +15,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.features.basis.function_lines import FunctionLines, crests_of
 from app.settings.preferences import Preferences
 from app.testing import Editor
-from app.view_model.analysis.teaching import warnings_of
+from app.view_model.analysis.warnings import warnings_of
 
 UNEVEN = [(0.0, 0.0), (0.5, 0.1), (1.0, 0.0), (5.0, 2.2), (5.4, 2.2), (5.8, 2.0), (6.2, 2.1)]
 

@@ -28,7 +28,7 @@ from app.document.model import Document, Parametrization, ParametrizationKind, m
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.laboratory.commands import LaboratoryCommands
 from app.tasks.debounced_task import SETTLE_MS
-from app.view_model.analysis.laboratory_settings import Calculation
+from app.view_model.analysis.settings import Calculation
 from tests.gui.editor_facts import retype
 from tests.waiting import until
 

@@ -28,11 +28,10 @@ from app.session import Session
 from app.storage.files import load
 from app.storage.resources import resource
 from app.testing import Editor
-from app.view_model.analysis.errors import POINT_ERROR
 from app.view_model.analysis.goals import result_of
-from app.view_model.analysis.laboratory_settings import LaboratorySettings
+from app.view_model.analysis.overlay import POINT_ERROR
 from app.view_model.analysis.overlays.ensemble import COUNT
-from app.view_model.analysis.settings import AnalysisSettings
+from app.view_model.analysis.settings import AnalysisSettings, LaboratorySettings
 from app.view_model.curve.curve_view import view_of
 from app.window import MainWindow
 from app.window.connect import all_actions

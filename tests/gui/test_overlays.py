@@ -14,15 +14,14 @@ from app.document.point_edits import set_position
 from app.families import HERMITE
 from app.features.overlays.commands import OverlayCommands
 from app.tasks.debounced_task import SETTLE_MS
-from app.view_model.analysis.errors import POINT_ERROR
-from app.view_model.analysis.overlay import OVERLAYS
+from app.view_model.analysis.overlay import OVERLAYS, POINT_ERROR
 from app.view_model.analysis.overlays import (
     band,
     bezier,
     circle,
     comb,
     ensemble,
-    marks,
+    extrema,
     polygon,
     ticks,
     vectors,
@@ -125,7 +124,7 @@ def test_what_is_switched_on_during_a_drag_follows_it(editor):
 
 
 HEAVY = {
-    "overlayMarks": marks.INFLECTION,
+    "overlayMarks": extrema.INFLECTION,
     "overlayEnsemble": ensemble.LINES,
     "overlayBezier": bezier.SIDES,
 }

@@ -12,9 +12,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton, QWidget
 
 from app.features.plots.pane import PlotPane
-from app.view_model.analysis.figures import Figure, Shape
-from app.view_model.analysis.overlay import OVERLAYS, Group, Overlay
-from app.view_model.analysis.overlay_settings import Count, Factor
+from app.view_model.analysis.overlay import OVERLAYS, Count, Factor, Figure, Figures, Group, Overlay, Shape
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.line_styles import LineStyle, Sign
 from tests.gui.editor_facts import until_settled
@@ -25,27 +23,28 @@ PLATE = LineStyle(RED.name(), sign=Sign.AREA)
 DOTS = LineStyle(LIME.name(), width=3.0, sign=Sign.MARK)
 
 SIZE = Factor("plateSize", "Size of the plate")
-CORNERS = Count("plateCorners", "Number of corners", 4, least=3, most=9)
+CORNERS = Count("plateCorners", "Number of corners", 4, limits=(3, 9))
 
 MAY_END = threading.Event()
 """What is heavy takes until then."""
 
 
-def _plate(scene):
+def _plate(shown):
     """A polygon around the point at the scrub line, half as large as the curve."""
-    here = scene.at_scrub(0)
+    here = shown.at_scrub(0)
     if here is None:
-        return [], "Put the scrub line somewhere."
-    turn = np.linspace(0.0, 2 * np.pi, int(scene.value(CORNERS)), endpoint=False)
-    corners = here + 0.25 * scene.size * scene.value(SIZE) * np.column_stack([np.cos(turn), np.sin(turn)])
-    return [Figure(PLATE, Shape.AREA, np.vstack([corners, [[np.nan, np.nan]]]))], f"{len(corners)} corners."
+        return Figures(note="Put the scrub line somewhere.")
+    turn = np.linspace(0.0, 2 * np.pi, shown.value(CORNERS), endpoint=False)
+    corners = here + 0.25 * shown.size * shown.value(SIZE) * np.column_stack([np.cos(turn), np.sin(turn)])
+    plate = Figure(PLATE, Shape.AREA, np.vstack([corners, [[np.nan, np.nan]]]))
+    return Figures([plate], f"{len(corners)} corners.")
 
 
-def _dots(scene):
+def _dots(shown):
     """A mark in the middle between two points each."""
     assert MAY_END.wait(LIMIT)
-    points = scene.view.points
-    return [Figure(DOTS, Shape.MARKS, (points[1:] + points[:-1]) / 2)], f"{len(points) - 1} dots."
+    points = shown.view.points
+    return Figures([Figure(DOTS, Shape.MARKS, (points[1:] + points[:-1]) / 2)], f"{len(points) - 1} dots.")
 
 
 PLATES = Overlay(
@@ -60,7 +59,7 @@ PLATES = Overlay(
     settings=(SIZE, CORNERS),
     follows_scrub=True,
     brings_scrub=True,
-    legend=lambda _view, settings: [(PLATE, f"Plate with {settings.value(CORNERS):.0f} corners")],
+    legend=lambda _view, settings: [(PLATE, f"Plate with {settings.value(CORNERS)} corners")],
 )
 MIDDLES = Overlay(
     name="middles",

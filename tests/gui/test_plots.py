@@ -18,7 +18,7 @@ from app.features.plots.value_scale import ValueScale
 from app.settings.preferences import Preferences
 from app.tasks.debounced_task import SETTLE_MS
 from app.testing import Editor
-from app.view_model.analysis.plot_lines import PlotLine, Scale, plot_of
+from app.view_model.analysis.plot import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
 from app.view_model.line_styles import DASHED, LineStyle
 from curvecore import lebesgue_function

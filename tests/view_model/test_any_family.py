@@ -14,28 +14,24 @@ from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, titles
-from app.view_model.analysis.cost import cost_of
-from app.view_model.analysis.cures import cures_of
-from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
 from app.view_model.analysis.ghost import all_ghosts
-from app.view_model.analysis.ghosts import ghost_views
+from app.view_model.analysis.ghost_views import ghost_views
 from app.view_model.analysis.goals import MEASURES, parse_goal, result_of
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.joints import as_text, certificate_of
-from app.view_model.analysis.laboratory import calculations, digits_at, try_methods
-from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings, RoundedPart
+from app.view_model.analysis.laboratory import calculations, cost_of, digits_at, try_methods
 from app.view_model.analysis.legend import legend_rows
-from app.view_model.analysis.overlay import OVERLAYS
-from app.view_model.analysis.overlays import marks
+from app.view_model.analysis.overlay import OVERLAYS, PARAMETER_ERROR, POINT_ERROR
+from app.view_model.analysis.overlays import extrema
 from app.view_model.analysis.overlays.bezier import BEZIER
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
 from app.view_model.analysis.plot import PLOTS
+from app.view_model.analysis.plot_samples import plots_of, uncertain_values_at
 from app.view_model.analysis.plots.curvature import CURVATURE
 from app.view_model.analysis.plots.lengths import ACCELERATION, SPEED
-from app.view_model.analysis.plotted import plots_of, uncertain_values_at
-from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.analysis.teaching import warnings_of
-from app.view_model.analysis.wiggle import explain
+from app.view_model.analysis.settings import AnalysisSettings, Calculation, LaboratorySettings, RoundedPart
+from app.view_model.analysis.warnings import warnings_of
+from app.view_model.analysis.wiggle import cures_of, explain
 from app.view_model.append import with_closed
 from app.view_model.basis import basis_view, cardinal_view, growth_at, growth_of_points, weights_at
 from app.view_model.bend import Bend, BendWith
@@ -419,7 +415,7 @@ def test_every_overlay_draws_this_curve(name):
         ghost for ghost in all_ghosts() if ghost.family is not None and ghost.family.name == name
     }
     for figure in settled.figures:
-        if figure.style not in (marks.SHARPEST, marks.FLATTEST, marks.INFLECTION):
+        if figure.style not in (extrema.SHARPEST, extrema.FLATTEST, extrema.INFLECTION):
             continue
         away = np.abs(figure.points[:, None] - drawn).max(axis=2).min(axis=1)
         assert away.max() < 5e-3

@@ -13,7 +13,7 @@ from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.exchange.facts import facts_of
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.analysis.teaching import Topic, warnings_of
+from app.view_model.analysis.warnings import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.basis import (
     basis_view,

@@ -15,7 +15,7 @@ from app.view_model.analysis.overlays.bezier import BEZIER
 from app.view_model.analysis.overlays.vectors import VELOCITIES
 from app.view_model.analysis.picture import live_picture
 from app.view_model.analysis.settings import AnalysisSettings
-from app.view_model.analysis.teaching import Topic, warnings_of
+from app.view_model.analysis.warnings import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
 from app.view_model.analysis.wording import short
 from app.view_model.basis import weights_at

@@ -11,12 +11,10 @@ from msgspec.structs import replace
 
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR, usual_error
-from app.view_model.analysis.figures import Shape, number
 from app.view_model.analysis.ghost import Ghost, all_ghosts
-from app.view_model.analysis.ghosts import ghost_views, with_ghost_real
-from app.view_model.analysis.overlay import OVERLAYS
-from app.view_model.analysis.overlays import band, bezier, circle, comb, marks, polygon, ticks, vectors
+from app.view_model.analysis.ghost_views import ghost_views, with_ghost_real
+from app.view_model.analysis.overlay import OVERLAYS, PARAMETER_ERROR, POINT_ERROR, Shape, number, usual_error
+from app.view_model.analysis.overlays import band, bezier, circle, comb, extrema, polygon, ticks, vectors
 from app.view_model.analysis.overlays import ensemble as disturbed
 from app.view_model.analysis.picture import live_picture, settled_picture, settling
 from app.view_model.analysis.settings import AnalysisSettings
@@ -172,13 +170,13 @@ def test_the_bezier_polygon_of_a_parabola_and_of_too_much():
 def test_marks_of_a_figure_eight():
     t = 2 * np.pi * np.arange(8) / 8
     eight = curve_of(np.column_stack([np.sin(t), np.sin(2 * t)]), QUINTIC_HERMITE, closed=True)
-    picture = settled_picture(view_of(eight), settings_of(marks.MARKS))
-    crossing = points_of(picture, marks.CROSSING)
+    picture = settled_picture(view_of(eight), settings_of(extrema.EXTREMA))
+    crossing = points_of(picture, extrema.CROSSING)
     assert crossing == pytest.approx(np.zeros((1, 2)), abs=1e-6)
-    assert "1 crossing." in picture.notes[marks.MARKS]
+    assert "1 crossing." in picture.notes[extrema.EXTREMA]
     # The sharpest bends are outside; in the centre the curve bends the other way.
-    assert (np.linalg.norm(points_of(picture, marks.SHARPEST), axis=1) > 0.4).all()
-    assert np.abs(points_of(picture, marks.INFLECTION)).min() < 1e-6
+    assert (np.linalg.norm(points_of(picture, extrema.SHARPEST), axis=1) > 0.4).all()
+    assert np.abs(points_of(picture, extrema.INFLECTION)).min() < 1e-6
 
 
 def test_the_widest_place_of_the_band_is_the_lebesgue_constant():

@@ -13,11 +13,9 @@ from app.document.model import Curve, Parametrization, ParametrizationKind, Poin
 from app.document.words import uncertain
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
-from app.view_model.analysis.plot import PLOTS
-from app.view_model.analysis.plot_lines import PlotLine, Scale, extent_of, plot_of
-from app.view_model.analysis.plot_samples import is_slow, samples_over
+from app.view_model.analysis.plot import PLOTS, PlotLine, Scale, extent_of, plot_of
+from app.view_model.analysis.plot_samples import is_slow, plots_of, samples_over, uncertain_values_at
 from app.view_model.analysis.plots import curvature, lebesgue, lengths
-from app.view_model.analysis.plotted import plots_of, uncertain_values_at
 from app.view_model.basis import basis_view, growth_of_points
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row

@@ -15,13 +15,17 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.lessons.lesson import load_lesson
 from app.storage.files import load
 from app.tasks.progress import Cancelled
-from app.view_model.analysis.cost import cost_chart, cost_of
-from app.view_model.analysis.cures import CURES, cures_of
-from app.view_model.analysis.laboratory import calculations, digits_at, try_methods
-from app.view_model.analysis.laboratory_settings import Calculation, LaboratorySettings
-from app.view_model.analysis.laboratory_words import trial_words
-from app.view_model.analysis.teaching import Topic, warnings_of
-from app.view_model.analysis.wiggle import explain, overshoot, widest
+from app.view_model.analysis.laboratory import (
+    calculations,
+    cost_chart,
+    cost_of,
+    digits_at,
+    trial_words,
+    try_methods,
+)
+from app.view_model.analysis.settings import Calculation, LaboratorySettings
+from app.view_model.analysis.warnings import Topic, warnings_of
+from app.view_model.analysis.wiggle import CURES, cures_of, explain, overshoot, widest
 from app.view_model.analysis.wording import short
 from app.view_model.curve.curve_view import view_of
 from curvecore import monomial_condition

@@ -15,7 +15,7 @@ from ...document.words import number
 from ...qt.overrides import SafeOverrides
 from ...tasks.debounced_task import DebouncedTask
 from ...view_model import analysis
-from ...view_model.analysis.laboratory_settings import LaboratorySettings, RoundedPart
+from ...view_model.analysis.settings import LaboratorySettings, RoundedPart
 from ...view_model.basis import growth_of_data
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -24,8 +24,7 @@ from .. import laboratory
 from .error_plot import TITLE, error_plot
 
 if TYPE_CHECKING:
-    from ...view_model.analysis.cost import SolvingCost
-    from ...view_model.analysis.laboratory import Digits, Trial
+    from ...view_model.analysis.laboratory import Digits, SolvingCost, Trial
     from .panel import LaboratoryPanel
 
 _GROUP = "laboratory"
@@ -196,7 +195,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
             return
         if self._costed is None or _size(self._costed) != _size(view):
             self._costed = view
-            self._cost_task.ask(lambda report: analysis.cost.cost_of(view, report))
+            self._cost_task.ask(lambda report: analysis.laboratory.cost_of(view, report))
 
     def _show_measured(self, cost: SolvingCost | None) -> None:
         self._cost = cost

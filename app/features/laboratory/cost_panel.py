@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 
 from ...document.words import number
 from ...qt.labels import Label
-from ...view_model.analysis.cost import SolvingCost, cost_chart
-from ...view_model.analysis.laboratory_settings import Calculation
+from ...view_model.analysis.laboratory import SolvingCost, cost_chart
+from ...view_model.analysis.settings import Calculation
 from ...view_model.analysis.wording import short
 from ...widgets.boxes import column_of
 from .log_plot import LogLine, LogPlot

@@ -8,7 +8,7 @@ from ...view_model import analysis
 
 if TYPE_CHECKING:
     from ...view_model.analysis.laboratory import Trial
-    from ...view_model.analysis.plot_lines import PlotData
+    from ...view_model.analysis.plot import PlotData
 
 TITLE = "Errors of the methods"
 
@@ -16,7 +16,7 @@ TITLE = "Errors of the methods"
 def error_plot(trial: Trial) -> PlotData:
     """Return a plot of the errors of a trial."""
     lines = [
-        analysis.plot_lines.PlotLine(each.calculation.label, trial.t, each.errors, each.calculation.style)
+        analysis.plot.PlotLine(each.calculation.label, trial.t, each.errors, each.calculation.style)
         for each in trial.outcomes
     ]
-    return analysis.plot_lines.plot_of(TITLE, lines, analysis.plot_lines.Scale.LOG)
+    return analysis.plot.plot_of(TITLE, lines, analysis.plot.Scale.LOG)

@@ -13,7 +13,7 @@ from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
 from ...view_model.analysis.laboratory import Trial
-from ...view_model.analysis.laboratory_settings import Calculation, RoundedPart
+from ...view_model.analysis.settings import Calculation, RoundedPart
 from ...view_model.analysis.wording import short
 from ...widgets.controls import check_box, named
 

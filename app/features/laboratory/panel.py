@@ -11,8 +11,8 @@ from ...document.expression import ExpressionError
 from ...document.words import count_of
 from ...qt.labels import Label
 from ...state.window_state import Analysis
-from ...view_model.analysis.laboratory import Digits, Trial, calculations
-from ...view_model.analysis.laboratory_settings import (
+from ...view_model.analysis.laboratory import Digits, Trial, calculations, growth_words, trial_words
+from ...view_model.analysis.settings import (
     LEAST_DIGITS,
     MOST_DECIMALS,
     MOST_DIGITS,
@@ -21,7 +21,6 @@ from ...view_model.analysis.laboratory_settings import (
     LaboratorySettings,
     RoundedPart,
 )
-from ...view_model.analysis.laboratory_words import growth_words, trial_words
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import action_button, choice_box, named, push_button

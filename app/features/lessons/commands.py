@@ -14,8 +14,8 @@ from ...actions.declaration import action
 from ...actions.menus import ANALYSIS, HELP_ALL
 from ...session import DocumentOrigin
 from ...storage.files import load
-from ...view_model.analysis.errors import PARAMETER_ERROR, POINT_ERROR
-from ...view_model.analysis.laboratory_settings import Calculation
+from ...view_model.analysis.overlay import PARAMETER_ERROR, POINT_ERROR
+from ...view_model.analysis.settings import Calculation
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import LEFT, Panel

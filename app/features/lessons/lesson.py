@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ...storage.resources import resource
 from ...view_model.analysis.goals import Conditions, Goal, GoalError, Measures, parse_goal
-from ...view_model.analysis.laboratory_settings import RoundedPart
+from ...view_model.analysis.settings import RoundedPart
 
 _COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
 _KEYS = ("curve", "show", "set", "goal", "keep")

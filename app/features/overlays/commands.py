@@ -13,8 +13,7 @@ from ...tasks.debounced_task import DebouncedTask
 from ...tasks.progress import Report
 from ...view_model import analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
-from ...view_model.analysis.overlay import OVERLAYS, Group, Overlay
-from ...view_model.analysis.overlay_settings import ErrorSize
+from ...view_model.analysis.overlay import OVERLAYS, ErrorSize, Group, Overlay
 from ...view_model.analysis.overlays.ensemble import ENSEMBLE, SEED
 from ...view_model.analysis.settings import AnalysisSettings
 from ...view_model.curve.curve_view import CurveView
@@ -23,7 +22,7 @@ from ...workbench.docks import Panel
 from .. import overlays
 
 if TYPE_CHECKING:
-    from ...view_model.analysis.ghosts import GhostView
+    from ...view_model.analysis.ghost_views import GhostView
     from ...view_model.analysis.picture import Picture
 
 
@@ -88,7 +87,7 @@ class OverlayCommands:
             return {}
 
         in_drag = self._context.session.is_previewing
-        return analysis.ghosts.ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
+        return analysis.ghost_views.ghost_views(view, settings.ghosts, self._ghosts, in_drag=in_drag)
 
     def _clear(self) -> None:
         if not self._is_drawn:
@@ -207,7 +206,7 @@ class OverlayCommands:
         session = self._context.session
         session.change(
             ghost.step,
-            lambda document: analysis.ghosts.with_ghost_real(document, session.active_index, ghost),
+            lambda document: analysis.ghost_views.with_ghost_real(document, session.active_index, ghost),
         )
 
 

@@ -23,8 +23,7 @@ from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
 from ...state.window_state import Analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
-from ...view_model.analysis.overlay import OVERLAYS, Overlay
-from ...view_model.analysis.overlay_settings import Count, ErrorSize, Factor
+from ...view_model.analysis.overlay import OVERLAYS, Count, ErrorSize, Factor, Overlay
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import action_button, check_box, mirror, tool_button
 from ...widgets.fields import NumberEdit, read_number

@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.toolbox import Toolbox
-from ...view_model.analysis.plot_lines import PlotData
+from ...view_model.analysis.plot import PlotData
 from .layers import PlotLayer, ScrubLayer
 from .value_scale import ValueScale
 

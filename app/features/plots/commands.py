@@ -24,7 +24,7 @@ from .. import plots
 from .panel import PlotPanel
 
 if TYPE_CHECKING:
-    from ...view_model.analysis.plot_lines import PlotData
+    from ...view_model.analysis.plot import PlotData
     from .pane import PlotPane
 
 
@@ -163,9 +163,14 @@ class PlotCommands:
             return
         constant = growth_of_points(view, self._context.central.basis)
         compute = partial(
-            analysis.plotted.plots_of, view, kinds, pane.canvas.camera.t_range, pane.canvas.columns, constant
+            analysis.plot_samples.plots_of,
+            view,
+            kinds,
+            pane.canvas.camera.t_range,
+            pane.canvas.columns,
+            constant,
         )
-        if analysis.plotted.orders_of(kinds) and analysis.plot_samples.is_slow(view):
+        if analysis.plot_samples.orders_of(kinds) and analysis.plot_samples.is_slow(view):
             pane.canvas.set_waiting()
             self._task.ask(lambda _report: compute())
             return
@@ -214,7 +219,7 @@ class PlotCommands:
         values: dict[str, tuple[float, float]] = {}
         if t is not None:
             view, shown = self._session.active_view, self._analysis.settings.plots
-            known = analysis.plotted.uncertain_values_at(view, shown, t)
+            known = analysis.plot_samples.uncertain_values_at(view, shown, t)
             values |= {plot.symbol: value for plot, value in known.items()}
             for plot in self._analysis.added_plots.values():
                 for line in plot.lines:

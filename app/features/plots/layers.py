@@ -16,7 +16,7 @@ from ...plotting.layers import Layer
 from ...plotting.pens import colour_of, line_in_pixels, with_dashes
 from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
-from ...view_model.analysis.plot_lines import PlotData, PlotLine
+from ...view_model.analysis.plot import PlotData, PlotLine
 from ...view_model.line_styles import DASHED
 from .value_scale import ValueScale
 

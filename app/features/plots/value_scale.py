@@ -10,7 +10,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.words import number, with_minus
-from ...view_model.analysis.plot_lines import PlotData, Scale
+from ...view_model.analysis.plot import PlotData, Scale
 
 _MARGIN = 0.06
 _LEAST_DECADES = math.log10(2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 
 from ...qt.labels import Label
-from ...view_model.analysis.teaching import Topic, Warned, warnings_of
+from ...view_model.analysis.warnings import Topic, Warned, warnings_of
 from ...view_model.basis import growth_of_points
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QPushButton, QToolButton
 from ...appearance.theme import FollowsTheme, Theme
 from ...qt.labels import Label, set_tip, tip_of
 from ...qt.overrides import SafeOverrides
-from ...view_model.analysis.teaching import Warned
+from ...view_model.analysis.warnings import Warned
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import push_button
 

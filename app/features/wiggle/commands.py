@@ -23,7 +23,7 @@ from ...workbench.docks import Panel, make_room
 from .. import wiggle
 
 if TYPE_CHECKING:
-    from ...view_model.analysis.cures import Cure, Cures
+    from ...view_model.analysis.wiggle import Cure, Cures
     from .panel import WigglePanel
 
 _GROUP = "cure"
@@ -164,7 +164,7 @@ class WiggleCommands(QObject):
         if self._asked != (document, curve, knot):
             self._asked = (document, curve, knot)
             self._preview("")
-            self._task.ask(lambda report: analysis.cures.cures_of(document, curve, view, knot, report))
+            self._task.ask(lambda report: analysis.wiggle.cures_of(document, curve, view, knot, report))
             self._show_cures()
 
     def _show_result(self, cures: Cures | None) -> None:

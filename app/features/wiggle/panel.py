@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QWi
 from ...document.words import number
 from ...qt.labels import Label
 from ...qt.overrides import SafeOverrides
-from ...view_model.analysis.cures import CURES, Cure, Cures
-from ...view_model.analysis.wiggle import Explanation
+from ...view_model.analysis.wiggle import CURES, Cure, Cures, Explanation
 from ...view_model.analysis.wording import short
 from ...widgets.boxes import column_of
 from ...widgets.controls import named

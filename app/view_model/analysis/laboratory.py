@@ -1,14 +1,19 @@
-"""The curve computed with few decimal digits by several methods, and how wrong each comes out.
+"""The stability laboratory: the curve computed with few decimal digits by several methods, and their errors.
 
 The truth is the curve itself, through data that are not rounded, over the shifted t. It is computed in
 fractions, at many t only for pieces of few points; else in double precision, which is as good as 16 digits.
+`trial_words` are the findings in a sentence or two. `cost_of` compares the cost of solving a system for
+coefficients with that of the basis form, which needs none: operations are counted exactly, times are
+measured on this machine.
 """
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from math import log10
 from typing import TypeVar
 
 import numpy as np
@@ -21,6 +26,7 @@ from curvecore import (
     exact_decimals,
     exact_values,
     monomial_condition,
+    operation_counts,
     round_data,
     rounded_decimals,
 )
@@ -30,7 +36,8 @@ from ...tasks.progress import Report, silent
 from ..curve.core_curve import in_words
 from ..curve.curve_view import CurveView, ParametricCurve
 from ..geometry import all_along
-from .laboratory_settings import Calculation, LaboratorySettings, RoundedPart
+from .settings import Calculation, LaboratorySettings, RoundedPart
+from .wording import short
 
 SAMPLES = 240
 """About so many parameters t on the whole curve."""
@@ -304,3 +311,198 @@ def _finite_runs(points: FloatArray) -> list[FloatArray]:
     bounds = [0, *ends.tolist(), len(points)]
     runs = [points[start:end] for start, end in pairwise(bounds) if good[start] and end - start > 1]
     return [np.clip(run, -_FARTHEST, _FARTHEST) for run in runs]
+
+
+_HOPELESS = 0.7
+"""With fewer right digits than this nothing is right."""
+
+_NEARLY_ALL = 0.5
+"""Within so many digits of the worst case nothing needs to be explained."""
+
+
+def trial_words(trial: Trial) -> str:
+    """Say what is to be seen, and how what was lost goes with what may be lost."""
+    if not trial.outcomes:
+        return "Choose a method to compute the curve with."
+    monomial = trial.outcome(Calculation.MONOMIAL)
+    match trial.settings.rounding:
+        case RoundedPart.DATA:
+            return (
+                "Only the data are rounded: every method gives the same curve. An error of the points grows "
+                "Λ times at the most, one of tᵢ moves the curve by Lᵢ(t) c′(tᵢ) times as much."
+            )
+        case RoundedPart.COEFFICIENTS if monomial is not None:
+            return (
+                f"Only the coefficients are rounded, to {trial.settings.digits} digits. An error in the "
+                "coefficient of tᵏ moves the curve by tᵏ times as much, so that the error grows with |t|."
+            )
+        case RoundedPart.EVERY_STEP if monomial is not None and trial.condition is not None:
+            return _on_solving(trial, monomial, trial.condition)
+    best = min(trial.outcomes, key=lambda each: each.lost)
+    return f"{best.calculation.label} loses {best.lost:.1f} of {trial.settings.digits} digits."
+
+
+def growth_words(trial: Trial) -> str:
+    """Say which Λ the table has, where the one in the status line is another; else nothing."""
+    is_of_data = trial.settings.rounding is RoundedPart.DATA
+    shown = [each for each in trial.outcomes if is_of_data or each.calculation is not Calculation.MONOMIAL]
+    if not (trial.view.source.family.derivatives and shown):
+        return ""
+    return (
+        "Λ here is of the data, estimates held fixed; in the status line, of the points, which they follow."
+    )
+
+
+def _on_solving(trial: Trial, monomial: Outcome, condition: float) -> str:
+    """Say what the condition number bounds, and why less was lost where it was."""
+    digits, may_go = trial.settings.digits, log10(max(condition, 1.0))
+    most = f"all {digits} digits" if may_go >= digits else f"{may_go:.1f} of {digits} digits"
+    bound = f"κ = {short(condition)} bounds what rounding can do to the monomials' coefficients"
+    if monomial.lost > digits - _HOPELESS:
+        return f"{digits} digits are not enough for the monomials. {bound}: {most} may go."
+    if monomial.lost > min(may_go, digits) - _NEARLY_ALL:
+        return f"{bound}: {most} may go."
+    return (
+        f"{bound}: at worst {most} go. The curve lost {monomial.lost:.1f}: these points and roundings are "
+        "not the worst, and elimination finds coefficients that nearly fit the points even where it errs."
+    )
+
+
+_MOST_COUNTED = 1000
+"""The chart ends here."""
+
+_ROUNDS = 15
+_ROUND_SECONDS = 0.002
+"""Every round repeats its work for about so long, for the clock to be finer than the work."""
+
+_MOST_SECONDS = 0.3
+"""After so long what has been measured must do."""
+
+
+@dataclass(frozen=True, eq=False)
+class SolvingCost:
+    """Solving against the basis form, for one polynomial through the points of a curve.
+
+    Attributes
+    ----------
+    count
+        Points n.
+    solving, basis
+        Operations to the first point of the curve.
+    further
+        Operations for every further point: from the coefficients, by the basis form, and by its barycentric
+        variant.
+    seconds
+        Measured medians to the first point.
+    doubled
+        The factors by which `solving` and `basis` grow with twice as many points.
+    piecewise
+        Operations that a Hermite curve's own small systems take; None for other curves.
+    other
+        One of the family’s curves in words, where these are made of other functions.
+    """
+
+    count: int
+    solving: int
+    basis: int
+    further: tuple[int, int, int]
+    seconds: tuple[float, float]
+    doubled: tuple[float, float]
+    piecewise: int | None
+    other: str = ""
+
+    @property
+    def ratio(self) -> float:
+        """The operations of solving over those of the basis form."""
+        return self.solving / self.basis
+
+
+@dataclass(frozen=True, eq=False)
+class CostChart:
+    """Operations to the first point over the number of points: n, solving, basis form, (k,) each."""
+
+    n: FloatArray
+    solving: FloatArray
+    basis: FloatArray
+
+
+def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
+    """Count and measure for a curve; None without one."""
+    if not view.is_current:
+        return None
+    t = view.parameters
+    points, middle = view.at_knots, 0.5 * (t[0] + t[1])
+    solving, basis = _counts(len(t))
+    seconds = (
+        _median(lambda: _solve(t, points, middle), report),
+        _median(lambda: _sum_basis(t, points, middle), report),
+    )
+    family, piecewise, other = view.source.family, None, ""
+    if not calculations(view):
+        other = family.a_curve
+    elif family.derivatives:
+        piecewise = operation_counts(Calculation.MONOMIAL, len(t), derivatives=family.derivatives).setup
+    solved, form, barycentric = (
+        operation_counts(each, len(t)).per_point
+        for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
+    )
+    twice = _counts(2 * len(t))
+    return SolvingCost(
+        count=len(t),
+        solving=solving,
+        basis=basis,
+        further=(solved, form, barycentric),
+        seconds=seconds,
+        doubled=(twice[0] / solving, twice[1] / basis),
+        piecewise=piecewise,
+        other=other,
+    )
+
+
+def cost_chart() -> CostChart:
+    """Return the counts for numbers of points from 2 to `_MOST_COUNTED`."""
+    n = np.unique(np.geomspace(2, _MOST_COUNTED, 40).round().astype(int))
+    counts = np.array([_counts(int(each)) for each in n], dtype=np.float64)
+    return CostChart(n.astype(np.float64), counts[:, 0], counts[:, 1])
+
+
+def _counts(count: int) -> tuple[int, int]:
+    solving = operation_counts(Calculation.MONOMIAL, count)
+    return solving.total(1), operation_counts(Calculation.LAGRANGE, count).total(1)
+
+
+def _solve(t: FloatArray, points: FloatArray, at: float) -> FloatArray:
+    """Solve for the coefficients and evaluate once."""
+    with np.errstate(all="ignore"):
+        try:
+            coefficients = np.asarray(np.linalg.solve(np.vander(t, increasing=True), points))
+        except np.linalg.LinAlgError:
+            # A pivot vanished, after all the work but the last of it.
+            coefficients = points
+        return np.asarray(np.vander([at], len(t), increasing=True) @ coefficients)
+
+
+def _sum_basis(t: FloatArray, points: FloatArray, at: float) -> FloatArray:
+    """Compute all L_i as products and add up."""
+    with np.errstate(all="ignore"):
+        below = t[:, None] - t
+        np.fill_diagonal(below, 1.0)
+        above = np.broadcast_to(at - t, below.shape).copy()
+        np.fill_diagonal(above, 1.0)
+        return np.asarray((np.prod(above, axis=1) / np.prod(below, axis=1)) @ points)
+
+
+def _median(work: Callable[[], object], report: Report) -> float:
+    """Return how long some work takes, in seconds."""
+    start = time.perf_counter()
+    work()
+    once = max(time.perf_counter() - start, 1e-7)
+    repeats = max(1, min(200, int(_ROUND_SECONDS / once)))
+    times: list[float] = []
+    while len(times) < _ROUNDS and not (times and time.perf_counter() - start > _MOST_SECONDS):
+        report(0.0, "Measuring")
+        begin = time.perf_counter()
+        for _ in range(repeats):
+            work()
+        times.append((time.perf_counter() - begin) / repeats)
+    return float(np.median(times))

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 
 from ..curve.curve_view import CurveView
 from ..line_styles import CURVE_STYLE, LineStyle
-from .figures import Figure
 from .ghost import Ghost
-from .ghosts import GhostView, rules_text
-from .overlay import Overlay
+from .ghost_views import GhostView, rules_text
+from .overlay import Figure, Overlay
 from .settings import AnalysisSettings
 from .wording import short
 

@@ -1,31 +1,284 @@
-"""The record of an overlay: something that can be drawn over the curve.
+"""The record of an overlay, something that can be drawn over the curve, and all that it is made of.
 
-To add one: a file in ``overlays`` with a record. Menu, palette, keys, Analysis dock, legend and canvas
-read it there.
+To add an overlay: one file in ``overlays``, found by listing. Menu, palette, keys, Analysis dock, legend and
+canvas read the record::
+
+    TICK = LineStyle("accent", width=1.4)
+    COUNT = Count("tickCount", "Number of steps", 20, limits=(2, 100))
+
+    def ticks(shown: OverlayInput) -> Figures:
+        curve = shown.view.curve
+        if curve is None:
+            return Figures()
+        t = np.linspace(*curve.domain, shown.value(COUNT) + 1)
+        positions, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
+        ends = positions + to_the_left(tangents) * shown.size
+        return Figures([Figure(TICK, Shape.TICKS, np.hstack([positions, ends]).reshape(-1, 2))])
+
+    TICKS = Overlay(
+        name="ticks", text="Ticks at Equal t", tip="Draw ticks at equal steps of t",
+        group=Group.SHAPE, rank=50, draw=ticks, settings=(COUNT,),
+    )
+
+An icon ``resources/icons/ticks.svg`` (``icon="ticks"``) and a key are optional. Results in words are the note
+of the figures. An overlay that takes more than 2 ms says so by `settles`, and is computed beside the window.
 """
 
 from __future__ import annotations
 
 import enum
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar
 
 import msgspec
+import numpy as np
 
+from curvecore.arrays import FloatArray
+
+from ...document.words import with_minus
+from ...tasks.progress import Report, silent
+from ..geometry import Samples, one_sided, size_of
 from ..line_styles import LineStyle
 from ..registry import Registry
-from .figures import Figure
-from .overlay_settings import OverlaySetting, SettingValues
 
 if TYPE_CHECKING:
     from ..curve.curve_view import CurveView
-    from .scene import Scene
 
-Drawn = tuple[list[Figure], str]
-"""Figures, the first one at the bottom, and what there is to say about them."""
+# Figures
+
+
+class Shape(enum.Enum):
+    """The ways in which the points of a figure belong together."""
+
+    LINE = enum.auto()
+    """A polyline; a row of NaN ends one and begins the next."""
+    SEGMENTS = enum.auto()
+    """Point 2k and point 2k + 1 are the ends of a segment."""
+    ARROWS = enum.auto()
+    """As segments, with a head at the second end."""
+    TICKS = enum.auto()
+    """At point 2k, a short stroke of fixed length in the direction of point 2k + 1."""
+    AREA = enum.auto()
+    """Polygons that turn to the left, each ended by a row of NaN; all together are one area."""
+    MARKS = enum.auto()
+    """Separate marks."""
+
+
+class Figure(msgspec.Struct, frozen=True, eq=False):
+    """Points (k, 2) of the plane, how they belong together and how they look.
+
+    Attributes
+    ----------
+    style
+        The look of lines and marks; the legend explains the figure by it.
+    label
+        A word beside the last point; empty for none.
+    """
+
+    style: LineStyle
+    shape: Shape
+    points: FloatArray
+    label: str = ""
+
+
+class Figures(msgspec.Struct, frozen=True, eq=False):
+    """Figures, the first one at the bottom, and a note for the Analysis dock: a result, or a reason."""
+
+    figures: Sequence[Figure] = ()
+    note: str = ""
+
 
 Entry = tuple[LineStyle, str]
-"""A style of figures, and what the legend says about it."""
+"""An entry of the legend: a style of figures, and its explanation."""
+
+
+def number(value: float) -> str:
+    """Return a number as a label has it: three digits, a real minus."""
+    mantissa, _, exponent = f"{value:.3g}".partition("e")
+    return with_minus(f"{mantissa}·10^{int(exponent)}" if exponent else mantissa)
+
+
+# Settings
+
+Number_co = TypeVar("Number_co", bound=float, covariant=True)
+
+
+class OverlaySetting(msgspec.Struct, Generic[Number_co], frozen=True):
+    """A number that an overlay is drawn with; this kind is set by an action.
+
+    Attributes
+    ----------
+    name
+        Object name of the widget that sets it.
+    label
+        Its name, for people.
+    default
+        Its value until it is set.
+    """
+
+    name: str
+    label: str
+    default: Number_co
+
+
+class Factor(OverlaySetting[float], frozen=True):
+    """A factor from a tenth to ten, set by a slider."""
+
+    default: float = 1.0
+
+
+class Count(OverlaySetting[int], frozen=True, kw_only=True):
+    """A whole number within limits, both included, set by a slider."""
+
+    limits: tuple[int, int]
+
+
+class ErrorSize(OverlaySetting[float], frozen=True, kw_only=True):
+    """The largest error of something, typed.
+
+    Attributes
+    ----------
+    short
+        The words before the field.
+    tip
+        The tooltip of the field.
+    usual
+        The value when it is first needed, from the curve that is then displayed; None for the default.
+    """
+
+    default: float = 0.0
+    short: str
+    tip: str
+    usual: Callable[[CurveView], float] | None = None
+
+
+class SettingValues(msgspec.Struct, frozen=True):
+    """Values of the settings of overlays; `values` has those that were set."""
+
+    values: frozenset[tuple[OverlaySetting[float], Any]] = frozenset()
+
+    def value(self, setting: OverlaySetting[Number_co]) -> Number_co:
+        """Return the value of a setting."""
+        value: Number_co = dict(self.values).get(setting, setting.default)
+        return value
+
+    def has(self, setting: OverlaySetting[float]) -> bool:
+        """Whether a setting was ever set."""
+        return setting in dict(self.values)
+
+    def with_value(self, setting: OverlaySetting[float], value: float) -> Self:
+        """Return these with another value for one of them."""
+        values = dict(self.values) | {setting: value}
+        return msgspec.structs.replace(self, values=frozenset(values.items()))
+
+
+def usual_error(view: CurveView) -> float:
+    """Return a round number near one hundredth of the size of the points."""
+    size = size_of(view.points) if len(view.points) else 0.0
+    return float(f"{size / 100:.0e}") if size > 0 else 0.01
+
+
+POINT_ERROR = ErrorSize(
+    "pointError",
+    "Error of the points",
+    short="ε points",
+    tip="Largest error of every point; velocities and accelerations stay (a number or an expression)",
+    usual=usual_error,
+)
+"""In the plane's unit."""
+
+PARAMETER_ERROR = ErrorSize(
+    "parameterError",
+    "Error of the parameters",
+    short="δ in t",
+    tip="Largest error of every t; the band has its effect to first order (a number or an expression)",
+)
+
+
+def errors_text(settings: SettingValues) -> str:
+    """Return the sizes of the errors for the legend: ε = 0.01, δ = 0.001."""
+    delta = settings.value(PARAMETER_ERROR)
+    text = f"ε = {number(settings.value(POINT_ERROR))}"
+    return f"{text}, δ = {number(delta)}" if delta else text
+
+
+# The input
+
+_QUICK = 64
+"""Points of the longest polynomial whose derivatives are found within a frame."""
+
+_MOST = 600
+"""Samples of a whole curve; more are not told apart on a screen."""
+
+_LEAST_A_SEGMENT = 6
+
+_FEW, _LONG = 3, 200
+"""Samples a segment of a polynomial through more than `_LONG` points, whose derivatives cost most."""
+
+
+class OverlayInput(msgspec.Struct, frozen=True, eq=False, dict=True):
+    """The curve that an overlay is drawn of, the values of its settings, and samples that overlays share.
+
+    Attributes
+    ----------
+    scrub
+        The scrub line's t; None without one.
+    report
+        Called now and then by what takes long; raises when nobody waits for it any more.
+    """
+
+    view: CurveView
+    settings: SettingValues
+    scrub: float | None = None
+    report: Report = silent
+
+    def value(self, setting: OverlaySetting[Number_co]) -> Number_co:
+        """Return the value of a setting."""
+        return self.settings.value(setting)
+
+    @cached_property
+    def samples(self) -> list[Samples]:
+        """Samples of every piece; computed once for all overlays."""
+        return _samples_of(self.view)
+
+    @cached_property
+    def size(self) -> float:
+        """The larger side of the box around the points."""
+        return size_of(self.view.points)
+
+    def at_scrub(self, order: int) -> FloatArray | None:
+        """Return a derivative at the scrub line, None without a line or where it is not finite."""
+        curve = self.view.curve
+        if self.scrub is None or curve is None:
+            return None
+        value: FloatArray = curve.evaluate(min(max(self.scrub, curve.domain[0]), curve.domain[1]), order)
+        return value if np.isfinite(value).all() else None
+
+
+def is_quick(view: CurveView) -> bool:
+    """Whether derivatives along the whole curve can be computed in every frame of a drag."""
+    return view.curve is None or view.curve.is_local or len(view.parameters) <= _QUICK
+
+
+def _samples_of(view: CurveView) -> list[Samples]:
+    """Return samples of every piece, the joints among them, one-sided at both ends of each segment.
+
+    A joint of a Hermite curve stands there twice: its second derivative differs between the sides.
+    """
+    if view.curve is None or not view.is_current:
+        return []
+    segments = len(view.parameters) - 1
+    least = _FEW if not view.source.family.curve_class.is_local and segments > _LONG else _LEAST_A_SEGMENT
+    count = max(least, min(_MOST // segments, 60))
+    samples = []
+    for piece in view.pieces:
+        t = one_sided(piece.parameters, np.full(len(piece.parameters) - 1, count)).t
+        samples.append(Samples(t, *piece.derivatives_at(t, (0, 1, 2))))
+    return samples
+
+
+# The record
 
 
 class Group(enum.IntEnum):
@@ -42,28 +295,28 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     Attributes
     ----------
     name
-        A word in lower case, of which its object names are made.
+        A word in lower case, from which its object names are made.
     text, tip, key, icon, full_name
         Those of its action.
     group, rank
-        Its place in the menu and the dock.
+        Where it is sorted in the menu and the dock.
     layer
-        Those with larger numbers are drawn over the others.
+        Overlays with larger numbers are drawn over the others; None for the rank.
     draw
-        Computes figures and words, in every frame of a drag: in some 2 ms, or it has to settle.
+        Computes the figures, in every frame of a drag: in some 2 ms, or it has to settle.
     settles
         Whether it is too heavy for a frame, of some curve: drawn once nothing has changed for a moment,
         beside the window.
     settings
-        The numbers that it is drawn with; the dock shows them.
+        The numbers that it is drawn with; the dock has their sliders and fields.
     follows_scrub
-        Whether the t of the scrub line is shown in it.
+        Whether it shows the t of the scrub line.
     brings_scrub
         Whether a scrub line appears with it.
     legend
         Its entries in the legend, for a curve and the settings.
     finds
-        The figures that it may find: explained where they are drawn.
+        Entries for the figures that it may find: in the legend where they are drawn.
     """
 
     name: str
@@ -71,13 +324,13 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     tip: str
     group: Group
     rank: int
-    layer: int
-    draw: Callable[[Scene], Drawn]
+    draw: Callable[[OverlayInput], Figures]
+    layer: int | None = None
     settles: Callable[[CurveView], bool] = lambda _view: False
     key: str = ""
     icon: str = ""
     full_name: str = ""
-    settings: tuple[OverlaySetting, ...] = ()
+    settings: tuple[OverlaySetting[float], ...] = ()
     follows_scrub: bool = False
     brings_scrub: bool = False
     legend: Callable[[CurveView, SettingValues], Sequence[Entry]] = lambda _view, _settings: ()

@@ -9,9 +9,7 @@ import numpy as np
 
 from ...tasks.progress import Report, silent
 from ..curve.curve_view import CurveView
-from .figures import Figure
-from .overlay import Overlay
-from .scene import Scene, is_quick
+from .overlay import Figure, Overlay, OverlayInput, is_quick
 from .settings import AnalysisSettings
 
 
@@ -26,7 +24,7 @@ def live_picture(view: CurveView, settings: AnalysisSettings, scrub: float | Non
     """Return what follows a drag frame by frame."""
     if not view.is_current:
         return Picture()
-    return _picture(Scene(view, settings, scrub), settings.overlays - settling(view, settings))
+    return _picture(OverlayInput(view, settings, scrub), settings.overlays - settling(view, settings))
 
 
 def settling(view: CurveView, settings: AnalysisSettings) -> frozenset[Overlay]:
@@ -52,17 +50,19 @@ def settled_picture(
     report: Report = silent,
 ) -> Picture:
     """Return what is too heavy for a frame."""
-    return _picture(Scene(view, settings, scrub, report), settling(view, settings))
+    return _picture(OverlayInput(view, settings, scrub, report), settling(view, settings))
 
 
-def _picture(scene: Scene, overlays: Collection[Overlay]) -> Picture:
+def _picture(shown: OverlayInput, overlays: Collection[Overlay]) -> Picture:
     picture = Picture()
     # A wild curve leaves the range of numbers; what is not finite is not drawn.
     with np.errstate(all="ignore"):
-        for overlay in sorted(overlays, key=lambda each: each.layer):
-            scene.report(0.0, "Computing")
-            figures, words = overlay.draw(scene)
-            picture.figures.extend(figures)
-            if words:
-                picture.notes[overlay] = words
+        for overlay in sorted(
+            overlays, key=lambda overlay: overlay.rank if overlay.layer is None else overlay.layer
+        ):
+            shown.report(0.0, "Computing")
+            drawn = overlay.draw(shown)
+            picture.figures.extend(drawn.figures)
+            if drawn.note:
+                picture.notes[overlay] = drawn.note
     return picture

@@ -20,11 +20,20 @@ from ...basis import parameter_moves
 from ...curve.curve_view import CurveView
 from ...geometry import Samples, to_the_left, unit_tangents
 from ...line_styles import LineStyle, Sign
-from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
-from ..figures import Figure, Shape, number
-from ..overlay import Drawn, Entry, Group, Overlay
-from ..overlay_settings import SettingValues
-from ..scene import Scene
+from ..overlay import (
+    PARAMETER_ERROR,
+    POINT_ERROR,
+    Entry,
+    Figure,
+    Figures,
+    Group,
+    Overlay,
+    OverlayInput,
+    SettingValues,
+    Shape,
+    errors_text,
+    number,
+)
 
 AREA = LineStyle("accent", 0.16, sign=Sign.AREA)
 
@@ -42,26 +51,26 @@ _MOST_FOLLOWED = 40
 """Knots up to which estimates follow the parameters: each is estimated anew for each."""
 
 
-def _band(scene: Scene) -> Drawn:
+def band(shown: OverlayInput) -> Figures:
     """Return the region, and its largest half-width in words."""
-    epsilon, delta = scene.value(POINT_ERROR), scene.value(PARAMETER_ERROR)
-    curve = scene.view.curve
+    epsilon, delta = shown.value(POINT_ERROR), shown.value(PARAMETER_ERROR)
+    curve = shown.view.curve
     if curve is None or epsilon == delta == 0.0:
-        return [], "Both errors are 0: the curve stays where it is."
-    if scene.view.cardinal is None or (scene.view.growth_holds and np.isinf(scene.view.growth)):
-        return [], "Not drawn: the smallest error of a point sends the curve beyond all numbers."
+        return Figures(note="Both errors are 0: the curve stays where it is.")
+    if shown.view.cardinal is None or (shown.view.growth_holds and np.isinf(shown.view.growth)):
+        return Figures(note="Not drawn: the smallest error of a point sends the curve beyond all numbers.")
     most = _MOST if delta == 0.0 else _MOST // 2
-    pieces = [_thinned(piece, most) for piece in scene.samples]
+    pieces = [_thinned(piece, most) for piece in shown.samples]
     polygons: list[FloatArray] = []
     best, best_t = 0.0, float(curve.domain[0])
     # Where no parameter errs, nothing follows one.
-    follows = bool(delta) and scene.view.source.family.derivatives > 0
-    is_held = follows and len(scene.view.parameters) > _MOST_FOLLOWED
-    for index, (piece, core) in enumerate(zip(pieces, scene.view.pieces, strict=True)):
-        moves = parameter_moves(scene.view, index, piece.parameters) if follows and not is_held else None
+    follows = bool(delta) and shown.view.source.family.derivatives > 0
+    is_held = follows and len(shown.view.parameters) > _MOST_FOLLOWED
+    for index, (piece, core) in enumerate(zip(pieces, shown.view.pieces, strict=True)):
+        moves = parameter_moves(shown.view, index, piece.parameters) if follows and not is_held else None
         errors = (piece.parameters, epsilon, delta)
         radii = curvecore.worst_case_band(
-            core, *errors, cardinal=scene.view.cardinal, sensitivity=moves
+            core, *errors, cardinal=shown.view.cardinal, sensitivity=moves
         ).across
         polygons += _strip(piece, radii)
         largest, t = _largest(piece.parameters, radii)
@@ -72,11 +81,11 @@ def _band(scene: Scene) -> Drawn:
         words += ", the estimates as if they did not follow t"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
-    if scene.view.growth_holds:
-        words += f"; the effects of points are those of small errors in x or y {scene.view.growth_holds}"
-    elif scene.view.linearised:
-        words += f"; the effects of points are those {scene.view.linearised}"
-    return [Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}."
+    if shown.view.growth_holds:
+        words += f"; the effects of points are those of small errors in x or y {shown.view.growth_holds}"
+    elif shown.view.linearised:
+        words += f"; the effects of points are those {shown.view.linearised}"
+    return Figures([Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}.")
 
 
 def _thinned(piece: Samples, most: int) -> Samples:
@@ -180,7 +189,7 @@ BAND = Overlay(
     group=Group.ERRORS,
     rank=90,
     layer=10,
-    draw=_band,
+    draw=band,
     settings=(POINT_ERROR, PARAMETER_ERROR),
     legend=_legend,
 )

@@ -9,9 +9,7 @@ from curvecore.arrays import FloatArray
 
 from ...curve.curve_view import CurveView
 from ...line_styles import LineStyle, Mark, Sign
-from ..figures import Figure, Shape, number
-from ..overlay import Drawn, Group, Overlay
-from ..scene import Scene
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape, number
 
 SIDES = LineStyle("handle", 0.9, mark=Mark.SQUARE, sign=Sign.LINE_WITH_MARK)
 CONTROL_POINT = LineStyle("handle", mark=Mark.SQUARE)
@@ -27,38 +25,38 @@ def _is_one_polynomial(view: CurveView) -> bool:
     return view.curve is not None and view.curve.is_one_polynomial
 
 
-def _bezier(scene: Scene) -> Drawn:
+def bezier(shown: OverlayInput) -> Figures:
     """Return the control polygons of the segments, or the one of a polynomial, or in words why not."""
-    view = scene.view
+    view = shown.view
     if _is_one_polynomial(view):
-        return _of_polynomial(scene)
+        return _of_polynomial(shown)
     figures = []
     for piece in view.pieces:
         if (controls := piece.exact_pieces()) is not None:
             figures += _polygons(controls)
     if figures:
-        return figures, ""
-    return [], f"Not drawn: no control points are known of {view.source.family.a_curve}."
+        return Figures(figures)
+    return Figures(note=f"Not drawn: no control points are known of {view.source.family.a_curve}.")
 
 
-def _of_polynomial(scene: Scene) -> Drawn:
+def _of_polynomial(shown: OverlayInput) -> Figures:
     """Return the control polygon of a Lagrange curve, or in words why it is not drawn; heavy."""
-    curve = scene.view.curve
+    curve = shown.view.curve
     assert curve is not None
     count = len(curve.parameters)
     if count > _MOST:
-        return [], f"Not drawn: one polynomial of {count} points; up to {_MOST} are converted."
+        return Figures(note=f"Not drawn: one polynomial of {count} points; up to {_MOST} are converted.")
     controls, condition = curvecore.lagrange_to_bezier(curve)
     if condition > _WORST:
-        return [], (
-            f"Not drawn: its condition number is {number(condition)}; errors of the points grow as much in "
-            "the control points."
+        return Figures(
+            note=f"Not drawn: its condition number is {number(condition)}; errors of the points grow as "
+            "much in the control points."
         )
     words = f"One polynomial of degree {count - 1}; condition number {number(condition)}."
-    away = float(np.abs(controls - scene.view.points.mean(axis=0)).max())
-    if away > 3 * scene.size:
+    away = float(np.abs(controls - shown.view.points.mean(axis=0)).max())
+    if away > 3 * shown.size:
         words += f" The control points lie up to {number(away)} away."
-    return _polygons(controls[None]), words
+    return Figures(_polygons(controls[None]), words)
 
 
 def _polygons(controls: FloatArray) -> list[Figure]:
@@ -78,7 +76,7 @@ BEZIER = Overlay(
     group=Group.POLYGONS,
     rank=70,
     layer=40,
-    draw=_bezier,
+    draw=bezier,
     settles=_is_one_polynomial,
     legend=lambda _view, _settings: [(SIDES, "Bézier polygon")],
 )

@@ -10,9 +10,7 @@ from ....document.words import uncertain
 from ...curve.rounded_parameters import curvature_error
 from ...geometry import to_the_left, unit_tangents
 from ...line_styles import PURPLE, LineStyle
-from ..figures import Figure, Shape, number
-from ..overlay import Drawn, Group, Overlay
-from ..scene import Scene
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape, number
 
 LINE = LineStyle(PURPLE, width=1.4)
 CENTRE = LineStyle(PURPLE, 0.8)
@@ -31,23 +29,23 @@ NO_BEND = "Straight here: the circle is a line."
 UNCERTAIN = "The curve is so slow here, or its parameters so close, that rounding hides the circle."
 
 
-def _circle(scene: Scene) -> Drawn:
+def circle(shown: OverlayInput) -> Figures:
     """Return the circle with its centre, and its radius in words."""
-    curve, (here, velocity, acceleration) = scene.view.curve, (scene.at_scrub(order) for order in range(3))
-    if here is None or velocity is None or acceleration is None or curve is None or scene.scrub is None:
-        return [], NO_SCRUB
+    curve, (here, velocity, acceleration) = shown.view.curve, (shown.at_scrub(order) for order in range(3))
+    if here is None or velocity is None or acceleration is None or curve is None or shown.scrub is None:
+        return Figures(note=NO_SCRUB)
     curvature = float(curvecore.curvature_of(velocity[None], acceleration[None])[0])
     if np.isnan(curvature):
-        return [], AT_REST
-    reach = _REACH * scene.size
+        return Figures(note=AT_REST)
+    reach = _REACH * shown.size
     tangents = unit_tangents(velocity[None])
     tangent, normal = tangents[0], to_the_left(tangents)[0]
-    if abs(curvature) * scene.size < _STRAIGHT:
+    if abs(curvature) * shown.size < _STRAIGHT:
         line = here + np.outer([-reach, reach], tangent)
-        return [Figure(LINE, Shape.LINE, line)], NO_BEND
-    error = curvature_error(scene.view, np.clip([scene.scrub], *curve.domain)).item()
+        return Figures([Figure(LINE, Shape.LINE, line)], NO_BEND)
+    error = curvature_error(shown.view, np.clip([shown.scrub], *curve.domain)).item()
     if not error < abs(curvature):
-        return [], UNCERTAIN
+        return Figures(note=UNCERTAIN)
     radius = 1.0 / abs(curvature)
     # Along the arc from here, so that a huge circle is exact where it touches.
     angle = min(np.pi, reach / radius) * np.linspace(-1.0, 1.0, _CORNERS + 1)
@@ -60,7 +58,8 @@ def _circle(scene: Scene) -> Drawn:
         centre = here + np.sign(curvature) * radius * normal
         figures.append(Figure(CENTRE, Shape.LINE, np.array([here, centre])))
         figures.append(Figure(CENTRE, Shape.MARKS, centre[None], words))
-    return figures, f"{words[0].upper()}{words[1:]}, curvature {uncertain(curvature, error, number)}."
+    note = f"{words[0].upper()}{words[1:]}, curvature {uncertain(curvature, error, number)}."
+    return Figures(figures, note)
 
 
 CIRCLE = Overlay(
@@ -72,7 +71,7 @@ CIRCLE = Overlay(
     group=Group.SHAPE,
     rank=40,
     layer=60,
-    draw=_circle,
+    draw=circle,
     follows_scrub=True,
     brings_scrub=True,
 )

@@ -13,10 +13,7 @@ from curvecore.arrays import FloatArray
 
 from ...geometry import Samples, to_the_left, unit_tangents, usual_length
 from ...line_styles import LineStyle
-from ..figures import Figure, Shape
-from ..overlay import Drawn, Group, Overlay
-from ..overlay_settings import Factor
-from ..scene import Scene
+from ..overlay import Factor, Figure, Figures, Group, Overlay, OverlayInput, Shape
 
 TEETH = LineStyle("accent", 0.35)
 EDGE = LineStyle("accent", 0.9)
@@ -31,20 +28,20 @@ _LONGEST = 5.0
 """The most by which a tooth surpasses nine tenths of all teeth: at a cusp it would be infinite."""
 
 
-def _comb(scene: Scene) -> Drawn:
+def comb(shown: OverlayInput) -> Figures:
     """Return the comb of a curve: its teeth, and the line through their ends."""
-    pieces = scene.samples
+    pieces = shown.samples
     teeth = [_tooth(piece) for piece in pieces]
     if not pieces:
-        return [], ""
+        return Figures()
     longest = usual_length(np.vstack(teeth), _LONGEST)
-    unit = _SHARE * scene.size / longest * scene.value(SCALE) if longest > 0 else 0.0
+    unit = _SHARE * shown.size / longest * shown.value(SCALE) if longest > 0 else 0.0
     figures = []
     for piece, tooth in zip(pieces, teeth, strict=True):
         ends = piece.points + tooth * unit
         figures.append(Figure(TEETH, Shape.SEGMENTS, np.hstack([piece.points, ends]).reshape(-1, 2)))
         figures.append(Figure(EDGE, Shape.LINE, ends))
-    return figures, ""
+    return Figures(figures)
 
 
 def _tooth(piece: Samples) -> FloatArray:
@@ -62,6 +59,6 @@ COMB = Overlay(
     group=Group.SHAPE,
     rank=10,
     layer=20,
-    draw=_comb,
+    draw=comb,
     settings=(SCALE,),
 )

@@ -12,43 +12,51 @@ from ...curve.core_curve import in_words
 from ...curve.curve_view import curve_through
 from ...geometry import all_along
 from ...line_styles import LineStyle
-from ..errors import PARAMETER_ERROR, POINT_ERROR, errors_text
-from ..figures import Figure, Shape
-from ..overlay import Drawn, Group, Overlay
-from ..overlay_settings import Count, OverlaySetting
-from ..scene import Scene
+from ..overlay import (
+    PARAMETER_ERROR,
+    POINT_ERROR,
+    Count,
+    Figure,
+    Figures,
+    Group,
+    Overlay,
+    OverlayInput,
+    OverlaySetting,
+    Shape,
+    errors_text,
+)
 
 LINES = LineStyle("muted", 0.3)
 
-COUNT = Count("ensembleCount", "Number of curves", 30, least=1, most=200)
-SEED = OverlaySetting("ensembleSeed", "Which random numbers")
+COUNT = Count("ensembleCount", "Number of curves", 30, limits=(1, 200))
+SEED = OverlaySetting("ensembleSeed", "Seed of the random numbers", 0)
 
 _SAMPLES = 240
 
 
-def _disturbed_curves(scene: Scene) -> Drawn:
+def ensemble(shown: OverlayInput) -> Figures:
     """Return the curves as one figure, or in words why there are none; heavy."""
-    curve, seed = scene.view.curve, int(scene.value(SEED))
+    curve, seed = shown.view.curve, shown.value(SEED)
     if curve is None:
-        return [], ""
+        return Figures()
     try:
         made = curvecore.ensemble(
             curve,
-            scene.value(POINT_ERROR),
-            scene.value(PARAMETER_ERROR),
-            int(scene.value(COUNT)),
+            shown.value(POINT_ERROR),
+            shown.value(PARAMETER_ERROR),
+            shown.value(COUNT),
             seed,
-            closed=scene.view.source.is_closed,
-            remake=partial(curve_through, scene.view) if scene.view.source.family.derivatives else None,
+            closed=shown.view.source.is_closed,
+            remake=partial(curve_through, shown.view) if shown.view.source.family.derivatives else None,
         )
     except curvecore.CurveError as reason:
         text = in_words(str(reason).replace("parameter_error", "δ"))
-        return [], f"Not drawn: {text}."
+        return Figures(note=f"Not drawn: {text}.")
     per_segment = max(_SAMPLES // (len(curve.parameters) - 1), 3)
     curves = made.evaluate(all_along(curve.parameters, per_segment))
     lines = np.concatenate([curves, np.full((len(curves), 1, 2), np.nan)], axis=1)
-    words = f"{len(curves)} curves, seed {seed}."
-    return [Figure(LINES, Shape.LINE, lines.reshape(-1, 2))], words
+    note = f"{len(curves)} curves, seed {seed}."
+    return Figures([Figure(LINES, Shape.LINE, lines.reshape(-1, 2))], note)
 
 
 ENSEMBLE = Overlay(
@@ -60,10 +68,10 @@ ENSEMBLE = Overlay(
     group=Group.ERRORS,
     rank=100,
     layer=0,
-    draw=_disturbed_curves,
+    draw=ensemble,
     settles=lambda _view: True,
     settings=(COUNT, POINT_ERROR, PARAMETER_ERROR, SEED),
     legend=lambda _view, settings: [
-        (LINES, f"{settings.value(COUNT):.0f} random cases, {errors_text(settings)}")
+        (LINES, f"{settings.value(COUNT)} random cases, {errors_text(settings)}")
     ],
 )

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from ...line_styles import LineStyle
-from ..figures import Figure, Shape
-from ..overlay import Drawn, Group, Overlay
-from ..scene import Scene
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape
 
 SIDES = LineStyle("muted", 0.8, dashes=(2.0, 4.0))
 
 
-def _polygon(scene: Scene) -> Drawn:
+def polygon(shown: OverlayInput) -> Figures:
     """Return the polygon through the points."""
-    return [Figure(SIDES, Shape.LINE, scene.view.at_knots)], ""
+    return Figures([Figure(SIDES, Shape.LINE, shown.view.at_knots)])
 
 
 POLYGON = Overlay(
@@ -23,6 +21,6 @@ POLYGON = Overlay(
     group=Group.POLYGONS,
     rank=80,
     layer=30,
-    draw=_polygon,
+    draw=polygon,
     legend=lambda _view, _settings: [(SIDES, "Polygon of the points")],
 )

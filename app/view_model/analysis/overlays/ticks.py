@@ -1,4 +1,4 @@
-"""Ticks on the curve at equal steps of t: far apart where it is fast."""
+"""Ticks at equal steps of t: far apart where the curve is fast."""
 
 from __future__ import annotations
 
@@ -6,27 +6,22 @@ import numpy as np
 
 from ...geometry import to_the_left, unit_tangents
 from ...line_styles import LineStyle
-from ..figures import Figure, Shape
-from ..overlay import Drawn, Group, Overlay
-from ..overlay_settings import Count
-from ..scene import Scene
+from ..overlay import Count, Figure, Figures, Group, Overlay, OverlayInput, Shape
 
 TICK = LineStyle("accent", width=1.4)
 
-COUNT = Count("tickCount", "Number of steps", 20, least=2, most=100)
-"""Equal steps of t."""
+COUNT = Count("tickCount", "Number of steps", 20, limits=(2, 100))
 
 
-def _ticks(scene: Scene) -> Drawn:
-    """Return ticks across the curve."""
-    curve = scene.view.curve
+def ticks(shown: OverlayInput) -> Figures:
+    """Return short lines across the curve at equal steps of t."""
+    curve = shown.view.curve
     if curve is None:
-        return [], ""
-    t = np.linspace(*curve.domain, int(scene.value(COUNT)) + 1)
-    places, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
-    across = to_the_left(tangents) * scene.size
-    points = np.hstack([places, places + across]).reshape(-1, 2)
-    return [Figure(TICK, Shape.TICKS, points)], ""
+        return Figures()
+    t = np.linspace(*curve.domain, shown.value(COUNT) + 1)
+    positions, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
+    ends = positions + to_the_left(tangents) * shown.size
+    return Figures([Figure(TICK, Shape.TICKS, np.hstack([positions, ends]).reshape(-1, 2))])
 
 
 TICKS = Overlay(
@@ -37,7 +32,6 @@ TICKS = Overlay(
     icon="ticks",
     group=Group.SHAPE,
     rank=50,
-    layer=50,
-    draw=_ticks,
+    draw=ticks,
     settings=(COUNT,),
 )

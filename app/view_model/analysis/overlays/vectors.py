@@ -10,10 +10,7 @@ from curvecore.arrays import FloatArray
 
 from ...geometry import usual_length
 from ...line_styles import GREEN, VERMILLION, LineStyle
-from ..figures import Figure, Shape, number
-from ..overlay import Drawn, Group, Overlay
-from ..overlay_settings import Factor
-from ..scene import Scene
+from ..overlay import Factor, Figure, Figures, Group, Overlay, OverlayInput, Shape, number
 
 VELOCITY = LineStyle(GREEN, width=1.6)
 ACCELERATION = LineStyle(VERMILLION, width=1.6)
@@ -30,19 +27,19 @@ _EQUAL = 1e-6
 """Vectors on both sides of a point that differ by less, relatively, are one."""
 
 
-def _vectors(order: int, style: LineStyle, scale: Factor, symbol: str, scene: Scene) -> Drawn:
+def _vectors(order: int, style: LineStyle, scale: Factor, symbol: str, shown: OverlayInput) -> Figures:
     """Return the arrows of a derivative of order 1 or 2; two where it jumps at a point."""
-    places, arrows = _at_knots(scene, order)
+    places, arrows = _at_knots(shown, order)
     if not len(places):
-        return [], ""
+        return Figures()
     longest = usual_length(arrows, _LONGEST)
-    unit = _SHARE * scene.size / longest * scene.value(scale) if longest > 0 else 0.0
+    unit = _SHARE * shown.size / longest * shown.value(scale) if longest > 0 else 0.0
     figures = [_figure(style, places, arrows * unit)]
-    here, arrow = scene.at_scrub(0), scene.at_scrub(order)
+    here, arrow = shown.at_scrub(0), shown.at_scrub(order)
     if here is not None and arrow is not None:
         label = f"{symbol} {number(float(np.hypot(*arrow)))}"
         figures.append(_figure(style, here[None], arrow[None] * unit, label))
-    return figures, ""
+    return Figures(figures)
 
 
 def _figure(style: LineStyle, places: FloatArray, arrows: FloatArray, label: str = "") -> Figure:
@@ -50,10 +47,10 @@ def _figure(style: LineStyle, places: FloatArray, arrows: FloatArray, label: str
     return Figure(style, Shape.ARROWS, points, label)
 
 
-def _at_knots(scene: Scene, order: int) -> tuple[FloatArray, FloatArray]:
+def _at_knots(shown: OverlayInput, order: int) -> tuple[FloatArray, FloatArray]:
     """Return the knots and the derivative there, from both sides where these differ."""
     places, arrows = [], []
-    for piece, curve in zip(scene.samples, scene.view.pieces, strict=True):
+    for piece, curve in zip(shown.samples, shown.view.pieces, strict=True):
         derivative = piece.velocities if order == 1 else piece.accelerations
         ends = derivative.reshape(len(curve.parameters) - 1, -1, 2)
         before, after = ends[:, -1], ends[:, 0]

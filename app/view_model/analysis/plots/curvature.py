@@ -12,8 +12,7 @@ from curvecore.arrays import FloatArray
 from ....document.words import number
 from ...curve.rounded_parameters import curvature_error
 from ...geometry import size_of
-from ..plot import Plot, Sampled
-from ..plot_lines import PlotData
+from ..plot import Plot, PlotData, Sampled
 
 _STRAIGHT = 1e-9
 """Share of 1 / size below which nobody takes a curvature for one."""

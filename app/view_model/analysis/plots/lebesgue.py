@@ -11,8 +11,7 @@ from curvecore.arrays import FloatArray
 
 from ....document.words import number
 from ...basis import growth_at
-from ..plot import Plot, Sampled
-from ..plot_lines import Level, PlotData, Scale
+from ..plot import Level, Plot, PlotData, Sampled, Scale
 
 
 def _values(sampled: Sampled) -> FloatArray:

@@ -16,9 +16,7 @@ from ...line_styles import (
     Mark,
     Sign,
 )
-from ..figures import Figure, Shape
-from ..overlay import Drawn, Group, Overlay
-from ..scene import Scene
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape
 
 INFLECTION = LineStyle(SKY, width=1.8, mark=Mark.RING, sign=Sign.MARK)
 SHARPEST = LineStyle(VERMILLION, width=1.4, mark=Mark.DIAMOND, sign=Sign.MARK)
@@ -31,29 +29,29 @@ _TOLERANCE = 1e-6
 _MORE = " There may be more crossings: it runs along itself, or has too many."
 
 
-def _marks(scene: Scene) -> Drawn:
+def extrema(shown: OverlayInput) -> Figures:
     """Return the marks and how many there are, in words; heavy."""
-    curve = scene.view.curve
+    curve = shown.view.curve
     if curve is None:
-        return [], ""
+        return Figures()
     found = [(INFLECTION, "inflection", curve.evaluate(curvecore.inflections(curve)))]
-    scene.report(0.0, "Computing")
+    shown.report(0.0, "Computing")
     bends = curvecore.curvature_extrema(curve)
     # The largest signed curvature is the sharpest bend to the left, and the flattest to the right.
     is_sharp = bends.is_maximum == (bends.curvatures > 0)
     found.append((SHARPEST, "sharpest bend", curve.evaluate(bends.parameters[is_sharp])))
     found.append((FLATTEST, "flattest place", curve.evaluate(bends.parameters[~is_sharp])))
-    scene.report(0.0, "Computing")
+    shown.report(0.0, "Computing")
     words = ""
-    if scene.size > 0:
-        crossings = curvecore.self_intersections(curve, _TOLERANCE * scene.size)
-        found.append((CROSSING, "crossing", _distinct(crossings.points, 10 * _TOLERANCE * scene.size)))
+    if shown.size > 0:
+        crossings = curvecore.self_intersections(curve, _TOLERANCE * shown.size)
+        found.append((CROSSING, "crossing", _distinct(crossings.points, 10 * _TOLERANCE * shown.size)))
         words = "" if crossings.is_complete else _MORE
     figures = [
         Figure(style, Shape.MARKS, points.reshape(-1, 2)) for style, _, points in found if np.size(points)
     ]
     counts = [f"{len(points)} {name}{'s' * (len(points) != 1)}" for _, name, points in found]
-    return figures, f"{', '.join(counts)}.{words}"
+    return Figures(figures, f"{', '.join(counts)}.{words}")
 
 
 def _distinct(points: FloatArray, tolerance: float) -> FloatArray:
@@ -67,7 +65,7 @@ def _distinct(points: FloatArray, tolerance: float) -> FloatArray:
     return kept[:count]
 
 
-MARKS = Overlay(
+EXTREMA = Overlay(
     name="marks",
     text="Inflections and Extrema",
     tip="Mark inflections, the sharpest and flattest places, and crossings of the curve with itself",
@@ -76,7 +74,7 @@ MARKS = Overlay(
     group=Group.SHAPE,
     rank=60,
     layer=90,
-    draw=_marks,
+    draw=extrema,
     settles=lambda _view: True,
     finds=(
         (INFLECTION, "Inflection"),

@@ -14,7 +14,7 @@ from ..curve.curve_view import Box, CurveView, view_of
 from ..curve.distances import coincide
 from ..geometry import all_along
 from .ghost import Ghost, all_ghosts
-from .scene import is_quick
+from .overlay import is_quick
 
 
 def rules_text(curve: Curve) -> str:
