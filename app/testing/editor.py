@@ -21,7 +21,7 @@ from ..document.plane_edits import set_grid_spacing, set_unit
 from ..families import FAMILIES, Family
 from ..features.basis.panel import BasisPanel
 from ..features.curve_list.commands import CurveListCommands
-from ..features.curve_list.row_parts import Spot, spot_rect
+from ..features.curve_list.rows import Spot, spot_rect
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..tools.transform import TransformKind

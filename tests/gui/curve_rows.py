@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.row_parts import Spot, spot_rect
+from app.features.curve_list.rows import Spot, spot_rect
 from app.features.curve_list.view import CurveListView
 from app.testing import Editor
 

@@ -16,7 +16,7 @@ from app.document.style import Style
 from app.document.transforms import clean_step
 from app.families import QUINTIC_HERMITE
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.row_parts import Spot, spot_rect
+from app.features.curve_list.rows import Spot, spot_rect
 from app.features.import_export.commands import ImportCommands
 from app.storage.format import encode
 from app.tools.snapping import SnapKind, Snapping

@@ -25,7 +25,7 @@ from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.row_parts import Spot, spot_rect
+from app.features.curve_list.rows import Spot, spot_rect
 from app.features.import_export.export_dialog import ExportDialog
 from app.view_model.palette import adjustment_of, colour_on
 from tests.gui.test_theme import contrast, oklab

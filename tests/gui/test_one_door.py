@@ -21,7 +21,7 @@ from app.document.model import (
 from app.document.several_curves import with_appearance
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.row_parts import Spot
+from app.features.curve_list.rows import Spot
 from app.features.point_table.view import CellEditor
 from app.storage.format_error import FormatError
 from app.storage.validation import validate

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from app.appearance.colours import point_colours
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
-from app.features.curve_list.row_parts import Spot, spot_rect
+from app.features.curve_list.rows import Spot, spot_rect
 from tests.gui.curve_rows import heard, open_row_menu
 from tests.gui.editor_facts import names
 from tests.waiting import until

@@ -16,8 +16,8 @@ from app.cli import main
 from app.document.model import Document, make_curve
 from app.document.style import FillRule, Style
 from app.families import HERMITE
-from app.features.curve_list.dragging import OPENS_MS
-from app.features.curve_list.row_parts import Spot, spot_rect
+from app.features.curve_list.row_drag import OPENS_MS
+from app.features.curve_list.rows import Spot, spot_rect
 from app.workbench.context import bar_menu
 from tests.gui.curve_rows import click_row, heard, place_in, row_named, rows, view_of
 from tests.gui.editor_facts import undo_text

@@ -23,7 +23,7 @@ from app.appearance.theme import LIGHT, ThemeMode
 from app.document.model import Document, make_curve
 from app.document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from app.families import HERMITE
-from app.features.curve_list.row_parts import Spot
+from app.features.curve_list.rows import Spot
 from app.plotting.drawing import Stroke
 from app.plotting.wide_line import RoundLine, WideLine
 from app.widgets.colour_popup import ColourPopup

@@ -15,7 +15,7 @@ from app.canvas.other_curves_layer import loose_places, sections_of
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
-from app.features.curve_list.row_parts import Spot
+from app.features.curve_list.rows import Spot
 from tests.gui.curve_rows import click_row, heard, open_row_menu, row_named
 from tests.gui.editor_facts import chosen, moved_by, on_curve, transform
 

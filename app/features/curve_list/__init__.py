@@ -1,7 +1,7 @@
-"""The list of curves: which are chosen or edited, what each is called and how it is shown.
+"""List of curves: selected and edited curves, their names, colours, locks and visibility.
 
-- ``commands``: what is done to all chosen curves by actions.  ``row_edits``: what is done by rows.
-- ``panel``: the list with its buttons.  ``colour_menu``: behind a swatch.
-- ``view``, ``rows``, ``row_parts``, ``model``: the list for Qt.  ``entries``: what its rows show.
-  ``dragging``, ``dropping``: of rows.
+- ``commands``: the list in the window; actions on all selected curves, and edits by rows.
+- ``panel``: the list with its buttons and the menu of colours.
+- ``view``: the list widget.  ``rows``: painted rows and their parts.  ``row_drag``: drag of a row.
+  ``model``: entries of the list, as a Qt model.
 """

@@ -1,26 +1,25 @@
-"""The panel with the list of curves: which one is edited, what each is called and how it is shown."""
+"""Panel with the list of curves, its buttons, and the menu of colours behind a swatch."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QPoint, Signal
-from PySide6.QtGui import QAction, QContextMenuEvent
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QAction, QContextMenuEvent, QIcon
 from PySide6.QtWidgets import QMenu, QWidget
 
-from ...appearance.colours import fill_colour
+from ...appearance.colours import CURVE_COLOURS, fill_colour, paint_picture
 from ...appearance.theme import theme_of
 from ...document.groups import Node
 from ...document.model import Document
-from ...document.style import Style
+from ...document.style import NO_PAINT, Style
 from ...qt.overrides import SafeOverrides
+from ...view_model.palette import adjustment_of
 from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
 from ...widgets.controls import action_button
-from .colour_menu import colour_menu
-from .entries import RowMarks
-from .model import CurveListModel
-from .row_parts import Spot
+from .model import CurveListModel, RowMarks
+from .rows import Spot
 from .view import CurveListView
 
 
@@ -131,3 +130,44 @@ class CurveList(SafeOverrides, QWidget):
         if (node := self.view.parts.node_at(place)) is not None:
             self.row_meant.emit(node)
         self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
+
+
+_SWATCH = 12
+
+
+def colour_menu(
+    style: Style,
+    paint: Callable[[str], object],
+    fill: Callable[[str], object],
+    choose_other: Callable[[], object],
+    parent: QWidget,
+) -> QMenu:
+    """Return the menu for curves of a style; what is chosen is told to `paint`, or to `fill`."""
+    menu = QMenu(parent)
+    menu.setObjectName("colourMenu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    menu.setToolTipsVisible(True)
+    _add_paints(menu, "colour", CURVE_COLOURS, style.colour, paint)
+    menu.addSeparator()
+    other = menu.addAction("Other Colour…", choose_other)
+    other.setObjectName("colour_Other")
+    other.setToolTip("Choose any colour; it is seen at once")
+    inside = menu.addMenu("Fill")
+    inside.setObjectName("fillMenu")
+    inside.setToolTipsVisible(True)
+    _add_paints(inside, "fill", {"None": NO_PAINT, **CURVE_COLOURS}, style.fill, fill)
+    return menu
+
+
+def _add_paints(
+    menu: QMenu, name: str, paints: dict[str, str], now: str, choose: Callable[[str], object]
+) -> None:
+    theme = theme_of(menu.palette())
+    for word, paint in paints.items():
+        action = menu.addAction(QIcon(paint_picture(paint, theme, _SWATCH)), word)
+        action.setObjectName(f"{name}_{word.replace(' ', '_')}")
+        moved = adjustment_of(theme.paper.name(), paint) if name == "colour" else ""
+        action.setToolTip(f"{word} {moved}".strip())
+        action.setCheckable(True)
+        action.setChecked(paint == now)
+        action.triggered.connect(lambda _checked=False, paint=paint: choose(paint))

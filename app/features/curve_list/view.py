@@ -12,11 +12,9 @@ from ...qt.labels import tip_of
 from ...qt.overrides import DELETE, ENTER, ClaimsKeys
 from ...widgets.controls import named
 from ...widgets.fields import end_editing
-from .dragging import RowDrag
-from .dropping import stays
 from .model import CurveListModel
-from .row_parts import RowParts, Spot
-from .rows import RowDelegate
+from .row_drag import RowDrag, stays
+from .rows import RowDelegate, RowParts, Spot
 
 _RENAME = (Qt.Key.Key_F2, *ENTER)
 _STEPS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
