@@ -16,7 +16,6 @@ FEATURES = (
     "snapping",
     "import_export",
     "curves",
-    "shapes",
     "points",
     "rules",
     "own_families",

@@ -1,6 +1,6 @@
-"""Whole curves: new, join, split, reverse, close, name and order.
+"""Whole curves, their segments, shapes and groups.
 
-- ``commands``: the actions; ``join_commands``: those that make one curve of several.
-  ``order_commands``: what lies in front of what.
-  ``segment_commands``: segments deleted.
+- ``commands``: new, insert points, split, reverse, close, delete segments.
+- ``join_commands``: join and merge ends.
+- ``arrange_commands``: order in front and behind, Combine and Break Apart, Group and Ungroup.
 """
