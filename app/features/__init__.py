@@ -12,7 +12,6 @@ from importlib import import_module
 FEATURES = (
     "files",
     "view",
-    "guides",
     "snapping",
     "import_export",
     "curves",

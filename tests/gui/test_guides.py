@@ -14,7 +14,7 @@ from app.document.plane_edits import add_guide
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.families import HERMITE
-from app.features.guides.commands import GuideCommands
+from app.features.snapping.commands import GuideCommands
 from app.storage.files import load, save
 
 LINE = Document((make_curve(((0.0, 0.0), (1.03, 2.04), (3.07, 2.11), (4.0, 0.0))),))

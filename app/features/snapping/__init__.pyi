@@ -1,2 +1,2 @@
 # Modules that are imported when they are first used.
-from . import field as field
+from . import guide_field as guide_field
