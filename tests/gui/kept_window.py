@@ -33,7 +33,7 @@ from app.features.motion.commands import MotionCommands
 from app.features.plots.panel import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
 from app.features.style.commands import StyleCommands
-from app.features.view.zoom_commands import ZoomCommands
+from app.features.view.zoom import ZoomCommands
 from app.features.wiggle.commands import WiggleCommands
 from app.testing import Editor
 from app.view_model.motion_settings import MotionSettings

@@ -9,9 +9,7 @@ from PySide6.QtWidgets import QMenu, QToolButton
 
 from app.document.expression import ExpressionError
 from app.document.model import Document, make_curve
-from app.features.view.past_views import PastViews
-from app.features.view.zoom_commands import ZoomCommands
-from app.features.view.zoom_field import per_cent_text, pixels_at_full_size, read_zoom
+from app.features.view.zoom import PastViews, ZoomCommands, per_cent_text, pixels_at_full_size, read_zoom
 from app.plotting.scrolling import ZOOM_STEP
 
 CTRL, SHIFT, ALT = (

@@ -37,8 +37,7 @@ from ...view_model.curve.curve_view import CurveView
 from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.form_edits import SliderGesture
-from .bar import STEPS, ParametrizationBar
-from .family_button import FamilyButton
+from .toolbar_widgets import STEPS, FamilyButton, ParametrizationBar
 
 _MOST_KEYS = 10
 """One more than there are digits for."""

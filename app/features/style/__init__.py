@@ -1,9 +1,7 @@
 """Style: stroke and fill of all selected curves, copied and pasted.
 
-- ``commands``: the panel in the window, the colours it offers, and Swap Fill and Stroke.
-- ``clipboard_commands``: Copy Style and Paste Style.
-- ``panel``: the form.  ``paint_field``: a colour, clicked, typed or chosen.  ``percent_field``: a share.
-  ``dash_field``: presets of dashes, and a list of one's own.
+- ``commands``: the panel in the window, the colours it offers, Swap Fill and Stroke, Copy and Paste Style.
+- ``panel``: the form.  ``fields``: its fields of a colour, a dash pattern and a percentage.
 """
 
 import lazy_loader as lazy

@@ -1,18 +1,22 @@
-"""The panel of styles in the window."""
+"""Style of the selected curves: its panel, Swap Fill and Stroke, Copy Style and Paste Style."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import msgspec
+from PySide6.QtCore import QMimeData
 from PySide6.QtWidgets import QWidget
 
+from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
-from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE
+from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE, EDIT_STYLE
+from ...actions.needs import CHOSEN
 from ...appearance.theme import LIGHT, Theme
 from ...document.groups import whole_shapes
 from ...document.model import Curve, Document, make_curve
@@ -22,15 +26,21 @@ from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped
 from ...session.change import why_not_kept
 from ...session.session import Session
 from ...settings.preferences import Preferences
+from ...storage.field_check import check_fields
+from ...storage.format_error import FormatError
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of
+from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.form_edits import SliderGesture
 from .. import style
-from .clipboard_commands import StyleClipboardCommands
-from .percent_field import STEPS
+
+if TYPE_CHECKING:
+    from ...exchange.cubics_in import Imported
+    from .panel import StylePanel
+
 
 _MOST_REMEMBERED = 12
 
@@ -62,9 +72,6 @@ class UsedColours:
             found = list(dict.fromkeys([*codes, *self.recent]))[:_MOST_REMEMBERED]
             self._preferences.recent_colours = " ".join(found)
 
-
-if TYPE_CHECKING:
-    from .panel import StylePanel
 
 _PAINTS = ("fill", "stroke")
 _NEXT = "what is drawn next"
@@ -196,11 +203,11 @@ class StyleCommands:
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
-        return with_style(document, self._curves, **{name: position / STEPS})
+        return with_style(document, self._curves, **{name: position / style.fields.STEPS})
 
     def _set_next_share(self, name: str, position: int) -> None:
         if not self._curves:
-            self._change({name: position / STEPS})
+            self._change({name: position / style.fields.STEPS})
 
     def _words_of_share(self, name: str, _position: int) -> str:
         return self._words([name])
@@ -242,6 +249,89 @@ def _note_on(styles: Iterable[Style], theme: Theme) -> str:
     lines = (each.stroke for each in styles if each.has_stroke)
     moved = next(filter(None, (adjustment_of(theme.paper.name(), stroke) for stroke in lines)), "")
     return f"The line is {moved}." if moved else ""
+
+
+STYLE = "application/x-curvebench-style"
+"""MIME type of a style, as JSON."""
+
+_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there, and so does copied SVG."
+
+
+class StyleClipboardCommands:
+    """Copies how a curve looks, and has others look so."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+
+    @action(
+        "copyStyle",
+        "Copy Style",
+        EDIT_STYLE,
+        "Ctrl+Alt+Shift+C",
+        "style-copy",
+        keywords="colour format painter",
+        needs=CHOSEN,
+    )
+    @also(CHOSEN_MENU(41))
+    def _copy(self) -> None:
+        """Copy stroke and fill of the curve that is edited."""
+        session, data = self._session, QMimeData()
+        data.setData(STYLE, msgspec.json.encode(session.active_curve.style))
+        put_on_clipboard(data)
+        session.say(f"Copied the style of “{session.active_curve.seen_name}”.")
+
+    @action(
+        "pasteStyle",
+        "Paste Style",
+        EDIT_STYLE,
+        "Ctrl+Shift+V",
+        "style-paste",
+        keywords="colour format painter",
+        needs=CHOSEN,
+    )
+    @also(CHOSEN_MENU(42))
+    def _paste(self) -> None:
+        """Give the curve, or all that are selected, the stroke and the fill that were copied.
+
+        Of curves, or of an SVG, those of the first.
+        """
+        data = clipboard_data()
+        fragment = None if any(map(data.hasFormat, (STYLE, CURVES))) else drawing_in(data)
+        if fragment is not None and not fragment.is_bare:
+            read = partial(exchange.svg.fragments.read_fragment, fragment)
+            self._context.work.start("Reading the style", read, self._give_first, Path("The style"), "pasted")
+        elif found := _style_in(data):
+            self._give(found)
+        else:
+            self._session.refuse(_NOTHING_TO_PASTE)
+
+    def _give_first(self, drawing: Imported) -> None:
+        """Give the style of the first element of a drawing, in the unit of the document."""
+        unit = self._session.document.unit
+        self._give(exchange.rescaled.in_unit(drawing.document, unit).curves[0].style)
+
+    def _give(self, found: Style) -> None:
+        """Give the selected curves a style."""
+        session, curves = self._session, self._session.selected.marked
+        subject = named(session.document, curves)
+        words = f"Paste style to {subject}"
+        fields = msgspec.structs.asdict(found)
+        if session.change(words, lambda document: with_style(document, curves, **fields)):
+            session.say(f"Pasted the style to {subject}.")
+
+
+def _style_in(data: QMimeData) -> Style | None:
+    """Return the style that was copied, or that of the first of the curves that were; None without either."""
+    try:
+        if data.hasFormat(STYLE):
+            found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
+            check_fields(found, "style")
+            return found
+        if copied := own_in(data):
+            return copied.curves[0].style
+    except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
+        pass
+    return None
 
 
 COMMAND_SETS = (

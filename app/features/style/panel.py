@@ -19,9 +19,7 @@ from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ChoiceRow, action_button
 from ...widgets.fields import FieldForm, NumberEdit, read_number
 from ...widgets.number_text import read_length
-from .dash_field import DashField
-from .paint_field import PaintField
-from .percent_field import MIXED, PercentField
+from .fields import MIXED, DashField, PaintField, PercentField
 
 AUTO = "auto"
 """Stands for a line of the usual width, whatever the zoom."""

@@ -1,7 +1,7 @@
 """Transforms of points and curves: move, scale, rotate, mirror, align, distribute.
 
-- ``commands``: the actions.  ``align_commands``: those that align and distribute.
-- ``panel``: the same in numbers.  ``panel_commands``: keeps it in step.  ``pivot_chooser``: nine places.
+- ``commands``: the actions.  ``align_commands``: Align and Distribute.
+- ``panel``: transforms in numbers, and the pivot.  ``panel_commands``: the panel in the window.
 """
 
 import lazy_loader as lazy

@@ -1,4 +1,4 @@
-"""Transforms in numbers: where the selection lies, how large it is, how far it was turned."""
+"""Panel of transforms in numbers: position, size and rotation of the selection, and its pivot."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from functools import partial
 import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QGridLayout, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.model import Vector
 from ...document.transforms import Reference
 from ...qt.labels import Label
-from ...view_model.boxes import Bounds
+from ...qt.overrides import SafeOverrides
+from ...view_model.boxes import NINE, Bounds, name_of_place
 from ...widgets.boxes import Part, column_of, row_of
-from ...widgets.controls import ICON, action_button, choice_box, tool_button
+from ...widgets.controls import ICON, action_button, choice_box, named, tool_button
 from ...widgets.fields import FieldForm, NumberEdit, read_number
 from ...widgets.number_text import read_length
-from .pivot_chooser import PivotChooser
 
 _EACH_TIME = "Degrees, counterclockwise; Enter turns each time"
 _SKEW = "Degrees: the top goes right, or the right side up; Enter: the top"
@@ -274,3 +274,50 @@ def _skew_button(name: str, way: str) -> QToolButton:
 
 def _button(action: QAction) -> QToolButton:
     return action_button(action, flat=True)
+
+
+_SIDE = 17
+
+
+class PivotChooser(SafeOverrides, QWidget):
+    """Nine buttons, of which the one where the pivot lies is down; none where it lies elsewhere.
+
+    Tab leads to that one, and the arrows from there to the others.
+
+    Signals
+    -------
+    chosen
+        A place was chosen: −1, 0 or 1 for left, middle, right, and for bottom, middle, top.
+    """
+
+    chosen = Signal(int, int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "pivotChooser", "Pivot")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(3)
+        self._group = QButtonGroup(self)
+        self._buttons: dict[tuple[int, int], QToolButton] = {}
+        for place, at in enumerate(NINE):
+            words = name_of_place(*at)
+            name = "pivot" + "".join(word.capitalize() for word in words.split())
+            tip = f"Pivot: {words} of the box; X and Y are of it, and transforms are about it"
+            button = named(QToolButton(), name, f"Pivot: {words}", tip)
+            button.setCheckable(True)
+            button.setFixedSize(_SIDE, _SIDE)
+            button.clicked.connect(partial(self.chosen.emit, *at))
+            grid.addWidget(button, *divmod(place, 3))
+            self._group.addButton(button)
+            self._buttons[at] = button
+
+    def render_place(self, place: tuple[int, int] | None) -> None:
+        """Show which place it is, None for none of them."""
+        # A group of which one is to be down lets none be up.
+        self._group.setExclusive(False)
+        for at, button in self._buttons.items():
+            button.setChecked(at == place)
+            stops = at == (place or (0, 0))
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus if stops else Qt.FocusPolicy.NoFocus)
+        self._group.setExclusive(True)

@@ -1,6 +1,5 @@
 """View: tools, zoom, panels, presentation and theme.
 
-- ``commands``: tools, panels, presentation and theme.  ``zoom_commands``: zoom.
-- ``more_tools_button``: the button of further tools in the toolbar.
-- ``zoom_field``: its field in the status line, and zoom in per cent.  ``past_views``: the way back.
+- ``commands``: tools, panels, presentation and theme.  ``zoom``: zoom and the views to go back to.
+- ``more_tools_button``: the button of the toolbar for further tools.
 """

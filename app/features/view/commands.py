@@ -29,7 +29,7 @@ from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.docks import LateDock, hide_idle_docks
 from .more_tools_button import MoreToolsButton
-from .zoom_commands import ZoomCommands
+from .zoom import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 

@@ -1,22 +1,24 @@
-"""A paint: one click on a swatch, a colour typed, or chosen in a popup that shows it at once."""
+"""Fields of a style: a colour, a dash pattern, a percentage."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon
-from PySide6.QtWidgets import QApplication, QBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QBoxLayout, QComboBox, QToolButton, QWidget
 
 from ...appearance.colours import CURVE_COLOURS, fill_colour, paint_picture
 from ...appearance.theme import FollowsTheme, Theme, theme_of
 from ...document.expression import ExpressionError
-from ...document.style import INK, NO_PAINT
+from ...document.style import INK, LARGEST_DASHES, NO_PAINT
+from ...document.words import decimal_sum, number
 from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
-from ...widgets.controls import tool_button
-from ...widgets.fields import NumberEdit
-from .percent_field import MIXED
+from ...widgets.controls import choice_box, named, tool_button
+from ...widgets.fields import NumberEdit, read_number
+from ...widgets.number_text import decimal_mark, typed_text
+from ...widgets.sliders import LiveSlider
 
 MOST_RECENT = 5
 """Colours that are remembered beside those that are always there."""
@@ -171,3 +173,136 @@ class PaintField(FollowsTheme, QWidget):
 
     def _forget_popup(self) -> None:
         self._popup = None
+
+
+_PRESETS: dict[str, tuple[float, ...]] = {
+    "Solid": (),
+    "Dots": (0.0, 2.0),
+    "Short": (2.0, 2.0),
+    "Dashes": (4.0, 2.0),
+    "Long": (8.0, 3.0),
+    "Dash-dot": (5.0, 2.5, 0.0, 2.5),
+}
+"""Dashes and gaps in multiples of the width; one of length 0 is a dot where line ends are round."""
+
+_OWN = "Own"
+_LEAST = 48
+
+
+class DashField(QWidget):
+    """Shows dashes and asks for others.
+
+    Signals
+    -------
+    chosen
+        Others were chosen, or typed: a tuple of numbers.
+    dots_chosen
+        Others with dots were chosen by their name: dashes of length 0, which need ends that are round.
+
+    Attributes
+    ----------
+    edit
+        The field.
+    """
+
+    chosen = Signal(object)
+    dots_chosen = Signal(object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        tip = "Dashes and gaps, in multiples of the width"
+        self._box = choice_box("dashBox", "Dashes", tip, (*_PRESETS, _OWN))
+        self._box.setMinimumContentsLength(6)
+        self._box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        tip = "Lengths of dashes and gaps in turn, in multiples of the width, such as 4 2 (Enter to set)"
+        self.edit = NumberEdit("dashList", "List of dashes", tip, _read)
+        self._value: object = ()
+        self.edit.setMinimumWidth(_LEAST)
+        row_of((self._box, 1), (self.edit, 1), margins=0, spacing=6, parent=self)
+        self._box.activated.connect(self._choose)
+        self.edit.entered.connect(self.chosen)
+
+    def render_value(self, value: object) -> None:
+        """Show dashes; anything but a tuple for several."""
+        self._value = value
+        if not isinstance(value, tuple):
+            self._box.setCurrentIndex(-1)
+            self.edit.show_text(MIXED)
+            return
+        names = [name for name, preset in _PRESETS.items() if preset == value]
+        self._box.setCurrentText(names[0] if names else _OWN)
+        short = " ".join(number(length, 6, decimal_mark()) for length in value)
+        self.edit.show_text(" ".join(map(typed_text, value)), short)
+
+    def _choose(self, row: int) -> None:
+        presets = list(_PRESETS.values())
+        if row < len(presets):
+            dash = presets[row]
+            (self.dots_chosen if 0.0 in dash else self.chosen).emit(dash)
+        else:
+            self.render_value(self._value)
+            self.edit.setFocus()
+
+
+def _read(text: str) -> Sequence[float]:
+    lengths = tuple(read_number(word) for word in text.replace(";", " ").split())
+    if len(lengths) > LARGEST_DASHES:
+        raise ExpressionError(f"There may be {LARGEST_DASHES} dashes and gaps at most.")
+    if any(length < 0 for length in lengths) or (lengths and not any(lengths)):
+        raise ExpressionError("Dashes and gaps are 0 or longer, and not all of them 0.")
+    return lengths
+
+
+STEPS = 100
+"""Positions of the slider from nothing to all."""
+
+MIXED = "mixed"
+"""Stands where what is shown has not one value."""
+
+_FIELD_WIDTH = 60
+
+_STEP = 0.05
+"""Share by which an arrow key goes on."""
+
+
+class PercentField(QWidget):
+    """A slider from 0 to `STEPS`, and a field.
+
+    Attributes
+    ----------
+    slider, edit
+        What is dragged, and typed into; `edit` reports shares from 0 to 1.
+    """
+
+    def __init__(self, name: str, label: str, tip: str) -> None:
+        super().__init__()
+        self.slider = named(
+            LiveSlider(), f"{name}Slider", f"{label}, slider", f"{tip}; Escape cancels a drag"
+        )
+        self.slider.setRange(0, STEPS)
+        self.edit = NumberEdit(
+            name, label, f"{tip}, in per cent (Enter to set; ↑ ↓ by 5 %)", read_percent, _step
+        )
+        self.edit.setFixedWidth(_FIELD_WIDTH)
+        row_of((self.slider, 1), self.edit, margins=0, spacing=8, parent=self)
+        self._value: object = None
+        self.slider.drag_ended.connect(lambda: self.render_value(self._value))
+
+    def render_value(self, value: object) -> None:
+        """Show a share; anything but a number for several."""
+        self._value = value
+        self.edit.show_text(f"{number(100 * value, 4)} %" if isinstance(value, float) else MIXED)
+        if isinstance(value, float) and not self.slider.isSliderDown():
+            self.slider.setValue(round(value * STEPS))
+
+
+def read_percent(text: str) -> float:
+    """Return the share from 0 to 1 that a text such as "40 %" means; raise ExpressionError for others."""
+    share = read_number(text.replace("%", " ")) / 100
+    if not 0 <= share <= 1:
+        raise ExpressionError("From 0 % to 100 %.")
+    return share
+
+
+def _step(share: float, count: int) -> float:
+    return min(max(decimal_sum(share, count * _STEP), 0.0), 1.0)
