@@ -17,11 +17,19 @@ from ...actions.menus import (
 )
 from ...actions.needs import SECOND_CURVE, SOME_CURVE, Need
 from ...document.curve_edits import remove_curve
-from ...document.group_edits import Gathered, at_end, broken_apart, combined, grouped, groups_meant, ungrouped
+from ...document.group_edits import (
+    Gathered,
+    at_end,
+    broken_apart,
+    combined,
+    grouped,
+    groups_meant,
+    stepped,
+    ungrouped,
+)
 from ...document.groups import counted_nodes, whole_shapes
 from ...document.model import Document
 from ...document.several_curves import active_after_removal, in_order, named, place_in
-from ...document.shape_edits import stepped
 from ...document.words import count_of
 from ...view_model.geometry import fills_holes
 from ...workbench.context import WindowContext

@@ -308,7 +308,7 @@ class StyleClipboardCommands:
     def _give_first(self, drawing: Imported) -> None:
         """Give the style of the first element of a drawing, in the unit of the document."""
         unit = self._session.document.unit
-        self._give(exchange.rescaled.in_unit(drawing.document, unit).curves[0].style)
+        self._give(exchange.units.in_unit(drawing.document, unit).curves[0].style)
 
     def _give(self, found: Style) -> None:
         """Give the selected curves a style."""
