@@ -17,7 +17,7 @@ from typing import Self
 
 import msgspec
 
-from ..storage.coding import from_plain
+from ..storage.coding import decode_hook
 from ..tasks.processor_limit import longest_wait, was_overdue
 from ..tasks.progress import Report, silent
 from . import READER_PROCESS
@@ -119,7 +119,7 @@ class ReaderProcess:
         """
         self.begin(reader, data, tolerance, seconds=seconds, memory=memory)
         try:
-            answer = msgspec.msgpack.decode(self._awaited(report), type=Answer, dec_hook=from_plain)
+            answer = msgspec.msgpack.decode(self._awaited(report), type=Answer, dec_hook=decode_hook)
         except BaseException:
             self.end()
             raise

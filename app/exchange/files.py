@@ -15,8 +15,7 @@ from .. import exchange
 from ..document.model import Document
 from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ..storage.files import document_in, read, write
-from ..storage.format_error import FormatError
-from ..storage.unread import clause_about_name
+from ..storage.format_error import FormatError, foreign_name_clause
 from ..tasks.progress import FINAL, Report, silent
 from . import table
 from .errors import ExchangeError
@@ -150,7 +149,7 @@ def format_to_read(path: str | os.PathLike[str]) -> Format:
     ExchangeError
         For an unknown ending; of known kinds that are not read it says what to do.
     """
-    if clause := clause_about_name(os.fspath(path)):
+    if clause := foreign_name_clause(os.fspath(path)):
         raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.")
     return format_of(path, FORMATS.read)
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import msgspec
 
-from ..storage.coding import to_plain
+from ..storage.coding import encode_hook
 from ..storage.format_error import FormatError
 from ..storage.validation import validate
 from ..tasks.processor_limit import limit_processor_time
@@ -79,7 +79,7 @@ def _answer_in(folder: Path) -> None:
     request = msgspec.msgpack.decode((folder / QUESTION).read_bytes(), type=Request)
     import_module(request.module)  # the start does not count
     limit_processor_time(request.seconds)
-    answer = msgspec.msgpack.encode(answer_to(request, request.memory), enc_hook=to_plain)
+    answer = msgspec.msgpack.encode(answer_to(request, request.memory), enc_hook=encode_hook)
     limit_processor_time(inf)
     limit_memory(None)
     (folder / _UNFINISHED).write_bytes(answer)

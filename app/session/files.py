@@ -15,7 +15,7 @@ from ..document.model import NEVER_EXPORTED, Document, Export, empty_document
 from ..document.plain_numbers import plain
 from ..storage.examples import template_title
 from ..storage.files import load
-from ..storage.open_file import FileChange, OpenFile, Reading
+from ..storage.open_file import FileChange, LoadedDocument, OpenFile
 from ..storage.resources import is_resource
 from ..view_model.curve.curve_view import CurveView
 from .change import why_not_kept
@@ -132,7 +132,9 @@ class Files:
         session.history.push(session.state, HistoryState(document, 0, beginning), step)
         self.note_export(document.export)
 
-    def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
+    def open(
+        self, path: str | Path, reading: LoadedDocument | None = None, views: Sequence[CurveView] = ()
+    ) -> None:
         """Open the document at `path`; when it cannot be read, raise and leave the open one as it was.
 
         Where the file was read already, `reading` is what it held, and `views` may be those of its curves.

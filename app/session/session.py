@@ -18,7 +18,7 @@ from ..document.several_curves import is_blank
 from ..document.style import PLAIN_STYLE
 from ..families import Family
 from ..storage.examples import first_sketch
-from ..storage.open_file import Reading
+from ..storage.open_file import LoadedDocument
 from ..view_model.curve.curve_view import CurveView
 from .box import BoxState
 from .change import Change, raiser_of, why_not_kept, why_safe
@@ -336,7 +336,9 @@ class Session(SessionSignals):
         """Start an empty document."""
         self.files.new()
 
-    def open(self, path: str | Path, reading: Reading | None = None, views: Sequence[CurveView] = ()) -> None:
+    def open(
+        self, path: str | Path, reading: LoadedDocument | None = None, views: Sequence[CurveView] = ()
+    ) -> None:
         """Open the document at `path`; see `Files.open`."""
         self.files.open(path, reading, views)
 

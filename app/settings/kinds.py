@@ -29,9 +29,9 @@ from PySide6.QtCore import QByteArray
 from ..document.model import Curve, Document, empty_document
 from ..document.style import PLAIN_STYLE, Style
 from ..document.words import enumerated
-from ..storage.field_check import check_fields
 from ..storage.format import decode, encode
 from ..storage.format_error import FormatError
+from ..storage.validation import check_fields
 from .file import SettingsFile
 
 Value = TypeVar("Value")

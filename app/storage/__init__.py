@@ -1,18 +1,21 @@
-"""Documents on disk: the file format, atomic writing, locks and snapshots.
+"""Documents on disk: the file format, complete writes, locks and snapshots.
 
-- ``format``: documents to and from bytes, strictly; ``coding``: values that are no plain JSON values;
-  ``validation``: what goes beyond types; ``format_error``: refusals, in words.
-  ``image_path``: where the file of a picture lies.
-- ``migration``: older versions of the format, step by step.
-  ``repeated_keys``: what typed decoding passes over.  ``setting_check``: settings of families.
-  ``field_check``: what each field may hold.  ``unread``: files of other programs that are none.
-- ``files``: bytes to and from disk, so that nothing is ever half written, and who may read
-  them; ``temporary``: temporary files, and removing stale ones; ``reasons``: why something failed, in words.
-- ``lock``: lock files that name their owner; ``system_lock``: locks of the operating system, on files and
-  folders; ``processes``, ``ps``: whether a process still runs.  ``digests``: SHA-256.
-- ``open_file``: the file behind an open document: what was seen of it, and the lock.
-- ``recovery``: snapshots of what is not saved.
-- ``resources``: what ships with the program.  ``examples``: the documents among that.
+In reading order:
+
+- ``files``: load and save documents, read and write bytes.
+- ``format``: documents to and from bytes.  ``coding``: values that are no JSON values.  ``validation``: the
+  requirements beyond types.  ``format_error``: refusals in words.
+- ``migration``: older versions of the format.
+- ``open_file``: the file of an open document, its lock, and what other programs did to it.
+- ``lock``: lock files that name their owner.  ``system``: processes and locks of the operating system.
+  ``ps``: start time of a process.  ``digests``: SHA-256.
+- ``recovery``: snapshots of unsaved work.
+- ``resources``: files that ship with the program.  ``examples``: the documents among them.
+
+To raise the file version: raise `format.VERSION` and the literal in `format._File`; add to
+`migration.MIGRATIONS` a function that turns the plain values of a file of the last version into those of the
+new one; add a row to `migration.DROPPED` for each field that goes, and a case to
+tests/storage/test_migration.py. No other module knows about old versions.
 """
 
 import lazy_loader as lazy

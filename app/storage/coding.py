@@ -10,14 +10,14 @@ _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "o
 """The names that msgspec has for the values of JSON in its own refusals."""
 
 
-def to_plain(value: object) -> str | float | dict[str, int | str]:
+def encode_hook(value: object) -> str | float | dict[str, int | str]:
     """Return what stands for a value: the name of a family, a number of NumPy's as one of Python's."""
     if isinstance(value, ChosenSettings):
         return dict(value)
     return value.name if isinstance(value, Family) else float(value)  # type: ignore[arg-type]
 
 
-def from_plain(kind: type, value: object) -> Family | ChosenSettings:
+def decode_hook(kind: type, value: object) -> Family | ChosenSettings:
     """Return the family of a name, which may be there elsewhere if not here, or the settings of one.
 
     Raises

@@ -1,8 +1,11 @@
-"""Documents on disk: what was saved is whole, and a save that failed leaves the old file as it was.
+"""Documents on disk: a saved file is complete, and a save that fails leaves the old file unchanged.
 
-Writing goes to a temporary file in the same folder, which is flushed to the disk and then put in place of
-the old one in one step. Qt's QSaveFile is not used: on a full disk it replaced a good file by a truncated
-one (measured with Qt 6.12).
+A save writes a temporary file in the same folder, flushes it to the disk, and renames it to the file in one
+step. Qt's QSaveFile is not used: on a full disk it replaced a good file by a truncated one (measured with Qt
+6.12).
+
+In reading order: `load` and `save`; `read` and `write` for any bytes; access rights; names of temporary
+files; the path of a reference image; messages about files that cannot be read or written.
 """
 
 from __future__ import annotations
@@ -10,51 +13,22 @@ from __future__ import annotations
 import errno
 import logging
 import os
+import os.path
+import re
 import stat
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from time import perf_counter
 
 import msgspec
+from msgspec.structs import replace
 
 from .. import storage
 from ..document.model import Document
 from .format import VERSION, Decoded, decode_counting, encode, version_of
-from .image_path import relative_to, resolved
-from .reasons import quoted, reason_of, why_unreadable, why_unwritable
-from .system_lock import folder_lock
-from .temporary import temporary_name
-
-
-def keep_access(path: Path, like: Path) -> None:
-    """Give the file at `path` owner, group, permissions and attributes of `like`, as far as one may."""
-    wanted, own = like.stat(), path.stat()
-    mode = stat.S_IMODE(wanted.st_mode)
-    if hasattr(os, "chown") and (wanted.st_uid, wanted.st_gid) != (own.st_uid, own.st_gid):
-        try:
-            os.chown(path, wanted.st_uid, wanted.st_gid)
-        except OSError:
-            mode = _mode_for_other_owner(path, wanted)
-    if hasattr(os, "listxattr"):
-        # Access lists among them; not every file system has them, and some are the system's own.
-        with suppress(OSError):
-            for name in os.listxattr(like):
-                with suppress(OSError):
-                    os.setxattr(path, name, os.getxattr(like, name))
-    path.chmod(mode)
-
-
-def _mode_for_other_owner(path: Path, wanted: os.stat_result) -> int:
-    """Return the permissions where only the group can be kept, or not even that."""
-    mode = stat.S_IMODE(wanted.st_mode) & 0o777
-    try:
-        os.chown(path, -1, wanted.st_gid)
-    except OSError:
-        # Another group than the old one may do no more than everybody.
-        mode = mode & ~0o070 | (mode & 0o007) << 3
-    return mode
-
+from .system import folder_lock, is_number_alive, machine
 
 _log = logging.getLogger("curvebench.storage")
 
@@ -131,7 +105,7 @@ def load_counting(path: str | os.PathLike[str]) -> Decoded:
 def document_in(data: bytes, path: str | os.PathLike[str]) -> Decoded:
     """Return the document in `data`, the content of the file at `path`; see `load_counting`."""
     found = decode_counting(data)
-    return Decoded(resolved(found.document, folder_of(path)), found.left_out)
+    return Decoded(with_absolute_image_path(found.document, folder_of(path)), found.left_out)
 
 
 def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None = None) -> Stamp:
@@ -153,7 +127,7 @@ def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None
     StorageError
         If the file cannot be written; the old one is still there.
     """
-    data = encode(relative_to(document, folder_of(path)))
+    data = encode(with_relative_image_path(document, folder_of(path)))
     return write(path, data, before_replacing=lambda target: _look_once_more(path, target, seen))
 
 
@@ -173,7 +147,7 @@ def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | No
     version = version_of(found.data)
     if version is not None and version > VERSION:
         raise NewerVersionError(
-            f"{quoted(path)} was written by a newer version of Curvebench and stays as it is. "
+            f"{quoted_path(path)} was written by a newer version of Curvebench and stays as it is. "
             "Save under another name."
         )
     if version is not None and version < VERSION:
@@ -182,7 +156,7 @@ def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | No
 
 def _changed(path: str | os.PathLike[str]) -> ChangedOnDiskError:
     return ChangedOnDiskError(
-        f"{quoted(path)} was changed by another program since it was opened. "
+        f"{quoted_path(path)} was changed by another program since it was opened. "
         "Save under another name, or look at what changed first."
     )
 
@@ -203,7 +177,9 @@ def keep_backup(target: Path, data: bytes, mark: str) -> Path:
                 return backup
             if _placed(temporary, backup):
                 return backup
-        raise StorageError(f"There are {number} backups of {quoted(target)} already; remove some of them.")
+        raise StorageError(
+            f"There are {number} backups of {quoted_path(target)} already; remove some of them."
+        )
     finally:
         temporary.unlink(missing_ok=True)
 
@@ -261,11 +237,13 @@ def _content(path: str | os.PathLike[str]) -> Content:
     except StorageError:
         raise
     except FileNotFoundError as problem:
-        raise MissingError(why_unreadable(path, problem)) from problem
+        raise MissingError(unreadable_message(path, problem)) from problem
     except (OSError, ValueError) as problem:
-        raise StorageError(why_unreadable(path, problem)) from problem
+        raise StorageError(unreadable_message(path, problem)) from problem
     if len(data) > MAX_BYTES:
-        raise StorageError(f"{quoted(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file.")
+        raise StorageError(
+            f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file."
+        )
     return Content(data, _stamp(status, data))
 
 
@@ -332,7 +310,7 @@ def _write(
     except StorageError:
         raise
     except (OSError, ValueError) as problem:
-        raise StorageError(why_unwritable(path, problem)) from problem
+        raise StorageError(unwritable_message(path, problem)) from problem
     stamp = _stamp(status, data)
     _confirm(path, target.parent, stamp)
     return stamp
@@ -346,7 +324,7 @@ def _refuse_unwritable(path: str | os.PathLike[str], target: Path) -> None:
     _refuse_irregular(path, status)
     # Replacing a file needs no permission on the file itself, so that a write-protected one would go too.
     if not os.access(target, os.W_OK):
-        raise StorageError(f"{quoted(path)} is write-protected. Save under another name.")
+        raise StorageError(f"{quoted_path(path)} is write-protected. Save under another name.")
 
 
 def _write_temporary(folder: Path, data: bytes, like: Path) -> tuple[Path, os.stat_result]:
@@ -388,7 +366,7 @@ def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
         if problem.errno in _FOLDER_SYNC_UNSUPPORTED:
             return
         raise UnconfirmedError(
-            f"{quoted(path)} was written, but the disk did not confirm it ({reason_of(problem)}). "
+            f"{quoted_path(path)} was written, but the disk did not confirm it ({reason_of(problem)}). "
             "Save a copy on another disk.",
             stamp,
         ) from problem
@@ -396,8 +374,173 @@ def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
 
 def _refuse_irregular(path: str | os.PathLike[str], status: os.stat_result) -> None:
     if stat.S_ISDIR(status.st_mode):
-        raise StorageError(f"{quoted(path)} is a folder. Choose a file.")
+        raise StorageError(f"{quoted_path(path)} is a folder. Choose a file.")
     if not stat.S_ISREG(status.st_mode):
-        raise StorageError(f"{quoted(path)} is a pipe or a device. Choose an ordinary file.")
+        raise StorageError(f"{quoted_path(path)} is a pipe or a device. Choose an ordinary file.")
     if status.st_size > MAX_BYTES:
-        raise StorageError(f"{quoted(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file.")
+        raise StorageError(
+            f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file."
+        )
+
+
+# Access rights
+
+
+def keep_access(path: Path, like: Path) -> None:
+    """Give the file at `path` owner, group, permissions and attributes of `like`, as far as one may."""
+    wanted, own = like.stat(), path.stat()
+    mode = stat.S_IMODE(wanted.st_mode)
+    if hasattr(os, "chown") and (wanted.st_uid, wanted.st_gid) != (own.st_uid, own.st_gid):
+        try:
+            os.chown(path, wanted.st_uid, wanted.st_gid)
+        except OSError:
+            mode = _mode_for_other_owner(path, wanted)
+    if hasattr(os, "listxattr"):
+        # Access lists among them; not every file system has them, and some are the system's own.
+        with suppress(OSError):
+            for name in os.listxattr(like):
+                with suppress(OSError):
+                    os.setxattr(path, name, os.getxattr(like, name))
+    path.chmod(mode)
+
+
+def _mode_for_other_owner(path: Path, wanted: os.stat_result) -> int:
+    """Return the permissions where only the group can be kept, or not even that."""
+    mode = stat.S_IMODE(wanted.st_mode) & 0o777
+    try:
+        os.chown(path, -1, wanted.st_gid)
+    except OSError:
+        # Another group than the old one may do no more than everybody.
+        mode = mode & ~0o070 | (mode & 0o007) << 3
+    return mode
+
+
+# Temporary files
+
+TEMPORARY_PREFIX = ".curvebench-"
+"""Begins the name of every temporary file, so that what a power cut left behind can be recognised."""
+
+LEFT_BEHIND = 600.0
+"""Seconds after which a temporary file of a process that has ended is removed."""
+
+_TEMPORARY_NAME = re.compile(
+    re.escape(TEMPORARY_PREFIX) + r"([0-9a-f]{8})-([1-9][0-9]{0,9})-[0-9a-f]{16}\.tmp"
+)
+_COMPUTER_DIGITS = 8
+
+
+def temporary_name() -> str:
+    """Return a new name for a temporary file, which tells whose it is."""
+    return f"{TEMPORARY_PREFIX}{machine()[:_COMPUTER_DIGITS]}-{os.getpid()}-{os.urandom(8).hex()}.tmp"
+
+
+def remove_stale_files(folder: Path, older_than: float = LEFT_BEHIND) -> int:
+    """Remove the temporary files in `folder` whose process has ended; return how many there were.
+
+    Only ordinary files with a name of ours, of this person, made on this computer, and not touched for
+    `older_than` seconds. What cannot be removed stays: nobody is waiting for the room.
+    """
+    removed = 0
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.startswith(TEMPORARY_PREFIX) and _is_left_behind(entry, older_than):
+                with suppress(OSError):
+                    Path(entry.path).unlink()
+                    removed += 1
+    return removed
+
+
+def _is_left_behind(entry: os.DirEntry[str], older_than: float) -> bool:
+    match = _TEMPORARY_NAME.fullmatch(entry.name)
+    if match is None or match[1] != machine()[:_COMPUTER_DIGITS]:
+        return False
+    try:
+        status = entry.stat(follow_symlinks=False)
+    except OSError:
+        return False
+    is_own = not hasattr(os, "geteuid") or status.st_uid == os.geteuid()
+    is_old = time.time() - status.st_mtime > older_than
+    return stat.S_ISREG(status.st_mode) and is_own and is_old and is_number_alive(int(match[2])) is False
+
+
+# Path of the reference image: absolute in an open document, relative in its file
+
+IMAGE_SUFFIXES = (".png", ".jpg", ".jpeg")
+"""Endings of the files that are pictures to trace."""
+IMAGE_PATTERNS = " ".join(f"*{suffix}" for suffix in IMAGE_SUFFIXES)
+"""They, for a dialog that asks for a file."""
+
+
+def with_absolute_image_path(document: Document, folder: str) -> Document:
+    """Return `document`, read from a file in `folder`, with the absolute path of its image."""
+    if document.image is None:
+        return document
+    path = os.path.normpath(Path(folder) / document.image.path)
+    return replace(document, image=replace(document.image, path=path))
+
+
+def with_relative_image_path(document: Document, folder: str) -> Document:
+    """Return `document` as it is written to a file in `folder`."""
+    if document.image is None:
+        return document
+    path = document.image.path
+    if Path(path).is_absolute():
+        with suppress(ValueError):  # another drive of Windows: only the absolute path leads there
+            path = os.path.relpath(path, folder)
+    if os.sep != "/":
+        path = path.replace(os.sep, "/")
+    return replace(document, image=replace(document.image, path=path))
+
+
+# Messages
+
+_DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
+
+
+def unreadable_message(path: str | os.PathLike[str], problem: Exception) -> str:
+    """Return why a file cannot be read, and what to do."""
+    code = getattr(problem, "errno", None)
+    if code in (errno.ENOENT, errno.ENOTDIR):
+        return f"There is no file {quoted_path(path)}. Check its name and folder."
+    if code in (errno.EACCES, errno.EPERM):
+        return f"{quoted_path(path)} may not be read. Ask its owner for permission, or choose another file."
+    if code == errno.ELOOP:
+        return f"{quoted_path(path)} is a link that leads back to itself. Choose another file."
+    return f"{quoted_path(path)} cannot be read ({reason_of(problem)}). Choose another file."
+
+
+def unwritable_message(path: str | os.PathLike[str], problem: Exception) -> str:
+    """Return why a file was not written, and what to do."""
+    code = getattr(problem, "errno", None)
+    if code in (errno.ENOENT, errno.ENOTDIR):
+        return f"The folder of {quoted_path(path)} does not exist. Choose another folder."
+    if code in _DISK_FULL:
+        return (
+            f"The disk is full; {quoted_path(path)} was not written. Free some space or choose another disk."
+        )
+    if code in (errno.EACCES, errno.EPERM, errno.EROFS):
+        return f"{quoted_path(path)} may not be written in that folder. Choose another folder."
+    if code == errno.ELOOP:
+        return f"{quoted_path(path)} is a link that leads back to itself. Choose another name."
+    if code == errno.ENAMETOOLONG:
+        return f"The name of {quoted_path(path)} is too long. Choose a shorter one."
+    return f"{quoted_path(path)} was not written ({reason_of(problem)}). Choose another folder or disk."
+
+
+def reason_of(problem: Exception) -> str:
+    """Return what the system says of an error."""
+    return getattr(problem, "strerror", None) or str(problem)
+
+
+def quoted_path(path: str | os.PathLike[str]) -> str:
+    """Return the path in quotation marks, as it may stand in a sentence, whatever bytes it holds."""
+    return f"“{_decodable(path)}”"
+
+
+def printable_path(path: str | os.PathLike[str]) -> str:
+    """Return the path as it may stand in a line, whatever bytes it holds."""
+    return "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in _decodable(path))
+
+
+def _decodable(path: str | os.PathLike[str]) -> str:
+    return os.fspath(path).encode("utf-8", "replace").decode("utf-8")

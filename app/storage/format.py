@@ -1,14 +1,14 @@
-"""The document's file format: bytes to values and back, strictly.
+"""File format of documents: bytes to values and back, strictly.
 
-A file is UTF-8 JSON, ``{"format": "curvebench", "version": 3, "curves": [...]}``. What `decode` accepts,
-`encode` writes back with every float equal bit for bit; what it does not accept, it refuses with the
-place in the file and the requirement. `validate` states the requirements that go beyond types.
+A file is UTF-8 JSON, ``{"format": "curvebench", "version": 3, "curves": [...]}``. `decode` accepts a file
+only if `encode` writes every float of it back bit for bit; it refuses any other file with the field and its
+requirement. `validation` has the requirements that go beyond types.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from functools import cache
 from itertools import count
@@ -21,13 +21,10 @@ from ..document.fields import Value
 from ..document.groups import tidy_shapes
 from ..document.model import Curve, Document, Point
 from ..document.style import PLAIN_STYLE
-from .coding import from_plain, to_plain
-from .format_error import FormatError, in_words, line_and_column, not_json, quoted
+from .coding import decode_hook, encode_hook
+from .format_error import FormatError, foreign_content_clause, in_words, line_and_column, not_json, quoted
 from .migration import NOTHING, LeftOut, can_migrate, migrated
-from .repeated_keys import repeated_key
-from .setting_check import settings_problem, without_default_settings
-from .unread import clause_about
-from .validation import validate
+from .validation import settings_problem, validate, without_default_settings
 
 Values = TypeVar("Values", bound=Value)
 
@@ -69,11 +66,11 @@ class Decoded(msgspec.Struct, frozen=True):
 @cache
 def _file_decoder() -> msgspec.json.Decoder[_File]:
     """Return what reads files, made when there is one: it looks at every type in a document."""
-    return msgspec.json.Decoder(_File, dec_hook=from_plain)
+    return msgspec.json.Decoder(_File, dec_hook=decode_hook)
 
 
 _HEADER_DECODER = msgspec.json.Decoder(_Header)
-_ENCODER = msgspec.json.Encoder(enc_hook=to_plain)
+_ENCODER = msgspec.json.Encoder(enc_hook=encode_hook)
 
 
 def encode(document: Document) -> bytes:
@@ -224,7 +221,7 @@ def _raised(data: bytes, version: int) -> tuple[_File, LeftOut]:
         raise FormatError(
             f"it claims version {version}, but does not hold what that version has"
         ) from problem
-    return msgspec.convert(found.values, _File, dec_hook=from_plain), found.left_out
+    return msgspec.convert(found.values, _File, dec_hook=decode_hook), found.left_out
 
 
 def _values_in(data: bytes) -> dict[str, Any]:
@@ -248,7 +245,7 @@ def _refuse_other_text(data: bytes) -> None:
         raise FormatError("the file is empty")
     if data.startswith(_BYTE_ORDER_MARK):
         raise FormatError("the file starts with a byte order mark; save it as UTF-8 without one")
-    if clause := clause_about(data):
+    if clause := foreign_content_clause(data):
         raise FormatError(clause)
     try:
         data.decode("utf-8")
@@ -278,3 +275,84 @@ def _refuse_repeated_keys(data: bytes, curves: tuple[Curve, ...]) -> None:
     place = repeated_key(data, [curve.points for curve in curves], _ENCODER.encode)
     if place is not None:
         raise FormatError(f"{place} appears twice; each key may appear only once")
+
+
+# Keys that appear twice: typed decoding silently uses the last one
+
+
+class _Place(str):
+    """Place in an object of a key that is repeated, such as ``.points[3].x``."""
+
+
+class _Points(msgspec.Struct):
+    """The points of a curve as they are written."""
+
+    points: msgspec.Raw = msgspec.Raw(b"[]")
+
+
+class _Curves(msgspec.Struct):
+    """The curves of a file of this version; everything else is skipped."""
+
+    curves: list[_Points]
+
+
+_POINTS_DECODER = msgspec.json.Decoder(_Curves)
+
+
+def repeated_key(
+    data: bytes, points: Sequence[tuple[Point, ...]], encode: Callable[[object], bytes]
+) -> str | None:
+    """Return the place of a key that an object has twice, such as ``curves[0].points[3].x``, or None.
+
+    Parameters
+    ----------
+    data
+        JSON that has been decoded as a document: nothing in it is deep.
+    points
+        The points of every curve that it was decoded to; empty for a file of an older version.
+    encode
+        Encodes points, and leaves out what has its default.
+    """
+    short = _without_plain_points(data, points, encode) if points else data
+    place = _place_in(short)
+    # Where it is only the whole file tells.
+    return place if place is None or short is data else _place_in(data)
+
+
+def _place_in(data: bytes) -> str | None:
+    # Numbers become floats because Python refuses to make an int of many digits.
+    place = json.loads(data, object_pairs_hook=_repeated, parse_int=float)
+    return None if place is None else str(place.removeprefix("."))
+
+
+def _without_plain_points(
+    data: bytes, points: Sequence[tuple[Point, ...]], encode: Callable[[object], bytes]
+) -> bytes:
+    """Return the file without points of which the number of quotation marks tells that no key is repeated.
+
+    Points hold no text but their keys. Written anew they have each key once, and none that need not be there:
+    whatever the file has besides, a key twice or a default, adds quotation marks. One point after the other,
+    a million would take longer than all else that is done with them.
+    """
+    pieces, end = [], 0
+    for curve, plain in zip(_POINTS_DECODER.decode(data).curves, points, strict=True):
+        written = bytes(curve.points)
+        if b"\\" not in written and written.count(b'"') == encode(plain).count(b'"'):
+            start = data.index(written, end)
+            pieces += [data[end:start], b"[]"]
+            end = start + len(written)
+    return b"".join([*pieces, data[end:]])
+
+
+def _repeated(members: list[tuple[str, object]]) -> _Place | None:
+    """Return where in this object a key is repeated, or None; nested objects come as their answers."""
+    seen: set[str] = set()
+    for key, value in members:
+        if key in seen:
+            return _Place(f".{key}")
+        seen.add(key)
+        items = enumerate(value) if isinstance(value, list) else [(None, value)]
+        for index, item in items:
+            if isinstance(item, _Place):
+                return _Place(f".{key}{'' if index is None else f'[{index}]'}{item}")
+    return None

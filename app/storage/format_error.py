@@ -1,9 +1,10 @@
-"""Refusals of the content of a file, in words."""
+"""Refusals of the content of a file, in words; and files of other programs, with what to do with them."""
 
 from __future__ import annotations
 
 import json
 import re
+from typing import NamedTuple
 
 from ..document.limits import MAX_MAGNITUDE
 
@@ -84,3 +85,58 @@ def quoted(text: str) -> str:
 def shortened(text: str) -> str:
     """Return text, or its beginning where it is long."""
     return text if len(text) <= _LONGEST_QUOTE else f"{text[:_LONGEST_QUOTE]}…"
+
+
+# Files of other programs
+
+
+class ForeignFormat(NamedTuple):
+    """A kind of files.
+
+    Attributes
+    ----------
+    title
+        What one of them is.
+    endings
+        Of their names, in small letters; none of those that other ways lead to.
+    marks
+        What the file begins with.
+    advice
+        What to do, to follow “it is a PDF, ”.
+    """
+
+    title: str
+    endings: tuple[str, ...]
+    marks: tuple[bytes, ...]
+    advice: str
+
+
+_BY_INKSCAPE = "which is not read here; open it in Inkscape and save it as SVG"
+_PLACED = "which is no document; File › Import takes it"
+
+FOREIGN_FORMATS = (
+    ForeignFormat("a PDF", (".pdf",), (b"%PDF-",), _BY_INKSCAPE),
+    ForeignFormat("an Illustrator drawing", (".ai",), (), _BY_INKSCAPE),
+    ForeignFormat("PostScript", (".eps", ".ps"), (b"%!PS", b"\xc5\xd0\xd3\xc6"), _BY_INKSCAPE),
+    ForeignFormat("a CorelDRAW drawing", (".cdr",), (), _BY_INKSCAPE),
+    ForeignFormat("a compressed file", (), (b"\x1f\x8b",), "which is no document"),
+    ForeignFormat("a PNG picture", (), (b"\x89PNG",), _PLACED),
+    ForeignFormat("a JPEG picture", (), (b"\xff\xd8\xff",), _PLACED),
+)
+
+
+def foreign_content_clause(data: bytes) -> str:
+    """Return, as a clause, why a file with this content is not read; empty of what may be."""
+    return next((_clause(each) for each in FOREIGN_FORMATS if each.marks and data.startswith(each.marks)), "")
+
+
+def foreign_name_clause(name: str) -> str:
+    """Return, as a clause, why a file of this name is not read; empty of what may be."""
+    name = name.lower()
+    return next(
+        (_clause(each) for each in FOREIGN_FORMATS if each.endings and name.endswith(each.endings)), ""
+    )
+
+
+def _clause(kind: ForeignFormat) -> str:
+    return f"it is {kind.title}, {kind.advice}"

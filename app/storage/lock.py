@@ -22,9 +22,8 @@ from pathlib import Path
 
 import msgspec
 
-from .processes import Process, is_alive, this_process
-from .reasons import reason_of
-from .system_lock import folder_lock, try_lock
+from .files import reason_of
+from .system import Process, folder_lock, is_alive, this_process, try_lock
 
 if sys.platform != "win32":
     import pwd
@@ -146,7 +145,7 @@ class LockResult(msgspec.Struct, frozen=True):
         return "of another program of this person" if self.owner.is_same_person else "of somebody else"
 
 
-def lock_place(target: Path) -> Path:
+def lock_path(target: Path) -> Path:
     """Return where the lock of the file `target`, whose links are resolved, lies."""
     return target.with_name(f".{target.name}.lock")
 

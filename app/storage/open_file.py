@@ -13,12 +13,11 @@ import msgspec
 from ..document.model import Document
 from ..document.plain_numbers import plain
 from . import files
-from .files import MissingError, Stamp, StorageError, UnconfirmedError
+from .files import MissingError, Stamp, StorageError, UnconfirmedError, remove_stale_files
 from .format import VERSION, version_of
 from .format_error import FormatError
-from .lock import LockResult, Owner, ProcessLock, acquire, lock_place, owner_of, take_over
+from .lock import LockResult, Owner, ProcessLock, acquire, lock_path, owner_of, take_over
 from .migration import NOTHING, LeftOut
-from .temporary import remove_stale
 
 _log = logging.getLogger("curvebench.storage")
 
@@ -53,14 +52,14 @@ class FileChange(Enum):
     GONE = "The file is gone from its folder."
 
 
-class Opened(msgspec.Struct, frozen=True):
+class OpenedDocument(msgspec.Struct, frozen=True):
     """A document and the file it came from."""
 
     document: Document
     file: OpenFile
 
 
-class Reading(msgspec.Struct, frozen=True):
+class LoadedDocument(msgspec.Struct, frozen=True):
     """Document read from a file, with plain values alone, and the stamp of the file then.
 
     Attributes
@@ -77,7 +76,7 @@ class Reading(msgspec.Struct, frozen=True):
     left_out: LeftOut
 
     @classmethod
-    def of(cls, path: Path) -> Reading:
+    def of(cls, path: Path) -> LoadedDocument:
         """Read the file at `path`; see `files.load` for what may be wrong."""
         content = files.read_content(path)
         found = files.document_in(content.data, path)
@@ -125,19 +124,21 @@ class OpenFile:
     # Opening and saving
 
     @classmethod
-    def open(cls, path: Path, previous: OpenFile | None = None, reading: Reading | None = None) -> Opened:
+    def open(
+        cls, path: Path, previous: OpenFile | None = None, reading: LoadedDocument | None = None
+    ) -> OpenedDocument:
         """Read the document at `path` and mark it as open; see `files.load` for what may be wrong.
 
         `previous` is the file that was open in this window until now; its lock goes on where it is the same.
         Where the file was read before, `reading` is what it held.
         """
-        found = reading or Reading.of(path)
+        found = reading or LoadedDocument.of(path)
         # What somebody writes between the reading and the lock is noticed like any later change.
         result = _lock_for(path, previous)
-        remove_stale(_target(path).parent)
+        remove_stale_files(_target(path).parent)
         _log.info("opened a document, version %d, %s", found.version, _counts(found.document))
         _log.info("its lock is %s", str(result))
-        return Opened(found.document, cls(path, found.stamp, result, found.version, found.left_out))
+        return OpenedDocument(found.document, cls(path, found.stamp, result, found.version, found.left_out))
 
     @classmethod
     def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
@@ -175,7 +176,7 @@ class OpenFile:
             previous._save(document, overwrite=overwrite)
             previous.path = path
             return previous
-        file = cls(path, None, acquire(_lock_place(path)))
+        file = cls(path, None, acquire(_lock_path(path)))
         try:
             file._save(document, overwrite=True)
         except BaseException:
@@ -192,7 +193,7 @@ class OpenFile:
             raise
         self.version, self.left_out, self.change = VERSION, NOTHING, FileChange.SAME
         _log.info("saved a document: %s", _counts(document))
-        remove_stale(_target(self.path).parent)
+        remove_stale_files(_target(self.path).parent)
 
     def _refuse_if_not_ours(self) -> None:
         if self.owner is None and self._lock is not None and (owner := self._lock.lost_to()) is not None:
@@ -202,7 +203,7 @@ class OpenFile:
 
     def take_if_free(self) -> bool:
         """Make the file ours if nobody else has it open by now; return whether it is ours."""
-        result = acquire(_lock_place(self.path))
+        result = acquire(_lock_path(self.path))
         if result.owner is not None:
             self.owner = result.owner
             return False
@@ -224,7 +225,7 @@ class OpenFile:
         """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
         if self._lock is not None:
             return self._lock.lost_to()
-        return owner_of(_lock_place(self.path)) if self.owner is not None else None
+        return owner_of(_lock_path(self.path)) if self.owner is not None else None
 
     def lose_to(self, owner: Owner) -> None:
         """Take note that somebody else has the file now."""
@@ -234,7 +235,7 @@ class OpenFile:
     def take_over(self) -> None:
         """Make the file ours, whoever has it open."""
         if not self.take_if_free():
-            self._take(take_over(_lock_place(self.path)))
+            self._take(take_over(_lock_path(self.path)))
             _log.info("the lock was taken over")
 
     def close(self) -> None:
@@ -312,7 +313,7 @@ class OpenFile:
 def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
     """Return the lock of the file at `path`, from `previous` where that has it."""
     if previous is None or previous._lock is None or not previous.is_at(path):
-        return acquire(_lock_place(path))
+        return acquire(_lock_path(path))
     owner = previous._lock.lost_to()
     if owner is not None:
         return LockResult(owner=owner)
@@ -320,8 +321,8 @@ def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
     return LockResult(lock=lock)
 
 
-def _lock_place(path: Path) -> Path:
-    return lock_place(_target(path))
+def _lock_path(path: Path) -> Path:
+    return lock_path(_target(path))
 
 
 def _counts(document: Document) -> str:

@@ -18,13 +18,11 @@ import msgspec
 
 from .. import storage
 from ..document.model import Document
-from .files import Stamp, StorageError, load, read, read_content, write
+from .files import Stamp, StorageError, load, printable_path, read, read_content, remove_stale_files, write
 from .format import decode_counting, encode
 from .format_error import FormatError
 from .lock import ProcessLock, acquire
 from .migration import LeftOut
-from .reasons import shown
-from .temporary import remove_stale
 
 _log = logging.getLogger("curvebench.storage")
 
@@ -51,7 +49,7 @@ class _Record(msgspec.Struct, frozen=True):
 _RECORDS = msgspec.json.Decoder(_Record)
 
 
-class Origin(msgspec.Struct, frozen=True):
+class SnapshotOrigin(msgspec.Struct, frozen=True):
     """The file that a document came from, or what it is called without one.
 
     Attributes
@@ -98,7 +96,7 @@ class Snapshot(msgspec.Struct, frozen=True):
     """
 
     document: Document
-    origin: Origin
+    origin: SnapshotOrigin
     written: float
     file: Path
     left_out: LeftOut
@@ -114,7 +112,7 @@ class Snapshot(msgspec.Struct, frozen=True):
         self._lock.release()
 
 
-class Found(msgspec.Struct, frozen=True):
+class SnapshotListing(msgspec.Struct, frozen=True):
     """Snapshots in a folder: those of processes that have ended, latest first, and damaged ones.
 
     The damaged ones have been set aside under another name; nothing is deleted that might be of use.
@@ -138,7 +136,7 @@ class SnapshotFile:
         self._file: Path | None = None
         self._lock: ProcessLock | None = None
 
-    def write(self, document: Document, origin: Origin, committed: Document | None = None) -> None:
+    def write(self, document: Document, origin: SnapshotOrigin, committed: Document | None = None) -> None:
         """Replace the snapshot by one of `document`, or of `committed` where that cannot be written.
 
         What a drag shows in flight may be what no file may hold.
@@ -180,7 +178,7 @@ class SnapshotFile:
         self._file = self._lock = None
 
 
-def list_snapshots(folder: Path) -> Found:
+def list_snapshots(folder: Path) -> SnapshotListing:
     """Return what processes that have ended left in `folder`; never raises because of what is in it.
 
     The snapshots found are locked: until they are discarded or left, no other process is offered them.
@@ -204,10 +202,10 @@ def list_snapshots(folder: Path) -> Found:
             lock.release()
     snapshots.sort(key=lambda each: -each.written)
     _log.info("found %d snapshots, and %d damaged ones", len(snapshots), len(damaged))
-    return Found(tuple(snapshots), tuple(damaged))
+    return SnapshotListing(tuple(snapshots), tuple(damaged))
 
 
-def _record_of(text: bytes, origin: Origin) -> bytes:
+def _record_of(text: bytes, origin: SnapshotOrigin) -> bytes:
     return msgspec.json.encode(
         _Record(
             format="curvebench snapshot",
@@ -217,8 +215,8 @@ def _record_of(text: bytes, origin: Origin) -> bytes:
             stamp=origin.stamp,
             checksum=_checksum(text),
             document=text.decode(),
-            title=shown(origin.title),
-            file_stem=shown(origin.file_stem),
+            title=printable_path(origin.title),
+            file_stem=printable_path(origin.file_stem),
         )
     )
 
@@ -247,7 +245,7 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
     text = record.document.encode()
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
         raise ValueError("the checksum is another one")
-    origin = Origin(_path_of(record.path), record.stamp, record.title, record.file_stem)
+    origin = SnapshotOrigin(_path_of(record.path), record.stamp, record.title, record.file_stem)
     found = decode_counting(text)
     return Snapshot(found.document, origin, record.written, file, found.left_out, lock)
 
@@ -278,7 +276,7 @@ def _remove_orphans(folder: Path) -> None:
             lock = acquire(place, is_private=True).lock
             if lock is not None:
                 lock.release()
-    remove_stale(folder)
+    remove_stale_files(folder)
 
 
 def _files(folder: Path, ending: str) -> list[Path]:

@@ -1,20 +1,25 @@
-"""Requirements of a document that go beyond types."""
+"""Requirements of a document that go beyond types: of the whole, of each field, and of the settings."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import json
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from functools import cache
 from itertools import chain, repeat
 from operator import attrgetter, is_
+
+from msgspec.structs import replace
 
 from ..document.constraints import holds
 from ..document.derivatives import VECTORS
 from ..document.differences import known_curves, moved_points
+from ..document.fields import Field, Value, fields_of
 from ..document.groups import shape_problem
-from ..document.limits import are_within
+from ..document.limits import MAX_MAGNITUDE, are_within
 from ..document.model import Curve, Document, ParametrizationKind, Point
-from .field_check import check_fields
-from .format_error import FormatError
+from ..families import Family, may_be_name
+from .format_error import RANGE, FormatError, quoted, shortened
 
 
 def validate(document: Document) -> None:
@@ -37,7 +42,7 @@ _foreseen: tuple[Document, Document] | None = None
 """What was found to be fit beside the window: documents before and after the step that is to come."""
 
 
-def foresee(before: Document, after: Document) -> None:
+def prevalidate(before: Document, after: Document) -> None:
     """Validate beside the window what is to become of a document; `validate_changes` then need not."""
     global _foreseen  # noqa: PLW0603
     # What is wrong is told by whoever makes the step.
@@ -59,7 +64,11 @@ def validate_changes(before: Document | None, after: Document) -> None:
     """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
     if _is_foreseen(before, after):
         return
-    if before is not None and (moved := moved_points(before, after)) is not None and _are_within(moved):
+    if (
+        before is not None
+        and (moved := moved_points(before, after)) is not None
+        and _are_positions_within(moved)
+    ):
         return
     known, by_points = known_curves(before)
     same_places = before is not None and len(before.curves) == len(after.curves)
@@ -137,7 +146,7 @@ def _all_within(points: tuple[Point, ...]) -> bool:
     return all(map(are_within, _columns(points)))
 
 
-def _are_within(points: Sequence[Point]) -> bool:
+def _are_positions_within(points: Sequence[Point]) -> bool:
     """Whether points may be at their places."""
     return all(map(are_within, _places(points)))
 
@@ -153,3 +162,137 @@ def _columns(points: Sequence[Point]) -> Iterator[list[float]]:
     for _, name in VECTORS:
         # A vector of two numbers is true, whatever they are.
         yield list(chain.from_iterable(filter(None, map(attrgetter(name), points))))
+
+
+# Fields: the annotations of `document.fields` say what each may hold
+
+
+def check_fields(values: Value, place: str = "", before: Value | None = None) -> None:
+    """Raise FormatError, with the place, unless a document may hold what a value holds.
+
+    Curves and points are looked at elsewhere, and nothing that is the same object as in `before`.
+    """
+    for field in _checked_fields(type(values)):
+        content = getattr(values, field.name)
+        # Most hold what they do from the start: of thousands of curves all styles are looked at.
+        if content is field.default or (content is None and field.is_optional):
+            continue
+        if content is getattr(before, field.name, field):
+            continue
+        where = f"{place}.{field.name}" if place else field.name
+        if not field.is_many:
+            _check_item(field, content, where)
+            continue
+        for index, each in enumerate(content):
+            _check_item(field, each, f"{where}[{index}]")
+        _require(field, content, where, of_all=True)
+
+
+def check_number(value: object, place: str) -> None:
+    """Raise FormatError, with the place, unless a document may hold a number."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise FormatError(f"{place} must be a number, not {value!r}")
+    # Written so that NaN fails.
+    if not -MAX_MAGNITUDE <= value <= MAX_MAGNITUDE:
+        raise FormatError(f"{place} {RANGE}, not {_short_number(value)}")
+
+
+@cache
+def _checked_fields(kind: type[Value]) -> tuple[Field, ...]:
+    found = (field for field in fields_of(kind) if field.kind not in (Curve, Point))
+    return tuple(
+        field for field in found if field.requirements or field.kind in (float, str) or field.holds_values
+    )
+
+
+def _check_item(field: Field, value: object, place: str) -> None:
+    if isinstance(value, Value):
+        check_fields(value, place)
+        return
+    if field.kind is float:
+        check_number(value, place)
+    _require(field, value, place, of_all=False)
+    if isinstance(value, str) and not _is_utf8(value):
+        raise FormatError(f"{place} holds a character that UTF-8 cannot carry")
+
+
+def _require(field: Field, value: object, place: str, *, of_all: bool) -> None:
+    for each in field.requirements:
+        if each.of_all == of_all and not each.is_met(value):
+            shown = each.shown(value)
+            text = quoted(shown) if isinstance(shown, str) else shortened(repr(shown))
+            raise FormatError(f"{place} must {each.words}, not {text}")
+
+
+def _is_utf8(text: str) -> bool:
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _short_number(value: object) -> str:
+    """Return a number that may be an int of a million digits."""
+    return repr(value) if isinstance(value, float) else "a larger one"
+
+
+# Settings of families
+
+
+def settings_problem(curve: Curve) -> str:
+    """Return what is wrong with the settings of a curve, with their place; empty where nothing is."""
+    if problem := _settings_problem(curve.family, curve.settings):
+        return f"settings{problem}"
+    seen = {curve.family}
+    for index, (family, settings) in enumerate(curve.other_settings):
+        place = f"other_settings[{index}]"
+        if family in seen:
+            return f"{place} must be of a family that has none before it, not {family}"
+        seen.add(family)
+        if problem := _settings_problem(family, settings):
+            return f"{place}[1]{problem}"
+    return ""
+
+
+def without_default_settings(curve: Curve) -> Curve:
+    """Return the curve with those settings alone that are not their families' defaults."""
+    others = (
+        (family, family.settings.without_defaults(settings)) for family, settings in curve.other_settings
+    )
+    return replace(
+        curve,
+        settings=curve.family.settings.without_defaults(curve.settings),
+        other_settings=tuple(each for each in others if each[1]),
+    )
+
+
+def _settings_problem(family: Family, settings: Mapping[str, object]) -> str:
+    """Return what is wrong with settings, to follow their place in the file; empty where nothing is.
+
+    Of a family that is missing nobody knows which it has: names and values that one might are kept.
+    """
+    for name, value in settings.items():
+        if setting := family.settings.named(name):
+            is_allowed, requirement = setting.allows(value), setting.requirement
+        elif family.is_missing and may_be_name(name):
+            is_allowed, requirement = _may_be_setting(value), "a whole number or a word"
+        else:
+            return f" has a key that {family} does not know: {_shortened_json(name)}"
+        if not is_allowed:
+            return f".{name} must be {requirement}, not {_shortened_json(value)}"
+    return ""
+
+
+def _may_be_setting(value: object) -> bool:
+    return may_be_name(value) or (type(value) is int and abs(value) <= MAX_MAGNITUDE)
+
+
+def _shortened_json(value: object) -> str:
+    """Return a value of JSON as it stands in a file, where that is short."""
+    if isinstance(value, list | dict):
+        return "a list" if isinstance(value, list) else "an object {…}"
+    if isinstance(value, int) and abs(value) > MAX_MAGNITUDE:
+        return "a larger one"
+    text = str(value)
+    return json.dumps(f"{text[:40]}…" if isinstance(value, str) and len(text) > 40 else value)

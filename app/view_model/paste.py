@@ -27,7 +27,7 @@ from ..document.point_group import PointGroup
 from ..document.rule_edits import freeze_parameters, set_interval
 from ..document.several_curves import add_curves, is_blank, moved, whole_curves
 from ..document.words import number
-from ..storage.validation import foresee
+from ..storage.validation import prevalidate
 from .append import appended_parameter, with_points_appended
 from .boxes import around
 from .curve.curve_view import CurveView, view_of
@@ -268,7 +268,7 @@ class Target(msgspec.Struct, frozen=True):
             added = replace(added, document=moved_there)
         if told is None:
             return added
-        foresee(self.document, added.document)
+        prevalidate(self.document, added.document)
         return replace(added, views=tuple(views_ahead(added.curves, told, originals)))
 
 

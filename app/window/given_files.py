@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ..document.words import count_of
 from ..exchange.formats import can_import
-from ..storage.image_path import PICTURE_SUFFIXES
+from ..storage.files import IMAGE_SUFFIXES
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class GivenFiles:
 def given_files(paths: Iterable[Path], *, elsewhere: int = 0) -> GivenFiles:
     """Return files by what is done with them; what is neither imported nor traced is to be a document."""
     paths = list(dict.fromkeys(paths))
-    pictures = tuple(path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES)
+    pictures = tuple(path for path in paths if path.suffix.lower() in IMAGE_SUFFIXES)
     imports = tuple(path for path in paths if can_import(path))
     documents = tuple(path for path in paths if path not in (*pictures, *imports))
     return GivenFiles(documents, imports, pictures, elsewhere)

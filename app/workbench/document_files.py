@@ -22,7 +22,7 @@ from ..settings.preferences import Preferences
 from ..storage.examples import first_sketch
 from ..storage.files import StorageError, load
 from ..storage.format_error import FormatError
-from ..storage.open_file import Reading, is_large
+from ..storage.open_file import LoadedDocument, is_large
 from ..storage.resources import is_resource
 from ..tasks.progress import Report, part
 from ..tasks.task import Work
@@ -196,7 +196,7 @@ class DocumentFiles:
         """Read a document, and compute its curves, beside the window, which shows how far that is."""
         begun = self._session.files.beginning
 
-        def done(found: tuple[Reading, list[CurveView]]) -> None:
+        def done(found: tuple[LoadedDocument, list[CurveView]]) -> None:
             reading, views = found
             opener = partial(self._session.open, reading=reading, views=views)
             try:
@@ -356,10 +356,10 @@ class DocumentFiles:
             self._session.files.file.close()
 
 
-def _read(path: Path, report: Report) -> tuple[Reading, list[CurveView]]:
+def _read(path: Path, report: Report) -> tuple[LoadedDocument, list[CurveView]]:
     """Return a document and the views of its curves."""
     report(0.0, "Reading")
-    reading = Reading.of(path)
+    reading = LoadedDocument.of(path)
     told = part(report, _READ, 1.0)
     return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
 

@@ -26,7 +26,7 @@ from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
 from app.storage.files import load, save
 from app.storage.format import encode
-from app.storage.recovery import SUFFIX, Origin, SnapshotFile, list_snapshots
+from app.storage.recovery import SUFFIX, SnapshotFile, SnapshotOrigin, list_snapshots
 from app.testing import Editor
 from app.workbench.document_files import file_stem, title_of
 from tests.waiting import LIMIT, until
@@ -99,7 +99,7 @@ def move_point(editor, place):
 
 def leave_behind(document=SKETCH, origin=None):
     file = SnapshotFile(snapshot_folder())
-    file.write(document, origin or Origin())
+    file.write(document, origin or SnapshotOrigin())
     file.leave()
 
 
@@ -209,7 +209,7 @@ def test_the_snapshot_says_which_file_and_that_it_changed(kept, tmp_path):
     (snapshot_folder() / "copy").mkdir()
     (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
     (snapshot,) = list_snapshots(snapshot_folder() / "copy").snapshots
-    assert snapshot.origin == Origin(path, kept.session.files.file.stamp)
+    assert snapshot.origin == SnapshotOrigin(path, kept.session.files.file.stamp)
     assert snapshot.origin.is_unchanged
 
 
@@ -323,7 +323,7 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
 def test_what_was_left_is_offered_and_restored(kept, tmp_path):
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
-    leave_behind(origin=Origin(path, stamp))
+    leave_behind(origin=SnapshotOrigin(path, stamp))
     kept.window.commands[RecoveryCommands].offer_unsaved_work()
     assert bar(kept).isVisible()
     labels = [each.text() for each in bar(kept).findChildren(QLabel)]
@@ -344,7 +344,7 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     """Killed, started with the same file, then Restore: it was read-only, owned by this very window."""
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
-    leave_behind(origin=Origin(path, stamp))
+    leave_behind(origin=SnapshotOrigin(path, stamp))
     kept.window.open_file(path)
     kept.window.commands[RecoveryCommands].offer_unsaved_work()
     press(kept, "restoreWork0")
@@ -358,7 +358,7 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
 @pytest.mark.parametrize("fate", ["changed", "gone"])
 def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp_path, fate):
     path = tmp_path / "mine.curve.json"
-    origin = Origin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
+    origin = SnapshotOrigin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
     if fate == "changed":
         save(path, Document((make_curve([(5, 5), (6, 6), (7, 7)]),)))
     else:
@@ -399,7 +399,7 @@ def test_what_is_locked_or_hidden_is_not_edited_when_it_comes_back(editor, looks
 def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
     """Both were called “mine.curve.json, a moment ago”."""
     path = tmp_path / "mine.curve.json"
-    origin = Origin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
+    origin = SnapshotOrigin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
     line, arch = make_curve([(0, 0), (1, 1), (2, 2)]), make_curve([(0, 0), (1, 2), (2, 0), (3, 1)])
     for document in (Document((line,)), Document((line, arch))):
         leave_behind(document, origin)
@@ -407,7 +407,7 @@ def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
     for folder in ("one", "two"):
         (tmp_path / folder).mkdir()
         other = tmp_path / folder / "other.curve.json"
-        leave_behind(SKETCH, Origin(other, save(other, document)))
+        leave_behind(SKETCH, SnapshotOrigin(other, save(other, document)))
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     labels = [each.text() for each in bar(editor).findChildren(QLabel) if each.text()]
     assert [each for each in labels if "curve.json" in each] == [

@@ -26,7 +26,7 @@ from app.session import Session
 from app.storage import files
 from app.storage.files import ChangedOnDiskError, StorageError, load, save
 from app.storage.format import encode
-from app.storage.lock import OLD, Owner, lock_place
+from app.storage.lock import OLD, Owner, lock_path
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import LockedError
 from app.testing import Editor
@@ -437,7 +437,7 @@ def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, save_lo
     save_loudly(path, THEIRS)
     assert not saved.window.findChild(DiskWatch)._soon.isActive()
     assert saved.file_bar.text == ""
-    assert not lock_place(path).exists()
+    assert not lock_path(path).exists()
 
 
 def test_a_gesture_in_flight_survives_the_news(saved, path, until):
@@ -493,7 +493,7 @@ def second_window(qtbot, path):
 
 def foreign_lock(path, *, user="Ada", since=None):
     owner = Owner(user, "engine", "another computer", 7, "x", since or time.time(), "foreign")
-    lock_place(path).write_bytes(msgspec.json.encode(owner))
+    lock_path(path).write_bytes(msgspec.json.encode(owner))
     return owner
 
 
@@ -546,8 +546,8 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
     monkeypatch.setattr("app.features.file_on_disk.commands._OWNER_MS", 50)
     save(path, THEIRS)
-    code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_place\n"
-    code += "kept = acquire(lock_place(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"
+    code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_path\n"
+    code += "kept = acquire(lock_path(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
     owner = subprocess.Popen(
         [sys.executable, "-c", code, str(path)],

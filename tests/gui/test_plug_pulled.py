@@ -14,7 +14,7 @@ from app.document.model import Document, make_curve
 from app.features.recovery.autosave import snapshot_folder
 from app.storage import files
 from app.storage.format import decode, encode
-from app.storage.recovery import Origin, SnapshotFile, list_snapshots
+from app.storage.recovery import SnapshotFile, SnapshotOrigin, list_snapshots
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs signals")
@@ -160,7 +160,7 @@ def test_killed_while_dragging_no_more_is_lost_than_since_the_snapshot_before(tm
     files.save(path, Document((make_curve([(0, 0), (1, 2), (3, 1 / 3), (4, 4)]),)))
     on_disk = path.read_bytes()
     older = SnapshotFile(snapshot_folder())
-    older.write(Document((make_curve([(0, 0), (1, 2)]),)), Origin())
+    older.write(Document((make_curve([(0, 0), (1, 2)]),)), SnapshotOrigin())
     older.leave()
     process = start(DRAG, path)
     shown = read_until(process, lambda: len(snapshots()) == 2)

@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 from app.document.model import Document, make_curve
-from app.storage import system_lock
+from app.storage import system
 from app.storage.files import ChangedOnDiskError, document_in, read_content, save
 from tests.waiting import LIMIT
 
@@ -18,7 +18,7 @@ from tests.waiting import LIMIT
 def main(path: Path, signal: Path, rounds: int) -> None:
     while not signal.exists():
         time.sleep(0.001)
-    system_lock._PATIENCE = LIMIT  # as long as another saves, on a busy machine
+    system._PATIENCE = LIMIT  # as long as another saves, on a busy machine
     saved = 0
     for _ in range(rounds):
         content = read_content(path)

@@ -17,10 +17,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from app.document.model import Document, make_curve
+from app.storage.files import TEMPORARY_PREFIX, remove_stale_files
 from app.storage.format import encode
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import OpenFile
-from app.storage.temporary import TEMPORARY_PREFIX, remove_stale
 
 OLD, NEW = (Document((make_curve([(x, 0.0)] * 4),)) for x in (1.0, 2.0))
 WRITTEN = encode(NEW)
@@ -71,7 +71,7 @@ def run(folder: Path, old: bytes, *, while_opening: bool) -> list[dict[str, obje
         _, status = os.waitpid(child, 0)
         content = path.read_bytes()
         temporary = [each.name for each in folder.glob(f"{TEMPORARY_PREFIX}*")]
-        swept = remove_stale(folder, older_than=-1.0)
+        swept = remove_stale_files(folder, older_than=-1.0)
         others = sorted(each.name for each in folder.iterdir() if each != path)
         backups = [each for each in others if each.endswith(".bak")]
         results.append(

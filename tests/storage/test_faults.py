@@ -19,7 +19,7 @@ from pathlib import Path
 import pytest
 
 from app.document.model import Document, make_curve
-from app.storage import system_lock
+from app.storage import system
 from app.storage.files import ChangedOnDiskError, StorageError, load, save
 from app.storage.format import encode
 from app.storage.open_file import OpenFile
@@ -229,8 +229,8 @@ def test_a_file_system_without_locks(path, monkeypatch):
 
 
 def test_a_folder_that_stays_locked_is_not_waited_for_for_ever(path, monkeypatch):
-    monkeypatch.setattr(system_lock, "_PATIENCE", 0.05)
-    with system_lock.folder_lock(path.parent):
+    monkeypatch.setattr(system, "_PATIENCE", 0.05)
+    with system.folder_lock(path.parent):
         save(path, LARGE)
     assert load(path) == LARGE
 

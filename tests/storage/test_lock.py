@@ -16,11 +16,10 @@ import msgspec
 import pytest
 
 from app.storage import lock as lock_module
-from app.storage import processes, ps
-from app.storage.lock import OLD, Owner, acquire, lock_place, owner_of, take_over
-from app.storage.processes import Process, is_alive, is_number_alive, machine, this_process
-from app.storage.system_lock import try_lock
-from app.storage.temporary import remove_stale, temporary_name
+from app.storage import ps, system
+from app.storage.files import remove_stale_files, temporary_name
+from app.storage.lock import OLD, Owner, acquire, lock_path, owner_of, take_over
+from app.storage.system import Process, is_alive, is_number_alive, machine, this_process, try_lock
 
 ROOT = Path(__file__).parents[2]
 posix_only = pytest.mark.skipif(os.name == "nt", reason="processes are told apart on POSIX")
@@ -42,7 +41,7 @@ def ended_process():
 def leave_lock(target, process, *, since=None, user="ada", host="engine", is_held=False):
     since = since or time.time()
     owner = Owner(user, host, process.machine, process.pid, process.started, since, "theirs", is_held)
-    lock_place(target).write_bytes(msgspec.json.encode(owner))
+    lock_path(target).write_bytes(msgspec.json.encode(owner))
     return owner
 
 
@@ -57,54 +56,54 @@ def without_system_locks(monkeypatch):
 
 
 def test_the_lock_lies_beside_the_document_and_goes(target):
-    result = acquire(lock_place(target))
+    result = acquire(lock_path(target))
     place = target.parent / ".drawing.curve.json.lock"
     content = json.loads(place.read_bytes())
     assert content["pid"] == os.getpid()
     assert set(content) == {"user", "host", "machine", "pid", "started", "since", "mark", "is_held"}
     result.lock.release()
     assert not place.exists()
-    assert owner_of(lock_place(target)) is None
+    assert owner_of(lock_path(target)) is None
 
 
 def test_a_second_one_is_told_who_has_it(target):
-    first = acquire(lock_place(target))
-    second = acquire(lock_place(target))
+    first = acquire(lock_path(target))
+    second = acquire(lock_path(target))
     assert second.lock is None
     assert second.owner.is_this_process
     assert second.owner.is_same_person
-    assert owner_of(lock_place(target)) == second.owner
+    assert owner_of(lock_path(target)) == second.owner
     first.lock.release()
-    assert acquire(lock_place(target)).lock is not None
+    assert acquire(lock_path(target)).lock is not None
 
 
 def test_a_forgotten_lock_goes_with_its_object(target):
-    acquire(lock_place(target))
-    assert not lock_place(target).exists()
+    acquire(lock_path(target))
+    assert not lock_path(target).exists()
 
 
 def test_releasing_leaves_the_lock_of_somebody_else(target):
-    lock = acquire(lock_place(target)).lock
+    lock = acquire(lock_path(target)).lock
     other = leave_lock(target, Process("elsewhere", 7, "x"))
     assert lock.lost_to() == other
     lock.release()
-    assert owner_of(lock_place(target)) == other
+    assert owner_of(lock_path(target)) == other
 
 
 def test_a_lock_that_was_deleted_is_made_anew(target):
-    lock = acquire(lock_place(target)).lock
-    lock_place(target).unlink()
+    lock = acquire(lock_path(target)).lock
+    lock_path(target).unlink()
     assert lock.lost_to() is None
-    assert acquire(lock_place(target)).owner is not None
+    assert acquire(lock_path(target)).owner is not None
 
 
 @posix_only
 def test_the_lock_of_a_dead_process_is_reclaimed(target):
     leave_lock(target, ended_process())
-    assert owner_of(lock_place(target)) is None
-    result = acquire(lock_place(target))
+    assert owner_of(lock_path(target)) is None
+    result = acquire(lock_path(target))
     assert result.lock is not None
-    assert sorted(path.name for path in target.parent.iterdir()) == [lock_place(target).name]
+    assert sorted(path.name for path in target.parent.iterdir()) == [lock_path(target).name]
 
 
 @posix_only
@@ -114,14 +113,14 @@ def test_a_later_process_with_the_same_number_does_not_count(target):
     assert is_number_alive(parent)
     started = this_process().started.rpartition("/")[0] + "/1"
     leave_lock(target, Process(machine(), parent, started))
-    assert acquire(lock_place(target)).lock is not None
+    assert acquire(lock_path(target)).lock is not None
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the boot's identity is Linux's")
 def test_nothing_survives_a_restart_of_the_computer(target):
     _, rest = this_process().started.split("/", 1)
     leave_lock(target, Process(machine(), os.getpid(), f"another-boot/{rest}"))
-    assert acquire(lock_place(target)).lock is not None
+    assert acquire(lock_path(target)).lock is not None
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="containers are Linux's")
@@ -133,8 +132,8 @@ def test_a_process_of_another_container_cannot_be_judged():
 @pytest.mark.skipif(shutil.which("ps") is None, reason="there is no ps")
 def test_where_there_is_no_proc_ps_tells(monkeypatch):
     """As on macOS."""
-    monkeypatch.setattr(processes, "_started", ps.started)
-    own = Process(machine(), os.getpid(), processes._started(os.getpid()))
+    monkeypatch.setattr(system, "_started", ps.started)
+    own = Process(machine(), os.getpid(), system._started(os.getpid()))
     assert own.started
     assert is_alive(own)
     assert is_alive(Process(machine(), os.getpid(), "another time")) is False
@@ -147,10 +146,10 @@ def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
     code = """\
         import sys
         from pathlib import Path
-        from app.storage import processes, ps
-        processes._numbering = lambda: "another container"
-        from app.storage.lock import acquire, lock_place
-        result = acquire(lock_place(Path(sys.argv[1])))
+        from app.storage import ps, system
+        system._numbering = lambda: "another container"
+        from app.storage.lock import acquire, lock_path
+        result = acquire(lock_path(Path(sys.argv[1])))
         print(result.lock is not None, flush=True)
         sys.stdin.read()
     """
@@ -158,35 +157,35 @@ def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
     with subprocess.Popen(command, cwd=ROOT, text=True, **pipes) as process:
         assert process.stdout.readline() == "True\n"
-        owner = owner_of(lock_place(target))
+        owner = owner_of(lock_path(target))
         assert is_alive(owner.process) is None
-        assert acquire(lock_place(target)).owner == owner
-        assert owner_of(lock_place(target)) == owner  # looking took nothing away
+        assert acquire(lock_path(target)).owner == owner
+        assert owner_of(lock_path(target)) == owner  # looking took nothing away
         process.kill()
-    assert lock_place(target).exists()
-    assert owner_of(lock_place(target)) is None
-    lock = acquire(lock_place(target)).lock
+    assert lock_path(target).exists()
+    assert owner_of(lock_path(target)) is None
+    lock = acquire(lock_path(target)).lock
     assert lock is not None
-    taken = take_over(lock_place(target)).lock
+    taken = take_over(lock_path(target)).lock
     lock.release()
-    assert owner_of(lock_place(target)).mark != owner.mark
+    assert owner_of(lock_path(target)).mark != owner.mark
     taken.release()
-    assert not lock_place(target).exists()
+    assert not lock_path(target).exists()
 
 
 def test_where_nobody_tells_nobody_is_judged(target, monkeypatch):
     """As on Windows: the person decides."""
     dead = ended_process()
-    monkeypatch.setattr(processes, "_started", lambda _pid: "")
+    monkeypatch.setattr(system, "_started", lambda _pid: "")
     assert is_alive(dead) is None
     assert is_number_alive(dead.pid) is None
     leave_lock(target, dead)
-    assert acquire(lock_place(target)).owner is not None
+    assert acquire(lock_path(target)).owner is not None
 
 
 def test_the_lock_of_another_computer_is_never_judged_dead(target):
     owner = leave_lock(target, Process("elsewhere", 1, "x"), since=time.time() - OLD - 60)
-    result = acquire(lock_place(target))
+    result = acquire(lock_path(target))
     assert result.owner == owner
     assert result.owner.may_have_forgotten
     assert not result.owner.is_same_person
@@ -194,28 +193,28 @@ def test_the_lock_of_another_computer_is_never_judged_dead(target):
 
 def test_a_leftover_of_this_very_process_is_reclaimed(target):
     leave_lock(target, this_process(), is_held=True)
-    assert acquire(lock_place(target)).lock is not None
+    assert acquire(lock_path(target)).lock is not None
 
 
 @posix_only
 def test_where_nobody_holds_it_a_lock_that_was_held_is_a_leftover(target):
     """Whatever has its number now: here the process that started this one."""
-    started = processes._started(os.getppid())
+    started = system._started(os.getppid())
     parent = Process(machine(), os.getppid(), started)
     assert is_alive(parent)
     leave_lock(target, parent, is_held=True)
-    assert owner_of(lock_place(target)) is None
-    assert acquire(lock_place(target)).lock is not None
+    assert owner_of(lock_path(target)) is None
+    assert acquire(lock_path(target)).lock is not None
     other = target.with_name("other")
     leave_lock(other, parent)  # made where nothing can be held: then the process counts
-    assert acquire(lock_place(other)).owner is not None
+    assert acquire(lock_path(other)).owner is not None
 
 
 @posix_only
 @pytest.mark.parametrize("content", [b"", b"\0" * 300, b'{"user": "ad'], ids=["empty", "zeros", "torn"])
 def test_in_a_private_folder_what_nobody_holds_is_free(target, content):
     """After a power cut, or under a name that the computer had elsewhere, work must not be lost."""
-    place = lock_place(target)
+    place = lock_path(target)
     place.write_bytes(content)
     acquire(place, is_private=True).lock.release()
     leave_lock(target, Process("renamed", 1, "x"), is_held=True)
@@ -228,7 +227,7 @@ def test_in_a_private_folder_what_nobody_holds_is_free(target, content):
 @posix_only
 def test_in_a_private_folder_without_locks_a_running_process_keeps_its_own(target, monkeypatch):
     without_system_locks(monkeypatch)
-    place = lock_place(target)
+    place = lock_path(target)
     first = acquire(place, is_private=True)
     assert acquire(place, is_private=True).owner.is_this_process
     first.lock.release()
@@ -237,9 +236,9 @@ def test_in_a_private_folder_without_locks_a_running_process_keeps_its_own(targe
 
 
 def test_taking_over_is_noticed_by_the_other(target):
-    first = acquire(lock_place(target)).lock
-    second = take_over(lock_place(target)).lock
-    assert first.lost_to().mark == json.loads(lock_place(target).read_bytes())["mark"]
+    first = acquire(lock_path(target)).lock
+    second = take_over(lock_path(target)).lock
+    assert first.lost_to().mark == json.loads(lock_path(target).read_bytes())["mark"]
     first.release()
     assert second.lost_to() is None
     second.release()
@@ -249,7 +248,7 @@ def test_taking_over_is_noticed_by_the_other(target):
 @posix_only
 def test_an_empty_lock_that_nobody_holds_is_a_leftover(target):
     """Between making the file and writing it lies a moment in which a process can be killed."""
-    place = lock_place(target)
+    place = lock_path(target)
     place.touch()
     with place.open("rb") as file:
         assert try_lock(file.fileno())
@@ -260,7 +259,7 @@ def test_an_empty_lock_that_nobody_holds_is_a_leftover(target):
 @posix_only
 def test_without_system_locks_an_empty_lock_is_being_written_for_ten_seconds(target, monkeypatch):
     without_system_locks(monkeypatch)
-    place = lock_place(target)
+    place = lock_path(target)
     place.touch()
     touched = place.stat().st_mtime
     monkeypatch.setattr("app.storage.lock.time.time", lambda: touched + 9.9)
@@ -275,14 +274,14 @@ def test_without_system_locks_an_empty_lock_is_being_written_for_ten_seconds(tar
     ids=["text", "empty object", "bytes", "wrong type", "deep", "null"],
 )
 def test_a_lock_that_cannot_be_read_belongs_to_somebody(target, content):
-    lock_place(target).write_bytes(content)
-    assert acquire(lock_place(target)).owner.user == ""
-    assert take_over(lock_place(target)).lock is not None
+    lock_path(target).write_bytes(content)
+    assert acquire(lock_path(target)).owner.user == ""
+    assert take_over(lock_path(target)).lock is not None
 
 
 def test_names_from_a_lock_are_fit_for_a_sentence(target):
     leave_lock(target, Process("elsewhere", 1, "x"), user="a\n\x1b[31m" + "b" * 500, host="\u202eh")
-    owner = acquire(lock_place(target)).owner
+    owner = acquire(lock_path(target)).owner
     assert owner.user.isprintable()
     assert len(owner.user) <= 60
     assert owner.host == "h"
@@ -290,15 +289,15 @@ def test_names_from_a_lock_are_fit_for_a_sentence(target):
 
 @posix_only
 def test_a_pipe_in_its_place_is_nothing_to_wait_for(target):
-    os.mkfifo(lock_place(target))
-    assert acquire(lock_place(target)).owner is not None
+    os.mkfifo(lock_path(target))
+    assert acquire(lock_path(target)).owner is not None
 
 
 @posix_only
 def test_a_link_in_its_place_is_not_followed(target, tmp_path):
     (tmp_path / "secret").write_bytes(b"x")
-    lock_place(target).symlink_to(tmp_path / "secret")
-    result = acquire(lock_place(target))
+    lock_path(target).symlink_to(tmp_path / "secret")
+    result = acquire(lock_path(target))
     assert result.lock is None
     assert (tmp_path / "secret").read_bytes() == b"x"
 
@@ -310,8 +309,8 @@ def test_without_a_lock_work_goes_on(target, monkeypatch, code):
 
     with monkeypatch.context() as faulty:
         faulty.setattr(lock_module, "_create", fail)
-        result = acquire(lock_place(target))
-        assert take_over(lock_place(target)).problem == os.strerror(code)
+        result = acquire(lock_path(target))
+        assert take_over(lock_path(target)).problem == os.strerror(code)
     assert result.lock is None
     assert result.owner is None
     assert result.problem == os.strerror(code)
@@ -319,7 +318,7 @@ def test_without_a_lock_work_goes_on(target, monkeypatch, code):
 
 
 def test_a_name_too_long_for_a_lock_takes_none(tmp_path):
-    result = acquire(lock_place(tmp_path / ("n" * 252)))
+    result = acquire(lock_path(tmp_path / ("n" * 252)))
     assert result.owner is None
     assert result.problem
 
@@ -327,23 +326,23 @@ def test_a_name_too_long_for_a_lock_takes_none(tmp_path):
 @posix_only
 def test_without_system_locks_a_lock_is_still_exclusive(target, monkeypatch):
     without_system_locks(monkeypatch)
-    first = acquire(lock_place(target))
+    first = acquire(lock_path(target))
     assert first.lock is not None
-    assert acquire(lock_place(target)).owner is not None
+    assert acquire(lock_path(target)).owner is not None
     first.lock.release()
     leave_lock(target, ended_process())
-    assert acquire(lock_place(target)).lock is not None
+    assert acquire(lock_path(target)).lock is not None
 
 
 @posix_only
 def test_a_new_lock_stays_where_somebody_thought_the_old_one_stale(target):
     """Two judge the same lock stale; what the slower one removes is the quicker one's new lock."""
     stale = leave_lock(target, ended_process())
-    quick = acquire(lock_place(target))
+    quick = acquire(lock_path(target))
     assert quick.lock is not None
-    assert not lock_module._remove(lock_place(target), stale)
+    assert not lock_module._remove(lock_path(target), stale)
     assert quick.lock.lost_to() is None
-    assert list(target.parent.iterdir()) == [lock_place(target)]
+    assert list(target.parent.iterdir()) == [lock_path(target)]
 
 
 @posix_only
@@ -361,7 +360,7 @@ def test_without_system_locks_one_of_two_finds_its_lock_lost(target, monkeypatch
 
     with monkeypatch.context() as slow:
         slow.setattr(Path, "unlink", unlink)
-        second = acquire(lock_place(target)).lock
+        second = acquire(lock_path(target)).lock
     assert second.lost_to() is None
     assert quick[0].lost_to() is not None
 
@@ -369,11 +368,11 @@ def test_without_system_locks_one_of_two_finds_its_lock_lost(target, monkeypatch
 RACE = """
 import os, sys, time
 from pathlib import Path
-from app.storage.lock import acquire, lock_place
+from app.storage.lock import acquire, lock_path
 print("ready", flush=True)
 while not Path(sys.argv[2]).exists():
     time.sleep(0.001)
-result = acquire(lock_place(Path(sys.argv[1])))
+result = acquire(lock_path(Path(sys.argv[1])))
 print("mine" if result.lock else "theirs", flush=True)
 sys.stdin.read()
 os._exit(0)
@@ -404,14 +403,14 @@ def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
 
 @posix_only
 def test_a_process_that_ends_gives_its_locks_up(target):
-    code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_place\n"
-    code += "kept = acquire(lock_place(Path(sys.argv[1]))); print(kept.lock.place.exists())"
+    code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_path\n"
+    code += "kept = acquire(lock_path(Path(sys.argv[1]))); print(kept.lock.place.exists())"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(
         [sys.executable, "-c", code, str(target)], env=environment, capture_output=True, check=True
     )
     assert done.stdout.strip() == b"True"
-    assert not lock_place(target).exists()
+    assert not lock_path(target).exists()
 
 
 # What a crash leaves behind
@@ -430,7 +429,7 @@ def name_of(process):
 @posix_only
 def test_leftovers_of_ended_processes_are_removed(tmp_path):
     left = old_file(tmp_path / name_of(ended_process()))
-    assert remove_stale(tmp_path) == 1
+    assert remove_stale_files(tmp_path) == 1
     assert not left.exists()
 
 
@@ -449,9 +448,9 @@ def test_nothing_else_is_removed(tmp_path):
     folder.mkdir()
     link = tmp_path / name_of(dead).replace("0" * 16, "2" * 16)
     link.symlink_to(kept[0])
-    assert remove_stale(tmp_path) == 0
+    assert remove_stale_files(tmp_path) == 0
     assert all(path.exists() for path in (*kept, folder, link))
 
 
 def test_sweeping_a_folder_that_is_gone_is_nothing(tmp_path):
-    assert remove_stale(tmp_path / "gone") == 0
+    assert remove_stale_files(tmp_path / "gone") == 0

@@ -16,7 +16,7 @@ from app.storage.format import decode, decode_counting, encode
 from app.storage.format_error import FormatError
 from app.storage.migration import Dropped, LeftOut, Place
 from app.storage.open_file import OpenFile
-from app.storage.recovery import Origin, SnapshotFile, list_snapshots
+from app.storage.recovery import SnapshotFile, SnapshotOrigin, list_snapshots
 from tests.rows import each_row
 
 KEPT = {"kept_texts": [{"x": 1.0}, {"x": 2.0, "follows": True}, {"x": 3.0}], "kept_pictures": [{}]}
@@ -218,7 +218,7 @@ def test_a_snapshot_of_an_older_version_is_counted_and_kept(path, tmp_path, monk
     """It is not taken for saved, although all that is left of it stands in the file."""
     snapshot = SnapshotFile(tmp_path / "state")
     monkeypatch.setattr("app.storage.recovery.encode", lambda _document: older(**KEPT))
-    snapshot.write(load(path), Origin(path))
+    snapshot.write(load(path), SnapshotOrigin(path))
     snapshot.leave()
     (found,) = list_snapshots(tmp_path / "state").snapshots
     assert found.left_out.words == ("2 texts", "1 picture")

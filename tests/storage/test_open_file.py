@@ -21,7 +21,7 @@ from app.storage.files import (
 )
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
-from app.storage.lock import lock_place
+from app.storage.lock import lock_path
 from app.storage.migration import MIGRATIONS
 from app.storage.open_file import FileChange, LockedError, OpenFile
 
@@ -176,7 +176,7 @@ def test_saving_onto_a_file_that_is_open_elsewhere(path, file, tmp_path):
     assert load(path) == MINE
     assert other.check() is FileChange.SAME
     other.close()
-    assert not lock_place(tmp_path / "other").exists()
+    assert not lock_path(tmp_path / "other").exists()
 
 
 def test_a_link_leads_to_the_same_lock(path, file, tmp_path):
@@ -241,12 +241,12 @@ def test_a_recovered_document_counts_what_is_there_as_seen(path):
 
 
 def test_leftovers_go_when_a_document_is_opened(path, tmp_path, monkeypatch):
-    from app.storage import temporary
+    from app.storage import files
 
-    left = tmp_path / temporary.temporary_name()
+    left = tmp_path / files.temporary_name()
     left.write_bytes(b"half")
     os.utime(left, (time.time() - 3600, time.time() - 3600))
-    monkeypatch.setattr(temporary, "is_number_alive", lambda _pid: False)
+    monkeypatch.setattr(files, "is_number_alive", lambda _pid: False)
     OpenFile.open(path).file.close()
     assert not left.exists()
 

@@ -17,12 +17,12 @@ from app.storage.files import save
 from app.storage.format import encode
 from app.storage.format_error import FormatError
 from app.storage.lock import acquire
-from app.storage.processes import machine
-from app.storage.recovery import DAMAGED, SUFFIX, Origin, SnapshotFile, list_snapshots
+from app.storage.recovery import DAMAGED, SUFFIX, SnapshotFile, SnapshotOrigin, list_snapshots
+from app.storage.system import machine
 
 ROOT = Path(__file__).resolve().parents[2]
 THIRDS = Document((make_curve([(1 / 3, 2 / 3), (1e-300, -0.0), (1e12, 5.0)], name="Ü, “S”"),))
-NOWHERE = Origin()
+NOWHERE = SnapshotOrigin()
 OTHER = Document((make_curve([(0, 0), (1, 1)]),))
 BROKEN = Document((make_curve([(0, 0), (float("nan"), 1)]),))
 
@@ -41,26 +41,26 @@ def test_what_was_written_comes_back_bit_for_bit(tmp_path):
     (snapshot,) = list_snapshots(tmp_path / "new" / "folder").snapshots
     assert encode(snapshot.document) == encode(THIRDS)
     assert before <= snapshot.written <= time.time()
-    assert snapshot.origin == Origin()
+    assert snapshot.origin == SnapshotOrigin()
 
 
 def test_names_come_back_and_a_snapshot_of_before_has_none(tmp_path):
-    named = Origin(title=os.fsdecode(b"no\xfftext"), file_stem="icon")
+    named = SnapshotOrigin(title=os.fsdecode(b"no\xfftext"), file_stem="icon")
     file = left_behind(tmp_path, origin=named)
     (snapshot,) = list_snapshots(tmp_path).snapshots
-    assert snapshot.origin == Origin(title="no?text", file_stem="icon")
+    assert snapshot.origin == SnapshotOrigin(title="no?text", file_stem="icon")
     snapshot.leave()
     record = json.loads(file.read_bytes())
     del record["title"], record["file_stem"]
     file.write_text(json.dumps(record | {"version": 1}), encoding="utf-8")
     (snapshot,) = list_snapshots(tmp_path).snapshots
-    assert (snapshot.document, snapshot.origin) == (THIRDS, Origin())
+    assert (snapshot.document, snapshot.origin) == (THIRDS, SnapshotOrigin())
 
 
 @pytest.mark.parametrize("name", ["a b, ü.curve.json", os.fsdecode(b"no\xfftext.curve.json")])
 def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
     path = tmp_path / name
-    left_behind(tmp_path / "unsaved", origin=Origin(path, save(path, OTHER)))
+    left_behind(tmp_path / "unsaved", origin=SnapshotOrigin(path, save(path, OTHER)))
     found = list_snapshots(tmp_path / "unsaved")
     assert found.snapshots[0].origin.path == path
     assert found.snapshots[0].origin.is_unchanged
@@ -74,7 +74,7 @@ def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
 
 def test_what_its_file_holds_after_all_is_not_offered(tmp_path):
     path = tmp_path / "mine.curve.json"
-    origin = Origin(path, save(path, OTHER))
+    origin = SnapshotOrigin(path, save(path, OTHER))
     save(path, THIRDS)
     left_behind(tmp_path / "unsaved", THIRDS, origin)
     assert list_snapshots(tmp_path / "unsaved").snapshots == ()
@@ -115,18 +115,18 @@ def test_what_is_discarded_is_gone_and_what_is_left_comes_again(tmp_path):
 def test_a_writer_that_discards_leaves_nothing(tmp_path):
     file = SnapshotFile(tmp_path)
     file.discard()
-    file.write(THIRDS, Origin())
-    file.write(OTHER, Origin())
+    file.write(THIRDS, SnapshotOrigin())
+    file.write(OTHER, SnapshotOrigin())
     file.discard()
     assert list(tmp_path.iterdir()) == []
-    file.write(OTHER, Origin())
+    file.write(OTHER, SnapshotOrigin())
     file.leave()
     assert len(list_snapshots(tmp_path).snapshots) == 1
 
 
 def test_the_snapshot_of_a_running_writer_is_not_offered(tmp_path):
     file = SnapshotFile(tmp_path)
-    file.write(THIRDS, Origin())
+    file.write(THIRDS, SnapshotOrigin())
     assert list_snapshots(tmp_path).snapshots == ()
     file.leave()
     assert len(list_snapshots(tmp_path).snapshots) == 1
@@ -142,11 +142,11 @@ def test_what_one_start_offers_no_other_start_offers(tmp_path):
 
 def test_a_preview_that_no_file_may_hold_gives_way_to_what_was_committed(tmp_path):
     file = SnapshotFile(tmp_path)
-    file.write(BROKEN, Origin(), THIRDS)
+    file.write(BROKEN, SnapshotOrigin(), THIRDS)
     file.leave()
     assert list_snapshots(tmp_path).snapshots[0].document == THIRDS
     with pytest.raises(FormatError):
-        file.write(BROKEN, Origin())
+        file.write(BROKEN, SnapshotOrigin())
 
 
 def damage(content, kind):
@@ -259,9 +259,9 @@ def test_the_snapshot_of_a_killed_process_is_offered_and_of_a_running_one_not(tm
 import sys
 from pathlib import Path
 from app.document.model import Document, make_curve
-from app.storage.recovery import Origin, SnapshotFile
+from app.storage.recovery import SnapshotOrigin, SnapshotFile
 file = SnapshotFile(Path(sys.argv[1]))
-file.write(Document((make_curve([(0, 0)]),)), Origin())
+file.write(Document((make_curve([(0, 0)]),)), SnapshotOrigin())
 print(flush=True)
 sys.stdin.read()
 """
@@ -278,7 +278,7 @@ KILLED_AT_EVERY_STEP = """
 import gc, os, sys
 from pathlib import Path
 from app.document.model import Document, make_curve
-from app.storage.recovery import Origin, SnapshotFile, list_snapshots
+from app.storage.recovery import SnapshotOrigin, SnapshotFile, list_snapshots
 from tests.storage.kill_at_every_step import be_killed_before
 
 old, new = (Document((make_curve([(i, k / 3) for i in range(3)]),)) for k in (1, 2))
@@ -286,14 +286,14 @@ old, new = (Document((make_curve([(i, k / 3) for i in range(3)]),)) for k in (1,
 def run(folder, step, begin):
     file = SnapshotFile(folder)
     if begin == "again":
-        file.write(old, Origin())
+        file.write(old, SnapshotOrigin())
     sys.setprofile(be_killed_before(step))
-    file.write(new, Origin())
+    file.write(new, SnapshotOrigin())
     os._exit(0)
 
 # What is imported when it is first wanted, each child would import again, or look through it for garbage.
 warm = SnapshotFile(Path(sys.argv[1]) / "warm")
-warm.write(old, Origin())
+warm.write(old, SnapshotOrigin())
 warm.leave()
 gc.disable()
 gc.freeze()

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from ...document.model import Document
-from ...storage.files import folder_of
+from ...storage.files import folder_of, with_relative_image_path
 from ...storage.format import encode
 from ...storage.format_error import FormatError
-from ...storage.image_path import relative_to
 from ..errors import ExchangeError
 from ..options import Options
 from . import DOCUMENT_ENDING, ContentKind, Format, Written, is_document
@@ -15,7 +14,7 @@ from . import DOCUMENT_ENDING, ContentKind, Format, Written, is_document
 def _write(document: Document, options: Options) -> Written:
     # The picture to trace is found from where the file lies.
     try:
-        return Written(encode(relative_to(document, folder_of(options.path))))
+        return Written(encode(with_relative_image_path(document, folder_of(options.path))))
     except FormatError as problem:
         raise ExchangeError(f"The document cannot be written: {problem}.") from problem
 

@@ -20,7 +20,7 @@ from ...document.style import Style
 from ...document.words import count_of, distance_words, listed
 from ...exchange import table
 from ...exchange.formats import ContentKind, file_filters
-from ...storage.image_path import PICTURE_SUFFIXES, PICTURES
+from ...storage.files import IMAGE_PATTERNS, IMAGE_SUFFIXES
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from .. import import_export
@@ -60,10 +60,10 @@ class ImportCommands:
     @action("importFile", "Import…", FILE_EXCHANGE, "Ctrl+I", "import")
     def _ask_and_import(self) -> None:
         """Import curves from SVG, DXF, tables, GPX, robot paths or documents, or a picture to trace."""
-        folder, kinds = str(self._preferences.last_folder), file_filters(PICTURES)
+        folder, kinds = str(self._preferences.last_folder), file_filters(IMAGE_PATTERNS)
         names, _ = QFileDialog.getOpenFileNames(self._context.window, "Import", folder, kinds)
         paths = [Path(name) for name in names]
-        pictures = [path for path in paths if path.suffix.lower() in PICTURE_SUFFIXES]
+        pictures = [path for path in paths if path.suffix.lower() in IMAGE_SUFFIXES]
         if others := self._context.files.trace(pictures):
             self._context.central.message_bar.warn(others)
         drawings = [path for path in paths if path not in pictures]

@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, QStandardPaths, QTimer
 
 from ...document.model import Document
 from ...session import DocumentOrigin, Session
-from ...storage.reasons import shown
-from ...storage.recovery import Origin, SnapshotFile
+from ...storage.files import printable_path
+from ...storage.recovery import SnapshotFile, SnapshotOrigin
 from ...tasks.task import Task
 from ...workbench.document_files import SUFFIX
 
@@ -164,25 +164,25 @@ def snapshot_folder() -> Path:
     return state_folder() / "unsaved"
 
 
-def origin_of(session: Session) -> Origin:
+def origin_of(session: Session) -> SnapshotOrigin:
     """Return where the document of a session came from, and what it is called."""
     files, beginning = session.files, session.files.beginning
     stamp = files.file.stamp if files.file is not None else None
-    return Origin(files.path, stamp, beginning.title, beginning.file_stem)
+    return SnapshotOrigin(files.path, stamp, beginning.title, beginning.file_stem)
 
 
-def beginning_of(origin: Origin, path: Path | None) -> DocumentOrigin:
+def beginning_of(origin: SnapshotOrigin, path: Path | None) -> DocumentOrigin:
     """Return the beginning of work that was recovered and has its file at `path`, if any.
 
     Where that is not to be written to any more, it keeps the name.
     """
     if path is None and origin.path is not None:
-        stem = shown(origin.path.name).removesuffix(SUFFIX)
+        stem = printable_path(origin.path.name).removesuffix(SUFFIX)
         return DocumentOrigin(title=stem, file_stem=stem)
     return DocumentOrigin(title=origin.title, file_stem=origin.file_stem)
 
 
-def _written(file: SnapshotFile, document: Document, origin: Origin, committed: Document) -> str:
+def _written(file: SnapshotFile, document: Document, origin: SnapshotOrigin, committed: Document) -> str:
     """Write a snapshot and return why it could not be, empty where it could."""
     try:
         file.write(document, origin, committed)

@@ -9,7 +9,7 @@ from ...actions.declaration import action
 from ...actions.menus import FILE_RECOVERY
 from ...document.model import Document
 from ...session import DocumentOrigin
-from ...storage.recovery import Found, Snapshot, list_snapshots
+from ...storage.recovery import Snapshot, SnapshotListing, list_snapshots
 from ...workbench.context import WindowContext
 from .. import recovery
 from .autosave import Autosave, beginning_of, snapshot_folder
@@ -25,7 +25,7 @@ class RecoveryCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._bar: recovery.bar.RecoveryBar | None = None
-        self._found = Found()
+        self._found = SnapshotListing()
         self._autosave: Autosave | None = None
         self._open_beside: OpenBeside | None = None
         self._set_aside: SetAside | None = None
@@ -61,7 +61,7 @@ class RecoveryCommands:
         """Keep what is not decided for the next start."""
         for snapshot in self._found.snapshots:
             snapshot.leave()
-        self._found = Found()
+        self._found = SnapshotListing()
         if self._bar is not None:
             self._bar.hide()
 
@@ -79,7 +79,7 @@ class RecoveryCommands:
     def _take(self, index: int) -> Snapshot:
         snapshots = list(self._found.snapshots)
         snapshot = snapshots.pop(index)
-        self._found = Found(tuple(snapshots))
+        self._found = SnapshotListing(tuple(snapshots))
         self._render()
         return snapshot
 

@@ -14,8 +14,8 @@ from PySide6.QtCore import QDateTime, QLocale
 from ...document.groups import counted_shapes
 from ...document.model import Document
 from ...document.words import count_of
-from ...storage.reasons import shown
-from ...storage.recovery import Origin, Snapshot
+from ...storage.files import printable_path
+from ...storage.recovery import Snapshot, SnapshotOrigin
 from ...workbench.document_files import NEW_NAME
 
 _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
@@ -84,8 +84,8 @@ def _offer(snapshot: Snapshot) -> Offer:
         words.append("file changed since")
     first = document.curves[0].name
     untitled = origin.title or ("Untitled sketch" if first == NEW_NAME else first)
-    name = shown(file.name) if file is not None else untitled
-    return Offer(name, " · ".join(words), shown(file) if file is not None else "", document)
+    name = printable_path(file.name) if file is not None else untitled
+    return Offer(name, " · ".join(words), printable_path(file) if file is not None else "", document)
 
 
 def note_about(damaged: tuple[Path, ...]) -> str:
@@ -93,16 +93,16 @@ def note_about(damaged: tuple[Path, ...]) -> str:
     if not damaged:
         return ""
     if len(damaged) == 1:
-        return f"⚠ A damaged backup cannot be read; it was set aside as {shown(damaged[0].name)}."
-    folder = shown(damaged[0].parent)
+        return f"⚠ A damaged backup cannot be read; it was set aside as {printable_path(damaged[0].name)}."
+    folder = printable_path(damaged[0].parent)
     return f"⚠ {len(damaged)} damaged backups cannot be read; they were set aside in {folder}."
 
 
-def told_after(origin: Origin, *, is_unchanged: bool) -> str:
+def told_after(origin: SnapshotOrigin, *, is_unchanged: bool) -> str:
     """Return what to say of work that was restored, by the file it came from."""
     if origin.path is None:
         return "Restored; it has no file yet."
-    name = shown(origin.path.name)
+    name = printable_path(origin.path.name)
     if is_unchanged:
         return f"Restored; {name} does not hold these changes until you save."
     if not origin.path.exists():

@@ -17,7 +17,7 @@ from ...document.model import ReferenceImage
 from ...document.plane_edits import set_image, set_image_file, set_image_opacity
 from ...document.words import listed
 from ...state.window_state import WindowState
-from ...storage.image_path import PICTURES
+from ...storage.files import IMAGE_PATTERNS
 from ...tools.move_image import MOVE_IMAGE
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
@@ -25,7 +25,7 @@ from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits, SliderGesture
 from .panel import STEPS, ImagePanel
 
-_PICTURES = f"Pictures ({PICTURES});;All files (*)"
+_PICTURES = f"Pictures ({IMAGE_PATTERNS});;All files (*)"
 _MISSING = "The reference image is not shown. {}"
 _SHARE = 0.8
 """Part of the canvas that a new picture fills."""

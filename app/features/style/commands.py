@@ -26,8 +26,8 @@ from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped
 from ...session.change import why_not_kept
 from ...session.session import Session
 from ...settings.preferences import Preferences
-from ...storage.field_check import check_fields
 from ...storage.format_error import FormatError
+from ...storage.validation import check_fields
 from ...tools.drag_machine import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of

@@ -4,17 +4,17 @@ import pytest
 
 from app.document.model import Document, make_curve
 from app.storage.format_error import FormatError
-from app.storage.validation import foresee, validate_changes
+from app.storage.validation import prevalidate, validate_changes
 
 
 def test_what_was_foreseen_is_validated_once_and_nothing_else_is_let_through():
     before = Document((make_curve([(0, 0), (1, 1)]),))
     fit = Document((*before.curves, make_curve([(0, 0), (2, 1)])))
     unfit = Document((*before.curves, make_curve([(0, 0), (1e300, 1)])))
-    foresee(before, unfit)
+    prevalidate(before, unfit)
     with pytest.raises(FormatError):
         validate_changes(before, unfit)
-    foresee(before, fit)
+    prevalidate(before, fit)
     with pytest.raises(FormatError):
         validate_changes(before, unfit)
     with pytest.raises(FormatError):
