@@ -130,7 +130,6 @@ def test_the_window_starts_without_what_is_rarely_used(start):
         "app.features.lessons.panel",
         "app.features.overlays.panel",
         "app.features.wiggle.panel",
-        "app.features.motion.bar",
         "app.window.command_palette",
         "app.window.preferences_dialog",
         "app.features.help.shortcut_sheet",

@@ -30,7 +30,7 @@ from app.features.hodograph.commands import HodographCommands
 from app.features.import_export.commands import ImportCommands
 from app.features.laboratory.commands import LaboratoryCommands
 from app.features.motion.commands import MotionCommands
-from app.features.plots.panel import USUAL_HEIGHT
+from app.features.plots.commands import USUAL_HEIGHT
 from app.features.recovery.commands import RecoveryCommands
 from app.features.style.commands import StyleCommands
 from app.features.view.zoom import ZoomCommands

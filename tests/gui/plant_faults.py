@@ -30,7 +30,7 @@ from app.features.curve_list.rows import RowDelegate
 from app.features.point_table.model import PointTableModel
 from app.features.point_table.view import PointTableDelegate, PointTableView
 from app.features.recovery.autosave import snapshot_folder
-from app.features.wiggle.weight_bars import WeightBars
+from app.features.wiggle.panel import WeightBars
 from app.plotting.layers import Layer
 from app.plotting.plot_widget import PaintedPlot, PlotWidget
 from app.plotting.tool_plot import ToolPlot

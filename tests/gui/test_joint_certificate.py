@@ -15,8 +15,7 @@ from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Document, Parametrization, Point
 from app.document.point_edits import set_position
 from app.families import HERMITE
-from app.features.joints.model import COLUMNS, JointsModel
-from app.features.joints.panel import JointsPanel
+from app.features.joints.panel import COLUMNS, JointsModel, JointsPanel
 from app.view_model.analysis import joints
 from app.view_model.analysis.joints import JointKind
 from app.view_model.curve.curve_view import view_of

@@ -29,8 +29,8 @@ from app.document.derivatives import VelocityRule
 from app.document.model import ParametrizationKind
 from app.exchange.drawing.film import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.motion.bar import MotionBar
 from app.features.motion.player import Player
+from app.features.motion.stage import MotionBar
 from app.view_model.motion import OWN
 from tests.waiting import LIMIT, until
 

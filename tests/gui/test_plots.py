@@ -14,7 +14,7 @@ from app.document.model import Parametrization, ParametrizationKind, make_curve
 from app.document.point_edits import set_position
 from app.families import HERMITE, LAGRANGE
 from app.features.plots.commands import PlotCommands
-from app.features.plots.value_scale import ValueScale
+from app.features.plots.layers import ValueScale
 from app.settings.preferences import Preferences
 from app.tasks.debounced_task import SETTLE_MS
 from app.testing import Editor

@@ -27,7 +27,7 @@ from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.features.import_export.import_table_dialog import ImportTableDialog
 from app.features.import_export.work_dialog import Verb
 from app.features.lessons.commands import LessonCommands
-from app.features.motion.dialog import MotionDialog
+from app.features.motion.export import MotionDialog
 from app.session import Session
 from app.storage.files import save
 from app.testing import Editor

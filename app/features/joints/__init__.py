@@ -1,6 +1,6 @@
 """The joint certificate: how smooth the curve is where two segments meet.
 
-- ``commands``: keeps it in step with the curve.  ``panel``, ``model``: the table of joints.
+- ``commands``: keeps it in step with the curve.  ``panel``: the table of joints.
 """
 
 import lazy_loader as lazy

@@ -1,22 +1,110 @@
-"""The joint certificate: how smooth the curve is at each joint, measured."""
+"""The joint certificate, the smoothness of the curve at each joint: summary, table, and a joint in words."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import math
+from collections.abc import Collection, Sequence
+from typing import Any
 
-from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from ...appearance.theme import FollowsTheme, Theme
+from ...appearance.theme import LIGHT, FollowsTheme, Theme
 from ...document.words import number
 from ...qt.labels import Label
-from ...qt.overrides import ENTER, ClaimsKeys
+from ...qt.overrides import ENTER, ClaimsKeys, SafeOverrides
 from ...view_model.analysis.joints import Certificate, JointKind, JointRow
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import action_button, named
 from ...widgets.number_text import decimal_mark
-from .model import JointsModel
+
+COLUMNS = ("Joint", "Class", "c", "c′", "c″", "c‴", "∠", "κ")
+_TIPS = (
+    "The joint, by its point: ✓ smooth, ? not decided, △ acceleration jumps, ◇ speed jumps, ▲ corner",
+    "Parametric continuity C, of the motion; geometric continuity G, of the line, where it says more",
+    "Jump of the point",
+    "Jump of the velocity: the length of after minus before",
+    "Jump of the acceleration: the length of after minus before",
+    "Jump of the jerk: the length of after minus before",
+    "Angle between the tangents before and after",
+    "Jump of the curvature, after minus before",
+)
+_BAD = (JointKind.CORNER, JointKind.BREAK)
+_DIGITS = 3
+
+_Index = QModelIndex | QPersistentModelIndex
+
+
+class JointsModel(SafeOverrides, QAbstractTableModel):
+    """Joints for a table view; read only."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.rows: Sequence[JointRow] = ()
+        self.theme: Theme = LIGHT
+
+    def render(self, rows: Sequence[JointRow]) -> None:
+        """Show these joints; where there are as many as before, what is chosen stays."""
+        if len(rows) != len(self.rows):
+            self.beginResetModel()
+            self.rows = rows
+            self.endResetModel()
+        elif rows:
+            self.rows = rows
+            self.dataChanged.emit(self.index(0, 0), self.index(len(rows) - 1, len(COLUMNS) - 1))
+
+    def rowCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(COLUMNS)
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:  # noqa: ANN401
+        """Return what Qt asks for."""
+        row = self.rows[index.row()]
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return self._texts(row)[index.column()]
+            case Qt.ItemDataRole.TextAlignmentRole:
+                side = Qt.AlignmentFlag.AlignLeft if index.column() < 2 else Qt.AlignmentFlag.AlignRight
+                return side | Qt.AlignmentFlag.AlignVCenter
+            case Qt.ItemDataRole.ForegroundRole:
+                if row.kind in _BAD and index.column() < 2:
+                    return self.theme.warning
+                return self.theme.muted if self._texts(row)[index.column()] == "0" else None
+            case Qt.ItemDataRole.ToolTipRole | Qt.ItemDataRole.AccessibleDescriptionRole:
+                return row.words
+        return None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:  # noqa: ANN401
+        """Return what stands above a column."""
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return COLUMNS[section]
+            case Qt.ItemDataRole.ToolTipRole:
+                return _TIPS[section]
+            case Qt.ItemDataRole.TextAlignmentRole:
+                side = Qt.AlignmentFlag.AlignLeft if section < 2 else Qt.AlignmentFlag.AlignRight
+                return side | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def _texts(self, row: JointRow) -> tuple[str, ...]:
+        mark = decimal_mark()
+        *jumps, angle, curvature, _ = row.written(lambda value: number(value, _DIGITS, mark))
+        is_angle = math.isfinite(row.angle) and angle != "0"
+        return (
+            f"{row.kind.value} {row.joint}",
+            row.smoothness,
+            *jumps,
+            f"{angle}°" if is_angle else angle,
+            curvature,
+        )
+
 
 _PADDING = 5
 _DETAIL_LINES = 4

@@ -1,8 +1,8 @@
 """A motion along the curve: a dot that runs at its own pace, rivals of other rules, and films of it.
 
-- ``commands``: its actions.  ``stage``: what it needs in the window, made when the first of them is used.
-- ``player``: the clock that drives it.  ``bar``: its controls.
-- ``export``, ``dialog``: films.
+- ``commands``: its actions.  ``player``: the clock that drives it.
+- ``stage``: its bar and its dots in the window, made when the first action is used.
+- ``export``: films.
 """
 
 import lazy_loader as lazy

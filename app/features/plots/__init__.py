@@ -1,8 +1,10 @@
 """Plots over t, over the axis of the basis functions.
 
 - ``commands``: switches them, and keeps them in step with curve, scrub line and the visible part of t.
-- ``panel``: their place in the window.  ``pane``: the plots with their header, made when one is wanted.
-- ``canvas``: the plots below each other.  ``layers``: what is painted.  ``value_scale``: values to heights.
+- ``pane``: the plots below each other with their header, made when one is needed.
+- ``layers``: what is painted, and values to heights.
+
+The plots themselves are records: ``app/view_model/analysis/plots``.
 """
 
 import lazy_loader as lazy

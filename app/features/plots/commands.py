@@ -1,4 +1,4 @@
-"""The plots over t: which are shown, and that they follow curve, scrub line and the visible part of t."""
+"""The plots over t: their panel, the actions that switch them, and what keeps them in step with the curve."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ...actions.declaration import Action, action_for_each
 from ...actions.menus import PLOTS_OVER_T
+from ...qt.overrides import SafeOverrides
 from ...tasks.debounced_task import DebouncedTask
 from ...tools.rail import SCRUB
 from ...tools.toolbox import Toolbox
@@ -18,14 +20,46 @@ from ...view_model import analysis
 from ...view_model.analysis.plot import PLOTS, Plot
 from ...view_model.basis import growth_of_points
 from ...view_model.curve.curve_view import CurveView
-from ...workbench.central_area import Pane
+from ...workbench.central_area import CentralPane, Pane
 from ...workbench.context import WindowContext
 from .. import plots
-from .panel import PlotPanel
 
 if TYPE_CHECKING:
     from ...view_model.analysis.plot import PlotData
     from .pane import PlotPane
+
+USUAL_HEIGHT = 170
+
+
+class PlotPanel(SafeOverrides, CentralPane):
+    """Holds the plots with their header once they are wanted.
+
+    Attributes
+    ----------
+    pane
+        Header and plots; None until one was shown.
+    kept_height
+        How high the panel was when it was last seen.
+    """
+
+    def __init__(self, kept_height: int, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAccessibleName("Plots over t")
+        self.kept_height = kept_height or USUAL_HEIGHT
+        self.pane: PlotPane | None = None
+        self._rows = QVBoxLayout(self)
+        self._rows.setContentsMargins(0, 0, 0, 0)
+        self.hide()
+
+    def hold(self, pane: PlotPane) -> None:
+        """Show header and plots here from now on."""
+        self.pane, self.plot = pane, pane.canvas
+        self._rows.addWidget(pane)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.isVisible():
+            self.kept_height = self.height()
 
 
 _CALM_MS = 300
@@ -141,7 +175,7 @@ class PlotCommands:
 
     def _build(self) -> PlotPane:
         context = self._context
-        canvas = plots.canvas.PlotCanvas(Toolbox(self._session, SCRUB))
+        canvas = plots.pane.PlotCanvas(Toolbox(self._session, SCRUB))
         canvas.set_scale(context.store.state.scale)
         canvas.camera.range_asked.connect(context.central.t_camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)

@@ -1,22 +1,152 @@
-"""The plots over t with their header: which are shown, and their values at the scrub line."""
+"""The plots over t with their header: buttons that switch them, and their values at the scrub line."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import partial
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
+
+from curvecore.arrays import FloatArray
 
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number, uncertain
+from ...plotting.camera import CameraOverT
+from ...plotting.tool_plot import ToolPlot
+from ...tools.toolbox import Toolbox
+from ...view_model.analysis.plot import PlotData
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import choice_style, mirror, named, tool_button
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.number_text import decimal_mark
-from .canvas import PlotCanvas
+from .layers import PlotLayer, ScrubLayer, ValueScale
+
+_PIXELS_A_NUMBER = 24.0
+_EDGE = 7.0
+"""Pixels from the edge within which a number at the axis would be cut off."""
+
+_DIRECTIONS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+
+
+class PlotCanvas(ToolPlot):
+    """Draws plots; x axis t. A drag scrubs, the wheel zooms along t.
+
+    The view box's own y runs from 0 to 1 over the height; every plot has its scale within.
+
+    Signals
+    -------
+    scrub_nudged
+        The scrub line shall move by so much along t: an arrow key was pressed.
+    """
+
+    scrub_nudged = Signal(float)
+
+    camera: CameraOverT
+    camera_class = CameraOverT
+
+    def __init__(self, tools: Toolbox) -> None:
+        super().__init__(tools)
+        # Whose t axis it shares decides what is seen.
+        self.camera.led = True
+        self.setObjectName("plotCanvas")
+        self.setAccessibleName("Plots over t")
+        self.setAccessibleDescription("Speed, curvature and the like over t; drag to move the scrub line.")
+        self._scales: dict[str, ValueScale] = {}
+        self._ticks: list[tuple[float, str]] = []
+        self._lines = PlotLayer(self)
+        self._scrub = ScrubLayer(self, self._lines)
+        self.getViewBox().setYRange(0.0, 1.0, padding=0)
+        self.getViewBox().sigResized.connect(self._number_axis)
+        self._number_axis()
+
+    # What is shown
+
+    @property
+    def plots(self) -> Sequence[PlotData]:
+        """Plots that are shown, from the top down."""
+        return [plot for plot, _scale in self._lines.plots]
+
+    @property
+    def note(self) -> str:
+        """Sentence in place of plots."""
+        return self._lines.note
+
+    @property
+    def columns(self) -> int:
+        """The width of the plots in pixels."""
+        return int(self.pixel_map.width)
+
+    def scale_of(self, title: str) -> ValueScale:
+        """Return the values at the foot and at the head of a plot."""
+        return self._scales[title]
+
+    def render_plots(self, plots: Sequence[PlotData], knots: FloatArray, *, calm: bool) -> None:
+        """Show these plots, with marks at the knots; while `calm`, no scale shrinks."""
+        scales = {}
+        for plot in plots:
+            fresh, old = ValueScale.of(plot), self._scales.get(plot.title)
+            scales[plot.title] = fresh.holding(old) if calm and old is not None else fresh
+        moved = scales != self._scales
+        self._scales = scales
+        layer = self._lines
+        layer.plots, layer.knots = [(plot, scales[plot.title]) for plot in plots], knots
+        layer.note, layer.waits = "", False
+        if moved:
+            self._number_axis()
+        self._refresh()
+
+    def say(self, note: str) -> None:
+        """Show a sentence in place of plots."""
+        layer = self._lines
+        layer.plots, layer.knots, layer.note = (), np.empty(0), note
+        self._scales = {}
+        self._number_axis()
+        self._refresh()
+
+    def set_waiting(self) -> None:
+        """Let the plots step back: newer ones are on their way."""
+        self._lines.waits = True
+        self._refresh()
+
+    def set_scrub(self, t: float | None) -> None:
+        """Move the scrub line, or put it away (None)."""
+        self._scrub.scrub = t
+        self._scrub.update()
+
+    def set_scale(self, scale: float) -> None:
+        """Enlarge lines and numbers, for a projector."""
+        super().set_scale(scale)
+        self._number_axis()
+
+    def _refresh(self) -> None:
+        self._lines.update()
+        self._scrub.update()
+
+    def _number_axis(self) -> None:
+        """Write the numbers of all plots at the one axis."""
+        height, layer = max(self.getViewBox().rect().height(), 1.0), self._lines
+        ticks = []
+        for placed in layer.placed(height):
+            most = max(int(placed.height / (_PIXELS_A_NUMBER * layer.scale)), 2)
+            for share, text in placed.scale.ticks(most):
+                y = placed.foot - share * placed.height
+                ticks.append((1 - min(max(y, _EDGE), height - _EDGE) / height, text))
+        if ticks != self._ticks:
+            self._ticks = ticks
+            self.getAxis("left").set_ticks(ticks)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in _DIRECTIONS:
+            steps = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            self.scrub_nudged.emit(_DIRECTIONS[Qt.Key(event.key())] * steps / self.pixel_map.sx)
+            event.accept()
+        else:
+            super().keyPressEvent(event)
+
 
 _HEIGHT_A_PLOT = 64
 """Pixels that a plot should have at least where there is room."""

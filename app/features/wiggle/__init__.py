@@ -1,7 +1,7 @@
-"""A wiggle explained: who pulls the curve at a place, and what would calm it.
+"""A wiggle explained: which points pull the curve at the scrub line, and what would calm it.
 
-- ``commands``: explains the place of the scrub line, and tries cures.
-- ``panel``: the explanation.  ``weight_bars``: the share of each point, as bars.
+- ``commands``: explains the curve at the scrub line, and tries cures.
+- ``panel``: the explanation, the weights of the points as bars, and the cures.
 """
 
 import lazy_loader as lazy
