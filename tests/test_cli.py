@@ -69,7 +69,7 @@ def test_convert_and_render_tell_on_a_terminal_how_far_they_are(output, tmp_path
 
     table = tmp_path / "rows.csv"
     table.write_text("x,y\n" + "".join(f"{k},{k % 7}\n" for k in range(12_000)))
-    monkeypatch.setattr("app.cli.progress.PATIENCE", -1.0)
+    monkeypatch.setattr("app.cli.output.PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     word, source = ("convert", str(table)) if output.endswith("json") else ("render", LETTER)
     target = str(tmp_path / output)

@@ -153,7 +153,7 @@ def test_a_terminal_shows_which_of_the_files_it_is(folder, monkeypatch):
         def isatty(self) -> bool:
             return True
 
-    monkeypatch.setattr("app.cli.progress.PATIENCE", -1.0)
+    monkeypatch.setattr("app.cli.output.PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     assert main(["convert", "a.csv", "bad.csv", "c.csv", "-o", "out", "--to", "svg"]) == 1
     told = terminal.getvalue()

@@ -106,7 +106,7 @@ def noisy(tmp_path):
 
 
 def test_a_terminal_hears_how_far_a_fit_is(noisy, tmp_path, monkeypatch):
-    monkeypatch.setattr("app.cli.progress.PATIENCE", -1.0)
+    monkeypatch.setattr("app.cli.output.PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     out = tmp_path / "few.curve.json"
     assert main(["convert", str(noisy), str(out), "--fit-tolerance", "0.035", "--family", "b_spline"]) == 0
@@ -121,7 +121,7 @@ def test_a_terminal_hears_how_far_a_fit_is(noisy, tmp_path, monkeypatch):
 
 
 def test_ctrl_c_ends_a_fit_and_leaves_no_file(noisy, tmp_path, monkeypatch):
-    monkeypatch.setattr("app.cli.progress.PATIENCE", -1.0)
+    monkeypatch.setattr("app.cli.output.PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal(patience=5))
     words = ["--fit-tolerance", "0.035", "--family", "b_spline"]
     assert main(["convert", str(noisy), str(tmp_path / "few.curve.json"), *words]) == 130

@@ -152,7 +152,6 @@ def test_the_window_starts_without_what_is_rarely_used(start):
     }
     assert of_dialogs == {
         "commands",
-        "copy_commands",
         "export_commands",
         "import_series",
     }

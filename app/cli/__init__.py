@@ -1,12 +1,11 @@
 """The command line: the editor, and commands that need no window.
 
-- ``command_line``: what was typed, and which command it is.  ``refusals``: what cannot be done, in one line.
-  ``documents``: those that it names.
-- ``families``: those of files that were named.  ``commands``: which command it is; ``rendering``,
-  ``converting``, ``printed_facts`` and ``lessons`` are what each takes.  ``options``: their options.
-  ``progress``: how far work has come, on a terminal.
-- ``start``: the editor's start.  ``windows``: its first windows.  ``application``: Qt's application.
-  ``lifecycle``: what surrounds them until the end.  ``display``: whether there is a screen for them.
+- ``command_line``: which command it is.  ``output``: results, refusals and progress.
+  ``documents``: documents and families of the files that it names.
+- ``commands``: the parsers of the commands without a window.  ``options``: their options.
+  ``rendering``, ``converting`` and ``info``: what each of them does.
+- ``start``: the editor's start.  ``display``: whether there is a screen for it.
+  ``application``: Qt's application.  ``windows``: the windows, and what surrounds them until the end.
 """
 
 import lazy_loader as lazy

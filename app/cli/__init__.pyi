@@ -2,9 +2,8 @@
 from . import application as application
 from . import commands as commands
 from . import converting as converting
-from . import families as families
-from . import lessons as lessons
-from . import printed_facts as printed_facts
+from . import documents as documents
+from . import info as info
 from . import rendering as rendering
 from . import start as start
 from . import windows as windows

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 from ..qt.sources import spare_sources
 from .display import why_no_window
-from .refusals import RefusalError
+from .output import RefusalError
 
 
 def qt_application(without: str) -> QApplication:

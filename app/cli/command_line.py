@@ -13,7 +13,7 @@ from .. import __version__, cli, exchange, storage
 from ..diagnostics.log import LEVELS, logged
 from ..exchange import READER_PROCESS
 from ..tasks.processor_limit import PROCESSOR_LIMIT, limit_processor_time
-from .refusals import RefusalError, one_line, reason_of, say
+from .output import RefusalError, one_line, reason_of, say
 
 _INTERRUPTED = 130
 """The exit code that a shell expects of a program that Ctrl+C ended."""
@@ -51,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options, words = common_options().parse_known_args(words)
-        families = cli.families.families_of_files(options.families) if options.families else nullcontext()
+        families = cli.documents.families_of_files(options.families) if options.families else nullcontext()
         if options.processor_limit:
             limit_processor_time(options.processor_limit)
         with logged(options.log), families:

@@ -12,8 +12,7 @@ from ..families import FAMILIES
 from .command_line import common_options
 from .documents import document_of
 from .options import CONVERT, add_convert_options, convert_usage_problem
-from .progress import TerminalProgress
-from .refusals import RefusalError, say, say_json, tell
+from .output import RefusalError, TerminalProgress, say, say_json, tell
 
 
 def run_command(words: Sequence[str]) -> int:
@@ -68,7 +67,7 @@ def _info(options: argparse.Namespace) -> int:
     with TerminalProgress() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
-        curves = [cli.printed_facts.facts_as_json(each) for each in facts]
+        curves = [cli.info.facts_as_json(each) for each in facts]
         say_json(
             {
                 "file": options.file,
@@ -78,7 +77,7 @@ def _info(options: argparse.Namespace) -> int:
             }
         )
     else:
-        say("\n\n".join(cli.printed_facts.facts_as_text(each, document.unit) for each in facts))
+        say("\n\n".join(cli.info.facts_as_text(each, document.unit) for each in facts))
     return 0
 
 
@@ -91,7 +90,7 @@ def _convert(options: argparse.Namespace) -> int:
 
 
 def _lesson(options: argparse.Namespace) -> int:
-    return cli.lessons.lesson(options.name)
+    return cli.start.lesson(options.name)
 
 
 _COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}

@@ -26,8 +26,7 @@ from ..tasks.progress import Report, part
 from ..view_model.curve.curve_view import view_of
 from ..view_model.fit import Fitted, fitted_to_curve
 from .options import columns_to_read, own_options, picture_options
-from .progress import TerminalProgress
-from .refusals import RefusalError, one_line, reason_of, say, say_json, tell
+from .output import RefusalError, TerminalProgress, one_line, reason_of, say, say_json, tell
 
 if TYPE_CHECKING:
     from ..document.model import Document

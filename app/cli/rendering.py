@@ -24,8 +24,7 @@ from .options import (
     picture_options,
     positive_number,
 )
-from .progress import TerminalProgress
-from .refusals import RefusalError, tell
+from .output import RefusalError, TerminalProgress, tell
 
 if TYPE_CHECKING:
     from ..document.model import Document

@@ -13,7 +13,7 @@ from flint import arb, arb_mat, arb_poly, ctx
 from msgspec.structs import replace
 from numpy.polynomial.polynomial import polyval
 
-from app.cli.printed_facts import facts_as_json, facts_as_text
+from app.cli.info import facts_as_json, facts_as_text
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.facts import facts_of

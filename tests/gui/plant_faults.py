@@ -22,8 +22,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
 from app.appearance.icons import _IconEngine, icon
-from app.cli.lifecycle import Lifecycle
-from app.cli.windows import open_windows
+from app.cli.windows import Lifecycle, open_windows
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.model import CurveListModel
 from app.features.curve_list.rows import RowDelegate

@@ -8,8 +8,7 @@ from collections import Counter
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 
-from app.cli.lifecycle import Lifecycle
-from app.cli.windows import open_windows
+from app.cli.windows import Lifecycle, open_windows
 from app.session import DocumentOrigin, Session
 from app.storage.files import save
 from app.testing import Editor

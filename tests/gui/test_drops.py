@@ -8,7 +8,7 @@ from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDro
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLineEdit, QPushButton
 
-from app.cli.lifecycle import Lifecycle
+from app.cli.windows import Lifecycle
 from app.document.model import Document, make_curve
 from app.storage.files import save
 from app.window import MainWindow

@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 from PySide6.QtWidgets import QApplication, QLabel, QMainWindow, QMenu, QWidget
 
-from app.cli.lifecycle import Lifecycle
+from app.cli.windows import Lifecycle
 from app.session import Session
 from app.tasks import garbage
 from app.tasks.generations import Generations

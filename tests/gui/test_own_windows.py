@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox
 
-from app.cli.lifecycle import Lifecycle
+from app.cli.windows import Lifecycle
 from app.session import Session
 from app.storage.files import load, save
 from app.testing import Editor

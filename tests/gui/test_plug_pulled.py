@@ -24,7 +24,7 @@ import sys
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from app.cli import main
-from app.cli.lifecycle import Lifecycle
+from app.cli.windows import Lifecycle
 from app.storage.format import encode
 from app.window import MainWindow
 from app.features.recovery.bar import RecoveryBar

@@ -1,6 +1,5 @@
-"""Cut, copy, paste, duplicate and delete: of what is highlighted, points or curves.
+"""Cut, copy, paste, duplicate and delete: of the selected points, or else of curves.
 
-- ``commands``: cut and copy.  ``paste_commands``: paste.  ``highlight_commands``: duplicate and delete.
-  ``derivative_commands``: the derivatives of a point.
-- ``offer``: what other programs get.  ``content``: what the clipboard holds.  ``keys``: where they act.
+- ``commands``: cut, copy, duplicate and delete; the derivatives of a point.  ``paste_commands``: paste.
+- ``clipboard_content``: what other programs get.
 """

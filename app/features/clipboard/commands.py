@@ -1,26 +1,40 @@
-"""Cut and copy: what is highlighted, to the clipboard."""
+"""Cut, copy, duplicate and delete, of the selected points or else of curves; derivatives of a point."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+
+import msgspec
+from msgspec.structs import replace
+from PySide6.QtCore import QMimeData
 
 from ...actions.declaration import action, also
-from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, EDIT_CLIPBOARD, POINT_MENU
-from ...actions.needs import HIGHLIGHTED
+from ...actions.menus import (
+    CHOSEN_MENU,
+    CURVE_LIST_MENU,
+    CURVE_MENU,
+    EDIT_CLIPBOARD,
+    EDIT_DELETE,
+    EDIT_DERIVATIVES,
+    POINT_MENU,
+    POINTS_NUMBER,
+)
+from ...actions.needs import HERMITE_POINTS, HIGHLIGHTED, Need
+from ...actions.state import DERIVATIVES
+from ...document import derivatives, point_edits
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Point
+from ...document.selection import all_points
+from ...document.several_curves import named
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import ClipboardSelection
-from ...view_model.paste import copied, parts_of
+from ...view_model.paste import copied, parts_of, with_parts
 from ...widgets.number_text import decimal_mark, exact_text
-from ...workbench.clipboard import CURVES, POINTS, put_on_clipboard
+from ...workbench.clipboard import CURVES, POINTS, clipboard_data, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.highlight import highlighted, remove
-from .derivative_commands import DerivativeCommands
-from .highlight_commands import HighlightCommands
-from .keys import give_keys_to_drawing
-from .offer import Offer
-from .paste_commands import PasteCommands
+from .clipboard_content import ClipboardContent
+from .paste_commands import PasteCommands, give_keys_to_drawing
 
 
 class ClipboardCommands:
@@ -50,11 +64,11 @@ class ClipboardCommands:
         put_on_clipboard(self._offer(what))
         self._session.say(f"Copied {what.said(self._session.document)}.")
 
-    def _offer(self, what: ClipboardSelection) -> Offer:
+    def _offer(self, what: ClipboardSelection) -> ClipboardContent:
         """Return the offer: for other programs, of points a table, of curves an SVG."""
         session, mark = self._session, decimal_mark()
         if len(what.points.parts) != 1:
-            return Offer(CURVES, Document(self._copied_curves(what), unit=session.document.unit))
+            return ClipboardContent(CURVES, Document(self._copied_curves(what), unit=session.document.unit))
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)
@@ -62,7 +76,7 @@ class ClipboardCommands:
             [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
             for point in clip.points
         ]
-        return Offer(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
+        return ClipboardContent(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
 
     def _copied_curves(self, what: ClipboardSelection) -> tuple[Curve, ...]:
         """Return the curves, or what the points of several are curves of."""
@@ -77,6 +91,142 @@ class ClipboardCommands:
 
 def _row(point: Point, *, timed: bool) -> Sequence[float]:
     return (point.t, *point.position) if timed and point.t is not None else point.position
+
+
+class HighlightCommands:
+    """Duplicate and delete."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
+
+    @action("duplicateSelection", "Duplicate", EDIT_CLIPBOARD, "Ctrl+D", "duplicate", needs=HIGHLIGHTED)
+    @also(POINT_MENU(34))
+    def _duplicate(self) -> None:
+        """Add a copy of the part with the selected points, or else of the curve or all chosen ones."""
+        session, what = self._session, highlighted(self._context)
+        parts = parts_of(session.views, what.points)
+        if all(part in session.document.curves for part in parts):
+            # One point is no curve, and all of them are the curve itself.
+            self._context.actions["duplicateCurve"].trigger()
+            return
+        arrival, words = with_parts(session.document, parts, session.active_index), what.points.counted
+        if session.change(f"Duplicate {words}", lambda _: arrival.document, active=arrival.places.start):
+            session.selected.set_curves(arrival.places)
+            session.selected.set_group(all_points(session.document, session.selected.edited))
+            name = named(session.document, arrival.places)
+            it = f"“{name}”, which lies" if len(parts) == 1 else f"{name}, which lie"
+            session.say(f"{words} as {it} on the original; drag one to move it.")
+
+    @action("deleteSelection", "Delete", EDIT_DELETE, "Del, Backspace", "delete", needs=HIGHLIGHTED)
+    @also(POINT_MENU(40))
+    def _delete(self) -> None:
+        """Delete the selected points, keeping the shape, or else the curve or all chosen ones."""
+        session = self._session
+        what = highlighted(self._context).changeable(session.document)
+        words = what.told(session.document)
+        if remove(self._context, what, "Delete") and not what.points.parts:
+            session.say(f"Deleted {words}.")
+
+    @action(
+        "deleteLeavingHandles",
+        "Delete, Leaving the Handles",
+        POINTS_NUMBER,
+        "Ctrl+Del",
+        needs=Need("selected points", lambda state: state.selected_count > 0),
+        keywords="nodes without keeping the shape",
+    )
+    def _delete_plainly(self) -> None:
+        """Delete the selected points; the handles beside them stay as they are."""
+        remove(self._context, self._session.selected.highlight(), "Delete", keeps_shape=False)
+
+
+class DerivativeCommands:
+    """Copies the derivatives of a point, and gives them to others."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session = context.session
+        give_keys_to_drawing(context, DerivativeCommands)
+
+    @action(
+        "copyDerivatives",
+        "Copy Derivatives",
+        EDIT_DERIVATIVES,
+        "Ctrl+Alt+C",
+        needs=Need(
+            "one selected point of a Hermite curve",
+            lambda state: HERMITE_POINTS.is_met(state) and state.selected_count == 1,
+        ),
+    )
+    @also(POINT_MENU(32))
+    def _copy_derivatives(self) -> None:
+        """Copy the derivatives of the selected point."""
+        view, selected = self._session.active_view, self._session.selected.group.only_point
+        if selected is None or not view.is_current:
+            return
+        index = selected[1]
+        point = view.source.points[index]
+        before, after = (
+            [view.derivative_of(index, each.order, ahead=ahead) for each in derivatives.DERIVATIVES]
+            for ahead in (False, True)
+        )
+        jet = Point(0.0, 0.0, corner=point.corner, tied=point.tied, even=point.even).with_derivatives(
+            before, after
+        )
+        mark = decimal_mark()
+        numbers = [number for vector in before if vector for number in vector]
+        data = QMimeData()
+        data.setData(DERIVATIVES, msgspec.json.encode(jet))
+        data.setText(write_block([[exact_text(number, mark) for number in numbers]]))
+        put_on_clipboard(data)
+        self._session.say(f"Copied the derivatives of point {index}.")
+
+    @action(
+        "pasteDerivatives",
+        "Paste Derivatives",
+        EDIT_DERIVATIVES,
+        "Ctrl+Alt+Shift+V",
+        needs=Need(
+            "copied derivatives, and selected points of a Hermite curve",
+            lambda state: state.has_copied_derivatives,
+        ),
+    )
+    @also(POINT_MENU(33))
+    def _paste_derivatives(self) -> None:
+        """Give the selected points the derivatives that were copied."""
+        session, group = self._session, self._session.selected.group
+        jet = _derivatives_on_clipboard()
+        if jet is None:
+            session.refuse("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
+            return
+
+        def pasted(document: Document, curve: int, indices: Collection[int]) -> Document:
+            points = list(document.curves[curve].points)
+            for index in indices:
+                points[index] = _with_derivatives(points[index], jet)
+            return point_edits.set_points(document, curve, points)
+
+        change = session.change(
+            f"Paste derivatives to {group.words}", lambda document: group.changed(document, pasted)
+        )
+        if change:
+            session.say(f"Pasted the derivatives into {group.words}.")
+
+
+def _derivatives_on_clipboard() -> Point | None:
+    data = clipboard_data()
+    if not data.hasFormat(DERIVATIVES):
+        return None
+    try:
+        return msgspec.json.decode(bytes(data.data(DERIVATIVES).data()), type=Point)
+    except (msgspec.DecodeError, UnicodeDecodeError):
+        return None
+
+
+def _with_derivatives(point: Point, jet: Point) -> Point:
+    """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
+    copied = [each for each in derivatives.DERIVATIVES if getattr(jet, each.name) is not None]
+    vectors = {name: getattr(jet, name) for each in copied for name in (each.name, each.after)}
+    return replace(point, corner=jet.corner, tied=jet.tied, even=jet.even, **vectors)
 
 
 COMMAND_SETS = (ClipboardCommands, PasteCommands, HighlightCommands, DerivativeCommands)

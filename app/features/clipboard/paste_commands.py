@@ -7,8 +7,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
 from msgspec.structs import replace
-from PySide6.QtCore import QMimeData
+from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtWidgets import QWidget
 
 from ... import exchange
 from ...actions.declaration import action, also
@@ -16,11 +18,12 @@ from ...actions.keymap import key_or_name
 from ...actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU, EDIT_CLIPBOARD, EDIT_DERIVATIVES
 from ...document import curve_edits, point_edits
 from ...document.limits import EditError
-from ...document.model import Vector
+from ...document.model import Curve, Point, Vector
 from ...document.several_curves import name_of, named
 from ...document.words import count_of
-from ...exchange.table.clipboard import TableTextError
-from ...storage.format import Decoded
+from ...exchange.table.clipboard import Block, TableTextError, read_titled_block
+from ...storage.format import Decoded, decode_counting
+from ...storage.format_error import FormatError
 from ...tasks.progress import Report, part, silent
 from ...view_model.paste import (
     Arrival,
@@ -29,12 +32,14 @@ from ...view_model.paste import (
     appended_with_parameters,
     as_new_curve,
     copied_as_new_curve,
+    points_of_rows,
     refuse_unordered,
 )
-from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, holds_picture
+from ...view_model.point_columns import known_titles
+from ...widgets.number_text import decimal_mark
+from ...workbench.clipboard import CURVES, POINTS, clipboard_data, drawing_in, holds_picture
 from ...workbench.context import WindowContext
-from .content import PointsContent, curves_in, points_in
-from .keys import give_keys_to_drawing
+from .clipboard_content import ClipboardContent
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import Imported
@@ -215,3 +220,95 @@ def _filled(target: Target, found: Imported, told: Callable[[float], object] | N
     """Return the target with what was read, in the unit of the document."""
     sized = exchange.units.in_unit(found.document, target.document.unit)
     return target.filled(sized.curves, told)
+
+
+# Content of the clipboard
+
+
+class PointsContent(msgspec.Struct, frozen=True):
+    """Points, and the row of the text that they begin in.
+
+    `like` is the curve that they were copied from, in `unit`; `note` goes on the sentence that tells what
+    was pasted.
+    """
+
+    points: tuple[Point, ...]
+    like: Curve | None = None
+    unit: str = ""
+    first_row: int = 1
+    note: str = ""
+
+
+def curves_in(data: QMimeData) -> Decoded | None:
+    """Return the curves that were copied in this program, with the unit they are in, and what is left out.
+
+    Raises
+    ------
+    EditError
+        If they cannot be read.
+    """
+    return _document(data, CURVES, "curves")
+
+
+def points_in(data: QMimeData) -> PointsContent:
+    """Return points, as they were copied here or read from text.
+
+    Raises
+    ------
+    EditError
+        If they cannot be read, or the columns are something else.
+    TableTextError
+        If the text holds no numbers, with the row and the column.
+    """
+    found = _document(data, POINTS, "points")
+    if found is not None and (curve := found.document.curves[0]).points:
+        return PointsContent(curve.points, curve, found.document.unit)
+    text = data.text() if data.hasText() else ""
+    block = read_titled_block(text, decimal_mark(), known_titles())
+    # A row of titles was skipped.
+    first_row = 1 + len(text.rstrip().splitlines()) - len(block.rows)
+    note = "; the row of titles was skipped" if block.titles else ""
+    return PointsContent(tuple(points_of_rows(_in_order(block))), first_row=first_row, note=note)
+
+
+def _document(data: QMimeData, kind: str, what: str) -> Decoded | None:
+    if not data.hasFormat(kind):
+        return None
+    if isinstance(data, ClipboardContent) and (document := data.document_of(kind)) is not None:
+        return Decoded(document)
+    try:
+        return decode_counting(bytes(data.data(kind).data()))
+    except FormatError as reason:
+        raise EditError(f"The {what} on the clipboard cannot be read: {reason}.") from None
+
+
+def _in_order(block: Block) -> list[list[float]]:
+    """Return the rows of points with the columns that titles name in the order t x y.
+
+    Raises
+    ------
+    EditError
+        If the titles name something else.
+    """
+    names = [title for title in block.titles if title != "#"]
+    if not names:
+        return block.rows
+    if sorted(names) not in (["x", "y"], ["t", "x", "y"]):
+        raise EditError(
+            f"Points are x y, or t x y; the titles are {' '.join(names)}. The point table takes them all."
+        )
+    places = [block.titles.index(name) for name in sorted(names)]
+    return [[row[place] for place in places] for row in block.rows]
+
+
+def give_keys_to_drawing(context: WindowContext, commands: type) -> None:
+    """Let the keys of a command set act with the focus on the canvas, or in a panel that has none such."""
+    table = context.docks["pointsDock"]
+    places: list[QWidget] = [
+        context.central.canvas,
+        *(dock for dock in context.docks.all if dock is not table),
+    ]
+    for each in context.actions.declared_by(commands):
+        each.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        for place in places:
+            place.addAction(each)

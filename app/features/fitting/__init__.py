@@ -1,7 +1,7 @@
 """Curves of few points near many: how near the pencil comes, and fewer points for curves.
 
 - ``commands``: the actions, and what they keep in step.
-- ``panel``: the form of a fit.  ``simplify_commands``: Simplify.
+- ``panel``: the form of a fit.
 """
 
 import lazy_loader as lazy

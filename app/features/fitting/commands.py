@@ -1,11 +1,13 @@
-"""The detail of the pencil, and fewer points for a curve."""
+"""The detail of the pencil, Simplify, and fewer points for a curve."""
 
 from __future__ import annotations
 
+import time
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
@@ -13,28 +15,106 @@ from curvecore.arrays import FloatArray
 
 from ...actions.declaration import Action, action, action_for_each
 from ...actions.keymap import action_name
-from ...actions.menus import CURVE_FEWER, EDIT_PENCIL
-from ...actions.needs import UNLOCKED_CURVE
+from ...actions.menus import ARRANGE_SHAPES, CURVE_FEWER, EDIT_PENCIL
+from ...actions.needs import SOME_CURVE, UNLOCKED_CURVE
 from ...canvas.figure_layer import Trace
 from ...document.curve_edits import replace_curve
+from ...document.groups import tidy_shapes, whole_shapes
 from ...document.limits import EditError
-from ...document.model import Vector
+from ...document.model import Document, Vector
+from ...document.plain_numbers import plain
+from ...document.several_curves import changeable, named
 from ...document.words import count_of, number
 from ...state.window_state import WindowState
 from ...tasks.debounced_task import DebouncedTask
-from ...tasks.progress import Report
+from ...tasks.progress import Report, part
 from ...tools.pencil_detail import PencilDetail
 from ...view_model.curve.curve_view import CurveView, view_of
-from ...view_model.fit import Fitted, fitted_to_curve, is_of_points_alone
+from ...view_model.curve.transformed import views_ahead
+from ...view_model.fit import Fitted, Simplified, fitted_to_curve, is_of_points_alone, simplified
 from ...view_model.geometry import size_of
 from ...view_model.line_styles import CURE_STYLE, LineStyle
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel, make_room
 from .. import fitting
-from .simplify_commands import SimplifyCommands
 
 if TYPE_CHECKING:
     from .panel import FitPanel, FitWish
+
+_PATIENCE_S = 0.08
+"""Seconds that a person may wait for the window; what takes longer has a thread of its own."""
+
+_COMPUTED = 0.8
+"""Share of the work that goes before the views of the new curves."""
+
+
+class _TakesLong(Exception):  # noqa: N818 - nothing has gone wrong
+    """The computation is better done beside the window."""
+
+
+class SimplifyCommands:
+    """Simplify: at once, or beside the window where it takes longer than a moment."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._session, self._work = context.session, context.work
+
+    @action(
+        "simplify",
+        "Simplify",
+        ARRANGE_SHAPES,
+        "",
+        "fewer-points",
+        full_name="Simplify Paths",
+        needs=SOME_CURVE,
+        keywords="less nodes path clean",
+    )
+    def _simplify(self) -> None:
+        """Give the chosen curves fewer points, so near that nobody sees it; corners and lines stay."""
+        session, until = self._session, 0.0
+        document = session.committed
+        curves = changeable(document, whole_shapes(document, session.selected.marked))
+        what = f"Simplify {named(document, curves)}"
+        make = partial(simplified, document, session.views, curves)
+
+        def hurry(_share: float, _word: str) -> None:
+            nonlocal until
+            # From the first report on: what computes may have to be imported before.
+            until = until or time.monotonic() + _PATIENCE_S
+            if time.monotonic() > until:
+                raise _TakesLong
+
+        def done(found: tuple[Simplified, list[CurveView]]) -> None:
+            if session.committed is not document:
+                session.refuse(f"{what} was dropped: the drawing was changed meanwhile.")
+                return
+            session.expect(found[1])
+            self._put(what, found[0])
+
+        try:
+            self._put(what, make(report=hurry))
+        except EditError as reason:
+            session.refuse(str(reason))
+        except _TakesLong:
+            self._work.compute(what, partial(_with_views, make, document), done)
+
+    def _put(self, what: str, made: Simplified) -> None:
+        if self._session.change(what, lambda _: made.document):
+            points = f"{count_of(made.before, 'point')} became {made.after}"
+            within = f"{number(made.deviation, 2)} {self._session.document.unit}".rstrip()
+            self._session.say(f"{points}; nothing moved by more than about {within}.")
+
+
+def _with_views(
+    make: partial[Simplified], before: Document, report: Report
+) -> tuple[Simplified, list[CurveView]]:
+    """Return what is made of a document, and the views of the curves that are new in it."""
+    made = make(report=part(report, 0.0, _COMPUTED))
+    known, rest = set(map(id, before.curves)), part(report, _COMPUTED, 1.0)
+    # As the door of the session leaves it, whose curves the views are to be of.
+    after = tidy_shapes(plain(made.document, before), before)
+    new = [curve for curve in after.curves if id(curve) not in known]
+    return replace(made, document=after), views_ahead(new, lambda share: rest(share, "Computing curves"))
+
 
 _GROUP = "fewer_points"
 _SHARE = 0.002

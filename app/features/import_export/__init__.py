@@ -1,10 +1,8 @@
 """Import and export of other formats.
 
-- ``commands``: what comes in.  ``import_series``: several files, one after the other.
-  ``intake``: curves of one in the document.
-- ``export_commands``: what goes out.  ``copy_commands``: pictures on the clipboard.
-- ``export_dialog``, ``export_form``, ``export_fields``: a format and its options.
-- ``import_drawing_dialog``, ``import_table_dialog``, ``table_preview``: the content of a file, shown before.
+- ``commands``: import.  ``import_series``: several files in turn.  ``intake``: their curves in the
+  document.  ``import_drawing_dialog``, ``import_table_dialog``: the content of a file, shown before.
+- ``export_commands``: export, and pictures on the clipboard.  ``export_dialog``: a format and its options.
 - ``work_dialog``: what the dialogs share.
 """
 

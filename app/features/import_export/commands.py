@@ -24,8 +24,7 @@ from ...storage.files import IMAGE_PATTERNS, IMAGE_SUFFIXES
 from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from .. import import_export
-from .copy_commands import CopyCommands
-from .export_commands import ExportCommands
+from .export_commands import CopyCommands, ExportCommands
 from .import_series import ImportSeries
 
 if TYPE_CHECKING:

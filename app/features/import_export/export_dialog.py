@@ -1,23 +1,43 @@
-"""Export dialog: a format, its options, and a preview of pictures."""
+"""Export dialog: a format, its options with a field for each, and a preview of pictures."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from functools import singledispatch
+from itertools import groupby
+from typing import TYPE_CHECKING, Any, Generic
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QImage, QPainter, QPixmap
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QColor, QImage, QPainter, QPixmap, QStandardItemModel
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 
 from ...appearance.theme import DARK, LIGHT, mix
-from ...document.expression import ExpressionError
+from ...document.expression import ExpressionError, parse_number
+from ...document.lengths import known_unit
 from ...document.model import Document
-from ...exchange.choice import ExportChoice
+from ...exchange.choice import ExportChoice, chosen, offered_options
 from ...exchange.errors import ExchangeError
-from ...exchange.options import DARK_PAPER
+from ...exchange.formats import FORMATS
+from ...exchange.options import (
+    DARK_PAPER,
+    EXTENT,
+    TRUE_SIZE,
+    Check,
+    Extent,
+    OneOf,
+    Option,
+    Real,
+    SomeOf,
+    Value,
+    Whole,
+)
 from ...qt.labels import Label
 from ...tasks.progress import Report
-from ...widgets.boxes import column_of, row_of
-from .export_form import ExportForm
+from ...widgets.boxes import column_of, form_of, row_of
+from ...widgets.controls import check_box, choice_box
+from ...widgets.fields import FieldEdit, RangedSpinBox
+from ...widgets.number_text import decimal_mark, exact_text
 from .work_dialog import WorkDialog, buttons
 
 if TYPE_CHECKING:
@@ -157,3 +177,292 @@ def _on_squares(image: QImage, ratio: float, colours: tuple[QColor, QColor]) -> 
     painter.drawImage(0, 0, image)
     painter.end()
     return result
+
+
+# The form
+
+
+class ExportForm(QWidget):
+    """Boxes and fields for an `ExportChoice`.
+
+    Signals
+    -------
+    changed
+        The person chose something else.
+
+    Attributes
+    ----------
+    fields
+        One for each option of any format, by the options' names.
+    """
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("exportForm")
+        self._shown, self._unit = ExportChoice(), ""
+        self._formats = FORMATS.offered
+        titles = [each.title for each in self._formats]
+        self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
+        self.format_box.activated.connect(self._change)
+        self._description = Label(name="exportDescription", wordWrap=True)
+        self._options = offered_options()
+        self.fields = {each.name: field_for(each, self._change) for each in self._options}
+        self._rows: list[tuple[QWidget, tuple[Option[Any], ...]]] = []
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        rows = (("Format", self.format_box), ("", self._description))
+        self._form = form_of(*rows, margins=0, across=14, parent=self)
+        for label, group in groupby(self._options, lambda option: option.label):
+            options = tuple(group)
+            widgets = [self.fields[each.name].widget for each in options]
+            row = widgets[0] if len(widgets) == 1 else in_columns(widgets, 2)
+            self._form.addRow(label, row)
+            self._rows.append((row, options))
+
+    def show_choice(self, choice: ExportChoice) -> None:
+        """Show these options, those that concern the format."""
+        self.format_box.setCurrentIndex(self._formats.index(choice.format))
+        for option in self._options:
+            self.fields[option.name].show(choice[option])
+        self._shown = choice
+        self._show_rows(choice)
+
+    def show_document(self, document: Document, *, has_chosen: bool) -> None:
+        """Offer what can be had of a document: true size in its unit, and what is chosen."""
+        self._unit = unit = known_unit(document.unit)
+        check = self.fields[TRUE_SIZE.name].widget
+        assert isinstance(check, QCheckBox)
+        check.setEnabled(bool(unit))
+        check.setText(f"True size, 1 is 1 {unit}" if unit else "True size")
+        why = f"“{document.unit}” is no unit of length" if document.unit else "The document has no unit"
+        tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
+        check.setToolTip(tip)
+        self._show_extents(has_chosen=has_chosen)
+        self._show_rows(self._shown)
+
+    def _show_extents(self, *, has_chosen: bool) -> None:
+        """Offer what is chosen; where nothing is, all curves are exported until something is chosen."""
+        field = self.fields[EXTENT.name]
+        assert isinstance(field.widget, QComboBox)
+        model = field.widget.model()
+        assert isinstance(model, QStandardItemModel)
+        model.item(list(Extent).index(Extent.CHOSEN)).setEnabled(has_chosen)
+        field.show(self._shown[EXTENT] if has_chosen else Extent.ALL)
+
+    def _show_rows(self, choice: ExportChoice) -> None:
+        self._description.setText(choice.format.description)
+        shown = (EXTENT, *choice.shown(self._unit))
+        for row, options in self._rows:
+            self._form.setRowVisible(row, any(each in shown for each in options))
+            if len(options) > 1:
+                for each in options:
+                    self.fields[each.name].widget.setVisible(each in shown)
+
+    def choice(self) -> ExportChoice:
+        """Return what is chosen.
+
+        Raises
+        ------
+        ExpressionError
+            If no column is, or a number that concerns the format is out of its range.
+        """
+        values = {each: self.fields[each.name].value() for each in self._options}
+        choice = chosen(self._formats[self.format_box.currentIndex()].ending, values)
+        problems = (self.fields[each.name].problem() for each in choice.shown(self._unit))
+        if problem := next(filter(None, problems), ""):
+            raise ExpressionError(problem)
+        return choice
+
+    def _change(self) -> None:
+        try:
+            choice = self.choice()
+        except ExpressionError:
+            self.changed.emit()  # whoever hears it asks for the choice, and says so
+            return
+        if choice != self._shown:
+            self._shown = choice
+            self._show_rows(choice)
+            self.changed.emit()
+
+
+# Fields
+
+
+_AUTOMATIC = "automatic"
+
+
+class Field(ABC, Generic[Value]):
+    """A widget that shows the value of an option.
+
+    Attributes
+    ----------
+    widget
+        The widget.
+    """
+
+    widget: QWidget
+
+    @abstractmethod
+    def value(self) -> Value:
+        """Return what the person chose."""
+
+    @abstractmethod
+    def show(self, value: Value) -> None:
+        """Show a value."""
+
+    def problem(self) -> str:
+        """Return why the value cannot be used; empty where it can."""
+        return ""
+
+
+@singledispatch
+def field_for(option: Option[Any], _change: Callable[[], object]) -> Field[Any]:
+    """Return a field for an option; `change` is called when the person chooses something else."""
+    raise NotImplementedError(f"{type(option).__name__} has no field")
+
+
+@field_for.register(Check)
+class CheckField(Field[bool]):
+    """A check box."""
+
+    widget: QCheckBox
+
+    def __init__(self, option: Check, change: Callable[[], object]) -> None:
+        self.widget = _check(option.widget, option.title, option.tip, change)
+
+    def value(self) -> bool:
+        """Return what the person chose."""
+        return self.widget.isChecked()
+
+    def show(self, value: bool) -> None:
+        """Show a value."""
+        self.widget.setChecked(value)
+
+
+@field_for.register(Whole)
+class WholeField(Field[int]):
+    """A spin box that says which numbers are possible."""
+
+    widget: RangedSpinBox
+
+    def __init__(self, option: Whole, change: Callable[[], object]) -> None:
+        self.widget = RangedSpinBox(option.widget, option.title, option.tip, option.limits)
+        self.widget.setKeyboardTracking(False)
+        self.widget.setSuffix(option.suffix)
+        # Numbers have no signal of the person's alone; what the program sets is the same as before.
+        self.widget.valueChanged.connect(change)
+
+    def value(self) -> int:
+        """Return what the person chose."""
+        return self.widget.value()
+
+    def show(self, value: int) -> None:
+        """Show a value."""
+        self.widget.setValue(value)
+
+    def problem(self) -> str:
+        """Return why the value cannot be used."""
+        return str(self.widget.problem)
+
+
+@field_for.register(OneOf)
+class OneOfField(Field[Any]):
+    """A box with the titles of the choices."""
+
+    widget: QComboBox
+
+    def __init__(self, option: OneOf[Any], change: Callable[[], object]) -> None:
+        self._choices = list(option.choices)
+        self.widget = choice_box(option.widget, option.title, option.tip, list(option.choices.values()))
+        self.widget.activated.connect(change)
+
+    def value(self) -> Any:  # noqa: ANN401 - of the option's own type
+        """Return what the person chose."""
+        return self._choices[self.widget.currentIndex()]
+
+    def show(self, value: Any) -> None:  # noqa: ANN401
+        """Show a value."""
+        self.widget.setCurrentIndex(self._choices.index(value))
+
+
+@field_for.register(SomeOf)
+class SomeOfField(Field[tuple[str, ...]]):
+    """A check box for each choice."""
+
+    def __init__(self, option: SomeOf, change: Callable[[], object]) -> None:
+        self._needed = option.needed
+        self.checks = {
+            each: _check(option.widget.format(each), each, option.tip.format(each), change)
+            for each in option.choices
+        }
+        self.widget = in_columns(list(self.checks.values()), 3)
+
+    def value(self) -> tuple[str, ...]:
+        """Return what the person chose."""
+        return tuple(each for each, check in self.checks.items() if check.isChecked())
+
+    def show(self, value: tuple[str, ...]) -> None:
+        """Show a value."""
+        for each, check in self.checks.items():
+            check.setChecked(each in value)
+
+    def problem(self) -> str:
+        """Return why the value cannot be used."""
+        return "" if self.value() else self._needed
+
+
+@field_for.register(Real)
+class RealField(Field[float | None]):
+    """A field for a number, or “automatic” where there need not be one."""
+
+    widget: FieldEdit
+
+    def __init__(self, option: Real, change: Callable[[], object]) -> None:
+        self._option, self._value, self._change = option, option.default, change
+        self.widget = FieldEdit(option.widget, option.title, option.tip)
+        self.widget.committed.connect(self._type)
+
+    def value(self) -> float | None:
+        """Return what the person chose."""
+        return self._value
+
+    def show(self, value: float | None) -> None:
+        """Show a value."""
+        self._value = value
+        self.widget.show_text(_AUTOMATIC if value is None else exact_text(value, decimal_mark()))
+
+    def _type(self, text: str) -> None:
+        try:
+            self.show(self._number(text))
+        except ExpressionError:
+            self.widget.keep()
+        else:
+            self._change()
+
+    def _number(self, text: str) -> float | None:
+        if self._option.default is None and text.strip().casefold() in ("", _AUTOMATIC):
+            return None
+        value = parse_number(text, decimal_mark())
+        if self._option.checked(value) != value:
+            raise ExpressionError("It is beyond the limits.")
+        return value
+
+
+def _check(name: str, text: str, tip: str, change: Callable[[], object]) -> QCheckBox:
+    check = check_box(name, text, tip)
+    check.clicked.connect(change)
+    return check
+
+
+def in_columns(widgets: Sequence[QWidget], count: int) -> QWidget:
+    """Return widgets side by side, `count` in a row."""
+    holder = QWidget()
+    grid = QGridLayout(holder)
+    grid.setContentsMargins(0, 0, 0, 0)
+    grid.setHorizontalSpacing(14)
+    for place, widget in enumerate(widgets):
+        grid.addWidget(widget, place // count, place % count)
+    return holder

@@ -1,4 +1,4 @@
-"""Facts about curves, as `info` prints them: as text, and as plain values for JSON."""
+"""Facts about curves, as ``info`` prints them: as text, and as plain values for JSON."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from curvecore.arithmetic import LARGEST
 from ..document.style import NO_PAINT, Style
 from ..document.words import digits_of_range, rounded_up
 from ..view_model.basis_findings import digits_in_words
-from .refusals import one_line
+from .output import one_line
 
 if TYPE_CHECKING:
     from ..exchange.facts import CurveFacts, Growth

@@ -1,4 +1,4 @@
-"""Offers on the clipboard: our own format, and what other programs take, made when one asks for it."""
+"""Content for the clipboard: our own format, and those of other programs, made when one asks for it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _PNG, _IMAGE = "image/png", "application/x-qt-image"
 _WIDTH = 1600
 
 
-class Offer(SafeOverrides, QMimeData):
+class ClipboardContent(SafeOverrides, QMimeData):
     """Curves, or points of one, for this program and for others.
 
     Pictures of them are drawn when a program asks: most of what is copied is pasted here.
