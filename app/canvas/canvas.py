@@ -107,7 +107,7 @@ class Canvas(ToolPlot):
         self.setAccessibleDescription("The curve with its points; drag points to change it.")
         self.getViewBox().setAspectLocked(True)
         self.drawing = CanvasScene(self)
-        tools.surface = DrawnCanvas(self, self.drawing)
+        tools.canvas = DrawnCanvas(self, self.drawing)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._asked_at: Pointer | None = None
@@ -139,7 +139,7 @@ class Canvas(ToolPlot):
     def _mark_rulers(self) -> None:
         """Mark the pointer and what is selected on the rulers."""
         if self.rulers.are_shown:
-            box = self.tools.target.box
+            box = self.tools.box.rectangle
             extent = Extent(box.low, box.high) if box is not None else None
             self.rulers.show(self._pointer.pixel if self._pointer is not None else None, extent)
 
@@ -240,9 +240,9 @@ class Canvas(ToolPlot):
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         place = self.framing.selected_pixel() if by_key else QPointF(event.pos())
         hit = self._hit_at(place) if place is not None else None
-        group = self.tools.target.group
+        group = self.tools.box.group
         if by_key and place is None and group is not None and group.is_whole:
-            middle = self.tools.target.bounds.centre
+            middle = self.tools.box.bounds.centre
             pixel = self.camera.to_pixel(*middle)
             place = QPointF(pixel) if self.viewport().rect().contains(pixel) else None
             hit = Hit(Part.OTHER_CURVE, self.tools.event.session.active_index, middle)

@@ -137,7 +137,7 @@ class ToolPlot(PlotWidget):
 
     def _hit_at(self, place: QPointF) -> Hit | None:
         """Return what lies at a place of the viewport."""
-        return self.tools.surface.hit(self.pointer_at(place), self.tools.tool)
+        return self.tools.canvas.hit(self.pointer_at(place), self.tools.tool)
 
     def place_of(self, pointer: Pointer) -> object:
         """Return what is told of the place under the pointer: t."""

@@ -80,7 +80,7 @@ class CurvePicker:
 
         That is on what is locked, and while the transforms act on whole curves, or none is edited.
         """
-        session, group = event.session, event.target.group
+        session, group = event.session, event.box.group
         if locked := _words_of_locked(event):
             return Hint(locked)
         if group is not None and group.is_whole:
@@ -145,7 +145,7 @@ def _dragged(event: ToolEvent, hit: Hit) -> PointGroup:
 def _words_of_locked(event: ToolEvent) -> str:
     """Return why a press on a line does nothing to it: it is locked; empty where none is."""
     document, pointer = event.session.document, event.pointer
-    place = event.surface.locked_at(pointer) if pointer.is_there else -1
+    place = event.canvas.locked_at(pointer) if pointer.is_there else -1
     return hints.LOCKED.format(named(document, shape_of(document, place))) if place >= 0 else ""
 
 
@@ -182,7 +182,7 @@ def _turns_grips(event: ToolEvent, hit: Hit) -> bool:
     meant, chosen = _meant(event, hit), event.session.selected.chosen
     # With Ctrl a part of what is chosen is wanted alone.
     is_chosen = meant == chosen if event.pointer.ctrl else meant <= chosen
-    return is_chosen and event.settings.shows_box and not event.target.refusal_of(event.target.group)
+    return is_chosen and event.settings.shows_box and not event.box.refusal_of(event.box.group)
 
 
 def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:

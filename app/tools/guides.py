@@ -100,7 +100,7 @@ class GuidePicker:
     def press(self, event: ToolEvent, hit: Hit) -> None:
         """Begin to drag the guide that is hit."""
         self.lit = hit.index
-        snapper, unit = event.snappers.for_guide(), event.settings.unit
+        snapper, unit = event.snapping.for_guide(), event.settings.unit
         event.drags.press(event.pointer, MoveGuide(event.session.document, hit.index, snapper, unit))
 
     def hint(self, event: ToolEvent) -> Hint | None:
@@ -130,9 +130,9 @@ class GuideTool(Tool):
         self._place = len(document.guides)
         # Where the guide lies in this document is told nowhere: over the ruler there is none.
         drawn = replace(document, guides=(*document.guides, Guide(axis, 0.0)))
-        snapper, unit = event.snappers.for_guide(), event.settings.unit
+        snapper, unit = event.snapping.for_guide(), event.settings.unit
         event.drags.press(event.pointer, MoveGuide(drawn, self._place, snapper, unit, is_new=True))
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return what the guide snaps to, and which it is."""
-        return Marks(snap=event.snappers.caught, guide=self._place)
+        return Marks(snap=event.snapping.caught, guide=self._place)

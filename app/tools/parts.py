@@ -99,7 +99,7 @@ def dragged_with(event: ToolEvent, hit: Hit) -> str:
 
 def _press_on_handle(event: ToolEvent, hit: Hit) -> None:
     session, pointer = event.session, event.pointer
-    snapper = event.snappers.for_handle(hit.index)
+    snapper = event.snapping.for_handle(hit.index)
     handle = DragHandle(session.document, session.active_index, event.view, hit, pointer.position, snapper)
     # A drag drags the handle; a click means what lies below it, for a click does nothing to a handle.
     click = click_on(event, hit.over) if hit.over >= 0 else None
@@ -122,8 +122,8 @@ def _retract(event: ToolEvent, hit: Hit) -> None:
 def _point_drag(event: ToolEvent, hit: Hit) -> MovePoints | PullVelocity:
     session, pointer = event.session, event.pointer
     if pointer.alt and event.view.source.family.derivatives:
-        snapper = event.snappers.for_handle(hit.index)
+        snapper = event.snapping.for_handle(hit.index)
         return PullVelocity(session.document, session.active_index, event.view, hit.index, snapper)
     group, grip = session.selected.group, (session.active_index, hit.index)
-    snapper = event.snappers.for_group(group, grip)
+    snapper = event.snapping.for_points(group, grip)
     return MovePoints(session.document, group, pointer.position, snapper, grip)

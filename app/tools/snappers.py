@@ -40,7 +40,7 @@ class SnapTargets:
         # The snapper of the last hover, and what it was made for.
         self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
 
-    def for_new(self, place: int) -> Snapper:
+    def for_new_point(self, place: int) -> Snapper:
         """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
         # What there is before the press: later the new point would be drawn to itself.
         views, active = self._session.views, self._session.active_index
@@ -51,7 +51,7 @@ class SnapTargets:
         session = self._session
         return self._make(lambda: targets_of_handle(session.views, session.active_index, point, self._kinds))
 
-    def for_group(self, group: PointGroup, grip: tuple[int, int] | None = None) -> Snapper:
+    def for_points(self, group: PointGroup, grip: tuple[int, int] | None = None) -> Snapper:
         """Return the snapper of what moves together: of one of its points, the curve and the index given."""
         session, moving = self._session, dict(group.parts)
         # Level with its neighbours is a point; of whole curves none has any that stay.
@@ -69,7 +69,7 @@ class SnapTargets:
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
         """Return the snapper of a corner or a side of the box around a group."""
         if grip.x and grip.y:
-            return self.for_group(group)
+            return self.for_points(group)
         session, moving = self._session, dict(group.parts)
         views = session.views
         return self._make(lambda: targets_of_side(views, session.active_index, moving, self._kinds))
@@ -97,7 +97,7 @@ class SnapTargets:
         session, settings = self._session, self._settings()
         made_for = (session.document, session.active_index, place, settings)
         if self._hovered is None or self._hovered[0] != made_for:
-            self._hovered = (made_for, self.for_new(place))
+            self._hovered = (made_for, self.for_new_point(place))
         self.now = self._hovered[1]
         self.now.at(pointer)
 

@@ -34,7 +34,7 @@ class SelectionBox:
         return self._now()[0]
 
     @property
-    def box(self) -> TransformBox | None:
+    def rectangle(self) -> TransformBox | None:
         """The box around them, where there are two or more."""
         return self._now()[1]
 

@@ -34,7 +34,7 @@ class Finder(Protocol):
 class CanvasQueries:
     """What tools work on: by default nothing lies anywhere.
 
-    A further question is a method here, answered by the plots that know; tools ask ``event.surface``.
+    A further question is a method here, answered by the plots that know; tools ask ``event.canvas``.
     """
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
@@ -87,13 +87,13 @@ class ToolEvent(msgspec.Struct, frozen=True):
         Snapping, the unit, whether there is a box with grips.
     drags
         Begins a drag, follows it, makes it a step of the history.
-    snappers
+    snapping
         Makes what a drag snaps with.
-    target
+    box
         The selected points or curves that transforms act on.
     background
         Does what takes longer than a moment.
-    surface
+    canvas
         The plot: what lies under a pointer, the colour there, the spacing of the grid.
     tool
         The tool in use.
@@ -103,10 +103,10 @@ class ToolEvent(msgspec.Struct, frozen=True):
     session: EditingSession
     settings: ToolSettings
     drags: DragMachine
-    snappers: SnapTargets
-    target: SelectionBox
+    snapping: SnapTargets
+    box: SelectionBox
     background: Background
-    surface: CanvasQueries
+    canvas: CanvasQueries
     tool: Tool
 
     @property
@@ -121,7 +121,7 @@ class ToolEvent(msgspec.Struct, frozen=True):
 
     def grid(self) -> float:
         """Return the spacing of the grid at the present zoom."""
-        return self.surface.grid_spacing()
+        return self.canvas.grid_spacing()
 
     def at(self, pointer: Pointer) -> ToolEvent:
         """Return the event of an event somewhere else."""
@@ -129,13 +129,13 @@ class ToolEvent(msgspec.Struct, frozen=True):
 
     def with_hit(self) -> ToolEvent:
         """Return the event with what lies under the pointer now."""
-        hit = self.surface.hit(self.pointer, self.tool) if self.pointer.is_there else None
+        hit = self.canvas.hit(self.pointer, self.tool) if self.pointer.is_there else None
         return self.at(replace(self.pointer, hit=hit))
 
     def preview_snap(self, index: int) -> None:
         """Show where a press would put the point of `index`, −1 for none in particular."""
         if self.settings.snapping.on and self.pointer.is_there:
-            self.snappers.show_before_press(self.pointer, index)
+            self.snapping.show_before_press(self.pointer, index)
 
     def step_of(self, stride: Stride) -> float:
         """Return how far an arrow key goes: a step of the grid that snaps, or a round number."""
@@ -145,12 +145,12 @@ class ToolEvent(msgspec.Struct, frozen=True):
 
     def progress(self) -> str:
         """Return how far the drag in flight has come, and what it has snapped to."""
-        return with_snap(self.drags.progress_at(self.pointer), self.snappers.caught)
+        return with_snap(self.drags.progress_at(self.pointer), self.snapping.caught)
 
     def note(self) -> Note | None:
         """Return the amount of the drag in flight, to stand beside the pointer."""
         text = self.drags.progress_at(self.pointer).partition(" · ")[0]
-        return Note(self.pointer.position, text, self.target.centre) if text else None
+        return Note(self.pointer.position, text, self.box.centre) if text else None
 
 
 class Gesture:
@@ -237,7 +237,7 @@ class Tool:
 
         Return whether the arrow key meant something.
         """
-        group = event.target.group
+        group = event.box.group
         if group is None:
             return True
         step = event.step_of(stride)
@@ -301,7 +301,7 @@ class Tool:
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return what is drawn over the plot."""
-        return Marks(snap=event.snappers.caught)
+        return Marks(snap=event.snapping.caught)
 
     def progress(self, event: ToolEvent) -> str:
         """Return how far the gesture in flight has come, as a sentence for the status line."""

@@ -41,17 +41,17 @@ class Toolbox:
 
     def __init__(self, session: EditingSession, record: ToolRecord) -> None:
         self.record = record
-        self.surface = CanvasQueries()
+        self.canvas = CanvasQueries()
         self.settings = ToolSettings()
         self.background = Background(lambda: not self.is_pressed and not self.is_transforming)
         self._session = session
         self._drags = DragMachine(session)
-        self._snappers = SnapTargets(
+        self._snapping = SnapTargets(
             session,
             lambda: self.settings.snapping,
             lambda: self.grid(),  # noqa: PLW0108 - it is set later
         )
-        self.target = SelectionBox(session)
+        self.box = SelectionBox(session)
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None
@@ -70,16 +70,16 @@ class Toolbox:
             self._session,
             self.settings,
             self._drags,
-            self._snappers,
-            self.target,
+            self._snapping,
+            self.box,
             self.background,
-            self.surface,
+            self.canvas,
             self.tool,
         )
 
     def grid(self) -> float:
         """Return the spacing of the grid at the present zoom."""
-        return self.surface.grid_spacing()
+        return self.canvas.grid_spacing()
 
     @property
     def is_pressed(self) -> bool:
@@ -132,7 +132,7 @@ class Toolbox:
         if self.is_pressed:
             return False
         event = self._at(pointer)
-        if refusal := event.target.refusal_of_keys:
+        if refusal := event.box.refusal_of_keys:
             self._session.refuse(refusal)
             return False
         self._above = TransformTool(kind, event)
@@ -172,13 +172,13 @@ class Toolbox:
             return tool.hover(event)
         event = event.with_hit()
         self._session.selected.set_hovered(tool.lit(event.hit))
-        self._snappers.reset()
+        self._snapping.reset()
         return tool.hover(event)
 
     def leave(self) -> None:
         """Show nothing of what a press would do: the pointer has left."""
         self._session.selected.set_hovered(-1)
-        self._snappers.reset()
+        self._snapping.reset()
         self.tool.hover(self._at(ELSEWHERE))
 
     def claims(self, key: str) -> bool:
@@ -236,7 +236,7 @@ class Toolbox:
 
     def _end(self) -> None:
         self.tool.end()
-        self._snappers.reset()
+        self._snapping.reset()
 
     def _give_way(self) -> None:
         """Go back to the tool that is chosen when the one above it has done what it was there for."""
@@ -251,7 +251,7 @@ class Toolbox:
         marks = self._chosen.marks(self.event)
         if self.background.lines:
             marks = replace(marks, waiting=self.background.lines)
-        if marks.pivot is None and (pivot := self.target.pivot) is not None:
+        if marks.pivot is None and (pivot := self.box.pivot) is not None:
             # One that was chosen is there whatever tool is in use.
             marks = replace(marks, pivot=pivot)
         return self._above.marks(self.event).above(marks) if self._above is not None else marks

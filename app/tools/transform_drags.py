@@ -25,13 +25,13 @@ from .transform_box import Grip, ScaleBox
 def moving(event: ToolEvent, group: PointGroup) -> MovePoints:
     """Return the drag of a group from the pointer on; what snaps is its point that is nearest."""
     grip = _nearest(event, group)
-    snapper = event.snappers.for_group(group, grip)
+    snapper = event.snapping.for_points(group, grip)
     return MovePoints(event.session.document, group, event.pointer.position, snapper, grip)
 
 
 def transforming(event: ToolEvent, kind: TransformKind) -> Transform:
     """Return the transform that begins at the pointer; with nothing selected, of all points."""
-    target = event.target
+    target = event.box
     group = target.for_keys
     grip = _nearest(event, group)
     return Transform(
@@ -41,7 +41,7 @@ def transforming(event: ToolEvent, kind: TransformKind) -> Transform:
         target.centre,
         target.bounds.place(1, 1),
         event.pointer.position,
-        event.snappers.for_group(group, grip),
+        event.snapping.for_points(group, grip),
         grip,
         typed=kind.amount(event.session.document),
         everything=target.group is None,
@@ -50,7 +50,7 @@ def transforming(event: ToolEvent, kind: TransformKind) -> Transform:
 
 def turning(event: ToolEvent, grip: Grip) -> Transform:
     """Return the drag of a grip of the box that rotates or skews."""
-    drag, box = replace(transforming(event, grip.does), by_grip=True), event.target.box
+    drag, box = replace(transforming(event, grip.does), by_grip=True), event.box.rectangle
     if box is None or not box.turns:
         return drag
     hold, opposite = box.place(grip.x, grip.y), box.place(-grip.x, -grip.y)
@@ -59,8 +59,8 @@ def turning(event: ToolEvent, grip: Grip) -> Transform:
 
 def scaling(event: ToolEvent, grip: Grip) -> ScaleBox:
     """Return the drag of a grip of the box that scales."""
-    session, target, settings = event.session, event.target, event.settings
-    group, box = target.group, target.box
+    session, target, settings = event.session, event.box, event.settings
+    group, box = target.group, target.rectangle
     assert group is not None
     assert box is not None
     return ScaleBox(
@@ -71,7 +71,7 @@ def scaling(event: ToolEvent, grip: Grip) -> ScaleBox:
         target.centre,
         grip,
         event.pointer.position,
-        event.snappers.for_grip(grip, group),
+        event.snapping.for_grip(grip, group),
         even=settings.keeps_proportions and bool(grip.x and grip.y),
     )
 
@@ -108,12 +108,12 @@ class MovePivot(Gesture):
 
     def __init__(self, event: ToolEvent, on_click: Callable[[], None] | None = None) -> None:
         self._on_click = on_click
-        self._press, self._start = event.pointer, event.target.centre
+        self._press, self._start = event.pointer, event.box.centre
         self._before = event.session.box.pivot
-        self._snapper = event.snappers.for_pivot(event.target.bounds)
+        self._snapper = event.snapping.for_pivot(event.box.bounds)
         self._is_moving = False
         if event.pointer.is_double:
-            event.target.pivot = None
+            event.box.pivot = None
 
     def move(self, event: ToolEvent) -> None:
         """Follow the pointer."""
@@ -123,7 +123,7 @@ class MovePivot(Gesture):
             way = pointer.way_from(self._press.position)
             axis = axis_held(way, pointer)
             to = plus(self._start, along_axis(way, axis))
-            event.target.pivot = self._snapper.snap(to, pointer, axis)
+            event.box.pivot = self._snapper.snap(to, pointer, axis)
 
     def release(self, event: ToolEvent) -> None:
         """Leave it here, or click."""
@@ -131,7 +131,7 @@ class MovePivot(Gesture):
         if not self._is_moving and self._on_click is not None:
             self._on_click()
         elif not self._is_moving and self._press.shift:
-            event.target.pivot = None
+            event.box.pivot = None
 
     def cancel(self, event: ToolEvent) -> None:
         """Put it where it was."""
@@ -143,7 +143,7 @@ class MovePivot(Gesture):
         """Tell where it is."""
         if not self._is_moving:
             return ""
-        place = words.pair(event.target.centre)
+        place = words.pair(event.box.centre)
         text = f"Pivot {place} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
         return with_snap(text, self._snapper.caught)
 
@@ -198,11 +198,11 @@ class TransformTool(Tool):
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the amount, the axis that is locked, and what is snapped to."""
-        target = event.target
+        target = event.box
         return Marks(
-            frame=target.box,
+            frame=target.rectangle,
             pivot=target.pivot if self._transform.kind is TransformKind.MOVE else self._transform.centre,
-            snap=event.snappers.caught,
+            snap=event.snapping.caught,
             note=event.note(),
             axis=self._transform.locked_axis,
         )

@@ -136,7 +136,7 @@ def test_the_mirror_image_of_a_curve_is_the_curve_of_the_mirrored_points(two):
             "Set", lambda document: document.with_curve(0, with_velocity(document.curves[0], 1, (3.0, 1.0)))
         )
         before = two.session.active_view.curve
-        x = two.window.canvas.tools.target.centre[0]
+        x = two.window.canvas.tools.box.centre[0]
         two.key(Key.Key_H)
         t = np.linspace(*before.domain, 41)
         expected = before.evaluate(t) * (-1, 1) + (2 * x, 0)

@@ -378,14 +378,14 @@ def test_a_typed_width_takes_the_counter_along(letter):
     letter.trigger("openTransform")
     before = places(letter)[:2, :, 0]
     retype(letter.window.findChild(QLineEdit, "transformWidth"), "90")
-    assert letter.window.canvas.tools.target.bounds.size[0] == pytest.approx(90)
+    assert letter.window.canvas.tools.box.bounds.size[0] == pytest.approx(90)
     factors = np.diff(places(letter)[:2, :, 0]) / np.diff(before)
     assert factors == pytest.approx(factors[0, 0] * np.ones(factors.shape), abs=1e-9)
     assert factors[0, 0] > 1.5
 
 
 def test_flips_and_quarter_turns_take_all_contours_along(letter):
-    target = letter.window.canvas.tools.target
+    target = letter.window.canvas.tools.box
     for key, held, linear in (
         (Key.Key_H, Qt.KeyboardModifier.NoModifier, ((-1, 0), (0, 1))),
         (Key.Key_V, SHIFT, ((1, 0), (0, -1))),
@@ -405,7 +405,7 @@ def test_flips_and_quarter_turns_take_all_contours_along(letter):
     ],
 )
 def test_g_s_and_r_take_all_contours_along(letter, key, typed, linear, shift):
-    before, centre = places(letter), np.array(letter.window.canvas.tools.target.centre)
+    before, centre = places(letter), np.array(letter.window.canvas.tools.box.centre)
     letter.hover((4, 4))
     letter.key(key)
     letter.type_amount(typed)

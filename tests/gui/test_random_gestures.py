@@ -82,7 +82,7 @@ class Gestures(RuleBasedStateMachine):
         )
         self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
-        self.tool.surface, self.rail.surface = Answers(self.hit), Answers(lambda _pointer, _tool: self.tick)
+        self.tool.canvas, self.rail.canvas = Answers(self.hit), Answers(lambda _pointer, _tool: self.tick)
         self.now = 0.0
         self.session.history.clock = lambda: self.now
         # As the window connects them.

@@ -30,7 +30,7 @@ def test_shift_click_puts_the_pivot_back(paper):
     paper.session.selected.choose([0])
     paper.click((40, 20))
     paper.drag((40, 40), (70, 90))
-    target = paper.window.canvas.tools.target
+    target = paper.window.canvas.tools.box
     assert target.pivot == pytest.approx((70, 90), abs=2 * paper.pixel)
     paper.click((70, 90), keys=SHIFT)
     assert target.pivot is None

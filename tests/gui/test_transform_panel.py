@@ -147,7 +147,7 @@ def test_a_typed_width_is_that_of_the_curve_exactly(leaf):
         after = sampled_bounds(leaf)
         assert np.ptp(after, axis=0) == pytest.approx((width, np.ptp(before, axis=0)[1]), abs=CLOSE), text
         assert after.mean(axis=0) == pytest.approx(before.mean(axis=0), abs=CLOSE), f"{text}: about the pivot"
-        bounds = leaf.window.canvas.tools.target.bounds
+        bounds = leaf.window.canvas.tools.box.bounds
         assert bounds.size[0] == pytest.approx(width, abs=EXACT), text
         assert undo_text(leaf) == f"Set width of all 4 points to {width:.6g} mm", text
         assert leaf.session.undo_stack.count() == 2, text
@@ -264,7 +264,7 @@ def test_flips_in_the_panel_are_about_the_pivot(leaf):
 
 def test_rotate_by_turns_with_every_enter(leaf):
     click(leaf, "pivotBottom")
-    x, y = leaf.window.canvas.tools.target.centre
+    x, y = leaf.window.canvas.tools.box.centre
     enter(leaf, "Turn", "30")
     assert undo_text(leaf) == "Rotate all 4 points by 30°"
     QTest.keyClick(field(leaf, "Turn"), Key.Key_Return)

@@ -230,7 +230,7 @@ class BasisPanel(ToolPlot, CanvasQueries):
 
     def __init__(self, tools: Toolbox) -> None:
         super().__init__(tools)
-        tools.surface = self
+        tools.canvas = self
         self.setObjectName("basisPanel")
         self.drawing = BasisScene(self, self.camera)
         self._ripple_down = False

@@ -39,7 +39,7 @@ class HodographPlot(ToolPlot, CanvasQueries):
 
     def __init__(self, tools: Toolbox) -> None:
         super().__init__(tools)
-        tools.surface = self
+        tools.canvas = self
         named(self, "hodograph", "Hodograph")
         self.setAccessibleDescription("The velocity as a curve in the plane; drag along it to scrub.")
         self.getViewBox().setAspectLocked(True)

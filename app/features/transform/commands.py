@@ -91,7 +91,7 @@ class SelectionCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._session = context.session
-        self._target = context.central.canvas.tools.target
+        self._target = context.central.canvas.tools.box
         context.store.changed.connect(self._show_state)
         self._session.history_changed.connect(self._target.keep_pivot)
         for changed in (self._session.pivot_changed, self._session.grips_changed):

@@ -35,7 +35,7 @@ class TransformPanelCommands(QObject):
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
         self._context, self._session, self._store = context, context.session, context.store
-        self._target = context.central.canvas.tools.target
+        self._target = context.central.canvas.tools.box
         self._panel: TransformPanel | None = None
         self._turning: Turning | None = None
         self._dock = context.docks["transformDock"]

@@ -166,7 +166,7 @@ class AddTool(Tool):
     def _append(self, event: ToolEvent) -> None:
         session = event.session
         index, key = len(event.view.source.points), key_of(session)
-        snapper, (document, view) = event.snappers.for_new(index), self._start(event)
+        snapper, (document, view) = event.snapping.for_new_point(index), self._start(event)
         append = AppendPoint(
             document,
             session.active_index,
@@ -205,7 +205,7 @@ class AddTool(Tool):
         document, place = begun(session.document, session.active_index, _fresh(event))
         begun_curve = document.curves[place]
         done = partial(self._pen.draw, (place, begun_curve.name), 0)
-        view, snapper = view_of(begun_curve), event.snappers.for_new(-1)
+        view, snapper = view_of(begun_curve), event.snapping.for_new_point(-1)
         begin = BeginCurve(document, place, view, event.pointer, snapper, _appending(event))
         event.drags.press_at_once(event.pointer, begin, on_done=done, active=place, makes=0)
 
@@ -233,7 +233,7 @@ class AddTool(Tool):
 
     def _update_preview(self, event: ToolEvent, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
-        session, view, hit, caught = event.session, event.view, event.hit, event.snappers.caught
+        session, view, hit, caught = event.session, event.view, event.hit, event.snapping.caught
         is_here = math.isfinite(event.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
         self._seen = view
@@ -265,7 +265,7 @@ class AddTool(Tool):
         """Return the curve with one point more, or the spot to insert one at."""
         is_shown = self._seen is event.view and not event.drags.is_pressed
         return Marks(
-            snap=event.snappers.caught,
+            snap=event.snapping.caught,
             preview_curve=self._preview if is_shown else None,
             spot=self._spot if is_shown else None,
         )
@@ -290,7 +290,7 @@ def _begins_anew(session: EditingSession) -> bool:
 def _insert(event: ToolEvent, hit: Hit) -> None:
     session, hit = event.session, replace(hit, index=inserted_index(event.view, hit.t))
     place = (session.active_index, hit.index)
-    snapper = event.snappers.for_group(points_of(place[0], [place[1]]), place)
+    snapper = event.snapping.for_points(points_of(place[0], [place[1]]), place)
     insert = InsertPoint(session.document, session.active_index, event.view, hit, event.pointer, snapper)
     event.drags.press_at_once(
         event.pointer, insert, on_done=lambda: _say_outcome(session, insert), makes=hit.index

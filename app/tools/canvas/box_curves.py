@@ -175,7 +175,7 @@ class BoxCurveTool(Tool):
 
     def press(self, event: ToolEvent) -> None:
         """Begin to draw."""
-        session, snapper, drawn = event.session, event.snappers.for_new(-1), self._drawn
+        session, snapper, drawn = event.session, event.snapping.for_new_point(-1), self._drawn
         active, start, unit = session.active_index, snapper.at(event.pointer), event.settings.unit
         self._drag = DrawInBox(
             session.document, drawn, active, start, snapper, unit, session.model.style, TypedAmount(unit=unit)

@@ -26,7 +26,7 @@ class Measuring(Gesture):
     """
 
     def __init__(self, event: ToolEvent) -> None:
-        self._snapper, self._unit = event.snappers.for_new(-1), event.settings.unit
+        self._snapper, self._unit = event.snapping.for_new_point(-1), event.settings.unit
         start = self._snapper.at(event.pointer)
         self.ruler = Ruler(start, start, "")
 
@@ -45,7 +45,7 @@ class Measuring(Gesture):
     def progress(self, event: ToolEvent) -> str:
         """Return what is measured, and what the keys would change."""
         text = self.ruler.text
-        return with_snap(f"{text} · {_KEYS}", event.snappers.caught) if text else ""
+        return with_snap(f"{text} · {_KEYS}", event.snapping.caught) if text else ""
 
 
 class MeasureTool(Tool):
@@ -83,7 +83,7 @@ class MeasureTool(Tool):
         ruler = self._measured.ruler if self._measured is not None else None
         return Marks(
             ruler=ruler if ruler is not None and ruler.start != ruler.end else None,
-            snap=event.snappers.caught if ruler is None or self.gesture is not None else None,
+            snap=event.snapping.caught if ruler is None or self.gesture is not None else None,
         )
 
 

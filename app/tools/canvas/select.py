@@ -153,7 +153,7 @@ class SelectTool(Tool):
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        hit, grip, group = event.hit, self._grip_at(event), event.target.group
+        hit, grip, group = event.hit, self._grip_at(event), event.box.group
         snaps = event.settings.snapping.on
         takes_pivot = self._is_on_pivot(event)
         self._guides.hover(hit if grip is None and not takes_pivot else None)
@@ -162,7 +162,7 @@ class SelectTool(Tool):
             return PIVOT_HINT
         box = self._box(event)
         if grip is not None and group is not None and box is not None and _is_below_grips(hit):
-            return hints.on_grip(grip, box, group, event.target.refusal_of(group))
+            return hints.on_grip(grip, box, group, event.box.refusal_of(group))
         if (
             hit is not None
             and hit.part is Part.OTHER_CURVE
@@ -188,7 +188,7 @@ class SelectTool(Tool):
     def marks(self, event: ToolEvent) -> Marks:
         """Return the rubber band, or the box with grips and the amount of what one of them does."""
         is_idle, box = self.gesture is None and not event.drags.is_pressed, self._box(event)
-        is_banding, pivot = isinstance(self.gesture, Band), event.target.pivot
+        is_banding, pivot = isinstance(self.gesture, Band), event.box.pivot
         centre = box.centre if box is not None else None
         return Marks(
             band=self.gesture.band if isinstance(self.gesture, Band) else None,
@@ -196,7 +196,7 @@ class SelectTool(Tool):
             frame=None if is_idle or is_banding else box,
             pivot=event.drags.about_at(event.pointer) or (None if is_banding else pivot or centre),
             pivot_box=box if is_idle and pivot is None else None,
-            snap=event.snappers.caught,
+            snap=event.snapping.caught,
             note=event.note() if self._drags_grip else None,
             spot=self._lit if is_idle else None,
             guide=self._guides.lit,
@@ -204,23 +204,23 @@ class SelectTool(Tool):
 
     @staticmethod
     def _box(event: ToolEvent) -> TransformBox | None:
-        target = event.target
-        box = target.box if event.settings.shows_box else None
+        target = event.box
+        box = target.rectangle if event.settings.shows_box else None
         return box if box is not None and not target.refusal_of(target.group) else None
 
     def _inside(self, event: ToolEvent) -> PointGroup | None:
         """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
         box = None if event.pointer.shift else self._box(event)
         is_inside = box is not None and box.holds(event.pointer)
-        return event.target.group if is_inside else None
+        return event.box.group if is_inside else None
 
     def _is_on_pivot(self, event: ToolEvent) -> bool:
         """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines.
 
         Where whole curves are chosen there is no line to bend, and it comes before these.
         """
-        hit, group, box = event.hit, event.target.group, self._box(event)
-        pivot = event.target.pivot
+        hit, group, box = event.hit, event.box.group, self._box(event)
+        pivot = event.box.pivot
         place = pivot or (box.centre if box is not None else None)
         # The middle of a straight segment whose ends are selected is that of their box.
         is_line = hit is not None and hit.part in (Part.CURVE, Part.OTHER_CURVE)
