@@ -108,6 +108,13 @@ class Selection(Selected):
         self._chosen = frozenset(indices)
         self._session.selected_curves_changed.emit(self.curves)
 
+    def show(self, state: SelectionState) -> None:
+        """Show points or whole curves as selected while a gesture goes on."""
+        if state.is_editing:
+            self.set_group(state.points)
+        else:
+            self.show_choice(state.chosen)
+
     def set_curves(self, indices: Collection[int], active: int | None = None) -> None:
         """Select curves to work on together, those that exist.
 

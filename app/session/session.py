@@ -68,6 +68,8 @@ class Session(SessionSignals):
         self._home: SelectionState | None = None
         # The document that a gesture gave to be shown; `_shown` is what came of it.
         self._asked: Document | None = None
+        # What a gesture selects together with its preview.
+        self._selects: SelectionState | None = None
 
     def __del__(self) -> None:
         self.history.drop()
@@ -85,7 +87,7 @@ class Session(SessionSignals):
         if state is None or state.document is self._committed or state.document == self._committed:
             return
         self.history.end_run()
-        self._home = self._asked = None
+        self._home = self._asked = self._selects = None
         self._committed = self._shown = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
@@ -202,10 +204,13 @@ class Session(SessionSignals):
                 return self._refused(str(reason), raiser_of(reason), is_so=is_so)
             return self._make_step(document, text, active, run)
 
-    def preview(self, document: Document, *, active: int | None = None) -> bool:
+    def preview(
+        self, document: Document, *, active: int | None = None, selects: SelectionState | None = None
+    ) -> bool:
         """Show `document` during a gesture; `commit` or `cancel` ends it. Return whether it is shown.
 
-        `active` is the curve to edit meanwhile, where the gesture begins another one.
+        `selects` is the selection meanwhile and after the commit, from the first preview on that has it; its
+        active curve may be one that the gesture begins.
         """
         asked, document = document, tidy_shapes(plain(document, self._shown), self._shown)
         if document is self._shown:
@@ -216,10 +221,16 @@ class Session(SessionSignals):
         if self._home is None:
             self._home = self.selected.choice
             self._views.leave()
+        is_first = selects is not None and self._selects is None
+        if selects is not None and selects.is_editing:
+            active = selects.active
         if active is not None and active != self.active_index:
             self._following.begin(active)
         self._asked = asked
         self._show(document)
+        if selects is not None and is_first:
+            self._selects = selects
+            self.selected.show(selects)
         return True
 
     def commit(self, document: Document, text: str, *, active: int | None = None) -> Change:
@@ -229,7 +240,7 @@ class Session(SessionSignals):
 
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
-        is_shown = document is self._asked
+        is_shown = document is self._asked or document is self._shown
         document = self._shown if is_shown else tidy_shapes(plain(document, self._shown), self._shown)
         if document == self._committed:
             self.cancel()
@@ -238,16 +249,20 @@ class Session(SessionSignals):
             return self._refused(reason, "the lock of a curve")
         if reason := why_not_kept(self._committed, document):
             return self._refused(reason, "the file format")
-        before = self.state
-        self._home = self._asked = None
-        after = HistoryState(document, self.active_index if active is None else active, self.files.beginning)
+        before, selects = self.state, self._selects
+        self._home = self._asked = self._selects = None
+        if active is None:
+            active = self.active_index if selects is None else selects.active
+        after = HistoryState(document, active, self.files.beginning)
         self.history.push(before, after, text, run)
+        if selects is not None and not selects.is_editing:
+            self.selected.choose(selects.chosen)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
         return Change(is_done=True)
 
     def cancel(self) -> None:
         """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
-        home, self._home, self._asked = self._home, None, None
+        home, self._home, self._asked, self._selects = self._home, None, None, None
         if home is None:
             return
         with self.batch:
@@ -309,7 +324,7 @@ class Session(SessionSignals):
         self.history.end_run()
         if not self.is_previewing:
             self._views.leave()
-        self._home = self._asked = None
+        self._home = self._asked = self._selects = None
         self.interrupted.emit()
         if state.active != self.active_index:
             self.selected.enter(state.active)

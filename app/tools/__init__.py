@@ -5,13 +5,14 @@
 - ``explain``, ``move_image``: tools of the canvas that belong to features.
   ``rail``: those over t, and the drag of ticks.
 - ``pointer``: position, keys, and what lies under the pointer.
+- ``gesture``: what happens from a press to the release, and the drag that changes the document.
+- ``drag_points``, ``drag_handles``, ``bend``: drags, each from the press to the undo step.
+- ``offsets``: offsets in the plane.  ``editing_session``: the session as tools see it.
 - ``drag_machine``: the state machine all drags share: threshold, preview, commit, cancel.
 - ``drag``: the base class of the drags.  ``drags``, ``pen_drags``: what each makes of the document.
-  ``parts``: presses on points and handles.
 - ``transform``, ``transform_box``: move, scale and rotate; the box with grips.  ``typed_amount``: the number,
   or the two, typed meanwhile.  ``target``: what these act on: selected points, or curves.
   ``transform_drags``: the drags that do, by mouse and by key, and that of the pivot.
-- ``segment_click``: the ends of a segment selected by a click on its line, and a point inserted there.
 - ``curve_picker``: other curves, selected and dragged.  ``marquee``: points in a rubber band.
 - ``snapping``: what a point snaps to.  ``snap_targets``, ``snappers``: which of it for which gesture.
 - ``guides``: guides drawn out of a ruler and dragged.

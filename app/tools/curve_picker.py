@@ -9,7 +9,7 @@ from ..document.groups import shape_of, whole_shapes
 from ..document.point_group import PointGroup, points_of
 from ..document.several_curves import changed_whole, name_of, named
 from . import hints
-from .drag_machine import EditingSession
+from .editing_session import EditingSession
 from .pointer import Cursor, Hint, Hit, Part
 from .tool import ToolEvent
 from .transform_drags import moving

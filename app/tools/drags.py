@@ -82,7 +82,7 @@ class MovePoints(Drag, frozen=True):
 
     def displacement(self, pointer: Pointer) -> Vector:
         """Return how far the points go, so that the grip snaps."""
-        way = pointer.way_from(self.start)
+        way = pointer.offset_from(self.start)
         axis = axis_held(way, pointer) if self.axis is None else self.axis
         way = along_axis(way, axis)
         target = self.snapper.snap(plus(self._held, way), pointer, axis)
@@ -186,7 +186,7 @@ class DragHandle(CurveDrag, frozen=True):
         return pointer.alt and not pointer.shift and is_breakable(self.view, self.hit.index)
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
-        tip = self._snapped(plus(self.hit.position, pointer.way_from(self.start)), pointer)
+        tip = self._snapped(plus(self.hit.position, pointer.offset_from(self.start)), pointer)
         which = self.hit.index, self.hit.kind
         free = derivative_from_handle(self.view, *which, tip, ahead=self.hit.ahead)
         before = self.view.derivative_of(*which, ahead=self.hit.ahead)
@@ -227,7 +227,7 @@ def stepped_from(fixed: Vector, pointer: Pointer, snapper: Snapper) -> Vector:
         return snapper.at(pointer)
     # An angle that is held leaves nothing to be drawn elsewhere.
     snapper.reset()
-    return plus(fixed, in_steps(pointer.way_from(fixed)))
+    return plus(fixed, in_steps(pointer.offset_from(fixed)))
 
 
 class PullVelocity(CurveDrag, frozen=True):
@@ -291,7 +291,7 @@ class BendCurve(CurveDrag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Let the grabbed point keep its distance to the pointer."""
-        target = plus(self.hit.position, pointer.way_from(self.start))
+        target = plus(self.hit.position, pointer.offset_from(self.start))
         using = bend_with(self.view, pointer)
         curve = self._grabbed(using).bent(target, _TOLERANCE / pointer.scale)
         return self.document.with_curve(self.curve, curve)

@@ -15,13 +15,13 @@ from ..document.point_group import some_points
 from ..view_model.curve.curve_view import CurveView
 from . import hints
 from .curve_picker import chosen_curves
-from .drag_machine import CANCELLED, THRESHOLD
-from .tool import Gesture, ToolEvent
+from .gesture import CANCELLED, THRESHOLD
+from .tool import OldGesture, ToolEvent
 
 _KEYS = "Shift: add to what was selected"
 
 
-class Band(Gesture):
+class Band(OldGesture):
     """Rubber band: selects what is inside, live; with Shift held, adds to what was selected before.
 
     Attributes

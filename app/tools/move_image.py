@@ -31,7 +31,7 @@ class MoveImage(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
-        by = pointer.way_from(self.start)
+        by = pointer.offset_from(self.start)
         return move_image(self.document, along_axis(by, axis_held(by, pointer)))
 
 
@@ -49,7 +49,7 @@ class ScaleImage(Drag, frozen=True):
         assert image is not None
         fixed = (self.corner + 2) % 4
         anchor, tip = corner_of(image, fixed), corner_of(image, self.corner)
-        diagonal, by = minus(tip, anchor), pointer.way_from(self.start)
+        diagonal, by = minus(tip, anchor), pointer.offset_from(self.start)
         length = math.hypot(*diagonal)
         # Divided twice, because the square of a length of 1e-200 would be zero.
         along = (by[0] * (diagonal[0] / length) + by[1] * (diagonal[1] / length)) / length

@@ -49,7 +49,7 @@ def place_in_steps(view: CurveView, pointer: Pointer) -> Vector | None:
     if not (pointer.ctrl and points and pointer.is_there) or view.source.is_closed:
         return None
     before = points[-1].position
-    return plus(before, in_steps(pointer.way_from(before)))
+    return plus(before, in_steps(pointer.offset_from(before)))
 
 
 def _is_away(pointer: Pointer, press: Pointer) -> bool:
@@ -122,7 +122,7 @@ class AppendPoint(CurveDrag, frozen=True):
     @staticmethod
     def _displacement(pointer: Pointer, place: Vector) -> Vector:
         """Return how far the handle is drawn out, and where to: with Ctrl or Shift in steps."""
-        way = pointer.way_from(place)
+        way = pointer.offset_from(place)
         return in_steps(way) if pointer.holds_line else way
 
     def document_at(self, pointer: Pointer) -> Document:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import hints
-from .drag_machine import EditingSession
+from .editing_session import EditingSession
 from .pointer import Hit
 
 _Key = tuple[int, str]

@@ -126,9 +126,9 @@ class Pointer(msgspec.Struct, frozen=True):
         """Whether it is anywhere: not once it has left."""
         return math.isfinite(self.position[0])
 
-    def way_from(self, place: Vector) -> Vector:
-        """Return the way from a place of the plane."""
-        return (self.position[0] - place[0], self.position[1] - place[1])
+    def offset_from(self, position: Vector) -> Vector:
+        """Return the offset of the pointer from a position in the plane."""
+        return (self.position[0] - position[0], self.position[1] - position[1])
 
 
 ELSEWHERE = Pointer((math.inf, math.inf), (math.inf, math.inf))

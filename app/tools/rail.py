@@ -15,15 +15,16 @@ from ..document.rule_edits import freeze_parameters, set_parameters
 from ..document.words import decimal_sum
 from ..view_model.curve.curve_view import CurveView
 from .drag import Drag
-from .drag_machine import CANCELLED, THRESHOLD, EditingSession
+from .editing_session import EditingSession
+from .gesture import CANCELLED, THRESHOLD
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
-from .tool import Gesture, Tool, ToolEvent, ToolRecord
+from .tool import OldGesture, Tool, ToolEvent, ToolRecord
 
 _LEAST_GAP = 1e-3
 """Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
 
 
-class Scrubbing(Gesture):
+class Scrubbing(OldGesture):
     """Scrub line that follows the pointer; a click on a function selects its point.
 
     Parameters

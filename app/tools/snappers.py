@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Sequence
 from ..document.model import Document, Guide
 from ..document.point_group import PointGroup
 from ..view_model.boxes import Bounds, nine_places
-from .drag_machine import EditingSession
+from .editing_session import EditingSession
 from .pointer import Pointer
 from .snap_targets import targets_of, targets_of_handle, targets_of_side
 from .snapping import (

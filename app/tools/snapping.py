@@ -15,6 +15,7 @@ from ..document.model import Guide, Vector
 from ..document.plane_edits import place_words
 from ..document.words import NamedEnum
 from ..view_model.curve.distances import NearestPoint
+from .offsets import in_steps, plus
 from .pointer import Pointer
 
 REACH = 8.0
@@ -201,6 +202,15 @@ class Snapper:
             if near:
                 return min(near, key=lambda line: abs(line.value - value))
         return None
+
+
+def stepped_from(fixed: Vector, pointer: Pointer, snapper: Snapper) -> Vector:
+    """Return where a line from a fixed position ends: with Ctrl or Shift its angle goes in steps of 15°."""
+    if not pointer.holds_line:
+        return snapper.at(pointer)
+    # An angle that is held leaves nothing to be drawn elsewhere.
+    snapper.reset()
+    return plus(fixed, in_steps(pointer.offset_from(fixed)))
 
 
 def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) -> tuple[float, Snap] | None:

@@ -13,7 +13,7 @@ from ..document.selection import NONE_CHOSEN
 from ..document.several_curves import changed_whole
 from ..view_model.boxes import Bounds, bounds_of
 from ..view_model.pivot import Anchor, Pivot, anchored
-from .drag_machine import EditingSession
+from .editing_session import EditingSession
 from .transform_box import TransformBox, box_of
 
 

@@ -13,14 +13,17 @@ from ..document.point_group import points_of
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.registry import Registry
 from .background import Background
-from .drag_machine import DragMachine, EditingSession
+from .drag_machine import DragMachine
 from .drags import NudgePoints
+from .editing_session import EditingSession
+from .gesture import Gesture
 from .marks import Marks, Note
 from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
 from .snappers import SnapTargets
 from .snapping import SnapKind, Snapping, with_snap
 from .target import SelectionBox
+from .transform_box import TransformBox
 
 
 class Finder(Protocol):
@@ -132,6 +135,19 @@ class ToolEvent(msgspec.Struct, frozen=True):
         hit = self.canvas.hit(self.pointer, self.tool) if self.pointer.is_there else None
         return self.at(replace(self.pointer, hit=hit))
 
+    @property
+    def rectangle(self) -> TransformBox | None:
+        """The box around the selection, where it is displayed and can be changed; None otherwise."""
+        box = self.box.rectangle if self.settings.shows_box else None
+        return box if box is not None and not self.box.refusal_of(self.box.group) else None
+
+    def frame_marks(self) -> Marks:
+        """Return the marks of the selection while something is dragged: its box without grips, its pivot."""
+        if not self.tool.shows_box:
+            return Marks()
+        box, pivot = self.rectangle, self.box.pivot
+        return Marks(frame=box, pivot=pivot or (box.centre if box is not None else None))
+
     def preview_snap(self, index: int) -> None:
         """Show where a press would put the point of `index`, −1 for none in particular."""
         if self.settings.snapping.on and self.pointer.is_there:
@@ -153,7 +169,7 @@ class ToolEvent(msgspec.Struct, frozen=True):
         return Note(self.pointer.position, text, self.box.centre) if text else None
 
 
-class Gesture:
+class OldGesture:
     """A gesture that is no drag, from its press on: it changes nothing in the document."""
 
     def move(self, event: ToolEvent) -> None:
@@ -199,12 +215,14 @@ class Tool:
     finds_image = False
     shows_new_handle = False
     lasts_one_gesture = False
-    gesture: Gesture | None = None
+    shows_box = False
+    gesture: OldGesture | None = None
 
     # Events
 
-    def press(self, event: ToolEvent) -> None:
-        """Begin a gesture."""
+    def press(self, event: ToolEvent) -> Gesture | None:
+        """Return the gesture that begins here."""
+        return None
 
     def move(self, event: ToolEvent) -> None:
         """Follow the pointer while a gesture is in flight."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from msgspec.structs import replace
@@ -9,10 +10,13 @@ from msgspec.structs import replace
 from ..document.limits import EditError
 from ..document.model import Vector
 from .background import Background
-from .drag_machine import CANCELLED, DragMachine, EditingSession
+from .drag_machine import DragMachine
+from .editing_session import EditingSession
+from .gesture import CANCELLED, THRESHOLD, Drag, Gesture
 from .marks import Marks
 from .pointer import ELSEWHERE, Hint, Pointer, Stride
 from .snappers import SnapTargets
+from .snapping import with_snap
 from .target import SelectionBox
 from .tool import CanvasQueries, Tool, ToolEvent, ToolRecord, ToolSettings
 from .transform import TransformKind
@@ -55,6 +59,9 @@ class Toolbox:
         self._made = {record.name: record.make()}
         self._chosen = self._made[record.name]
         self._above: Tool | None = None
+        self._gesture: Gesture | None = None
+        # Whether the gesture follows the pointer with no button down.
+        self._is_buttonless = False
         self._pointer = Pointer((0.0, 0.0), (0.0, 0.0))
 
     @property
@@ -84,22 +91,24 @@ class Toolbox:
     @property
     def is_pressed(self) -> bool:
         """Whether a gesture is in flight."""
-        return self._drags.is_pressed or self.tool.gesture is not None
+        return self._gesture is not None or self._drags.is_pressed or self.tool.gesture is not None
 
     @property
     def scrolls(self) -> bool:
         """Whether a gesture is in flight that moves the view on at the edge."""
+        if self._gesture is not None:
+            return self._gesture.scrolls_view
         return self.tool.gesture is not None or self._drags.scrolls
 
     @property
     def is_dragging(self) -> bool:
         """Whether the document is being dragged."""
-        return self._drags.is_pressed
+        return self._drags.is_pressed or isinstance(self._gesture, Drag)
 
     @property
     def is_transforming(self) -> bool:
         """Whether a transform follows the pointer with no button down."""
-        return self._above is not None and self._above.lasts_one_gesture
+        return self._is_buttonless or (self._above is not None and self._above.lasts_one_gesture)
 
     # Which tool
 
@@ -143,24 +152,72 @@ class Toolbox:
         self.cancel()
         self._above = make(self._at(pointer))
 
+    def begin(
+        self, make: Callable[[ToolEvent], Gesture], pointer: Pointer, *, buttonless: bool = False
+    ) -> bool:
+        """Begin a gesture that is not a press of the tool in use; return whether it has begun.
+
+        `buttonless`: it follows the pointer with no button down until a click, Enter or Escape.
+        """
+        self.cancel()
+        event = self._at(pointer)
+        try:
+            gesture = make(event)
+        except EditError as reason:
+            self._session.refuse(str(reason))
+            return False
+        self._is_buttonless = buttonless
+        self._start(gesture)
+        return True
+
+    def _start(self, gesture: Gesture) -> None:
+        self._gesture, gesture.pressed_at = gesture, self._pointer.pixel
+        if gesture.starts_at_press or self._is_buttonless:
+            gesture.has_moved = True
+            gesture.move(self.event)
+
     # Events
 
     def press(self, pointer: Pointer) -> None:
         """Begin a gesture, or end the one that keys began."""
+        if self._is_buttonless:
+            self.release(pointer)
+            return
         if not self.is_transforming:
             self._end()
+        gesture = None
         try:
-            self.tool.press(self._at(pointer).with_hit())
+            gesture = self.tool.press(self._at(pointer).with_hit())
         except EditError as reason:
             self._session.refuse(str(reason))
+        if gesture is not None:
+            self._start(gesture)
         self._give_way()
 
     def move(self, pointer: Pointer) -> None:
         """Follow the pointer."""
-        self.tool.move(self._at(pointer))
+        gesture, event = self._gesture, self._at(pointer)
+        if gesture is None:
+            self.tool.move(event)
+            return
+        if not gesture.has_moved:
+            gesture.has_moved = math.dist(pointer.pixel, gesture.pressed_at) >= THRESHOLD
+        if gesture.has_moved:
+            gesture.move(event)
 
     def release(self, pointer: Pointer) -> None:
         """End the gesture."""
+        if self._gesture is not None:
+            if pointer != self._pointer:
+                self.move(pointer)
+            gesture = self._take_gesture()
+            event = self._at(pointer)
+            if gesture is not None and gesture.has_moved:
+                gesture.release(event)
+            elif gesture is not None:
+                gesture.click(event)
+            self._snapping.reset()
+            return
         self.tool.release(self._at(pointer))
         self._give_way()
         self._end()
@@ -183,17 +240,32 @@ class Toolbox:
 
     def claims(self, key: str) -> bool:
         """Whether a key is for the tool that would be a shortcut otherwise."""
+        if self._gesture is not None:
+            return self._gesture.wants_key(key)
         return self.tool.claims(self.event, key)
 
     def key(self, key: str) -> bool:
         """Give the tool a key; return whether it meant something, and was not refused."""
         try:
+            if self._gesture is not None:
+                return self._key_of_gesture(self._gesture, key)
             taken = self.tool.key(self.event, key)
         except EditError as reason:
             self._session.refuse(str(reason))
             taken = False
         self._give_way()
         return taken
+
+    def _key_of_gesture(self, gesture: Gesture, key: str) -> bool:
+        if key == "enter" and gesture.wants_key(key):
+            gesture.has_moved = True
+            self.release(self._pointer)
+            return True
+        if not gesture.key(self.event, key):
+            return False
+        gesture.has_moved = True
+        gesture.move(self.event)
+        return True
 
     def nudge(self, direction: Vector, stride: Stride) -> bool:
         """Move what the tool moves by an arrow key; return whether the key meant something."""
@@ -205,7 +277,9 @@ class Toolbox:
 
     def cancel(self) -> bool:
         """Take the gesture in flight back; return whether there was one."""
-        was_pressed = self.is_pressed
+        was_pressed, gesture = self.is_pressed, self._take_gesture()
+        if gesture is not None and gesture.has_moved:
+            gesture.cancel(self.event)
         self.tool.cancel(self.event)
         self._give_way()
         self._end()
@@ -213,9 +287,15 @@ class Toolbox:
 
     def abandon(self) -> None:
         """Drop the gesture in flight; the document is somebody else's now."""
+        self._take_gesture()
         self._drags.reset()
         self._give_way()
         self._end()
+
+    def _take_gesture(self) -> Gesture | None:
+        """Return the gesture in flight; from now on there is none."""
+        gesture, self._gesture, self._is_buttonless = self._gesture, None, False
+        return gesture
 
     def dismiss(self) -> bool:
         """Drop what is being done, or remove what the tool has left on the plot; return whether there was."""
@@ -248,7 +328,8 @@ class Toolbox:
 
     def marks(self) -> Marks:
         """Return what is drawn over the plot."""
-        marks = self._chosen.marks(self.event)
+        event, gesture = self.event, self._gesture
+        marks = gesture.marks(event) if gesture is not None else self._chosen.marks(event)
         if self.background.lines:
             marks = replace(marks, waiting=self.background.lines)
         if marks.pivot is None and (pivot := self.box.pivot) is not None:
@@ -258,8 +339,13 @@ class Toolbox:
 
     def progress(self) -> str:
         """Return how far the gesture in flight has come, as a sentence for the status line."""
+        if self._gesture is not None:
+            text = self._gesture.status(self._pointer) if self._gesture.has_moved else ""
+            return with_snap(text, self._snapping.caught)
         return self.tool.progress(self.event)
 
     def place(self) -> Vector | None:
         """Return where the point is that is dragged, None while none is."""
+        if self._gesture is not None:
+            return self._gesture.position_at(self._pointer) if self._gesture.has_moved else None
         return self._drags.place_at(self._pointer)

@@ -233,7 +233,7 @@ class ScaleBox(Drag, frozen=True):
     def _displacement(self, pointer: Pointer) -> Vector:
         """Return how far the corner goes, after snapping."""
         corner, arm = self._corner, self._arm(pointer)
-        way = pointer.way_from(self.start)
+        way = pointer.offset_from(self.start)
         axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
         if self._is_even(pointer):
             # As far as the way goes along the diagonal; only its longer side can snap without leaving it.

@@ -12,12 +12,12 @@ from ..document.limits import EditError
 from ..document.model import Vector
 from ..document.point_group import PointGroup
 from .drag import along_axis, axis_held, plus
-from .drag_machine import CANCELLED, THRESHOLD
 from .drags import MovePoints
+from .gesture import CANCELLED, THRESHOLD
 from .marks import Marks
 from .pointer import AXIS_KEYS, SNAP_KEY, Cursor, Hint, Pointer
 from .snapping import with_snap
-from .tool import Gesture, Tool, ToolEvent
+from .tool import OldGesture, Tool, ToolEvent
 from .transform import Transform, TransformKind
 from .transform_box import Grip, ScaleBox
 
@@ -97,7 +97,7 @@ def is_on_pivot(place: Vector, pointer: Pointer) -> bool:
     return math.dist(place, pointer.position) * pointer.scale <= _REACH
 
 
-class MovePivot(Gesture):
+class MovePivot(OldGesture):
     """Drag of the pivot; it changes nothing in the document. A double click or Shift+click puts it back.
 
     Parameters
@@ -120,7 +120,7 @@ class MovePivot(Gesture):
         pointer = event.pointer
         self._is_moving |= math.dist(pointer.pixel, self._press.pixel) >= THRESHOLD
         if self._is_moving:
-            way = pointer.way_from(self._press.position)
+            way = pointer.offset_from(self._press.position)
             axis = axis_held(way, pointer)
             to = plus(self._start, along_axis(way, axis))
             event.box.pivot = self._snapper.snap(to, pointer, axis)

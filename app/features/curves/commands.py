@@ -26,7 +26,7 @@ from ...document.point_group import NO_POINTS, some_points
 from ...document.several_curves import named, whole_curves
 from ...document.straight_edits import why_not_straight
 from ...document.words import count_of, number
-from ...tools.segment_click import insert_at
+from ...tools.bend import insert_at
 from ...view_model.append import Halved, with_closed, with_midpoints
 from ...view_model.geometry import segment_at
 from ...view_model.point_kinds import segments_between

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 
 from msgspec.structs import replace
@@ -16,13 +17,17 @@ from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.point_kinds import closed_by_line, with_line_appended
 from ...view_model.reshape import inserted_index
 from .. import hints
-from ..drag_machine import EditingSession
+from ..drag_handles import GESTURES, hint_on_part, press_on_part
+from ..drag_points import label_of_moved
+from ..editing_session import EditingSession
+from ..gesture import Gesture
 from ..marks import Marks
-from ..parts import GESTURES, dragged_with, press_on_part
 from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
 from ..pen_session import PenSession, key_of
-from ..pointer import Hint, Hit
+from ..pointer import Hint, Hit, Pointer
 from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
+
+_ENTER = "Enter, double click: finish the curve"
 
 _TAKING_BACK = ("backspace", "delete")
 """Keys that take back the last point."""
@@ -81,11 +86,12 @@ class AddTool(Tool):
         if not hints.can_finish(event.view):
             session.refuse("A curve needs two points before it can be finished.")
         else:
-            self._finish(session)
+            self._finish(event)
         return True
 
-    def _finish(self, session: EditingSession) -> None:
+    def _finish(self, event: ToolEvent) -> None:
         """Finish the curve that is edited: the next press begins another one."""
+        session = event.session
         self._pen.finish(session)
         session.selected.set_points([])
         session.say(f"“{session.active_view.source.name}” is finished; the next press begins another curve.")
@@ -109,8 +115,9 @@ class AddTool(Tool):
         view = session.active_view
         return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(session)
 
-    def _go_on(self, session: EditingSession, index: int) -> None:
+    def _go_on(self, event: ToolEvent, index: int) -> None:
         """Go on with a curve from its end at point `index`; from the first it runs the other way."""
+        session = event.session
         curve, view = session.active_index, session.active_view
         last = len(view.source.points) - 1
         if index != last:
@@ -124,12 +131,11 @@ class AddTool(Tool):
 
     # Presses
 
-    def press(self, event: ToolEvent) -> None:
+    def press(self, event: ToolEvent) -> Gesture | None:
         """Begin what a press here does."""
         session, hit = event.session, event.hit
         if (part := self._part(event)) is not None:
-            self._press_on_part(event, part)
-            return
+            return self._press_on_part(event, part)
         act = self._act(event)
         if act is PenAct.BEGIN:
             self._begin(event)
@@ -139,6 +145,7 @@ class AddTool(Tool):
             _insert(event, hit)
         else:
             self._append(event)
+        return None
 
     def _part(self, event: ToolEvent) -> Hit | None:
         """Return the point or handle that a press is about; None for none."""
@@ -147,15 +154,15 @@ class AddTool(Tool):
             return None
         return hit
 
-    def _press_on_part(self, event: ToolEvent, hit: Hit) -> None:
+    def _press_on_part(self, event: ToolEvent, hit: Hit) -> Gesture:
+        on_click: Callable[[ToolEvent], object] | None = None
         if self._pen.goes_on_at(hit, event.session):
-            press_on_part(event, hit, partial(self._go_on, event.session, hit.index))
+            on_click = partial(self._go_on, index=hit.index)
         elif hints.can_end_at(hit, event.view):
-            press_on_part(event, hit, partial(self._close, event))
+            on_click = partial(self._close, by_line=event.pointer.alt)
         elif event.pointer.is_double and self._ends_at(hit, event.session):
-            press_on_part(event, hit, partial(self._finish, event.session))
-        else:
-            press_on_part(event, hit)
+            on_click = self._finish
+        return press_on_part(event, hit, on_click)
 
     def _act(self, event: ToolEvent) -> PenAct:
         if _begins_anew(event.session):
@@ -179,14 +186,14 @@ class AddTool(Tool):
         done = partial(self._pen.draw, key, index)
         event.drags.press_at_once(event.pointer, append, on_done=done, makes=index)
 
-    def _close(self, event: ToolEvent) -> None:
+    def _close(self, event: ToolEvent, *, by_line: bool) -> None:
         """Close the curve that is edited, or say why it cannot be closed."""
-        session = event.session
-        session.change(f"Close {session.active_view.source.name}", lambda _document: self._closed(event))
+        session, name = event.session, event.view.source.name
+        session.change(f"Close {name}", lambda _document: self._closed(event, by_line=by_line))
 
-    def _closed(self, event: ToolEvent) -> Document:
+    def _closed(self, event: ToolEvent, *, by_line: bool) -> Document:
         document, view = self._start(event)
-        close = closed_by_line if event.pointer.alt else closed_by_pen
+        close = closed_by_line if by_line else closed_by_pen
         return close(document, event.session.active_index, view)
 
     def _start(self, event: ToolEvent) -> tuple[Document, CurveView]:
@@ -226,10 +233,10 @@ class AddTool(Tool):
             return Hint(hints.LOCKED.format(view.source.seen_name))
         if part is None:
             act, goes_on = act or PenAct.APPEND, not _begins_anew(event.session)
-            return hints.to_add(act, view, _fresh(event), snaps=snaps, goes_on=goes_on)
+            return _hint_beside(act, view, _fresh(event), snaps=snaps, goes_on=goes_on)
         pointer = event.pointer
-        dragged, goes_on = dragged_with(event, part), self._pen.goes_on_at(part, event.session)
-        return hints.to_add_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
+        dragged, goes_on = label_of_moved(event, part), self._pen.goes_on_at(part, event.session)
+        return _hint_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
 
     def _update_preview(self, event: ToolEvent, act: PenAct | None) -> None:
         """Find out what a press here would make of the curve."""
@@ -256,7 +263,10 @@ class AddTool(Tool):
         if not is_quick(event.view):
             return None
         try:
-            closed = view_of(self._closed(event).curves[event.session.active_index], self._preview)
+            closed = view_of(
+                self._closed(event, by_line=event.pointer.alt).curves[event.session.active_index],
+                self._preview,
+            )
         except EditError:
             return None
         return closed if closed.is_current else None
@@ -302,6 +312,56 @@ def _say_outcome(session: EditingSession, insert: InsertPoint) -> None:
     # Dragged off the curve: the change is what was wanted.
     if session.active_view.source == made.curve:
         session.say(made.sentence)
+
+
+def _hint_on_part(
+    hit: Hit,
+    view: CurveView,
+    dragged: str,
+    pointer: Pointer,
+    *,
+    snaps: bool,
+    goes_on: bool,
+) -> Hint:
+    """Return the hint of the Add tool over a point or a handle; `goes_on`: what a click on an end does."""
+    if goes_on:
+        end = "" if hints.is_end(hit, view) else " from its first point"
+        return Hint(f"Click to go on with this curve{end} · Drag to move point {hit.index}", grab=True)
+    if hints.can_end_at(hit, view):
+        if not view.source.family.curve_class.can_close:
+            # A click says why, and which families can.
+            return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
+        line = " · Alt: by a straight line" if view.source.family.derivatives else ""
+        return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
+    return hint_on_part(hit, view, dragged, pointer, snaps=snaps)
+
+
+def _hint_beside(
+    act: PenAct,
+    view: CurveView,
+    fresh: Curve,
+    *,
+    snaps: bool,
+    goes_on: bool = True,
+) -> Hint:
+    """Return the hint of the Add tool, on the curve or beside it.
+
+    `fresh` is a curve that would be begun; `goes_on` tells whether Shift adds to the curve that is seen.
+    """
+    if act is PenAct.INSERT:
+        return Hint("Click to insert a point here · Shift: add at the end")
+    keys, index = hints.snap_key(snaps=snaps), len(view.source.points)
+    if act is PenAct.BEGIN:
+        other = "" if fresh.family == view.source.family else f", {fresh.family.title}"
+        shift = f" · Shift: add point {index} to this one" if goes_on else ""
+        return Hint(f"Click to begin another curve{other}{shift} · {keys}")
+    what, finish = f"Click to add point {index}", _ENTER if hints.can_finish(view) else ""
+    if not view.source.family.derivatives:
+        drag = "On the curve: insert between neighbours"
+    else:
+        drag = "Alt: after a straight line · Drag to set its velocity"
+    parts = (what, finish, drag, "Ctrl: steps of 15°" if index else "", keys)
+    return Hint(" · ".join(part for part in parts if part))
 
 
 ADD = ToolRecord(

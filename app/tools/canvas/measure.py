@@ -10,13 +10,13 @@ from ..drags import stepped_from
 from ..marks import Marks, Ruler
 from ..pointer import SNAP_KEY, STEP_KEYS, Hint
 from ..snapping import with_snap
-from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
+from ..tool import GestureRow, OldGesture, Tool, ToolEvent, ToolRecord
 
 _KEYS = f"{STEP_KEYS} · {SNAP_KEY}"
 """Effects of the modifier keys while something is measured."""
 
 
-class Measuring(Gesture):
+class Measuring(OldGesture):
     """A line from the press to the pointer, both snapping; with Ctrl or Shift its angle goes in steps of 15°.
 
     Attributes

@@ -17,10 +17,11 @@ from ...families import FAMILIES
 from ...tasks.progress import Report
 from ...view_model.fit import SCATTERED, Fitted, fitted
 from ..background import BackgroundTask
-from ..drag_machine import CANCELLED, THRESHOLD, EditingSession
+from ..editing_session import EditingSession
+from ..gesture import CANCELLED, THRESHOLD
 from ..marks import Marks
 from ..pointer import Hint, Pointer
-from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
+from ..tool import GestureRow, OldGesture, Tool, ToolEvent, ToolRecord
 
 _CLOSING = 12.0
 """Pixels between beginning and end of a line that is meant to return."""
@@ -34,7 +35,7 @@ _PATIENCE_S = 0.8
 _HINT = "Drag to draw freehand; the curve gets few points"
 
 
-class Drawing(Gesture):
+class Drawing(OldGesture):
     """A line that is being drawn; it changes nothing in the document before it ends."""
 
     def __init__(self, event: ToolEvent) -> None:

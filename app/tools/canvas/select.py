@@ -5,22 +5,29 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from msgspec.structs import replace
+
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...view_model.curve.curve_view import CurveView
 from .. import hints
+from ..bend import hint_on_line, press_on_line
 from ..curve_picker import CurvePicker, click_curve, select_hit
-from ..drags import BendCurve
+from ..drag_handles import GESTURES, hint_on_part, press_on_part
+from ..drag_points import kind_on_double_click, label_of_moved, toggling_kind
+from ..gesture import Gesture
 from ..guides import GuidePicker
 from ..marks import Marks
 from ..marquee import Band, CurveMarquee, Marquee
-from ..parts import GESTURES, dragged_with, press_on_part, toggling, unless_locked
 from ..pointer import Cursor, Hint, Hit, Part
-from ..segment_click import click_segment, insert_at
 from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
 from ..transform import TransformKind
 from ..transform_box import Grip, TransformBox
 from ..transform_drags import PIVOT_HINT, MovePivot, is_on_pivot, moving, scaling, turning
+
+_ON_EMPTY = (
+    "Drag to select points, Shift adds · Escape: whole curves · P adds points · Wheel zooms, Space pans"
+)
 
 
 class SelectTool(Tool):
@@ -29,6 +36,7 @@ class SelectTool(Tool):
     cursor = Cursor.ARROW
     finds_other_curves = True
     finds_guides = True
+    shows_box = True
 
     def __init__(self) -> None:
         self._picker, self._guides = CurvePicker(), GuidePicker()
@@ -38,22 +46,22 @@ class SelectTool(Tool):
         # has brought handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
 
-    def press(self, event: ToolEvent) -> None:
+    def press(self, event: ToolEvent) -> Gesture | None:
         """Begin what a press here means."""
         line, self._pressed = self._line_clicked_twice(event), None
         if line is not None:
-            self._press_on_curve(event, line, is_second=True)
-        elif self._is_on_pivot(event):
+            return self._press_on_curve(event, line, is_second=True)
+        if self._is_on_pivot(event):
             self.gesture = MovePivot(event, self._click_at_pivot(event))
-        else:
-            self._press(self._picker.entered(event))
+            return None
+        return self._press(self._picker.entered(event))
 
-    def _press(self, event: ToolEvent) -> None:
+    def _press(self, event: ToolEvent) -> Gesture | None:
         hit, grip = event.hit, self._grip_at(event)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             self._picker.press(event, hit)
         elif hit is not None and not _is_below_grips(hit):
-            press_on_part(event, hit, toggling(event, hit))
+            return press_on_part(event, hit, toggling_kind(event, hit))
         elif grip is not None:
             self._press_on_grip(event, grip)
         elif hit is not None and hit.part is Part.GUIDE:
@@ -61,9 +69,10 @@ class SelectTool(Tool):
         elif hit is not None and hit.inside:
             self._press_within(event, hit)
         elif hit is not None:
-            self._press_on_curve(event, hit)
+            return self._press_on_curve(event, hit)
         else:
             self._press_beside(event)
+        return None
 
     def _press_within(self, event: ToolEvent, area: Hit) -> None:
         """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
@@ -126,15 +135,9 @@ class SelectTool(Tool):
         drag = scaling if grip.does is TransformKind.SCALE else turning
         event.drags.press(event.pointer, drag(event, grip))
 
-    def _press_on_curve(self, event: ToolEvent, hit: Hit, *, is_second: bool = False) -> None:
-        """Begin to bend the curve; a click selects both ends of the segment, the second inserts a point."""
-        session, pointer = event.session, event.pointer
+    def _press_on_curve(self, event: ToolEvent, hit: Hit, *, is_second: bool = False) -> Gesture:
         self._pressed = (event.view, hit)
-        bend = BendCurve(session.document, session.active_index, event.view, hit, pointer.position)
-        click = (
-            partial(insert_at, session, hit.t) if is_second else partial(click_segment, session, hit, pointer)
-        )
-        event.drags.press(pointer, unless_locked(event, bend), on_click=click)
+        return press_on_line(event, hit, is_second=is_second)
 
     def _line_clicked_twice(self, event: ToolEvent) -> Hit | None:
         """Return where the line is that a double click is on; None where it is on none."""
@@ -154,7 +157,6 @@ class SelectTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         hit, grip, group = event.hit, self._grip_at(event), event.box.group
-        snaps = event.settings.snapping.on
         takes_pivot = self._is_on_pivot(event)
         self._guides.hover(hit if grip is None and not takes_pivot else None)
         self._lit = _unselected_place(event, hit)
@@ -171,12 +173,23 @@ class SelectTool(Tool):
             return self._picker.hint(event, hit)
         if (beside := self._guides.hint(event)) is not None:
             return beside
-        if (hit is None or hit.inside) and (idle := self._idle_hint(event)) is not None:
-            return idle
-        view, dragged = event.view, dragged_with(event, hit) if hit is not None else ""
-        if hit is not None and hit.curve >= 0:
+        if hit is not None and not hit.inside:
+            return self._hint_on_part(event, hit)
+        return self._idle_hint(event) or Hint(_ON_EMPTY)
+
+    @staticmethod
+    def _hint_on_part(event: ToolEvent, hit: Hit) -> Hint:
+        """Return the hint over a point, a handle or the line of a curve that is edited."""
+        view, moves, pointer = event.view, label_of_moved(event, hit), event.pointer
+        snaps = event.settings.snapping.on
+        if hit.curve >= 0:
             view, hit = event.session.views[hit.curve], hit.as_own
-        return hints.to_select(hit, view, dragged, event.pointer, snaps=snaps)
+        if view.source.locked:
+            return Hint(hints.LOCKED.format(view.source.seen_name))
+        if hit.part is Part.CURVE:
+            return hint_on_line(view, pointer)
+        hint = hint_on_part(hit, view, moves, pointer, snaps=snaps)
+        return replace(hint, text=f"{hint.text}{kind_on_double_click(hit, view, pointer)}")
 
     def _idle_hint(self, event: ToolEvent) -> Hint | None:
         """Return what a press beside everything would do, None for nothing in particular."""

@@ -1,0 +1,226 @@
+"""Drag handles: from the press on a handle, or with Alt on a point, to the undo step."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property, partial
+
+from ..document import point_edits, words
+from ..document.curve_edits import replace_curve
+from ..document.derivatives import DERIVATIVES
+from ..document.model import Document, Vector
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.curve.handles import derivative_from_handle
+from ..view_model.point_kinds import is_breakable, with_corners, with_handle_retracted
+from .drag_points import Click, hint_on_point, press_on_point, selecting, unless_locked
+from .gesture import Drag, Gesture
+from .offsets import in_steps, plus
+from .pointer import SNAP_KEY, STEP_KEYS, Hint, Hit, Part, Pointer
+from .snapping import Snapper, stepped_from
+from .tool import GestureRow, ToolEvent
+
+GESTURES = (
+    GestureRow("Drag a point", "move it; Ctrl or Shift keeps to one axis"),
+    GestureRow("Alt+drag a point", "pull out its velocity", needs_derivatives=True),
+    GestureRow(
+        "Drag a handle",
+        "set velocity (square), acceleration (diamond), jerk (triangle); Ctrl or Shift: 15°, Alt: break",
+        selected=True,
+        needs_derivatives=True,
+    ),
+    GestureRow("Ctrl+click a handle", "retract it into its point", selected=True, needs_derivatives=True),
+)
+"""Rows of the sheet of keys and mouse."""
+
+
+def press_on_part(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
+    """Start to drag the point or the handle that was hit; see `press_on_point` for a click on a point."""
+    if hit.part is not Part.POINT:
+        return press_on_handle(event, hit)
+    if event.pointer.alt and event.view.source.family.derivatives:
+        return pull_velocity(event, hit, on_click)
+    return press_on_point(event, hit, on_click)
+
+
+def press_on_handle(event: ToolEvent, hit: Hit) -> Gesture:
+    """Start to drag a handle. A click does nothing to it: it selects the point below, if there is one."""
+    session, pointer = event.session, event.pointer
+    on_click = selecting(event, hit.over) if hit.over >= 0 else None
+    if pointer.ctrl and not (pointer.shift or pointer.alt) and hit.kind == 1:
+        on_click = partial(_retract, hit=hit)
+    drag = DragHandle(
+        document=session.document,
+        curve=session.active_index,
+        view=event.view,
+        hit=hit,
+        start=pointer.position,
+        snapper=event.snapping.for_handle(hit.index),
+        on_click=on_click,
+    )
+    return unless_locked(event, drag)
+
+
+def _retract(event: ToolEvent, hit: Hit) -> None:
+    """Retract the handle that was clicked into its point."""
+    session, view, active = event.session, event.view, event.session.active_index
+
+    def edit(document: Document) -> Document:
+        return replace_curve(document, active, with_handle_retracted(view, hit.index, ahead=hit.ahead))
+
+    if session.change(f"Retract handle of point {hit.index}", edit):
+        session.say(f"Retracted the handle of point {hit.index}; Alt+drag the point pulls it out again.")
+
+
+class DragHandle(Drag, kw_only=True, dict=True):
+    """Drag of the handle of a derivative; handles tied to it move along, unless Alt breaks the tie.
+
+    Attributes
+    ----------
+    curve, view
+        The curve and its view at the press.
+    """
+
+    curve: int
+    view: CurveView
+    hit: Hit
+    start: Vector
+    snapper: Snapper
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the handle at the offset from the pointer that it had at the press."""
+        which, document = (self.hit.index, self.hit.kind), self.document
+        if self._breaks(pointer):
+            document = self._broken
+        derivative = self._derivative_at(pointer)
+        return point_edits.set_derivative(document, self.curve, *which, derivative, ahead=self.hit.ahead)
+
+    def _breaks(self, pointer: Pointer) -> bool:
+        """Return whether the handle moves alone, and the point becomes a corner."""
+        return pointer.alt and not pointer.shift and is_breakable(self.view, self.hit.index)
+
+    @cached_property
+    def _broken(self) -> Document:
+        """The document with a corner at the point."""
+        return self.document.with_curve(self.curve, with_corners(self.view, [self.hit.index]))
+
+    def _derivative_at(self, pointer: Pointer) -> Vector:
+        tip = self._snapped(plus(self.hit.position, pointer.offset_from(self.start)), pointer)
+        which = self.hit.index, self.hit.kind
+        free = derivative_from_handle(self.view, *which, tip, ahead=self.hit.ahead)
+        before = self.view.derivative_of(*which, ahead=self.hit.ahead)
+        if pointer.alt and pointer.shift and before is not None and any(before):
+            return _along_direction(free, before)
+        return in_steps(free) if pointer.holds_line else free
+
+    def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
+        if pointer.holds_line:
+            # An angle or a direction that is held leaves nothing to be drawn elsewhere.
+            self.snapper.reset()
+            return tip
+        return self.snapper.snap(tip, pointer)
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Set velocity of point 2", or what Alt does."""
+        if self._breaks(pointer):
+            return f"Break handles of point {self.hit.index}"
+        return f"Set {label_of_handle(self.hit, self.view)}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return handle_keys(self.hit, self.view)
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return the derivative by its length and direction."""
+        label = label_of_handle(self.hit, self.view)
+        broken = ", a corner now" if self._breaks(pointer) else ""
+        return f"{label[0].upper()}{label[1:]}: {words.polar(self._derivative_at(pointer))}{broken}"
+
+
+def _along_direction(v: Vector, direction: Vector) -> Vector:
+    """Return the part of `v` along `direction`."""
+    length = math.hypot(*direction)
+    unit = (direction[0] / length, direction[1] / length)
+    share = v[0] * unit[0] + v[1] * unit[1]
+    return (share * unit[0], share * unit[1])
+
+
+def label_of_handle(hit: Hit, view: CurveView) -> str:
+    """Return "velocity of point 2"; at a corner, which has two, the side as well."""
+    return f"{DERIVATIVES[hit.kind - 1].name} of {_label_of_side(view, hit.index, ahead=hit.ahead)}"
+
+
+def _label_of_side(view: CurveView, index: int, *, ahead: bool) -> str:
+    side = "" if index not in view.two_sided else ", ahead" if ahead else ", behind"
+    return f"point {index}{side}"
+
+
+def handle_keys(hit: Hit, view: CurveView) -> str:
+    """Return the effects of modifiers on the drag of a handle."""
+    breaks = "Alt: break the handles apart · " if is_breakable(view, hit.index) else ""
+    return f"{STEP_KEYS} · {breaks}Shift+Alt: length only · {SNAP_KEY}"
+
+
+# Alt: the velocity of a point, wherever its handle lay
+
+
+def pull_velocity(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
+    """Start to pull the velocity handle out of the point that was hit, which is selected."""
+    session = event.session
+    on_click = on_click or selecting(event, hit.index)
+    if hit.index not in session.selected.points:
+        session.selected.set_points([hit.index])
+    drag = PullVelocity(
+        document=session.document,
+        curve=session.active_index,
+        view=event.view,
+        index=hit.index,
+        snapper=event.snapping.for_handle(hit.index),
+        on_click=on_click,
+    )
+    return unless_locked(event, drag)
+
+
+class PullVelocity(Drag, kw_only=True):
+    """Drag that pulls the velocity handle out of a point. Ctrl or Shift turns it in steps of 15°."""
+
+    curve: int
+    view: CurveView
+    index: int
+    snapper: Snapper
+
+    keys = f"{STEP_KEYS} · {SNAP_KEY}"
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the handle ahead of the point under the pointer."""
+        velocity = self._velocity_at(pointer)
+        ahead = self.view.spacing(self.index, ahead=True) is not None
+        return point_edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
+
+    def _velocity_at(self, pointer: Pointer) -> Vector:
+        tip = stepped_from(self.view.source.points[self.index].position, pointer, self.snapper)
+        return derivative_from_handle(self.view, self.index, 1, tip, ahead=True)
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Set velocity of point 2"."""
+        return f"Set velocity of {_label_of_side(self.view, self.index, ahead=True)}"
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return the velocity by its length and direction."""
+        side = _label_of_side(self.view, self.index, ahead=True)
+        return f"Velocity of {side}: {words.polar(self._velocity_at(pointer))}"
+
+
+# What a press would do
+
+
+def hint_on_part(hit: Hit, view: CurveView, moves: str, pointer: Pointer, *, snaps: bool) -> Hint:
+    """Return the hint over a point, of which a drag `moves` something, or over a handle."""
+    if hit.part is not Part.POINT:
+        retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
+        text = f"Drag to set the {label_of_handle(hit, view)} · {handle_keys(hit, view)}{retracts}"
+        return Hint(text, grab=True)
+    if pointer.alt and view.source.family.derivatives:
+        steps = " in steps of 15°" if pointer.holds_line else ""
+        return Hint(f"Drag to pull out the velocity of point {hit.index}{steps}", grab=True)
+    return hint_on_point(hit, view, moves, pointer, snaps=snaps)
