@@ -1,7 +1,24 @@
 """Features: one package for each capability, with its commands and its panel. None imports another.
 
-Each package says what it is. To add one is a folder and a name in `FEATURES`. Its module ``commands`` has a
-tuple `COMMAND_SETS`.
+The docstring of each package says what it does and lists its modules.
+
+To add a feature: a package here, and its name in `FEATURES`. Its module ``commands`` has a tuple
+`COMMAND_SETS`. A command set is a class that takes a `WindowContext` (``app/workbench/context.py``); its
+decorated methods are the actions (see ``app/actions``), and it takes part in the window by the methods that
+`hooks` lists there. A feature tells others nothing directly: they share the session, the window's state and
+its signals.
+
+To add a panel to a feature: a widget with `render_view(value)` and signals for what the person did, and a
+method of the command set that builds it in a given parent::
+
+    @Panel("countDock", "Count", on_demand=True)  # app/workbench/docks.py
+    def build_panel(self, parent: QWidget) -> QWidget:
+        ...
+
+A panel holds no session (a test reads all panels): its command set connects the signals to
+`session.change`. A module that is imported when first used stands in the ``__init__.pyi`` of its package,
+and is asked of the package: `from .. import overlays`, then `overlays.panel`.
+``tests/gui/test_declared_actions.py`` has a command set and a panel.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ from ..view_model.analysis.settings import AnalysisSettings
 from ..view_model.motion_settings import MotionSettings
 
 
-class FileSituation(msgspec.Struct, frozen=True):
+class FileState(msgspec.Struct, frozen=True):
     """Relation of the document to its file.
 
     Attributes
@@ -113,7 +113,7 @@ class WindowState(msgspec.Struct, frozen=True):
     motion_shown: bool = False
     motion_plays: bool = False
     compares_with_file: bool = False
-    file: FileSituation = FileSituation()
+    file: FileState = FileState()
     is_working: bool = False
     offers_family: bool = False
     runs_family_file: bool = False

@@ -55,7 +55,7 @@ class Commands:
         context.connect_plot(context.central.canvas)
         self._sets = {kind: kind(context) for kind in command_sets}
         context.central.fill(self._sets)
-        self._follow, self._render = self._hooks("follow"), self._hooks("render")
+        self._follow, self._render = self._hooks("follow_drag"), self._hooks("render_panel")
         # Those that have something to show; all others are not asked while only points move.
         self._following = self._follow
         self._show_document = self._hooks("show_document")
@@ -133,7 +133,7 @@ class Commands:
             close()
         close_all(self._context.window.findChildren(TaskOwner))
 
-    def follow(self, view: CurveView) -> None:
+    def follow_drag(self, view: CurveView) -> None:
         """Show what follows a drag frame by frame."""
         asked = self._following
         following = [follow for follow in asked if follow(view)]
@@ -149,7 +149,7 @@ class Commands:
         for show in self._show_document:
             show()
 
-    def render(self, view: CurveView) -> None:
+    def render_panels(self, view: CurveView) -> None:
         """Show in panels, and in the line on the canvas, what there is with `view`."""
         for render in self._render:
             render(view)
@@ -207,7 +207,7 @@ class Rendering(QObject):
             self._render_others()
             self._commands.show_document()
             self._commands.wake()
-        self._commands.follow(self._rendered)
+        self._commands.follow_drag(self._rendered)
         if not session.is_previewing:
             self._render_rest()
             return
@@ -232,7 +232,7 @@ class Rendering(QObject):
 
     def _render_panels(self) -> None:
         self._panels_due.stop()
-        self._commands.render(self._session.active_view)
+        self._commands.render_panels(self._session.active_view)
 
     def _render_selection(self, selection: frozenset[int]) -> None:
         self._canvas.drawing.set_selection(selection, self._session.selected.group)

@@ -71,18 +71,30 @@ class WindowContext(msgspec.Struct, frozen=True):
 
 
 def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., object]]:
-    """Return the methods of this name of the command sets that have one.
+    """Return the methods called `name` of the command sets that have one.
 
-    ``follow(view)`` shows what belongs to a curve, for every preview, and returns whether there is anything
-    to show: who has nothing is not asked again under a drag, until a switch, a panel, the scrub line or more
-    than points has changed. ``render(view)`` does so at the pace of the panels. ``show_document()`` shows
-    what a document has beside its curves, whenever more than points of the edited one has changed.
-    ``set_theme(theme)`` takes colours, ``close()`` ends what has to end before the window goes, ``escape()``
-    steps back where nothing else takes the key, and returns whether no other one shall.
-    ``import_files(paths)`` takes what was dropped, ``paste_dropped(data, place)`` what is no file and of
-    which ``holds_drawing(data)`` says yes.
+    A command set takes part in its window by these methods:
+
+    ``follow_drag(view)``
+        Show what belongs to the curve, in every frame of a drag. Returns whether there is anything to show:
+        where there is nothing, the method is not called again during the drag, until a switch, a panel, the
+        scrub line or more than points has changed.
+    ``render_panel(view)``
+        Show the curve in a panel, after each step, and at most every 100 ms during a drag.
+    ``show_document()``
+        Show what a document has besides its curves, after changes of more than points of the active curve.
+    ``set_theme(theme)``
+        Use the colours of the theme.
+    ``close()``
+        End what has to end before the window is destroyed.
+    ``escape()``
+        Step back, where nothing else has used Escape. Returns whether it has used the key.
+    ``import_files(paths)``
+        Import the files of a drop.
+    ``holds_drawing(data)``, ``paste_dropped(data, position)``
+        Whether dropped data without a file contain a drawing; add it to the document.
     """
-    return [getattr(each, name) for each in command_sets if hasattr(each, name)]
+    return [getattr(commands, name) for commands in command_sets if hasattr(commands, name)]
 
 
 def bar_menu(

@@ -20,7 +20,7 @@ def shown(editor, monkeypatch):
     """Return the times that actions and panels were rendered, from now on."""
     editor.session.commit(Document((SQUARE, LINE)), "Begin", active=0)
     editor.select([1, 2])
-    return noted_calls(monkeypatch, Actions, "render"), noted_calls(monkeypatch, Commands, "render")
+    return noted_calls(monkeypatch, Actions, "render"), noted_calls(monkeypatch, Commands, "render_panels")
 
 
 def delete_points(session):

@@ -227,17 +227,17 @@ def test_actions_are_checked_by_the_document_that_the_panels_show(editor):
     editor.session.commit(Document((many,)), "Many")
     editor.select([5])
     seen = []
-    render = editor.window.commands.render
+    render = editor.window.commands.render_panels
 
     def noted(view):
         seen.append(view.source.family is editor.window.basis_panel.drawing._view.source.family)
         render(view)
 
-    editor.window.commands.render = noted
+    editor.window.commands.render_panels = noted
     try:
         editor.trigger("undo")
     finally:
-        del editor.window.commands.render
+        del editor.window.commands.render_panels
     assert editor.session.active_curve == few
     assert seen
     assert all(seen)

@@ -69,13 +69,13 @@ class BasisCommands:
 
     # What is shown
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Show the functions of `view`."""
         self._pane.render_view(view)
         self._context.central.basis = self._panel.drawing.basis
         return True
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show Λ and what is wrong with the functions; of many points when a drag has ended."""
         is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
         waits = self._session.is_previewing and is_dear
@@ -89,7 +89,7 @@ class BasisCommands:
             self._pane.setVisible(after.basis)
         if after.with_estimates != before.with_estimates:
             self._panel.drawing.set_with_estimates(after.with_estimates)
-            self.follow(self._session.active_view)
+            self.follow_drag(self._session.active_view)
 
     # At the t-rail
 

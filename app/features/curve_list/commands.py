@@ -89,7 +89,7 @@ class CurveListCommands:
     def _open_menu(self, place: QPoint) -> None:
         bar_menu(self._context, CURVE_LIST_MENU, is_short=True).popup(place)
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show the curves of the document."""
         self._render()
 

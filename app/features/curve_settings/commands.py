@@ -106,7 +106,7 @@ class CurveSettingsCommands:
         self._dock.bring_up()
         self.panel.settings.focus(each[1])
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show the curve to act on; where only points are selected besides, the form stays as it is."""
         if (meant := self._session.meant_view) is not self._shown:
             self._shown = meant

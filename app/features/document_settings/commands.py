@@ -29,7 +29,7 @@ class DocumentSettingsCommands:
         self._dock = context.docks["documentDock"]
         self._panel: DocumentPanel | None = None
         self._shown: tuple[str, float] | None = None
-        self.render(context.session.active_view)
+        self.render_panel(context.session.active_view)
 
     @Panel("documentDock", "Document", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -40,7 +40,7 @@ class DocumentSettingsCommands:
         self._render_panel()
         return self._panel
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Draw in the unit and on the grid of the document."""
         document = self._session.document
         now = (document.unit, document.grid_spacing)

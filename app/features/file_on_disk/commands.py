@@ -10,7 +10,7 @@ from ...actions.declaration import action
 from ...actions.menus import FILE_DISK
 from ...actions.needs import Need
 from ...document.model import Document
-from ...state.window_state import FileSituation
+from ...state.window_state import FileState
 from ...storage.files import Stamp, StorageError
 from ...storage.format_error import FormatError
 from ...storage.open_file import FileChange, OpenFile
@@ -152,7 +152,7 @@ class DiskCommands(QObject):
         """Show what matters most now."""
         self._watch.check_every(_OWNER_MS if self._session.files.is_read_only else 0)
         self._context.store.change(
-            file=FileSituation(
+            file=FileState(
                 change=self._change if self._file is not None else None,
                 is_read_only=self._session.files.is_read_only,
                 may_overwrite=self._may_overwrite,

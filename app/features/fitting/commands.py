@@ -199,7 +199,7 @@ class FitCommands(QObject):
         self._ask()
         make_room(self._context.window, self._dock, _HEIGHT)
 
-    def follow(self, _view: CurveView) -> bool:
+    def follow_drag(self, _view: CurveView) -> bool:
         """Fit anew where the curve is another one."""
         is_seen = self._panel is not None and self._is_seen
         if is_seen:

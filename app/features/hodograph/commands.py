@@ -37,7 +37,7 @@ class HodographCommands:
     def build_panel(self, parent: QWidget) -> QWidget:
         """Build the panel; called when its dock is first shown."""
         self._panel = hodograph.panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG), parent)
-        self._panel.changed.connect(lambda: self.follow(self._context.session.active_view))
+        self._panel.changed.connect(lambda: self.follow_drag(self._context.session.active_view))
         return self._panel
 
     @action("plotHodograph", "Hodograph…", PLOTS_IN_PLANE, icon="hodograph", full_name="Plot Hodograph…")
@@ -49,7 +49,7 @@ class HodographCommands:
     def _shown(self) -> HodographPanel | None:
         return self._panel if self._panel is not None and self._panel.isVisible() else None
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Draw the hodograph of `view` if anybody sees it."""
         panel = self._shown
         if panel is not None:

@@ -38,10 +38,10 @@ class JointCommands:
         """Build the panel; called when its dock is first shown."""
         self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"], parent)
         self._panel.visited.connect(self._visit)
-        self._panel.shown.connect(lambda: self.render(self._context.session.active_view))
+        self._panel.shown.connect(lambda: self.render_panel(self._context.session.active_view))
         return self._panel
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show the joints of `view` if anybody sees them."""
         panel = self._panel
         if panel is None or not panel.isVisible():

@@ -65,7 +65,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
         self._is_seen = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
-        self._analysis.changed.connect(lambda: self.follow(self._session.active_view))
+        self._analysis.changed.connect(lambda: self.follow_drag(self._session.active_view))
         self._session.scrub_changed.connect(self._ask_digits)
         self._context.store.changed.connect(self._plot_errors)
         self._task.ready.connect(self._show_result)
@@ -142,7 +142,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
 
     # Computing
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Compute anew once things have settled, if curve or settings are other ones."""
         settings = self._settings
         if not settings.on:

@@ -57,7 +57,7 @@ class LessonCommands:
         self._dock = context.docks["lessonsDock"]
         self._dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Tick the goal when the curve meets it."""
         if self._panel is None or self._lesson is None or not self._panel.isVisible():
             return
@@ -164,7 +164,7 @@ class LessonCommands:
         self._visit.step = step
         self._panel.show_step(self._lesson, step, is_last=self._lesson is self._lessons[-1])
         self._set_up(self._lesson.steps[step])
-        self.render(self._context.session.active_view)
+        self.render_panel(self._context.session.active_view)
 
     def _switch_off(self, but: Collection[str]) -> None:
         """Switch off what the step before has switched on, `but` what the next one shows as well."""

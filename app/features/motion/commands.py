@@ -73,7 +73,7 @@ class MotionCommands:
         self._context = context
         self._stage: MotionStage | None = None
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Measure anew what is kept as it is during a drag."""
         if self._stage is not None:
             self._stage.settle(view)
@@ -86,7 +86,7 @@ class MotionCommands:
             self._stage.settle(self._context.session.active_view)
         return self._stage
 
-    def follow(self, _view: CurveView) -> bool:
+    def follow_drag(self, _view: CurveView) -> bool:
         """Keep dots and arrows on the curve."""
         if self._stage is not None:
             self._stage.follow()

@@ -58,7 +58,7 @@ class OverlayCommands:
 
     # What is shown
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Draw the figures of `view` that are switched on."""
         settings = self._context.analysis.settings
         if settings.is_empty:
@@ -121,11 +121,11 @@ class OverlayCommands:
         asked, picture = result
         if asked == self._asked:
             self._settled = picture
-            self.follow(self._context.session.active_view)
+            self.follow_drag(self._context.session.active_view)
 
     def _follow_scrub(self) -> None:
         if any(each.follows_scrub for each in self._context.analysis.settings.overlays):
-            self.follow(self._context.session.active_view)
+            self.follow_drag(self._context.session.active_view)
 
     def _render_settings(self) -> None:
         view, settings = self._context.session.active_view, self._context.analysis.settings
@@ -134,7 +134,7 @@ class OverlayCommands:
                 # Once: an error that followed the size would change during a drag.
                 self._context.analysis.set_value(setting, setting.usual(view))
                 return
-        self.follow(view)
+        self.follow_drag(view)
 
     # What the person does
 

@@ -144,7 +144,7 @@ class OwnFamilyCommands(QObject):
             answered, self._answered = frozenset(self._answered), set()
             self._session.renew(answered)
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Say no longer what is new where it is in use."""
         if (self._answered or self._shows_late) and not self._session.is_previewing:
             QTimer.singleShot(0, self, self._catch_up)

@@ -97,7 +97,7 @@ class PlotCommands:
         """Remember how high the plots are."""
         self._context.preferences.plot_height = self._panel.kept_height
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Plot `view`; during a drag the scales only grow."""
         pane = self._shown
         if pane is None:

@@ -137,7 +137,7 @@ class PointTableCommands:
         self._session.selection_changed.connect(self.panel.set_selection)
         return self.panel
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Show the points of `view`, as soon as the table's pace allows."""
         self.panel.render_view(view, streaming=self._session.is_previewing)
         return True

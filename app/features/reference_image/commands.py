@@ -75,7 +75,7 @@ class ImageCommands:
         self._render_panel()
         return panel
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
         image = self._session.document.image
         if image == self._shown and self._is_loaded:
@@ -126,7 +126,7 @@ class ImageCommands:
 
     def _reset_file(self) -> None:
         self._is_loaded, self._loaded_path = False, ""
-        self.render(self._session.active_view)
+        self.render_panel(self._session.active_view)
 
     # What the person did
 

@@ -110,7 +110,7 @@ class RuleCommands:
         further = [each for group in self._actions.in_bar(FAMILIES_MENU).values() for each in group]
         return [(each, self._actions.words_of(each, short=True)) for each in further]
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show the rule of the curve that is edited or chosen in the bar."""
         self._bar.render_view(self._session.meant_view)
 

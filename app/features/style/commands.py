@@ -125,7 +125,7 @@ class StyleCommands:
             return selected.marked
         return frozenset() if session.active_curve.points else frozenset({session.active_index})
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show how the selected curves look."""
         self._render()
 

@@ -38,7 +38,7 @@ class TeachingCommands(QObject):
         else:
             self._context.actions["toggleLaboratory"].trigger()
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show what is worth a warning; nothing comes or goes while something is dragged."""
         if self._session.is_previewing:
             return
@@ -63,11 +63,11 @@ class TeachingCommands(QObject):
     def _dismiss(self) -> None:
         if self._shown is not None:
             self._away.add((self._session.active_index, self._shown.topic))
-            self.render(self._session.active_view)
+            self.render_panel(self._session.active_view)
 
     def _begin_anew(self) -> None:
         self._away.clear()
-        self.render(self._session.active_view)
+        self.render_panel(self._session.active_view)
 
 
 COMMAND_SETS = (TeachingCommands,)

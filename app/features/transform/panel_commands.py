@@ -98,7 +98,7 @@ class TransformPanelCommands(QObject):
             self._panel.render_reference(state.align_to)
             self._render()
 
-    def render(self, _view: CurveView) -> None:
+    def render_panel(self, _view: CurveView) -> None:
         """Show the selection as it is now."""
         self._render()
 

@@ -53,7 +53,7 @@ class ZoomCommands:
         """Pixels of a length of 1 at 100 %."""
         return pixels_at_full_size(self._unit, self._canvas.logicalDpiX())
 
-    def render(self, view: CurveView) -> None:
+    def render_panel(self, view: CurveView) -> None:
         """Show the zoom again where the document has another unit."""
         if self._unit != self._unit_shown:
             self._show_zoom()

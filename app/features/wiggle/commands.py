@@ -53,7 +53,7 @@ class WiggleCommands(QObject):
         self._session.scrub_changed.connect(self._follow_scrub)
 
     def _follow_scrub(self) -> None:
-        self.follow(self._session.active_view)
+        self.follow_drag(self._session.active_view)
 
     @Panel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
@@ -112,7 +112,7 @@ class WiggleCommands(QObject):
 
     def _open(self) -> None:
         self._dock.bring_up()
-        self.follow(self._session.active_view)
+        self.follow_drag(self._session.active_view)
         make_room(self._context.window, self._dock, _HEIGHT)
 
     def _keep_scrub(self) -> None:
@@ -136,13 +136,13 @@ class WiggleCommands(QObject):
     def _follow_visibility(self, visible: bool) -> None:
         self._is_seen = visible
         if visible:
-            self.follow(self._session.active_view)
+            self.follow_drag(self._session.active_view)
         else:
             self._preview("")
 
     # What is shown
 
-    def follow(self, view: CurveView) -> bool:
+    def follow_drag(self, view: CurveView) -> bool:
         """Explain anew where the scrub line stands; cures are tried once things have settled."""
         panel = self._panel
         if panel is None or not self._is_seen:
