@@ -41,7 +41,7 @@ from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, ChosenSettings, Family
 from app.qt.sources import spare_sources
-from app.tasks.generations import Generations
+from app.tasks.garbage import Generations
 from tests.waiting import LIMIT_MS
 
 # Those of pytest-qt are 5 s.

@@ -20,8 +20,7 @@ from PySide6.QtCore import QMargins, QObject, QPoint, QSocketNotifier, QTimer
 from PySide6.QtWidgets import QApplication
 
 from .. import diagnostics
-from ..diagnostics.crash_handler import CrashHandler
-from ..diagnostics.crash_report import versions
+from ..diagnostics.crash_handler import CrashHandler, versions
 from ..diagnostics.slow_frames import SlowFrames
 from ..document.model import Document
 from ..features.lessons.commands import LessonCommands

@@ -1,9 +1,9 @@
-"""Diagnostics: the log and reports of crashes.
+"""Diagnostics: the log, slow frames, and reports of crashes.
 
-- ``log``: the log's levels, and its last lines.  ``log_file``: the log as a rotating file.
+- ``log``: levels of the log, and its last lines.  ``log_file``: the log as a rotating file.
 - ``slow_frames``: frames that took long.
-- ``crash_handler``: exceptions that nobody caught.  ``crash_report``: what is told about one.
-  ``crash_dialog``: that, on the screen.
+- ``crash_handler``: uncaught exceptions and the report about one.  ``crash_dialog``: the dialog with the
+  report.
 """
 
 import lazy_loader as lazy

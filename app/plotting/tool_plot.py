@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from ..tasks.single_task import SingleTask
+from ..tasks.task import SingleTask
 from ..tools.pointer import Cursor, Hint, Hit, Pointer, Stride
 from ..tools.toolbox import Toolbox
 from .plot_widget import PlotWidget

@@ -1,10 +1,11 @@
-"""Work beside the window's thread.
+"""Background work: tasks in threads, their progress, garbage collection, and limits for child processes.
 
-- ``progress``: how long work reports how far it is, and hears that it was cancelled. No Qt.
-- ``task``: one piece of work in a thread; its end in the window's thread.
-- ``garbage``: garbage collected from the event loop alone, never in a thread or in a destructor of Qt's.
-- ``generations``: when each generation of garbage is due. No Qt.
-- ``single_task``: what a person starts, one at a time.  ``debounced_task``: what follows a value.
+- ``task``: `Task`, and its owners `SingleTask` and `DebouncedTask`.
+- ``progress``: the `Report` that work calls with its share done, and that cancels it. No Qt.
+- ``garbage``: garbage collected from the event loop alone.
 - ``processor_limit``: processor time that a child process may use. No Qt.
-- ``owner``: what both share, and how all of them end.
+
+To run work in the background: write a function that takes a `Report` and immutable values, calls the report
+now and then (`with_progress` does in a loop), and returns a value; pass it to ``SingleTask.start`` or
+``DebouncedTask.ask``, which call back in the window's thread.
 """

@@ -1,10 +1,10 @@
 """Garbage collection from the event loop alone.
 
-Python collects garbage wherever its thresholds are exceeded. In a thread, a widget that is part of a cycle
-is destroyed beside the window's thread, and takes the program along. In a destructor of Qt's, as of a window
-that is deleted, destroying another object of Qt's may wait for a lock that the first one holds: the program
-stands still for ever. So from the first window or task on, Python's own collector is off, and a timer
-collects in its place, by the same thresholds: between two events no destructor is on the stack.
+Python collects garbage wherever its thresholds are exceeded. In a thread, it may destroy a widget of a
+reference cycle outside the window's thread, which crashes the program. In a destructor of Qt, as of a deleted
+window, destroying another Qt object may wait for a lock that the first one holds: a deadlock. Therefore, from
+the first window or task on, Python's own collector is off, and a timer collects by the same thresholds:
+between two events no destructor is on the stack.
 """
 
 from __future__ import annotations
@@ -13,8 +13,6 @@ import gc
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from shiboken6 import isValid
-
-from .generations import Generations
 
 _INTERVAL_MS = 1000
 """Milliseconds between two looks at the thresholds; while tasks run these look, too."""
@@ -55,3 +53,33 @@ def collect_due() -> None:
     """Collect what is due, where that is done between events; called from the event loop."""
     if _collectors and isValid(_collectors[0]):
         _collectors[0].collect_due()
+
+
+_GROWTH = 1.25
+"""Factor by which the objects that have outlived two collections grow before all of them are searched again.
+Python has the same rule, but not where it is asked for the oldest generation."""
+
+
+class Generations:
+    """Generations of Python's collector, and when each is due."""
+
+    def __init__(self) -> None:
+        # How often the middle generation had been collected when the oldest was last looked at.
+        self._count_before = gc.get_count()[2]
+        self._objects_before = 0
+
+    def collect_due(self) -> None:
+        """Collect the oldest generation that is due."""
+        counts, thresholds = gc.get_count(), gc.get_threshold()
+        self._count_before = min(self._count_before, counts[2])
+        if 0 < thresholds[2] < counts[2] - self._count_before and self._have_grown(counts[2]):
+            gc.collect()
+            self._objects_before = len(gc.get_objects(2))
+        elif 0 < thresholds[1] < counts[1]:
+            gc.collect(1)
+        elif 0 < thresholds[0] < counts[0]:
+            gc.collect(0)
+
+    def _have_grown(self, count: int) -> bool:
+        self._count_before = count
+        return len(gc.get_objects(2)) > _GROWTH * self._objects_before

@@ -26,7 +26,7 @@ def silent(_share: float, _word: str) -> None:
     """Report to nobody."""
 
 
-def told(items: Sequence[Item], report: Report, word: str) -> Iterator[Item]:
+def with_progress(items: Sequence[Item], report: Report, word: str) -> Iterator[Item]:
     """Yield items one after the other, and report before each: a loop that tells, and that can be stopped."""
     for place, item in enumerate(items):
         report(place / len(items), word)

@@ -1,8 +1,12 @@
-"""A background task in a thread of its own.
+"""Background tasks: work in a thread of its own, and its owners in the window.
 
-The only module that starts threads. What is to be done sees immutable values and touches no widget; its end
-is told in the window's thread. What parses files of others may hang, or keep the interpreter to itself for
-long, and goes on in a process of its own (``exchange.child``); the thread then only waits for it.
+`Task` is one piece of work; its end arrives in the window's thread. `SingleTask` runs what the person starts,
+one task at a time, with progress; `DebouncedTask` runs what follows a value, once the value has settled.
+`close_all` ends them with the window.
+
+This is the only module that starts threads. The work sees immutable values and touches no widget. Work that
+parses files of other programs may hang or hold the interpreter lock for long; it runs in a process of its own
+(``exchange.child``), and the thread only waits for it.
 """
 
 from __future__ import annotations
@@ -12,7 +16,7 @@ import logging
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -225,3 +229,201 @@ def _keeper() -> _Keeper:
 def stopped_tasks() -> list[Task]:
     """Return the tasks that were taken back and have not noticed yet."""
     return [task for keeper in _keepers for task in keeper.running if task.is_stopped]
+
+
+# Owners of tasks
+
+PATIENCE_S = 3.0
+"""Seconds that a window that closes waits until its work has noticed."""
+
+
+class TaskOwner(QObject):
+    """Has one task at a time whose end matters; what it has taken back may take a while to notice."""
+
+    _task: Task | None = None
+
+    def give_up(self) -> None:
+        """Take back what is being done."""
+        if self._task is not None:
+            self._task.stop()
+
+    def close(self) -> None:
+        """Take back what is being done and wait until it has noticed, not longer than `PATIENCE_S`."""
+        close_all((self,))
+
+
+def close_all(owners: Sequence[TaskOwner]) -> None:
+    """Take back what all of them do, and wait until it has noticed, not longer than `PATIENCE_S` in all."""
+    until = time.monotonic() + PATIENCE_S
+    tasks = [owner._task for owner in owners if owner._task is not None]
+    for owner in owners:
+        owner.give_up()
+    for task in (*tasks, *stopped_tasks()):
+        task.wait(until - time.monotonic())
+
+
+# Tasks that the person starts
+
+SHOWN_AFTER_MS = 200
+"""Milliseconds of work that need no bar."""
+
+
+class SingleTask(TaskOwner):
+    """Does one thing at a time, as the person asks for it.
+
+    Parameters
+    ----------
+    parent
+        Of Qt.
+    shown_after_ms
+        Milliseconds of work after which it is `shown`.
+
+    Signals
+    -------
+    begun
+        There is work now.
+    shown
+        The work is taking a while; the title is what it is called.
+    progressed
+        The share that is done, 0 to 1, and a word for what is being done.
+    ended
+        There is no work any more: it is done, has failed, or was taken back.
+    """
+
+    begun = Signal()
+    shown = Signal(str)
+    progressed = Signal(float, str)
+    ended = Signal()
+
+    def __init__(self, parent: QObject | None = None, shown_after_ms: int = SHOWN_AFTER_MS) -> None:
+        super().__init__(parent)
+        self.title = ""
+        self._patience = QTimer(self, singleShot=True, interval=shown_after_ms)
+        self._patience.timeout.connect(self._show)
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether something is being done."""
+        return self._task is not None
+
+    @property
+    def is_long(self) -> bool:
+        """Whether what is being done takes long enough to be shown."""
+        return self.is_busy and not self._patience.isActive()
+
+    def start(
+        self, title: str, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]
+    ) -> bool:
+        """Do `work` and hand its result to `done`, or what it raised to `failed`, in this thread.
+
+        Neither is called once the work was taken back. Returns False, and does nothing, while there is
+        other work; its name is the `title`.
+        """
+        if self._task is not None:
+            return False
+
+        def end(task: Task) -> None:
+            if task is not self._task:
+                return  # it was taken back
+            self._finish()
+            if task.problem is not None:
+                failed(task.problem)
+            elif not task.is_stopped:
+                done(task.result)
+
+        self.title = title
+        self._patience.start()
+        self._task = Task(work, end, self.progressed.emit)
+        self.begun.emit()
+        return True
+
+    def cancel(self) -> bool:
+        """Take the work back: nothing comes of it, and other work may begin at once.
+
+        Returns False where it is too late: its last step has begun, and it ends as it would have.
+        """
+        if self._task is not None:
+            if not self._task.stop():
+                return False
+            self._finish()
+        return True
+
+    def give_up(self) -> None:
+        """Take back what is being done; where it is too late for that, its end is not told."""
+        super().give_up()
+        if self._task is not None:
+            self._finish()
+
+    def _show(self) -> None:
+        self.shown.emit(self.title)
+
+    def _finish(self) -> None:
+        self._task, self.title = None, ""
+        self._patience.stop()
+        self.ended.emit()
+
+
+# Tasks that follow a value
+
+SETTLE_MS = 100
+"""Milliseconds without a change before a task begins."""
+
+
+class DebouncedTask(TaskOwner):
+    """Computes the last thing it was asked for, once things have settled; what came before is forgotten.
+
+    Signals
+    -------
+    ready
+        The result of what was asked last.
+    busy_changed
+        Whether a result is being waited for.
+    progressed
+        The share that is done, 0 to 1, and a word for what is being done.
+    """
+
+    ready = Signal(object)
+    busy_changed = Signal(bool)
+    progressed = Signal(float, str)
+
+    def __init__(self, parent: QObject | None = None, *, settle_ms: int = SETTLE_MS) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self, singleShot=True, interval=settle_ms)
+        self._timer.timeout.connect(self._begin)
+        self._compute: Work | None = None
+        self.is_busy = False
+
+    def ask(self, compute: Work) -> None:
+        """Compute this as soon as nothing else is asked for a while."""
+        super().give_up()
+        self._compute = compute
+        self._set_busy(True)
+        self._timer.start()
+
+    def give_up(self) -> None:
+        """Forget what was asked."""
+        super().give_up()
+        self._compute = None
+        self._timer.stop()
+        self._set_busy(False)
+
+    def _begin(self) -> None:
+        # One at a time: a second one would only take the first one's turn.
+        compute = self._compute
+        if compute is not None and self._task is None and not self._timer.isActive():
+            self._compute = None
+            self._task = Task(compute, self._end, self.progressed.emit)
+
+    def _end(self, task: Task) -> None:
+        self._task = None
+        task.raise_problem()
+        if not task.is_stopped:
+            self._set_busy(False)
+            if task.problem is None:
+                self.ready.emit(task.result)
+        self._begin()
+
+    def _set_busy(self, busy: bool) -> None:
+        if busy != self.is_busy:
+            self.is_busy = busy
+            self.busy_changed.emit(busy)

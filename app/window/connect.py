@@ -16,7 +16,7 @@ from ..document.limits import EditError
 from ..document.model import Document
 from ..features import command_sets
 from ..session import Message, MessageKind
-from ..tasks.owner import TaskOwner, close_all
+from ..tasks.task import TaskOwner, close_all
 from ..view_model.curve.curve_view import CurveView
 from ..widgets.controls import ToolbarWidget
 from ..workbench.context import WindowContext, hooks

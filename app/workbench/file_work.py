@@ -13,8 +13,7 @@ from ..exchange.errors import ExchangeError
 from ..session import Session
 from ..storage.files import StorageError
 from ..storage.format_error import FormatError
-from ..tasks.single_task import SingleTask
-from ..tasks.task import Work
+from ..tasks.task import SingleTask, Work
 
 _MOST_REMARKS = 3
 _EXPECTED = (ExchangeError, StorageError, FormatError)

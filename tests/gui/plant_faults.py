@@ -34,7 +34,7 @@ from app.plotting.layers import Layer
 from app.plotting.plot_widget import PaintedPlot, PlotWidget
 from app.plotting.tool_plot import ToolPlot
 from app.session.history import UndoStep
-from app.tasks.debounced_task import DebouncedTask, Task
+from app.tasks.task import DebouncedTask, Task
 from app.testing import Editor
 from app.widgets.elided_label import ElidedLabel, SteadyLabel
 from app.window import MainWindow

@@ -17,8 +17,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPlainTextEdit, QPushButton
 
 from app.cli.windows import FaultFile, Lifecycle
-from app.diagnostics.crash_handler import CrashHandler
-from app.diagnostics.crash_report import report_of, versions
+from app.diagnostics.crash_handler import CrashHandler, report_of, versions
 from app.features.recovery.autosave import snapshot_folder
 from app.storage import files
 from app.storage.recovery import list_snapshots

@@ -6,8 +6,8 @@ import threading
 
 import pytest
 
-from app.tasks.debounced_task import DebouncedTask
 from app.tasks.progress import Cancelled
+from app.tasks.task import DebouncedTask
 from tests.waiting import LIMIT, until
 
 

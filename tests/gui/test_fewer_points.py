@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox
 from app.document.model import Document, make_curve
 from app.families import FAMILIES
 from app.features.fitting.commands import FitCommands
-from app.tasks.debounced_task import SETTLE_MS
+from app.tasks.task import SETTLE_MS
 from tests.gui.editor_facts import retype
 from tests.waiting import until
 

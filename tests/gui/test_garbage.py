@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QMainWindow, QMenu, QWidget
 from app.cli.windows import Lifecycle
 from app.session import Session
 from app.tasks import garbage
-from app.tasks.generations import Generations
+from app.tasks.garbage import Generations
 from app.testing import spin
 from app.window.main_window import MainWindow
 from tests.waiting import until

@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.laboratory.commands import LaboratoryCommands
-from app.tasks.debounced_task import SETTLE_MS
+from app.tasks.task import SETTLE_MS
 from app.view_model.analysis.settings import Calculation
 from tests.gui.editor_facts import retype
 from tests.waiting import until

@@ -11,8 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog
 
 from app.cli import main
-from app.diagnostics.crash_handler import CrashHandler
-from app.diagnostics.crash_report import place_of, report_of
+from app.diagnostics.crash_handler import CrashHandler, place_of, report_of
 from app.diagnostics.log import FORMAT, LAST_LINES, NAME, last_lines, logged
 from app.diagnostics.log_file import FILE_NAME, LogFile
 from app.diagnostics.slow_frames import SlowFrames

@@ -13,7 +13,7 @@ from app.document.model import ParametrizationKind
 from app.document.point_edits import set_position
 from app.families import HERMITE
 from app.features.overlays.commands import OverlayCommands
-from app.tasks.debounced_task import SETTLE_MS
+from app.tasks.task import SETTLE_MS
 from app.view_model.analysis.overlay import OVERLAYS, POINT_ERROR
 from app.view_model.analysis.overlays import (
     band,

@@ -16,7 +16,7 @@ from app.families import HERMITE, LAGRANGE
 from app.features.plots.commands import PlotCommands
 from app.features.plots.layers import ValueScale
 from app.settings.preferences import Preferences
-from app.tasks.debounced_task import SETTLE_MS
+from app.tasks.task import SETTLE_MS
 from app.testing import Editor
 from app.view_model.analysis.plot import PlotLine, Scale, plot_of
 from app.view_model.analysis.plots import curvature, lebesgue, lengths

@@ -13,12 +13,9 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
-from app.tasks import garbage, owner, task
-from app.tasks.debounced_task import DebouncedTask
-from app.tasks.owner import TaskOwner, close_all
+from app.tasks import garbage, task
 from app.tasks.progress import FINAL, part
-from app.tasks.single_task import SHOWN_AFTER_MS, SingleTask
-from app.tasks.task import Task
+from app.tasks.task import SHOWN_AFTER_MS, DebouncedTask, SingleTask, Task, TaskOwner, close_all
 from tests.waiting import LIMIT, until
 
 
@@ -167,7 +164,7 @@ def test_only_long_work_is_shown(jobs):
 
 
 def test_closing_waits_until_the_work_has_noticed(jobs, monkeypatch):
-    monkeypatch.setattr(owner, "PATIENCE_S", LIMIT)
+    monkeypatch.setattr(task, "PATIENCE_S", LIMIT)
     steps = []
 
     def work(report):
@@ -341,7 +338,7 @@ def test_what_cleans_up_behind_stopped_work_gets_longer_each_time(qapp, monkeypa
 def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
     """Work that does not ask kept the window from closing: a `DebouncedTask` waited for it without end."""
     monkeypatch.setattr(task, "_GRACE_S", 0.02)
-    monkeypatch.setattr(owner, "PATIENCE_S", LIMIT)
+    monkeypatch.setattr(task, "PATIENCE_S", LIMIT)
     parent, begun = QObject(), threading.Semaphore(0)
     debounced = [DebouncedTask(parent, settle_ms=0) for _ in range(2)]
     stubborn = SingleTask(parent)
@@ -382,7 +379,7 @@ def test_one_that_is_ended_from_outside_is_not_left_over(qapp, monkeypatch):
 
 def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
     """A disk of a network that answers no more, for one."""
-    monkeypatch.setattr(owner, "PATIENCE_S", 0.05)
+    monkeypatch.setattr(task, "PATIENCE_S", 0.05)
     monkeypatch.setattr(task, "_GRACE_S", 0.01)
     release = threading.Lock()
     release.acquire()

@@ -15,7 +15,7 @@ from curvecore.bezier.control_points import cubic_path
 
 from ...document.model import Curve, Document
 from ...document.style import USUAL_WIDTH, Style
-from ...tasks.progress import Report, part, silent, told
+from ...tasks.progress import Report, part, silent, with_progress
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve, view_of
@@ -184,9 +184,9 @@ def drawing_of(
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
     curves, remarks = _some_drawable(document, part(report, 0.0, 0.3))
-    samples = [_samples(*each) for each in told(curves, part(report, 0.3, 0.5), "Computing curves")]
+    samples = [_samples(*each) for each in with_progress(curves, part(report, 0.3, 0.5), "Computing curves")]
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
-    drawn = told(curves, part(report, 0.5, 1.0), "Drawing curves")
+    drawn = with_progress(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()
     return Drawing(
@@ -233,7 +233,9 @@ def too_much(curve: Curve) -> str:
 def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
     """Return the visible curves that can be computed, as they are, and a sentence for each of the others."""
     found, remarks = [], []
-    for curve in told([each for each in document.curves if each.visible], report, "Computing curves"):
+    for curve in with_progress(
+        [each for each in document.curves if each.visible], report, "Computing curves"
+    ):
         reason = too_much(curve)
         view = view_of(curve) if not reason else None
         if view is not None and view.curve is not None:

@@ -11,7 +11,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.style import Style
 from ...qt.strokes import FILL_RULES, dot_at, pen_of, with_opacity
-from ...tasks.progress import Report, silent, told
+from ...tasks.progress import Report, silent, with_progress
 from .drawing import POINT_RADIUS, Annotation, Drawing
 from .outlines import Outline, length_within
 from .styles import PictureStyle
@@ -43,7 +43,7 @@ class Painting:
             frame = QRectF(0, 0, self._drawing.frame.width, self._height)
             self._painter.fillRect(frame, QColor(self._style.paper))
         paint_annotations(self._painter, self._drawing, self._style, "grid")
-        for shape in told(self._drawing.shapes, report, "Painting"):
+        for shape in with_progress(self._drawing.shapes, report, "Painting"):
             self._paint_shape(shape)
         paint_annotations(self._painter, self._drawing, self._style, "handles")
         if points:

@@ -16,7 +16,7 @@ from curvecore import bezier_segments
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
-from ...tasks.progress import part, told
+from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
 from ..naming import Names
@@ -49,14 +49,14 @@ def python_code(document: Document, options: Options = DEFAULT) -> Written:
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     deviation = max(
         measured(piece, partial(_evaluate, [(piece.parameters, piece.jets)])) + source.polynomials.deviation
-        for source in told(sources, part(options.report, 0.3, 0.7), "Comparing")
+        for source in with_progress(sources, part(options.report, 0.3, 0.7), "Comparing")
         for piece in source.polynomials.pieces
     )
     named = list(zip(names_of(sources), sources, strict=True))
     body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
     body += [
         f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
-        for name, source in told(named, part(options.report, 0.7, 1.0), "Writing")
+        for name, source in with_progress(named, part(options.report, 0.7, 1.0), "Writing")
     ]
     text = "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n"
     return Written(text, deviation, remarks, is_bound=False)
@@ -76,7 +76,9 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     named = list(zip(names_of(sources), sources, strict=True))
-    made = [_scipy_object(*each) for each in told(named, part(options.report, 0.3, 1.0), "Comparing")]
+    made = [
+        _scipy_object(*each) for each in with_progress(named, part(options.report, 0.3, 1.0), "Comparing")
+    ]
     deviation = max(each for _, each in made)
     imports = "import numpy as np\nfrom scipy import interpolate"
     body = [f"# {_title(source)}\n{code}" for source, (code, _) in zip(sources, made, strict=True)]

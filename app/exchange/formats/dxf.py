@@ -22,7 +22,7 @@ from curvecore.arrays import FloatArray
 from ... import exchange
 from ...document.model import Document
 from ...document.style import Style
-from ...tasks.progress import Report, part, told
+from ...tasks.progress import Report, part, with_progress
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import (
@@ -91,7 +91,7 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(options.unit))
     parts = list[Beziers]()
     names = Names(drawing.layers)
-    for source in told(sources, part(options.report, 0.2, 0.6), "Writing"):
+    for source in with_progress(sources, part(options.report, 0.2, 0.6), "Writing"):
         layer = _layer(drawing, source, names)
         pieces = _pieces(source, allowed, options[CUBIC])
         _add_spline(drawing, source, pieces, layer)

@@ -16,7 +16,7 @@ from curvecore.arrays import FloatArray
 
 from ... import __version__
 from ...document.model import Document
-from ...tasks.progress import part, told
+from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
@@ -41,11 +41,11 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     allowed = checked_tolerance(sources, options.tolerance)
-    written = told(sources, part(options.report, 0.3, 0.6), "Writing")
+    written = with_progress(sources, part(options.report, 0.3, 0.6), "Writing")
     pieces = [beziers_of(piece, allowed) for source in written for piece in source.core.pieces]
     lines = [
         _desmos_line(controls)
-        for each in told(pieces, part(options.report, 0.6, 1.0), "Writing")
+        for each in with_progress(pieces, part(options.report, 0.6, 1.0), "Writing")
         for controls in each.control_points
     ]
     deviation, is_bound = worst_of(pieces)
@@ -86,7 +86,7 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
         If nothing can be drawn.
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
-    shapes = told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
+    shapes = with_progress(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
     paths = [path_data(each, has_lines=False) for each in shapes]
     return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
 
@@ -105,7 +105,7 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> Written
     """
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     curves, worst = [], 0.0
-    for source in told(sources, part(options.report, 0.3, 1.0), "Writing"):
+    for source in with_progress(sources, part(options.report, 0.3, 1.0), "Writing"):
         segments = []
         for piece in source.polynomials.pieces:
             coefficients, ends = _coefficients(piece), piece.breaks

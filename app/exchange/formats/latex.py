@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...document.style import FillRule, LineCap, LineJoin, Style
-from ...tasks.progress import part, told
+from ...tasks.progress import part, with_progress
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import Drawing, drawing_of
@@ -79,11 +79,13 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
     digits = options[DIGITS]
     deviation, is_bound = 0.0, True
-    for source in told(sources, part(options.report, 0.3, 0.6), "Comparing"):
+    for source in with_progress(sources, part(options.report, 0.3, 0.6), "Comparing"):
         rounding, is_certain = worst_of(_rounding(piece, digits) for piece in source.formulas.pieces)
         deviation = max(deviation, rounding + source.formulas.deviation)
         is_bound &= is_certain and source.formulas.is_bound
-    parts = [_formula(each, digits) for each in told(sources, part(options.report, 0.6, 1.0), "Writing")]
+    parts = [
+        _formula(each, digits) for each in with_progress(sources, part(options.report, 0.6, 1.0), "Writing")
+    ]
     return _file(parts, Deviation(deviation, is_bound), remarks, "amsmath")
 
 
@@ -109,7 +111,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
     deviation = drawing.deviation + math.sqrt(0.5) * 10.0**-_PICTURE_DIGITS / scale
     lines = [f"  % One centimetre is {1 / scale:.6g} {known or 'of the document'}."]
-    for shape in told(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
+    for shape in with_progress(fitted.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"  % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, lambda v: f"{v + 0.0:.{_PICTURE_DIGITS}f}"))
     return _picture(lines, deviation, drawing, "tikz")
@@ -127,7 +129,7 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     lines = [f"  \\begin{{axis}}[axis equal image, {_limits(drawing.frame)}]"]
-    for shape in told(drawing.shapes, part(options.report, 0.7, 1.0), "Writing"):
+    for shape in with_progress(drawing.shapes, part(options.report, 0.7, 1.0), "Writing"):
         lines.append(f"    % {one_line(shape[0].shape or shape[0].name)}")
         lines.append(_path(shape, _plain, "axis cs:", margin="    "))
         points = [point for outline in shape for point in outline.points.tolist()]

@@ -25,7 +25,7 @@ from curvecore.bezier.control_points import chebyshev_samples
 
 from ...document.model import Document
 from ...families import QUINTIC_HERMITE
-from ...tasks.progress import part, told
+from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError, Flaw, Missed
@@ -163,7 +163,7 @@ def path_table(document: Document, options: Options = DEFAULT) -> Written:
     sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
     allowed = checked_tolerance(sources[:1], options.tolerance)
     rows, deviation, is_bound = list[str](), 0.0, True
-    for source in told(sources, part(options.report, 0.5, 1.0), "Writing"):
+    for source in with_progress(sources, part(options.report, 0.5, 1.0), "Writing"):
         if rows:
             remarks = (*remarks, f"“{source.name}” was left out: a file of PathWeaver has one path.")
         else:

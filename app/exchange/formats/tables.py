@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Document
 from ...document.words import NamedEnum, count_of
-from ...tasks.progress import Report, part, told
+from ...tasks.progress import Report, part, with_progress
 from ...view_model.arc_lengths import arc_lengths_of
 from ...view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..errors import ExchangeError
@@ -132,7 +132,7 @@ def points_table(document: Document, options: Options = DEFAULT) -> Written:
     titles = (*ROLES, *AFTER)
     rows = []
     named = list(zip(sources, distinct_names(sources), strict=True))
-    for source, name in told(named, part(options.report, 0.5, 1.0), "Writing"):
+    for source, name in with_progress(named, part(options.report, 0.5, 1.0), "Writing"):
         curve = source.curve
         words = [cell_of_name(name, separator), family_word(curve)]
         rows += [(words, row) for row in _rows(view_of(curve))]

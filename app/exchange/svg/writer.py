@@ -18,7 +18,7 @@ from ... import __version__
 from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
-from ...tasks.progress import Report, part, silent, told
+from ...tasks.progress import Report, part, silent, with_progress
 from .. import drawing
 from ..cubics_in import guessed, joined
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed
@@ -150,7 +150,7 @@ def _paper(frame: Frame, colour: str) -> str:
 def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
     """Return the elements of the curves, in lines."""
     tree = Tree(style, drawing.usual_width)
-    for shape in told(drawing.all_shapes, report, "Writing"):
+    for shape in with_progress(drawing.all_shapes, report, "Writing"):
         tree.add(shape)
     tree.close()
     return tree.lines

@@ -26,8 +26,8 @@ from ...document.plain_numbers import plain
 from ...document.several_curves import changeable, named
 from ...document.words import count_of, number
 from ...state.window_state import WindowState
-from ...tasks.debounced_task import DebouncedTask
 from ...tasks.progress import Report, part
+from ...tasks.task import DebouncedTask
 from ...tools.pencil_detail import PencilDetail
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.curve.transformed import views_ahead

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import action
 from ...actions.menus import PLOTS_IN_PLANE
-from ...tasks.debounced_task import DebouncedTask
+from ...tasks.task import DebouncedTask
 from ...tools.rail import SCRUB_ALONG
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis

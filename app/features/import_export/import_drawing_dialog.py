@@ -19,7 +19,7 @@ from ...exchange.errors import ExchangeError
 from ...exchange.options import Options
 from ...qt.labels import Label
 from ...tasks.progress import Report
-from ...tasks.single_task import SingleTask
+from ...tasks.task import SingleTask
 from ...view_model.palette import contrast
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named

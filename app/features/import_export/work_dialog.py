@@ -20,7 +20,7 @@ from ...appearance.theme import theme_of
 from ...document.words import count_of
 from ...qt.labels import Label
 from ...qt.overrides import ENTER
-from ...tasks.single_task import SingleTask
+from ...tasks.task import SingleTask
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named, push_button
 from ...widgets.frames import FittedDialog

@@ -13,7 +13,7 @@ from ...actions.menus import ANALYSIS_EXPLAIN, PLOTS_OVER_T
 from ...canvas.figure_layer import Trace
 from ...document.words import number
 from ...qt.overrides import SafeOverrides
-from ...tasks.debounced_task import DebouncedTask
+from ...tasks.task import DebouncedTask
 from ...view_model import analysis
 from ...view_model.analysis.settings import LaboratorySettings, RoundedPart
 from ...view_model.basis import growth_of_data

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import Action, action, action_for_each
 from ...actions.menus import GHOSTS_FAMILY, GHOSTS_RULE, OVERLAY_SECTIONS
-from ...tasks.debounced_task import DebouncedTask
 from ...tasks.progress import Report
+from ...tasks.task import DebouncedTask
 from ...view_model import analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, ErrorSize, Group, Overlay

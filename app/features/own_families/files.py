@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication
 from shiboken6 import isValid
 
 from ...families import FAMILIES, Family
-from ...tasks.single_task import SingleTask
+from ...tasks.task import SingleTask
 from ...workbench.disk_watch import DiskWatch
 from .. import own_families
 

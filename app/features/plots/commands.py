@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from ...actions.declaration import Action, action_for_each
 from ...actions.menus import PLOTS_OVER_T
 from ...qt.overrides import SafeOverrides
-from ...tasks.debounced_task import DebouncedTask
+from ...tasks.task import DebouncedTask
 from ...tools.rail import SCRUB
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis

@@ -12,7 +12,7 @@ from ...actions.menus import ANALYSIS_EXPLAIN
 from ...actions.needs import CURVE_THROUGH_TWO
 from ...canvas.figure_layer import Trace
 from ...document.model import Document
-from ...tasks.debounced_task import DebouncedTask
+from ...tasks.task import DebouncedTask
 from ...tools.canvas.select import SELECT
 from ...tools.explain import EXPLAIN
 from ...view_model import analysis

@@ -18,7 +18,7 @@ from ...document import point_edits, rule_edits
 from ...document.derivatives import DERIVATIVES, VelocityRule
 from ...document.model import Curve, Document, ParametrizationKind
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
-from ...tasks.progress import Report, silent, told
+from ...tasks.progress import Report, silent, with_progress
 from ..basis import growth_at, growth_of_points, weights_at
 from ..curve.core_curve import is_explicit, unbounded
 from ..curve.curve_view import CurveView, view_of
@@ -360,7 +360,7 @@ class Cures:
 def cures_of(document: Document, curve: int, view: CurveView, knot: int, report: Report = silent) -> Cures:
     """Try all cures for a segment."""
     found = []
-    for remedy in told(CURES, report, "Trying"):
+    for remedy in with_progress(CURES, report, "Trying"):
         document_then = remedy.applied(document, curve, view.parameters.tolist())
         found.append(_tried(remedy, document_then, curve, view, knot))
     return Cures(knot, overshoot(view, knot)[0], _lebesgue(view), tuple(found))
