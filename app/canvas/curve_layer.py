@@ -25,19 +25,19 @@ from .point_layer import opacity_of
 from .shape_painting import Shape, is_plain, line_of, paint_shape
 
 CASING = 1.0
-"""Pixels of paper on either side of a line that lies on a picture: grey on grey would not be seen."""
+"""Pixels of paper on either side of a line over a picture: grey on grey would be invisible."""
 
 FAINT_WIDTH = 1.5
-"""Pixels of a curve that steps back: thinner rather than dimmer, for it must be seen."""
+"""Width in pixels of a faint curve: thinner rather than dimmer, so that it stays visible."""
 
-WORTH_A_WORD = 1.0
-"""Pixels by which a line may be off before the canvas says so."""
+DEVIATION_TO_REPORT = 1.0
+"""Deviation in pixels of a line above which the canvas reports it."""
 
 _GHOST_MS, _GHOST_STEPS, _WIDTH, _EDIT_WIDTH = 900, 16, 2.0, 1.0
 
 
 class EditedShapeLayer(Layer):
-    """Layer of the shape that is edited, in its style; plain and faint lines are the `CurveLayer`'s."""
+    """Layer of the edited shape in its style; plain and faint lines are drawn by the `CurveLayer`."""
 
     z = -0.9
 
@@ -48,7 +48,7 @@ class EditedShapeLayer(Layer):
         self.set_visible(False)
 
     def render(self, shape: Shape) -> None:
-        """Draw the curves of the shape from the next paint on; without any, nothing."""
+        """Draw the curves of the shape from the next paint on; () draws nothing."""
         if shape != self._shape:
             self._shape = shape
             self.set_visible(bool(shape))
@@ -57,17 +57,17 @@ class EditedShapeLayer(Layer):
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the shape."""
         if self._shape:
-            usual = _WIDTH * self.scale
-            paint_shape(painter, self._shape, pixel_map, self.theme, usual, self._line)
+            width = _WIDTH * self.scale
+            paint_shape(painter, self._shape, pixel_map, self.theme, width, self._line)
 
 
 class CurveLayer(Layer):
-    """Layer of the active curve: within a tenth of a pixel, or with a word about how much it is off.
+    """Layer of the active curve: exact to a tenth of a pixel, or with a note about its deviation.
 
     Attributes
     ----------
     error
-        Bound of the distance between the curve and the line last drawn, in pixels.
+        Bound of the distance between the curve and the line drawn last, in pixels.
     """
 
     def __init__(self, plot: PlotWidget) -> None:
@@ -78,10 +78,10 @@ class CurveLayer(Layer):
         self._line, self._ghost_stroke = WideLine(), Stroke()
         self._ghost: FloatArray | None = None
         self._ghost_held = self._is_cased = self._is_covered = False
-        # The pen of the last frame, and what it was made for.
-        self._made_for: tuple[object, ...] = ()
-        self._made = QPen()
-        # In steps too small to be seen: the drawing is painted at each of them, not sixty times a second.
+        # The pen of the last frame, and its key: all that it depends on.
+        self._pen_key: tuple[object, ...] = ()
+        self._cached_pen = QPen()
+        # In steps too small to be seen: the drawing is painted at each step, not sixty times a second.
         self._fade = QVariantAnimation(plot, startValue=_GHOST_STEPS, endValue=0, duration=_GHOST_MS)
         self._fade.valueChanged.connect(lambda _value: self.update())
         self._fade.finished.connect(self._drop_ghost)
@@ -92,9 +92,9 @@ class CurveLayer(Layer):
         self.update()
 
     def show_ghost(self, pixel_map: PixelMap, *, held: bool = False) -> None:
-        """Let the curve as it is now stand behind the one to come and fade, or stay until it is released.
+        """Show the present curve behind its successor: as a fading ghost, or held until `release_ghost`.
 
-        A ghost that is held stays the one that it is.
+        A held ghost is not replaced by another one.
         """
         polyline = self.polyline(pixel_map)
         if polyline is not None and not self._ghost_held:
@@ -112,7 +112,7 @@ class CurveLayer(Layer):
         return self._fade.currentValue() / _GHOST_STEPS if fading and self._ghost is not None else 0.0
 
     def release_ghost(self) -> None:
-        """Let the ghost that was held fade."""
+        """Let a held ghost fade."""
         if self._ghost_held:
             self._ghost_held = False
             self._fade.start()
@@ -122,7 +122,7 @@ class CurveLayer(Layer):
         self.update()
 
     def polyline(self, pixel_map: PixelMap) -> Polyline | None:
-        """Return the curve as it is drawn, None without one."""
+        """Return the polyline that is drawn, None without a curve."""
         if self._view is None or not self._view.has_curve:
             return None
         return line_of(self._view, pixel_map, self._view.source.style)
@@ -142,25 +142,25 @@ class CurveLayer(Layer):
             self._line.show(polyline.points, pixel_map, _WIDTH * self.scale)
             painter.setPen(pen)
             self._line.draw(painter)
-        if self.said:
-            self._paint_word(painter, pixel_map)
+        if self.deviation_text:
+            self._paint_deviation(painter, pixel_map)
 
     @property
-    def said(self) -> str:
-        """The sentence about a line that is off; empty otherwise."""
-        return f"Drawn within {number(self.error, 2)} pixels" if self.error > WORTH_A_WORD else ""
+    def deviation_text(self) -> str:
+        """The sentence about the deviation of the line; empty where it is negligible."""
+        return f"Drawn within {number(self.error, 2)} pixels" if self.error > DEVIATION_TO_REPORT else ""
 
-    def _paint_word(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        plate = inside(0.0, pixel_map.height, size_of(painter, self.said, 12.0, 6.0), pixel_map)
-        write_on_plate(painter, plate, self.said, self.theme.paper, self.theme.ink)
+    def _paint_deviation(self, painter: QPainter, pixel_map: PixelMap) -> None:
+        plate = inside(0.0, pixel_map.height, size_of(painter, self.deviation_text, 12.0, 6.0), pixel_map)
+        write_on_plate(painter, plate, self.deviation_text, self.theme.paper, self.theme.ink)
 
     def set_cased(self, cased: bool) -> None:
-        """Keep the line apart from what lies below it, a picture to trace, or not."""
+        """Draw the line with a casing of paper over a picture to trace, or without."""
         self._is_cased = cased
         self.update()
 
     def set_covered(self, covered: bool) -> None:
-        """Show where a curve runs that lies below others."""
+        """Draw a thin line over a curve that other shapes cover, or not."""
         self._is_covered = covered
         self.update()
 
@@ -168,7 +168,7 @@ class CurveLayer(Layer):
         return is_faint(view) or is_plain(view)
 
     def _pens(self, view: CurveView) -> Sequence[QPen]:
-        """Return what the line is drawn with, one over the other."""
+        """Return the pens of the line, from the bottom to the top."""
         if self._paints_line(view):
             casing = [self._pen_of(self.theme.paper, _WIDTH + 2 * CASING)] if self._is_cased else []
             return (*casing, self._pen(view))
@@ -178,12 +178,12 @@ class CurveLayer(Layer):
 
     def _pen(self, view: CurveView) -> QPen:
         faint = is_faint(view)
-        wanted = (faint, view.source.style.colour, self.theme, self.scale)
-        if wanted != self._made_for:
-            self._made_for = wanted
+        key = (faint, view.source.style.colour, self.theme, self.scale)
+        if key != self._pen_key:
+            self._pen_key = key
             colour = self.theme.handle if faint else curve_colour(view.source.style.colour, self.theme)
-            self._made = self._pen_of(colour, FAINT_WIDTH if faint else _WIDTH)
-        return self._made
+            self._cached_pen = self._pen_of(colour, FAINT_WIDTH if faint else _WIDTH)
+        return self._cached_pen
 
     def _pen_of(self, colour: QColor, width: float) -> QPen:
         return QPen(colour, width * self.scale, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
@@ -197,7 +197,7 @@ class CurveLayer(Layer):
 
 
 def is_faint(view: CurveView) -> bool:
-    """Whether a curve steps back: the last good one of points or rules that are no more, or a hidden one."""
+    """Whether a curve is drawn faintly: it is hidden, or the last one that could be computed."""
     return not (view.is_current and view.source.visible)
 
 
@@ -205,7 +205,7 @@ _POLYGON_WIDTH = 1.0
 
 
 class ControlPolygonLayer(Layer):
-    """Layer below the curve that is edited; a curve through its points has none."""
+    """Layer of the control polygon below the active curve; a curve through its points has none."""
 
     z = -0.25
 
@@ -213,9 +213,9 @@ class ControlPolygonLayer(Layer):
         super().__init__(plot)
         self._view: CurveView | None = None
         self._stroke = Stroke()
-        # The pen of the last frame, and what it was made for.
-        self._made_for: tuple[Theme, float] | None = None
-        self._made = QPen()
+        # The pen of the last frame, and its key: all that it depends on.
+        self._pen_key: tuple[Theme, float] | None = None
+        self._cached_pen = QPen()
         self.set_visible(False)
 
     def render(self, view: CurveView) -> None:
@@ -227,19 +227,19 @@ class ControlPolygonLayer(Layer):
             self.update()
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw thin lines, which stand back behind the curve."""
+        """Draw thin lines behind the curve."""
         if self._view is None or len(self._view.points) < 2:
             return
         self._stroke.show(self._view.points, pixel_map)
-        if self._made_for != (self.theme, self.scale):
-            self._made_for = (self.theme, self.scale)
-            self._made = QPen(self.theme.handle, _POLYGON_WIDTH * self.scale)
-        painter.setPen(self._made)
+        if self._pen_key != (self.theme, self.scale):
+            self._pen_key = (self.theme, self.scale)
+            self._cached_pen = QPen(self.theme.handle, _POLYGON_WIDTH * self.scale)
+        painter.setPen(self._cached_pen)
         self._stroke.draw(painter)
 
 
 class PenLayer(Layer):
-    """Layer of a thin line below the curve, so that only what would change is seen."""
+    """Layer of a thin preview line below the curve, so that only changes are visible."""
 
     z = -0.5
 

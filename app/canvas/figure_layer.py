@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 _HEAD = 9.0
-"""Length of an arrow's head, in widths of its line, and never more than half the arrow."""
+"""Length of an arrow's head, in widths of its line; at most half the arrow."""
 
 _TICK, _MARK = 5.0, 5.0
 """Half the length of a tick and the radius of a mark, in pixels."""
@@ -43,7 +43,7 @@ _ABOVE = (Shape.ARROWS, Shape.TICKS, Shape.MARKS)
 """Shapes that are drawn over the curve."""
 
 _FAR, _FARTHEST = 1e5, 1e30
-"""Pixels beyond which an area, or a line, need not be where it is."""
+"""Pixels to which the vertices of an area, or of a line, are limited."""
 
 
 class FigureLayer(Layer):
@@ -61,7 +61,7 @@ class FigureLayer(Layer):
         self._area = AreaFill()
         self._layers: list[Layer] = [self, Layer(plot, self._paint_above, z=0.5)]
         for layer in self._layers:
-            # Even a layer that draws nothing costs every frame its share.
+            # Even an empty layer takes time in every frame.
             layer.set_visible(False)
 
     def render(self, figures: Sequence[Figure], ghosts: Sequence[GhostView]) -> None:
@@ -77,7 +77,7 @@ class FigureLayer(Layer):
         return [_line_of(ghost, pixel_map) for ghost in self.ghosts if ghost.is_drawn]
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw lines and areas, the first one first, then the ghosts: all of it under the curve."""
+        """Draw lines and areas in order, then the ghosts: all of them below the curve."""
         for figure in self.figures:
             if figure.shape not in _ABOVE:
                 self._paint_figure(painter, pixel_map, figure)
@@ -85,7 +85,7 @@ class FigureLayer(Layer):
             self._paint_ghost(painter, pixel_map, ghost)
 
     def _paint_above(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw what the curve would hide, and the words."""
+        """Draw the figures that the curve would hide, and the labels."""
         for figure in self.figures:
             if figure.shape in _ABOVE:
                 self._paint_figure(painter, pixel_map, figure)
@@ -143,13 +143,13 @@ def _line_of(ghost: GhostView, pixel_map: PixelMap) -> FloatArray:
 
 
 def _pixels(points: FloatArray, pixel_map: PixelMap) -> FloatArray:
-    """Return pixels that can be reckoned with: NaN where there is nothing to draw, endless ones limited."""
+    """Return finite pixels within limits; NaN where there is nothing to draw."""
     with np.errstate(over="ignore", invalid="ignore"):
         return np.clip(pixel_map.points(points), -_FARTHEST, _FARTHEST)
 
 
 def _draw_arrows(painter: QPainter, pixels: FloatArray, pixel_map: PixelMap) -> None:
-    """Draw segments with heads; short arrows have small heads, so that the shaft is seen."""
+    """Draw segments with heads; short arrows have small heads, so that the shaft stays visible."""
     ends = pixels.reshape(-1, 2, 2)
     along, length = _directions(ends)
     head = np.minimum(_HEAD * painter.pen().widthF() / 1.5, length / 2)[:, None] * along
@@ -204,7 +204,7 @@ class TraceLayer(Layer):
         self.set_visible(False)
 
     def render(self, group: str, traces: Sequence[Trace], *, faded: bool) -> None:
-        """Draw the traces of a group from the next paint on; none take the group away."""
+        """Draw the traces of a group from the next paint on; an empty sequence removes the group."""
         if not traces and group not in self.groups:
             return
         self.groups.pop(group, None)
@@ -217,7 +217,7 @@ class TraceLayer(Layer):
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the traces of every group, the last one on top.
 
-        During a drag they are old results that stay: their dashes are made once.
+        During a drag they are results of the document before it, so their dashes are computed once.
         """
         if self._drawn_at != (pixel_map, self.scale):
             self._drawn_at = pixel_map, self.scale
@@ -242,18 +242,18 @@ class Annotations(QObject):
     Attributes
     ----------
     figure_layer
-        Combs, vectors, bands and the like, and variants of the curve.
+        Combs, vectors, bands and the like, and variants (ghosts) of the curve.
     trace_layer
         Other versions of the curve, over it.
     legend
-        None until there is something to explain.
+        None before the first row.
     file_version
-        The name of a file's curves in the legend; empty while none are shown.
+        Name of the file's curves in the legend; empty while they are hidden.
 
     Signals
     -------
     ghost_chosen, ghost_hidden
-        A variant of the curve shall become the curve, or go away; said in the legend.
+        A variant shall replace the curve, or be removed; chosen in the legend.
     """
 
     ghost_chosen = Signal(object)
@@ -271,7 +271,7 @@ class Annotations(QObject):
     # Other versions
 
     def show_file_version(self, views: Sequence[CurveView], name: str) -> None:
-        """Show the curves that a file holds, dashed and with this name; none: put them away."""
+        """Show the curves in a file, dashed, under this name; an empty sequence hides them."""
         self._file_layer.render(views, range(len(views)))
         self.file_version = name if self._file_layer.is_visible else ""
         self._explain_lines("file", [(FILE_STYLE, self.file_version)] if self.file_version else ())
@@ -279,7 +279,7 @@ class Annotations(QObject):
     def render_traces(
         self, group: str, traces: Sequence[Trace], heading: str = "", *, faded: bool = False
     ) -> None:
-        """Show other versions of the curve over it, explained; none take the group away."""
+        """Show other versions of the curve over it, with rows in the legend; () removes the group."""
         self.trace_layer.render(group, traces, faded=faded)
         named = [(trace.style, trace.label) for trace in traces]
         self._explain_lines(group, named, heading, muted=faded)
@@ -287,12 +287,11 @@ class Annotations(QObject):
     # The legend
 
     def render_legend(self, group: str, rows: Sequence[LegendRow]) -> None:
-        """Explain what is shown; without rows of any group there is no legend."""
+        """Show the rows of a group in the legend; without rows of any group there is no legend."""
         if self.legend is None:
             if not rows:
                 return
-            # Built when there is something to explain: nobody waits for it at the start.
-
+            # Built with its first row: the first frame does without it.
             self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers, self._room)
             self._plot.camera.changed.connect(self.legend.make_way)
             self._plot.style_changed.connect(self.legend.render_style)
@@ -302,7 +301,7 @@ class Annotations(QObject):
         self.legend.make_way()
 
     def make_way(self) -> None:
-        """Let the legend go where it covers less of the drawing."""
+        """Move the legend to the corner where it covers least of the drawing."""
         if self.legend is not None:
             self.legend.make_way()
 
@@ -311,5 +310,4 @@ class Annotations(QObject):
     ) -> None:
         if not lines and self.legend is None:
             return
-
         self.render_legend(group, analysis.legend.line_rows(lines, heading, muted=muted))

@@ -28,7 +28,7 @@ CURVE_REACH = 8.0
 
 _NEAR_ENOUGH = 0.5
 _SLIDES, _SAMPLES = 3, 17
-"""Each time a piece is divided by so many samples; what is left of it is below a part in 4096."""
+"""Rounds of the search, and samples of each: the piece that is left is below a part in 4096."""
 
 
 def hit_test(
@@ -40,7 +40,7 @@ def hit_test(
     handles: Handles,
     facing: Handles = NO_HANDLES,
 ) -> Hit | None:
-    """Return what lies under `pixel`.
+    """Return the part of the active curve under `pixel`.
 
     A selected point comes before the handles of the selected points, then other points, the handles that face
     the selected ones, and the curve.
@@ -68,7 +68,7 @@ def _nearest_point(
     candidates = np.asarray(indices)
     away = pixel_map.points(view.points[candidates]) - pixel
     distances = np.hypot(away[:, 0], away[:, 1])
-    # Of coincident points the last wins: it is drawn on top.
+    # The last of coincident points wins: it is drawn on top.
     best = len(distances) - 1 - int(np.argmin(distances[::-1]))
     if distances[best] > POINT_REACH:
         return None
@@ -90,7 +90,7 @@ def _nearest_handle(pixel: Vector, pixel_map: PixelMap, handles: Handles) -> tup
     return hit, float(distances[best])
 
 
-class PartFound(NamedTuple):
+class NearestPart(NamedTuple):
     """A point or a handle under the pointer, and how many pixels away it is."""
 
     hit: Hit
@@ -98,22 +98,22 @@ class PartFound(NamedTuple):
 
 
 class PixelPoints:
-    """The points of some curves, each with its place in the document, in pixels: one pass finds the nearest.
+    """Points of several curves in pixels, each curve with its index: one pass finds the nearest.
 
     Attributes
     ----------
-    shown
-        The part of the plane that the pixels are of.
+    pixel_map
+        The map from the plane to these pixels.
     """
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], pixel_map: PixelMap) -> None:
-        self.shown, self._views = pixel_map, dict(views)
+        self.pixel_map, self._views = pixel_map, dict(views)
         self._pixels = pixel_map.points(np.concatenate([view.points for _, view in views]))
         counts = [len(view.points) for _, view in views]
-        self._curves = np.repeat([place for place, _ in views], counts)
+        self._curves = np.repeat([curve_index for curve_index, _ in views], counts)
         self._indices = np.concatenate([np.arange(count) for count in counts])
 
-    def nearest(self, pixel: Vector, preferred: PointGroup) -> PartFound | None:
+    def nearest(self, pixel: Vector, preferred: PointGroup) -> NearestPart | None:
         """Return the point within reach that is nearest to `pixel`; of coincident ones a preferred one."""
         distances = np.hypot(*(self._pixels - pixel).T)
         least = float(distances.min(initial=math.inf))
@@ -122,51 +122,52 @@ class PixelPoints:
             return None
         rows = np.flatnonzero(distances == least)
         nearest = list(zip(self._curves[rows].tolist(), self._indices[rows].tolist(), strict=True))
-        curve, index = next((at for at in nearest if at[1] in preferred.of(at[0])), nearest[-1])
+        is_preferred = (pair for pair in nearest if pair[1] in preferred.of(pair[0]))
+        curve, index = next(is_preferred, nearest[-1])
         position = self._views[curve].source.points[index].position
-        return PartFound(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
+        return NearestPart(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
 
 
 def handle_or_point(
     pixel: Vector,
     pixel_map: PixelMap,
-    point: PartFound | None,
-    own: Sequence[tuple[int, Handles]],
+    point: NearestPart | None,
+    handles: Sequence[tuple[int, Handles]],
     facing: Sequence[tuple[int, Handles]],
     selected: PointGroup,
-) -> PartFound | None:
+) -> NearestPart | None:
     """Return the nearest point of some curves, or one of their handles, where that comes first in `hit_test`.
 
-    The handles of the selected points, and those that face them, are those of each curve.
+    `handles` are those of the selected points of each curve; `facing` those of their neighbours.
     """
     is_selected = point is not None and point.hit.index in selected.of(point.hit.curve)
-    handle = _nearest_of(pixel, pixel_map, own)
+    handle = _nearest_of(pixel, pixel_map, handles)
     if handle is not None and not (is_selected and point is not None and point.distance <= handle.distance):
         is_over = point is not None and not is_selected and point.hit.curve == handle.hit.curve
         over = point.hit.index if point is not None and is_over else -1
-        return PartFound(replace(handle.hit, over=over), handle.distance)
+        return NearestPart(replace(handle.hit, over=over), handle.distance)
     return point or _nearest_of(pixel, pixel_map, facing)
 
 
 def _nearest_of(
     pixel: Vector, pixel_map: PixelMap, handles: Sequence[tuple[int, Handles]]
-) -> PartFound | None:
+) -> NearestPart | None:
     """Return the nearest handle of some curves within reach."""
-    found = [
-        PartFound(replace(nearest[0], curve=curve), nearest[1])
-        for curve, each in handles
-        if (nearest := _nearest_handle(pixel, pixel_map, each)) is not None
+    nearest_handles = [
+        NearestPart(replace(nearest[0], curve=curve), nearest[1])
+        for curve, handles_of_curve in handles
+        if (nearest := _nearest_handle(pixel, pixel_map, handles_of_curve)) is not None
     ]
-    return min(found, key=lambda each: each.distance, default=None)
+    return min(nearest_handles, key=lambda handle: handle.distance, default=None)
 
 
-def nearer(found: PartFound | None, hit: Hit | None, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
+def nearer(nearest: NearestPart | None, hit: Hit | None, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
     """Return a point or handle of another curve, where it is nearer than the one that is hit."""
-    if found is None:
+    if nearest is None:
         return hit
     is_part = hit is not None and hit.part is not Part.CURVE
     away = math.dist(pixel_map.point(*hit.position), pixel) if hit is not None and is_part else math.inf
-    return found.hit if found.distance < away else hit
+    return nearest.hit if nearest.distance < away else hit
 
 
 def _on_curve(pixel: Vector, pixel_map: PixelMap, view: CurveView, polyline: Polyline) -> Hit | None:
@@ -179,7 +180,7 @@ def _on_curve(pixel: Vector, pixel_map: PixelMap, view: CurveView, polyline: Pol
     t = float(t0 + nearest.share * (t1 - t0))
     x, y = view.curve.evaluate(t)
     if np.hypot(*np.subtract(pixel_map.point(float(x), float(y)), pixel)) > nearest.distance + _NEAR_ENOUGH:
-        # On a straight piece the polyline knows the way and not the pace.
+        # On a straight piece the polyline knows the line, not the speed along it.
         t = _slid(view.curve, pixel_map, pixel, (float(t0), float(t1)))
     t = _nearer(view.curve, pixel_map.plane(*pixel), t, (float(t0), float(t1)))
     x, y = view.curve.evaluate(t)
@@ -187,19 +188,19 @@ def _on_curve(pixel: Vector, pixel_map: PixelMap, view: CurveView, polyline: Pol
     return Hit(Part.CURVE, max(index, 1), (float(x), float(y)), t=t)
 
 
-def _nearer(curve: ParametricCurve, place: Vector, t: float, between: tuple[float, float]) -> float:
-    """Return `t` after a step of Newton to where the curve is nearest, whatever vertices are drawn."""
+def _nearer(curve: ParametricCurve, position: Vector, t: float, between: tuple[float, float]) -> float:
+    """Return `t` after one Newton step towards the nearest point of the curve itself, not of its polyline."""
     velocity = curve.evaluate(t, 1)
     squared = float(velocity @ velocity)
     # Written so that NaN fails.
     if not 0.0 < squared < math.inf:
         return t
-    step = float((np.array(place) - curve.evaluate(t)) @ velocity) / squared
+    step = float((np.array(position) - curve.evaluate(t)) @ velocity) / squared
     return min(max(t + step, between[0]), between[1])
 
 
 def _slid(curve: ParametricCurve, pixel_map: PixelMap, pixel: Vector, between: tuple[float, float]) -> float:
-    """Return the t between two others at which the curve is nearest to a pixel, to a small part of one."""
+    """Return the t in an interval at which the curve is nearest to a pixel, to a fraction of a pixel."""
     share = 0.5
     for _ in range(_SLIDES):
         t = np.linspace(*between, _SAMPLES)
@@ -210,7 +211,7 @@ def _slid(curve: ParametricCurve, pixel_map: PixelMap, pixel: Vector, between: t
 
 
 class NearestSegment(NamedTuple):
-    """The place of some segments that is nearest to a pixel: which one, share of its length, distance."""
+    """The segment nearest to a pixel, the share of its length at which it is nearest, and the distance."""
 
     segment: int
     share: float
@@ -221,7 +222,7 @@ class PixelOutline:
     """Segments of polylines in pixels, numbered one polyline after the other: one pass finds the nearest."""
 
     def __init__(self, polylines: Sequence[FloatArray]) -> None:
-        # Far away vertices would overflow when squared; beyond this nobody points at them.
+        # Far vertices would overflow when squared; no pointer reaches beyond this limit.
         clipped = [np.clip(points, -1e9, 1e9) for points in polylines]
         self._starts = np.vstack([points[:-1] for points in clipped])
         self._along = np.vstack([np.diff(points, axis=0) for points in clipped])
@@ -229,7 +230,7 @@ class PixelOutline:
         self._squared = np.where(squared > 0, squared, 1.0)
 
     def nearest(self, pixel: Vector) -> NearestSegment | None:
-        """Return what is nearest to `pixel`, the last where several are; None without segments."""
+        """Return the segment nearest to `pixel`, the last of several; None without segments."""
         if not len(self._starts):
             return None
         away = np.asarray(pixel) - self._starts
@@ -243,15 +244,15 @@ class PixelOutline:
 _ANYWHERE = np.array([[-np.inf, -np.inf], [np.inf, np.inf]])
 
 _OUTWARD = np.array([[-1.0], [1.0]])
-"""Ways of the corners of a box that grows."""
+"""Directions in which the corners of a box move when it grows."""
 
 
 class LineFinder:
-    """Finder among curves, each with its place in the document."""
+    """Finder of the curve under a pixel, among curves with their indices in the document."""
 
     def __init__(self) -> None:
         self._views: Sequence[tuple[int, CurveView]] = ()
-        # Found when somebody asks.
+        # Computed at the first hit test.
         self._outline: _Outline | None = None
 
     def render(self, views: Sequence[tuple[int, CurveView]]) -> None:
@@ -262,21 +263,21 @@ class LineFinder:
         """Return the curve at `pixel`, the last one where several lie."""
         if not self._views:
             return None
-        if self._outline is None or self._outline.shown is not pixel_map:
+        if self._outline is None or self._outline.pixel_map is not pixel_map:
             self._outline = _Outline(self._views, pixel_map)
         return self._outline.hit(pixel)
 
 
 class _Outline:
-    """Curves as lines of pixels; of thousands those are looked at whose boxes are near a pixel."""
+    """Curves as lines of pixels; only curves whose boxes are near the pixel are tested."""
 
     def __init__(self, views: Sequence[tuple[int, CurveView]], pixel_map: PixelMap) -> None:
-        self.shown, self._views = pixel_map, views
+        self.pixel_map, self._views = pixel_map, views
         boxes, off = zip(*(_box_of(view) for _, view in views), strict=True)
         self._boxes = np.array(boxes) + np.array(off)[:, None, None] * _OUTWARD
         self._near: list[int] = []
         self._segments: PixelOutline | None = None
-        self._places = np.empty(0, dtype=np.intp)
+        self._curve_indices = np.empty(0, dtype=np.intp)
 
     def hit(self, pixel: Vector) -> Hit | None:
         """Return the curve within reach that is nearest."""
@@ -284,26 +285,24 @@ class _Outline:
         nearest = None if self._segments is None else self._segments.nearest(pixel)
         if nearest is None or nearest.distance > CURVE_REACH:
             return None
-        return Hit(Part.OTHER_CURVE, int(self._places[nearest.segment]), self.shown.plane(*pixel))
+        return Hit(Part.OTHER_CURVE, int(self._curve_indices[nearest.segment]), self.pixel_map.plane(*pixel))
 
     def _look_near(self, pixel: Vector) -> None:
-        place, reach = (
-            self.shown.plane(*pixel),
-            (CURVE_REACH + 1.0) / np.array([self.shown.sx, self.shown.sy]),
-        )
+        position = self.pixel_map.plane(*pixel)
+        reach = (CURVE_REACH + 1.0) / np.array([self.pixel_map.sx, self.pixel_map.sy])
         low, high = self._boxes[:, 0] - reach, self._boxes[:, 1] + reach
-        near = np.flatnonzero(((low <= place) & (place <= high)).all(axis=1)).tolist()
+        near = np.flatnonzero(((low <= position) & (position <= high)).all(axis=1)).tolist()
         if near != self._near:
             self._near = near
-            polylines = [pixels_of(self._views[each][1], self.shown) for each in near]
+            polylines = [pixels_of(self._views[row][1], self.pixel_map) for row in near]
             self._segments = PixelOutline(polylines) if near else None
-            self._places = np.repeat(
-                [self._views[each][0] for each in near], [len(each) - 1 for each in polylines]
+            self._curve_indices = np.repeat(
+                [self._views[row][0] for row in near], [len(polyline) - 1 for polyline in polylines]
             )
 
 
 def _box_of(view: CurveView) -> tuple[FloatArray, float]:
-    """Return a box, and by how much the curve leaves it at most."""
+    """Return a box, and a bound of the distance by which the curve leaves it."""
     view.drawn_box  # noqa: B018 - with it the box is known, if it can be
     return view.known_box or (_ANYWHERE, 0.0)
 
@@ -314,60 +313,58 @@ def pixels_of(view: CurveView, pixel_map: PixelMap) -> FloatArray:
 
 
 class FilledAreas:
-    """Filled shapes that are seen and free, and the boxes around them.
+    """Filled shapes that are visible and unlocked, and the boxes around them.
 
-    A locked one is no more in the way than the paper is.
+    A locked shape is ignored, as the paper is.
     """
 
     def __init__(self) -> None:
         self._views: Sequence[CurveView] = ()
-        # Found when somebody asks, and kept as long as the views are the same.
+        # Computed at the first hit test, and valid as long as the views are the same.
         self._shapes: list[range] | None = None
         self._boxes = np.empty((0, 2, 2))
 
     def render(self, views: Sequence[CurveView]) -> None:
-        """Take the areas of these views."""
+        """Use the areas of these views from now on."""
         if views is not self._views:
             self._views, self._shapes = views, None
 
     def hit(self, pixel: Vector, pixel_map: PixelMap, active: int | None, line: Hit | None) -> Hit | None:
-        """Return what lies at `pixel`: the topmost area, or the `line` there unless the area covers it.
+        """Return the topmost area at `pixel`, or the `line` there unless the area covers it.
 
-        The inside of the shape that is edited is nothing: a rubber band for its points begins there.
+        The inside of the edited shape is no hit: a press there begins a rubber band for its points.
         """
         top = self._topmost(pixel, pixel_map)
         if top is None or (line is not None and line.index >= top.start):
             return line
-        return (
-            Hit(Part.OTHER_CURVE, top.start, pixel_map.plane(*pixel), inside=True)
-            if active not in top
-            else None
-        )
+        if active in top:
+            return None
+        return Hit(Part.OTHER_CURVE, top.start, pixel_map.plane(*pixel), inside=True)
 
     def _topmost(self, pixel: Vector, pixel_map: PixelMap) -> range | None:
         if self._shapes is None:
             self._find()
         assert self._shapes is not None
-        place = np.array([pixel_map.plane(*pixel)])
-        around = np.all((self._boxes[:, 0] <= place) & (place <= self._boxes[:, 1]), axis=1)
+        position = np.array([pixel_map.plane(*pixel)])
+        around = np.all((self._boxes[:, 0] <= position) & (position <= self._boxes[:, 1]), axis=1)
         for number in reversed(np.flatnonzero(around).tolist()):
             views = self._drawn(self._shapes[number])
-            turns = windings([line_of(view, pixel_map).points for view in views], place)
+            turns = windings([line_of(view, pixel_map).points for view in views], position)
             if is_inside(turns, views[0].source.style.fill_rule)[0]:
                 return self._shapes[number]
         return None
 
     def _find(self) -> None:
         curves = [view.source for view in self._views]
-        filled = [each for each in shapes(curves) if _is_pressed(curves[each.start])]
-        self._shapes = [each for each in filled if self._drawn(each)]
-        self._boxes = np.array([self._box(each) for each in self._shapes]).reshape(-1, 2, 2)
+        filled = [indices for indices in shapes(curves) if _is_pressed(curves[indices.start])]
+        self._shapes = [indices for indices in filled if self._drawn(indices)]
+        self._boxes = np.array([self._box(indices) for indices in self._shapes]).reshape(-1, 2, 2)
 
-    def _drawn(self, places: range) -> list[CurveView]:
-        return [self._views[place] for place in places if self._views[place].has_curve]
+    def _drawn(self, indices: range) -> list[CurveView]:
+        return [self._views[index] for index in indices if self._views[index].has_curve]
 
-    def _box(self, places: range) -> FloatArray:
-        first, *others = [view.drawn_box for view in self._drawn(places)]
+    def _box(self, indices: range) -> FloatArray:
+        first, *others = [view.drawn_box for view in self._drawn(indices)]
         if not others:
             return first
         corners = np.vstack([first, *others])
@@ -375,5 +372,5 @@ class FilledAreas:
 
 
 def _is_pressed(curve: Curve) -> bool:
-    """Whether what begins with a curve is filled, seen and free."""
+    """Whether the shape that begins with a curve is filled, visible and unlocked."""
     return curve.style.has_fill and curve.is_free

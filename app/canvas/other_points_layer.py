@@ -1,4 +1,4 @@
-"""Points and handles of the curves that are edited beside the active one: found, shown where selected."""
+"""Points and handles of the curves that are edited together with the active one."""
 
 from __future__ import annotations
 
@@ -20,33 +20,33 @@ from ..plotting.stamps import Stamps
 from ..plotting.text import write_in_corner
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.point_kinds import POINT_KINDS, kinds_of
-from .handle_marks import LEFT_AWAY, MOST_POINTS, ShownHandles
-from .hit_test import PartFound, PixelPoints, handle_or_point
-from .point_marks import Inks, paint_mark
+from .handle_marks import MOST_POINTS, TOO_MANY_HANDLES, VisibleHandles
+from .hit_test import NearestPart, PixelPoints, handle_or_point
+from .point_marks import InkCache, paint_mark
 
 _RADIUS, _RIM, _GAP, _RING = 4.5, 1.5, 3.0, 2.0
 _REACH = 2.2
-"""How far ring and mark reach, where the radius of the mark is 1."""
+"""Reach of ring and mark, relative to the radius of the mark."""
 
 
 class OtherPointsLayer(Layer):
-    """Layer of the selected points of the curves that are edited beside the active one.
+    """Layer of the selected points of the curves that are edited together with the active one.
 
-    They have the colour of what is selected: those of points belong to the basis functions of the active
-    curve. Their handles are as those of the active one. It finds all points of these curves; those that are
-    not selected are drawn with the curves.
+    The points have the colour of the selection: the colours of points belong to the basis functions of the
+    active curve. The hit test finds all points of these curves; points that are not selected are drawn with
+    the curves.
 
     Parameters
     ----------
     is_told
-        Whether it is said already that something is left away.
+        Returns whether a note about hidden handles is shown already.
     """
 
     z = 9.0
 
-    def __init__(self, plot: PlotWidget, is_told: Callable[[], bool]) -> None:
+    def __init__(self, plot: PlotWidget, has_note: Callable[[], bool]) -> None:
         super().__init__(plot)
-        self._is_told = is_told
+        self._has_note = has_note
         # As in the layer of the active curve.
         self.over_picture = False
         self._views: list[tuple[int, CurveView]] = []
@@ -56,22 +56,22 @@ class OtherPointsLayer(Layer):
         # As in the layer of the active curve.
         self.is_plain = False
         self._kinds: IntArray = np.arange(len(POINT_KINDS))
-        self._places: PixelPoints | None = None
+        self._pixel_points: PixelPoints | None = None
         self.set_visible(False)
-        self._handles: dict[int, ShownHandles] = {}
-        self._inks = Inks()
+        self._handles: dict[int, VisibleHandles] = {}
+        self._inks = InkCache()
 
-    def render(self, views: Sequence[CurveView], places: Sequence[int]) -> None:
-        """Show and find the points of those of `views` at these places from the next paint on."""
-        found = [(place, views[place]) for place in places]
-        if found != self._views:
-            self._views, self._places = found, None
+    def render(self, views: Sequence[CurveView], indices: Sequence[int]) -> None:
+        """Show and find the points of the views at these indices from the next paint on."""
+        edited = [(index, views[index]) for index in indices]
+        if edited != self._views:
+            self._views, self._pixel_points = edited, None
             self._find_handles()
-            self.set_visible(bool(found))
+            self.set_visible(bool(edited))
             self.update()
 
     def set_group(self, group: PointGroup) -> None:
-        """Show which points are selected, of whatever curves."""
+        """Show these points, of any curves, as selected."""
         if group != self._group:
             self._group = group
             self._find_handles()
@@ -79,21 +79,21 @@ class OtherPointsLayer(Layer):
 
     def _find_handles(self) -> None:
         before, self._handles = self._handles, {}
-        for place, view in self._views:
-            if indices := self._group.of(place):
-                self._handles[place] = before.get(place) or ShownHandles()
-                self._handles[place].find(view, indices, free=False)
+        for curve, view in self._views:
+            if points := self._group.of(curve):
+                self._handles[curve] = before.get(curve) or VisibleHandles()
+                self._handles[curve].find(view, points, free=False)
 
-    def handles(self, pixel_map: PixelMap) -> list[tuple[int, ShownHandles]]:
-        """Return the handles that are shown, by their curves; none where too many are in sight."""
-        count = sum(len(each.of_selected(pixel_map).indices) for each in self._handles.values())
+    def handles(self, pixel_map: PixelMap) -> list[tuple[int, VisibleHandles]]:
+        """Return the visible handles, with the indices of their curves; none where they are too many."""
+        count = sum(len(handles.of_selected(pixel_map).indices) for handles in self._handles.values())
         return list(self._handles.items()) if count <= 2 * MOST_POINTS else []
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw the selected points in sight, all in one call, and their handles."""
+        """Draw the visible selected points, all in one call, and their handles."""
         self._paint_handles(painter, pixel_map)
-        chosen = [(view, self._selected(place, view)) for place, view in self._views]
-        parts = [(view, indices) for view, indices in chosen if indices]
+        selected = [(view, self._selected(curve, view)) for curve, view in self._views]
+        parts = [(view, indices) for view, indices in selected if indices]
         if not parts:
             return
         pixels = pixel_map.points(np.concatenate([view.points[indices] for view, indices in parts]))
@@ -112,18 +112,20 @@ class OtherPointsLayer(Layer):
         if not self._handles:
             return
         ink = self._inks.of(self.theme, self.scale, self.fonts, over_picture=self.over_picture)
-        handles = self.handles(pixel_map)
-        for _, each in handles:
-            each.paint(painter, pixel_map, ink)
-        notes = [each.note(pixel_map) for each in self._handles.values()] if handles else [LEFT_AWAY]
-        if any(notes) and not self._is_told():
+        visible = self.handles(pixel_map)
+        for _, handles in visible:
+            handles.paint(painter, pixel_map, ink)
+        notes = [TOO_MANY_HANDLES]
+        if visible:
+            notes = [handles.note(pixel_map) for handles in self._handles.values()]
+        if any(notes) and not self._has_note():
             painter.setFont(self.fonts.times(0.9 * self.scale))
             write_in_corner(painter, max(notes), self.theme.paper, self.theme.muted)
 
-    def _selected(self, place: int, view: CurveView) -> list[int]:
-        # What is selected may be told before the views of another document are.
+    def _selected(self, curve: int, view: CurveView) -> list[int]:
+        # The selection may arrive before the views of another document.
         count = len(view.points)
-        return sorted(index for index in self._group.of(place) if index < count)
+        return sorted(index for index in self._group.of(curve) if index < count)
 
     def _stamp(self, painter: QPainter, radius: float, kind: int) -> None:
         paint_mark(painter, QPointF(0.0, 0.0), radius, kind, self.theme.paper)
@@ -134,18 +136,18 @@ class OtherPointsLayer(Layer):
         painter.drawEllipse(QPointF(0.0, 0.0), radius + _GAP * unit, radius + _GAP * unit)
         painter.restore()
 
-    def nearest(self, pixel: Vector, pixel_map: PixelMap) -> PartFound | None:
+    def nearest(self, pixel: Vector, pixel_map: PixelMap) -> NearestPart | None:
         """Return the point or the handle within reach that is nearest to `pixel`."""
         if not self._views:
             return None
-        if self._places is None or self._places.shown != pixel_map:
-            self._places = PixelPoints(self._views, pixel_map)
-        point, handles = self._places.nearest(pixel, self._group), self.handles(pixel_map)
+        if self._pixel_points is None or self._pixel_points.pixel_map != pixel_map:
+            self._pixel_points = PixelPoints(self._views, pixel_map)
+        point, handles = self._pixel_points.nearest(pixel, self._group), self.handles(pixel_map)
         if not handles:
             return point
-        own = [(place, each.of_selected(pixel_map)) for place, each in handles]
-        facing = [(place, each.facing(pixel_map)) for place, each in handles]
-        return handle_or_point(pixel, pixel_map, point, own, facing, self._group)
+        of_selected = [(curve, visible_handles.of_selected(pixel_map)) for curve, visible_handles in handles]
+        facing = [(curve, visible_handles.facing(pixel_map)) for curve, visible_handles in handles]
+        return handle_or_point(pixel, pixel_map, point, of_selected, facing, self._group)
 
 
 def _stamp_plain(painter: QPainter, radius: float, kind: int) -> None:
@@ -153,7 +155,7 @@ def _stamp_plain(painter: QPainter, radius: float, kind: int) -> None:
 
 
 class _SelectedStamps(Stamps):
-    """Marks in the colour of what is selected, one for each kind of point."""
+    """Marks in the colour of the selection, one for each kind of point."""
 
     def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
         return [theme.accent] * count

@@ -20,39 +20,48 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Mark
-from ..plotting.text import Taken, number_place, write_in_corner
+from ..plotting.text import OccupiedRoom, number_place, write_in_corner
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
 from ..view_model.point_kinds import kinds_of
-from .handle_marks import ShownHandles
-from .point_marks import RADIUS, Discs, Inks, PointLook, PointStamps, Written, discs_for, with_neighbours
+from .handle_marks import VisibleHandles
+from .point_marks import (
+    RADIUS,
+    Discs,
+    InkCache,
+    PointLook,
+    PointStamps,
+    TextGlyphs,
+    discs_for,
+    with_neighbours,
+)
 
 _LABELLED_UP_TO = 12
 _DISCS_MS = 200
-"""Milliseconds for which discs keep their size while points move."""
+"""Milliseconds for which discs keep their size during a drag."""
 
-_HALF_NUMBER = 6.0
-"""Half of what the number of a point takes, in pixels; what is written beside it makes it longer."""
+_HALF_DIGITS = 6.0
+"""Half the width of the number of a point in pixels; a weight beside it makes the label longer."""
 
 _MARGIN = 60.0
 """Pixels beyond the area within which points are drawn."""
 
 _FEW_MOVED = 8
-"""Points that move, up to which each is located for itself."""
+"""Number of moving points up to which each is converted to pixels by itself."""
 
 _LARGE = 100.0
-"""Size of a weight from which on decimals say nothing."""
+"""Size of a weight from which decimals are omitted."""
 
 _WEIGHED_UP_TO = 24
-"""Points up to which all weights are written; of more, the largest."""
+"""Number of points up to which all weights are written; of more, only the largest."""
 _LEAST_WEIGHT = 5e-3
 _HIDDEN = 0.35
-"""Opacity of the points of a curve that is hidden, while it is edited."""
+"""Opacity of the points of a hidden curve while it is edited."""
 
 
 class _Roles(msgspec.Struct, frozen=True):
-    """Visible points by how they are drawn: like any other, hovered, selected; and those with numbers."""
+    """Indices of visible points by their look: at rest, hovered, selected; and those with numbers."""
 
     calm: IntArray
     hovered: list[int]
@@ -64,7 +73,7 @@ class _NumberLabel(NamedTuple):
     text: str
     colour: QColor
     centre: QPointF
-    written: Written
+    glyphs: TextGlyphs
     is_weighed: bool
 
 
@@ -77,31 +86,31 @@ class PointLayer(Layer):
         super().__init__(plot)
         self._plot = plot
         self.selection: frozenset[int] = frozenset()
-        self.shown_handles = ShownHandles()
+        self.visible_handles = VisibleHandles()
         self.hovered = -1
-        # While points are added, the handle of the new one is the one under the pointer: ahead of the end.
+        # While points are added, the handle under the pointer is that of the new point, ahead of the end.
         self.shows_new_handle = False
-        # Over a picture, what is thin and grey needs paper around it to be seen.
+        # Over a picture, thin grey lines need paper around them to be visible.
         self.over_picture = False
-        # Without numbers and colours that say which point is which.
+        # Without numbers and colours of their own.
         self.is_plain = False
         self.weights: FloatArray | None = None
         self.scrub: tuple[float, float, float] | None = None
         self._view: CurveView | None = None
         self._stamps = PointStamps()
-        # What the marks are, and the numbers in points that say so.
+        # The kinds of the points, and the arrays that they depend on.
         self._kinds: IntArray = np.empty(0, dtype=np.intp)
-        self._kinds_of: tuple[object, ...] = ()
-        self._discs_now = Discs(RADIUS, 0.0)
-        self._discs_asked: tuple[object, ...] = ()
-        # Where numbers were written last, in pixels, and how many characters they have.
+        self._kinds_key: tuple[object, ...] = ()
+        self._discs = Discs(RADIUS, 0.0)
+        self._discs_key: tuple[object, ...] = ()
+        # Centres of the numbers written last, in pixels, and their lengths in characters.
         self.numbers: list[tuple[QPointF, int]] = []
-        self._measured: FloatArray | None = None
-        # Paints once more when a drag has ended, with discs as large as there is room for then.
+        self._measured_pixels: FloatArray | None = None
+        # Repaints after a drag, with discs as large as there is room for then.
         self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
         self._soon.timeout.connect(self._measure_again)
-        self._inks = Inks()
-        self._roles_of: tuple[object, ...] = ()
+        self._inks = InkCache()
+        self._roles_key: tuple[object, ...] = ()
         self._pixels_of: tuple[CurveView | None, PixelMap | None] = (None, None)
         self._pixels: FloatArray = np.empty((0, 2))
         self._visible: IntArray = np.empty(0, dtype=np.intp)
@@ -114,13 +123,13 @@ class PointLayer(Layer):
 
     @property
     def handles(self) -> Handles:
-        """The handles of the selected points, as far as they are shown."""
-        return self.shown_handles.of_selected(self._plot.pixel_map)
+        """The visible handles of the selected points."""
+        return self.visible_handles.of_selected(self._plot.pixel_map)
 
     def refresh(self) -> None:
-        """Draw again after one of the attributes was set."""
+        """Update handles and repaint after an attribute was set."""
         if self._view is not None:
-            self.shown_handles.find(self._view, self.selection, free=self.shows_new_handle)
+            self.visible_handles.find(self._view, self.selection, free=self.shows_new_handle)
         self.update()
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
@@ -131,35 +140,35 @@ class PointLayer(Layer):
         colours = point_colours(len(view.points), self.theme)
         self._locate(view, pixel_map)
         self._ink = self._inks.of(self.theme, self.scale, self.fonts, over_picture=self.over_picture)
-        self._have_kinds(view)
+        self._update_kinds(view)
         pixels, visible = self._pixels, self._visible
         if self.weights is not None and len(self.weights) == len(pixels):
             self._paint_weights(painter, pixels, visible, colours)
-        discs = self._discs_of(pixels, visible)
-        # Where points are small, handles as large as ever would be all that is seen of the neighbours.
-        self.shown_handles.paint(painter, pixel_map, self._ink, discs.radius / (RADIUS * self.scale))
+        discs = self._current_discs(pixels, visible)
+        # Beside small points, handles of the usual size would hide the neighbours.
+        self.visible_handles.paint(painter, pixel_map, self._ink, discs.radius / (RADIUS * self.scale))
         self._paint_points(painter, discs, colours)
         self._paint_numbers(painter, pixels)
         if self.scrub is not None:
             self._paint_scrub_dot(painter, pixel_map)
 
-    def _have_kinds(self, view: CurveView) -> None:
-        """Tell the kinds of the points; under a drag they stay, and so do these arrays."""
+    def _update_kinds(self, view: CurveView) -> None:
+        """Update the kinds of the points; during a drag the arrays that they depend on are the same."""
         source, arrays = view.source, view.arrays
-        made_of = (source.family, source.is_closed, arrays.corners, arrays.ties, arrays.evens, arrays.given)
-        if len(made_of) == len(self._kinds_of) and all(map(is_, made_of, self._kinds_of)):
+        key = (source.family, source.is_closed, arrays.corners, arrays.ties, arrays.evens, arrays.given)
+        if len(key) == len(self._kinds_key) and all(map(is_, key, self._kinds_key)):
             return
-        self._kinds_of, kinds = made_of, kinds_of(view)
+        self._kinds_key, kinds = key, kinds_of(view)
         if not np.array_equal(kinds, self._kinds):
             self._kinds = kinds
 
     def _locate(self, view: CurveView, pixel_map: PixelMap) -> None:
-        """Find the pixels of all points, and which of them are on screen."""
-        before, shown_before = self._pixels_of
-        if before is view and shown_before is pixel_map:
+        """Compute the pixels of all points, and the indices of those on the screen."""
+        before, map_before = self._pixels_of
+        if before is view and map_before is pixel_map:
             return
         self._pixels_of = (view, pixel_map)
-        if before is not None and shown_before is pixel_map and self._shift(before, view, pixel_map):
+        if before is not None and map_before is pixel_map and self._shift(before, view, pixel_map):
             return
         self._pixels = pixel_map.points(view.points)
         visible = np.flatnonzero(_is_near(self._pixels, pixel_map))
@@ -167,7 +176,7 @@ class PointLayer(Layer):
             self._visible = visible
 
     def _shift(self, before: CurveView, view: CurveView, pixel_map: PixelMap) -> bool:
-        """Find the pixels of points that have moved since another view; return whether all else stays."""
+        """Compute the pixels of moved points only; return whether nothing else has changed."""
         now, then = view.displacement, before.displacement
         if now is None or then is None or then.moving is not now.moving:
             return False
@@ -177,16 +186,16 @@ class PointLayer(Layer):
         stays, self._pixels = True, self._pixels.copy()
         for row in rows:
             point, (x, y) = view.source.points[row], self._pixels[row].tolist()
-            place = pixel_map.point(point.x, point.y)
-            stays = stays and _is_near_pixel(x, y, pixel_map) == _is_near_pixel(*place, pixel_map)
-            self._pixels[row] = place
+            pixel = pixel_map.point(point.x, point.y)
+            stays = stays and _is_near_pixel(x, y, pixel_map) == _is_near_pixel(*pixel, pixel_map)
+            self._pixels[row] = pixel
         return stays
 
     # Points
 
     def _paint_points(self, painter: QPainter, discs: Discs, colours: Sequence[QColor]) -> None:
         pixels, visible = self._pixels, self._visible
-        roles = self._have_roles(len(pixels), visible, crowded=discs.crowded)
+        roles = self._current_roles(len(pixels), visible, crowded=discs.crowded)
         kinds, is_plain = self._kinds, self.is_plain
         self._stamps.draw(painter, pixels, roles.calm, kinds, self.theme, discs, is_plain=is_plain)
         marks: list[Mark[PointLook]] = []
@@ -200,21 +209,21 @@ class PointLayer(Layer):
             painter.setFont(self.fonts.times(0.9 * self.scale))
             write_in_corner(painter, self.note, self.theme.paper, self.theme.muted)
 
-    def _have_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
-        """Return the roles of the visible points; under a drag they stay."""
-        # By identity: weights are other arrays when they change, and so are the points in sight.
-        made_of = (
+    def _current_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
+        """Return the roles of the visible points; they stay during a drag."""
+        # By identity: changed weights and changed visible indices are new arrays.
+        key = (
             *(self.selection, self.hovered, count, crowded),
             *(id(visible), id(self.weights), self.is_plain),
         )
-        if made_of != self._roles_of:
-            self._roles_of = made_of
-            # Kept, so that no other array is given the numbers of these.
-            self._roles_for = (visible, self.weights)
-            self._roles = self._told_apart(count, visible, crowded=crowded)
+        if key != self._roles_key:
+            self._roles_key = key
+            # Held, so that no new array gets the same id.
+            self._roles_arrays = (visible, self.weights)
+            self._roles = self._compute_roles(count, visible, crowded=crowded)
         return self._roles
 
-    def _told_apart(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
+    def _compute_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
         selected = [index for index in self.selection if index < count]
         is_calm = np.ones(count, dtype=bool)
         is_calm[selected] = False
@@ -225,32 +234,32 @@ class PointLayer(Layer):
         numbered = self._numbered(count, visible)
         return _Roles(calm, hovered, visible[~is_calm[visible]].tolist(), numbered)
 
-    def _discs_of(self, pixels: FloatArray, visible: IntArray) -> Discs:
-        """Return how discs are drawn; under a drag that hardly changes, and is not asked every frame."""
-        asked = (self._pixels_of[1], len(pixels), len(visible), self.scale)
-        if asked == self._discs_asked and self._soon.isActive():
-            return self._discs_now
-        if pixels is not self._measured:
+    def _current_discs(self, pixels: FloatArray, visible: IntArray) -> Discs:
+        """Return the size of the discs, computed once every `_DISCS_MS` during a drag."""
+        key = (self._pixels_of[1], len(pixels), len(visible), self.scale)
+        if key == self._discs_key and self._soon.isActive():
+            return self._discs
+        if pixels is not self._measured_pixels:
             self._soon.start()
-        self._discs_asked, self._measured = asked, pixels
-        self._discs_now = discs_for(pixels, visible, self.scale)
-        return self._discs_now
+        self._discs_key, self._measured_pixels = key, pixels
+        self._discs = discs_for(pixels, visible, self.scale)
+        return self._discs
 
     def _measure_again(self) -> None:
-        """Paint once more where there is other room for discs than there was when they were measured."""
-        if self._pixels is self._measured:
+        """Repaint if the room for discs has changed since they were measured."""
+        if self._pixels is self._measured_pixels:
             return
-        if discs_for(self._pixels, self._visible, self.scale) != self._discs_now:
+        if discs_for(self._pixels, self._visible, self.scale) != self._discs:
             self.refresh()
 
     @property
     def note(self) -> str:
-        """The sentence about points, or handles, that are left away; empty where all are drawn."""
+        """The note about hidden points or handles; empty where all are drawn."""
         if self._view is None:
             return ""
-        if self._discs_now.crowded:
+        if self._discs.crowded:
             return f"{len(self._view.points)} points: selection only · zoom in to see all"
-        return self.shown_handles.note(self._plot.pixel_map)
+        return self.visible_handles.note(self._plot.pixel_map)
 
     # Numbers
 
@@ -263,11 +272,11 @@ class PointLayer(Layer):
         for label in self._labels(painter, pixels, numbered):
             self.numbers.append((label.centre, len(label.text)))
             if label.is_weighed:
-                # Other words in every frame: a halo of each would take too long.
+                # Weights change in every frame: a halo for each would take too long.
                 if on_plates:
                     self._paint_plate(painter, label.centre, label.text)
                 painter.setPen(label.colour)
-                label.written.draw(painter, label.centre)
+                label.glyphs.draw(painter, label.centre)
             else:
                 self._paint_number(painter, label)
 
@@ -281,13 +290,13 @@ class PointLayer(Layer):
     def _labels(
         self, painter: QPainter, pixels: FloatArray, indices: Sequence[int]
     ) -> Iterator[_NumberLabel]:
-        """Yield the numbers of points and their weights; what would cover other weights is left out."""
+        """Yield the labels of points, number and weight; labels that would cover others are omitted."""
         with_weight = None if self.weights is None else self._has_weight_text(len(pixels))
-        half, taken = _HALF_NUMBER * self.scale, Taken()
+        half, occupied = _HALF_DIGITS * self.scale, OccupiedRoom()
         if self.weights is not None and len(self.weights) == len(pixels):
-            # The largest first, after those that are asked for: what finds no room beside them says least.
-            sizes, named = np.abs(self.weights), {*self.selection, self.hovered}
-            indices = sorted(indices, key=lambda index: (index not in named, -sizes[index]))
+            # Selected and hovered points first, then by size: the smallest weights are omitted.
+            sizes, preferred = np.abs(self.weights), {*self.selection, self.hovered}
+            indices = sorted(indices, key=lambda index: (index not in preferred, -sizes[index]))
         for index in indices:
             text, colour, away = str(index), self.theme.muted, 17 * self.scale
             is_weighed = with_weight is not None and bool(with_weight[index])
@@ -297,19 +306,19 @@ class PointLayer(Layer):
                 colour = self.theme.warning if weight < 0 else self.theme.ink
                 # Beyond the disc, so that neither covers the curve.
                 away = max(away, self._weight_radius(weight) + 14 * self.scale)
-            written = self._ink.written(text, painter)
-            size = written.size
+            glyphs = self._ink.glyphs_of(text, painter)
+            size = glyphs.size
             beyond = max(size.width() / 2 - half, 0.0)
             centre: QPointF | None = number_place(pixels, index, away, beyond)
             if self.weights is not None and centre is not None:
                 further = number_place(pixels, index, away + size.height(), beyond)
                 aside = QPointF(size.width(), 0.0)
-                centre = taken.take((centre, further, centre - aside, centre + aside), QSizeF(size))
+                centre = occupied.reserve((centre, further, centre - aside, centre + aside), QSizeF(size))
             if centre is not None:
-                yield _NumberLabel(text, colour, centre, written, is_weighed)
+                yield _NumberLabel(text, colour, centre, glyphs, is_weighed)
 
     def _numbered(self, count: int, visible: IntArray) -> list[int]:
-        """Return which points have their numbers beside them: many at once would cover each other."""
+        """Return the indices of the points with numbers: too many would cover each other."""
         numbered = visible
         if count > _LABELLED_UP_TO or self.is_plain:
             named = () if self.is_plain else (*self.selection, self.hovered)
@@ -321,8 +330,8 @@ class PointLayer(Layer):
         return result
 
     def _paint_plate(self, painter: QPainter, centre: QPointF, text: str) -> None:
-        """Lay a piece of paper under a number."""
-        paper, size = QColor(self.theme.paper), self._ink.written(text, painter).size
+        """Draw a plate of paper below a number."""
+        paper, size = QColor(self.theme.paper), self._ink.glyphs_of(text, painter).size
         paper.setAlphaF(0.75)
         plate = QRectF(0, 0, size.width() + 6, size.height() + 2)
         plate.moveCenter(centre)
@@ -331,7 +340,7 @@ class PointLayer(Layer):
         painter.drawRoundedRect(plate, 3, 3)
 
     def _has_weight_text(self, count: int) -> BoolArray:
-        """Tell beside which points their weight is written."""
+        """Return which points have their weight written beside them."""
         if self.weights is None or len(self.weights) != count:
             return np.zeros(count, dtype=bool)
         sizes, least = np.abs(self.weights), _LEAST_WEIGHT
@@ -353,17 +362,17 @@ class PointLayer(Layer):
         for index in visible.tolist():
             radius = self._weight_radius(values[index])
             if radius >= 1:
-                place = QPointF(*pixels[index])
-                self._paint_weight_disc(painter, place, radius, colours[index], negative=values[index] < 0)
+                centre = QPointF(*pixels[index])
+                self._paint_weight_disc(painter, centre, radius, colours[index], negative=values[index] < 0)
 
     def _weight_radius(self, weight: float) -> float:
-        """Return the radius of a disc whose area shows a weight; beyond 1 all share the largest's scale."""
+        """Return the radius of the disc whose area shows a weight, scaled by the largest one beyond 1."""
         assert self.weights is not None
         largest = max(float(np.abs(self.weights).max()), 1.0)
         return 30 * self.scale * float(np.sqrt(abs(weight) / largest))
 
     def _paint_weight_disc(
-        self, painter: QPainter, place: QPointF, radius: float, colour: QColor, *, negative: bool
+        self, painter: QPainter, centre: QPointF, radius: float, colour: QColor, *, negative: bool
     ) -> None:
         ring = QPen(self.theme.warning if negative else colour, 1.5 * self.scale)
         ring.setStyle(Qt.PenStyle.DashLine if negative else Qt.PenStyle.SolidLine)
@@ -371,7 +380,7 @@ class PointLayer(Layer):
         fill.setAlphaF(0.22)
         painter.setPen(ring)
         painter.setBrush(fill)
-        painter.drawEllipse(place, radius, radius)
+        painter.drawEllipse(centre, radius, radius)
 
     def _paint_scrub_dot(self, painter: QPainter, pixel_map: PixelMap) -> None:
         assert self.scrub is not None
@@ -384,12 +393,12 @@ class PointLayer(Layer):
 
 
 def opacity_of(view: CurveView) -> float:
-    """Return how strongly what belongs to a curve is drawn: faintly where it is hidden and only edited."""
+    """Return the opacity of the points of a curve: less than 1 where the curve is hidden."""
     return 1.0 if view.source.visible else _HIDDEN
 
 
 def _is_near(pixels: FloatArray, pixel_map: PixelMap) -> BoolArray:
-    """Tell which points are close enough to the visible area to be drawn."""
+    """Return which points are close enough to the visible area to be drawn."""
     x, y = pixels[:, 0], pixels[:, 1]
     return (
         (x > -_MARGIN) & (x < pixel_map.width + _MARGIN) & (y > -_MARGIN) & (y < pixel_map.height + _MARGIN)

@@ -33,33 +33,33 @@ from ..view_model.palette import contrast
 from ..view_model.point_kinds import POINT_KINDS
 
 _DOT = 0.36
-"""Radius of the dot in the middle of a mark that is open: three pixels across in one of nine."""
+"""Radius of the dot in an open mark, relative to the mark: three pixels across in a mark of nine."""
 
 _PICTURE = 16
-"""Pixels along the sides of the picture of a mark: headers scale what is smaller than their icons are."""
+"""Side of the picture of a mark in pixels: headers would scale pictures smaller than their icons."""
 
 REACH = max(abs(coordinate) for kind in POINT_KINDS for corner in kind.outline for coordinate in corner)
 """Largest reach of a mark of radius 1."""
 
 
 def paint_mark(
-    painter: QPainter, place: QPointF, radius: float, kind: int, paper: QColor | None = None
+    painter: QPainter, centre: QPointF, radius: float, kind: int, paper: QColor | None = None
 ) -> None:
-    """Draw the mark of a point of the kind at a place in `POINT_KINDS`, with the painter's pen and brush.
+    """Draw the mark of the kind with index `kind` in `POINT_KINDS`, with the painter's pen and brush.
 
-    Without `paper` no mark has a dot.
+    Open marks have a dot in the colour `paper`, if given.
     """
     record = POINT_KINDS[kind]
     if record.outline:
-        corners = [place + QPointF(radius * x, radius * y) for x, y in record.outline]
+        corners = [centre + QPointF(radius * x, radius * y) for x, y in record.outline]
         painter.drawPolygon(QPolygonF(corners))
     else:
-        painter.drawEllipse(place, radius, radius)
+        painter.drawEllipse(centre, radius, radius)
     if record.is_open and paper is not None:
         painter.save()
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(paper)
-        painter.drawEllipse(place, _DOT * radius, _DOT * radius)
+        painter.drawEllipse(centre, _DOT * radius, _DOT * radius)
         painter.restore()
 
 
@@ -79,18 +79,18 @@ def mark_picture(colour: str, paper: str, size: int, kind: int) -> QPixmap:
 
 
 RADIUS = 4.5
-"""Radius of a disc in pixels, where there is room."""
+"""Radius of a disc in pixels, where there is enough room."""
 
 _LEAST_RADIUS = 1.25
 _RIM = 1.5
 _MOST_SAMPLED, _LEAST_SAMPLED, _MOST_PAIRS = 48, 8, 16_000
-"""Points that are asked how near the others are: fewer of very many, for they are asked every frame."""
+"""Points whose nearest neighbour is searched, at most and at least, and the largest number of pairs."""
 
 _LEAST_ROOM = 3.0
-"""Pixels from point to point below which discs make a ribbon, and are left away."""
+"""Distance of points in pixels below which discs would merge into a ribbon, and are hidden."""
 
 _FEW = 24
-"""So few points are drawn in any case: together they are no larger than a blot."""
+"""Number of points that are always drawn: together they are no larger than a blot."""
 
 _NEIGHBOURS = 2
 _MOST_WITH_NEIGHBOURS = 32
@@ -104,7 +104,7 @@ class Discs(msgspec.Struct, frozen=True):
     radius, rim
         In pixels.
     crowded
-        Whether only those that are selected or under the pointer are drawn, and their neighbours.
+        Whether only selected and hovered points and their neighbours are drawn.
     """
 
     radius: float
@@ -113,33 +113,33 @@ class Discs(msgspec.Struct, frozen=True):
 
 
 def discs_for(pixels: FloatArray, visible: IntArray, scale: float) -> Discs:
-    """Return how large discs are so that about half of the curve between them stays free.
+    """Return the size of discs that leaves about half of the curve between them free.
 
     Parameters
     ----------
     pixels
         All points, (n, 2).
     visible
-        The indices of those on the screen.
+        The indices of the points on the screen.
     """
     if len(visible) < 2:
         return Discs(RADIUS * scale, _RIM * scale)
     gaps = _gaps(pixels, visible)
     few = len(visible) <= _FEW
-    # One pair that lies close is no reason to shrink all; of many, a quarter is.
+    # One close pair is no reason to shrink all discs; a quarter of many points is.
     room = float(gaps[min((len(gaps) + 1) // 2, len(gaps) - 1) if few else len(gaps) // 4])
     if not few and float(gaps[len(gaps) // 2]) < _LEAST_ROOM * scale:
         return Discs(2.0 * scale, 0.0, crowded=True)
-    # In steps, so that the discs do not swell and shrink under a drag.
+    # In steps, so that discs do not swell and shrink during a drag.
     radius = min(max(math.floor(room / 2) / 2, _LEAST_RADIUS * scale), RADIUS * scale)
     return Discs(radius, _RIM * scale if radius >= RADIUS * scale else 0.0)
 
 
 def _gaps(pixels: FloatArray, visible: IntArray) -> FloatArray:
-    """Return how far it is from points to whatever other point is nearest, ascending; of many, of some."""
+    """Return the distances of points to their nearest neighbours, ascending; of many points, of a sample."""
     here = pixels[visible]
-    wanted = min(max(_MOST_PAIRS // len(visible), _LEAST_SAMPLED), _MOST_SAMPLED)
-    sample = np.arange(0, len(visible), max(len(visible) // wanted, 1))
+    count = min(max(_MOST_PAIRS // len(visible), _LEAST_SAMPLED), _MOST_SAMPLED)
+    sample = np.arange(0, len(visible), max(len(visible) // count, 1))
     squares = (here[sample, :1] - here[:, 0]) ** 2
     squares += (here[sample, 1:] - here[:, 1]) ** 2
     squares[np.arange(len(sample)), sample] = np.inf
@@ -148,16 +148,16 @@ def _gaps(pixels: FloatArray, visible: IntArray) -> FloatArray:
 
 
 def with_neighbours(selected: Collection[int], among: IntArray) -> IntArray:
-    """Return those `among` some points that lie within two places of a selected one."""
+    """Return the indices in `among` that are at most two away from a selected one."""
     if len(selected) > _MOST_WITH_NEIGHBOURS:
-        # They are many themselves.
+        # The selected points alone are enough.
         return among[:0]
-    near = {index + by for index in selected for by in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
+    near = {index + step for index in selected for step in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
     return among[np.isin(among, np.fromiter(near, dtype=np.intp, count=len(near)))]
 
 
 PLAIN_RIM: Final = 1.5
-"""Pixels of the line around a plain mark; small ones have a finer line."""
+"""Width in pixels of the line around a plain mark; small marks have a finer line."""
 
 _FINE_RIM = 1.0
 _KINDS: Final[IntArray] = np.arange(len(POINT_KINDS))
@@ -166,8 +166,7 @@ _KINDS: Final[IntArray] = np.arange(len(POINT_KINDS))
 class PointStamps:
     """Marks of points by their kinds.
 
-    Those of a plain look are paper in a rim of the accent: which point is which is nothing that a person who
-    draws asks.
+    Plain marks are paper with a rim of the accent: who draws need not tell one point from another.
     """
 
     def __init__(self) -> None:
@@ -186,7 +185,7 @@ class PointStamps:
         *,
         is_plain: bool,
     ) -> None:
-        """Draw the `calm` ones of points at `pixels` (n, 2), of these `kinds` (n,)."""
+        """Draw the points with the indices `calm` of those at `pixels` (n, 2), of `kinds` (n,)."""
         self._theme = theme
         if not is_plain:
             self._coloured.draw(
@@ -214,23 +213,23 @@ _LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DotLine, Qt.PenStyle.DashDotLine)
 _SELECTED_RADIUS, _GROWTH = 5.5, 1.0
 
 _REACH = 11.0
-"""Pixels that marks reach at most: the ring of a selected point, or a kind with corners."""
+"""Largest reach of marks in pixels: the ring of a selected point, or a kind with corners."""
 
 _HOVERED = 0.4
 """Share of the accent in a plain point under the pointer."""
 
-_FACING, _SEEN, _STEP = 0.6, 3.0, 0.05
-"""Least share of ink in the handles of points that are not selected, the rest is paper; the contrast between
-the two that it is raised for; and by what steps."""
+_LEAST_INK, _LEAST_CONTRAST, _INK_STEP = 0.6, 3.0, 0.05
+"""Smallest share of ink in facing handles, mixed with paper; the smallest contrast to paper, and the steps in
+which the share is raised to reach it."""
 
 _LINE, _FACING_LINE = 1.2, 0.9
-"""Pixels of the lines of handles, and of those of points that are not selected."""
+"""Widths in pixels of the lines of handles, and of facing handles."""
 
 _BENEATH_PICTURE, _BENEATH_DRAWING = 1.4, 0.9
-"""Pixels of paper beside the line of a handle: over a picture that is traced, and over a drawing."""
+"""Pixels of paper beside the line of a handle: over a picture to trace, and over a drawing."""
 
 _RIM_OF_HANDLE = (2.5, 2.25)
-"""The same around its mark, from the middle of its line."""
+"""The same around the mark of a handle, from the middle of its outline."""
 
 
 HANDLE_SIZES = (4.0, 5.5, 5.5)
@@ -241,11 +240,11 @@ _HALO = 2.0
 """Pixels of paper on either side of each line of a number."""
 
 _MOST_NUMBERS = 256
-"""Numbers of which pictures are kept."""
+"""Largest number of pictures of numbers in the cache."""
 
 
 class Shade(enum.IntEnum):
-    """What handles are drawn in: ink, ink with paper in it, or the paper beneath both."""
+    """Shade of a handle: ink, ink mixed with paper, or the paper below both."""
 
     STRONG = 0
     FAINT = 1
@@ -253,26 +252,26 @@ class Shade(enum.IntEnum):
 
 
 def _faint(ink: QColor, paper: QColor) -> QColor:
-    """Return ink with as much paper in it as lets it be seen."""
-    share = _FACING
-    while share < 1.0 and contrast(mix(ink, paper, share).name(), paper.name()) < _SEEN:
-        share += _STEP
+    """Return ink mixed with as much paper as the smallest contrast allows."""
+    share = _LEAST_INK
+    while share < 1.0 and contrast(mix(ink, paper, share).name(), paper.name()) < _LEAST_CONTRAST:
+        share += _INK_STEP
     return mix(ink, paper, min(share, 1.0))
 
 
 class HandleLook(NamedTuple):
-    """How the mark of a handle looks.
+    """Look of the mark of a handle.
 
     Attributes
     ----------
     order
-        That of the derivative, less one.
+        Order of the derivative, less one.
     size
-        Half of it, in pixels.
+        Half the size, in pixels.
     is_given
-        Whether a person has set it: it is filled then. What a rule estimates is hollow.
+        Whether the derivative was set: then the mark is filled. Estimated ones are hollow.
     shade
-        What it is drawn in.
+        Shade of ink.
     """
 
     order: int
@@ -282,63 +281,60 @@ class HandleLook(NamedTuple):
 
 
 class PointLook(NamedTuple):
-    """How a point looks that is selected, or under the pointer: its colour, as a number, and its kind.
-
-    A plain one has no colour of its own.
-    """
+    """Look of a selected or hovered point: its colour as a number, None for a plain one, and its kind."""
 
     colour: int | None
     kind: int
     is_selected: bool
 
 
-class Written(NamedTuple):
-    """A text as it is written: glyphs, which Qt need not seek in every frame.
+class TextGlyphs(NamedTuple):
+    """Glyphs of a text, so that Qt need not look them up in every frame.
 
     Attributes
     ----------
     size
         In whole pixels.
     to_start
-        The way from its middle to the left end of its baseline.
+        Offset from the middle to the left end of the baseline.
     glyphs, ascent
-        The runs of glyphs, and how far below where they are drawn the baseline lies.
+        The runs of glyphs, and the distance from their origin down to the baseline.
     """
 
     size: QSize
-    to_start: QPointF
+    to_baseline: QPointF
     glyphs: list[QGlyphRun]
     ascent: QPointF
 
     def draw(self, painter: QPainter, centre: QPointF) -> None:
-        """Draw it with the painter's pen, its middle at a place."""
+        """Draw the text with the painter's pen, centred at `centre`."""
         for run in self.glyphs:
-            painter.drawGlyphRun(centre + self.to_start - self.ascent, run)
+            painter.drawGlyphRun(centre + self.to_baseline - self.ascent, run)
 
 
-class Inks:
-    """The ink of a layer, which is made anew where what it is made for is another one."""
+class InkCache:
+    """The ink of a layer, made anew when theme, scale, fonts or background change."""
 
     def __init__(self) -> None:
-        self._made_for: tuple[object, ...] = ()
+        self._key: tuple[object, ...] = ()
 
     def of(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> PointInk:
         """Return the ink for a theme, a scale and fonts."""
-        made_for = (theme, scale, fonts, over_picture)
-        if made_for != self._made_for:
-            self._made_for = made_for
+        key = (theme, scale, fonts, over_picture)
+        if key != self._key:
+            self._key = key
             self._ink = PointInk(theme, scale, fonts, over_picture=over_picture)
         return self._ink
 
 
 class PointInk:
-    """Pens and fonts of points under one theme, in one scale: they stay from frame to frame."""
+    """Pens, marks and fonts of points for one theme and scale: they are reused in every frame."""
 
     def __init__(self, theme: Theme, scale: float, fonts: Sizes, *, over_picture: bool) -> None:
         self.scale = scale
-        # What is drawn over pictures and fills of whatever colour has paper beneath it.
+        # Over pictures and fills, of whatever colour, handles have paper below them.
         self.has_paper_beneath = over_picture
-        # In the grey of a faded letter grey handles cannot be seen.
+        # On the grey of a faded letter, grey handles would be invisible.
         ink = theme.curve if over_picture else theme.handle
         self._theme, self._rim, self._ring = (
             theme,
@@ -357,23 +353,23 @@ class PointInk:
         self.handles = Sprites(self._paint_handle, _REACH * scale)
         self.points = Sprites(self._paint_point, _REACH * scale)
         self.font = fonts.times(0.95 * scale)
-        self._written: dict[tuple[str, float], Written] = {}
+        self._glyphs: dict[tuple[str, float], TextGlyphs] = {}
         self._numbers: dict[tuple[str, int, float], QPixmap] = {}
 
-    def written(self, text: str, painter: QPainter) -> Written:
-        """Return a text as it is written on what is painted on."""
+    def glyphs_of(self, text: str, painter: QPainter) -> TextGlyphs:
+        """Return the glyphs of a text for the painter's device."""
         device = painter.device()
         key = (text, device.devicePixelRatioF())
-        if key not in self._written:
+        if key not in self._glyphs:
             exact = QFontMetricsF(self.font, device)
-            to_start = QPointF(-exact.horizontalAdvance(text) / 2, exact.ascent() - exact.height() / 2)
+            to_baseline = QPointF(-exact.horizontalAdvance(text) / 2, exact.ascent() - exact.height() / 2)
             layout = QTextLayout(text, self.font, device)
             layout.beginLayout()
             line = layout.createLine()
             layout.endLayout()
             size, ascent = QFontMetrics(self.font, device).size(0, text), QPointF(0.0, line.ascent())
-            self._written[key] = Written(size, to_start, layout.glyphRuns(), ascent)
-        return self._written[key]
+            self._glyphs[key] = TextGlyphs(size, to_baseline, layout.glyphRuns(), ascent)
+        return self._glyphs[key]
 
     def number(self, text: str, colour: QColor, painter: QPainter) -> QPixmap:
         """Return the picture of a number with paper around its digits: a filled shape may lie beneath."""
@@ -382,7 +378,7 @@ class PointInk:
         if picture is None:
             if len(self._numbers) >= _MOST_NUMBERS:
                 self._numbers.clear()
-            size, width = QSizeF(self.written(text, painter).size), _HALO * self.scale
+            size, width = QSizeF(self.glyphs_of(text, painter).size), _HALO * self.scale
             painter.setFont(self.font)
             around = size + QSizeF(2 * width, 2 * width)
             picture = with_halo(painter, around, text, self._theme.paper, colour, width)
@@ -406,7 +402,7 @@ class PointInk:
             painter.drawPolygon((diamond, triangle)[look.order - 1](QPointF(), size))
 
     def _paint_point(self, painter: QPainter, look: PointLook) -> None:
-        """Draw a point larger than it is at rest; one that is selected, within a ring."""
+        """Draw a hovered point larger than at rest, a selected one within a ring."""
         radius = (_SELECTED_RADIUS if look.is_selected else RADIUS + _GROWTH) * self.scale
         if look.colour is None:
             self._paint_plain(painter, radius, look)
@@ -420,7 +416,7 @@ class PointInk:
             painter.drawEllipse(QPointF(), radius + 3 * self.scale, radius + 3 * self.scale)
 
     def _paint_plain(self, painter: QPainter, radius: float, look: PointLook) -> None:
-        """Draw a plain point: filled with the accent where it is selected, half so under the pointer."""
+        """Draw a plain point: filled with the accent if it is selected, with half of it if it is hovered."""
         accent, paper = self._theme.accent, self._theme.paper
         fill, line = (accent, paper) if look.is_selected else (mix(accent, paper, _HOVERED), accent)
         painter.setPen(QPen(line, PLAIN_RIM * self.scale))

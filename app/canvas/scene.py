@@ -228,7 +228,7 @@ class CanvasScene:
         hit = None
         if self.is_editing:
             polyline = self.curve.polyline(shown)
-            handles = points.shown_handles
+            handles = points.visible_handles
             found = handles.of_selected(shown), handles.facing(shown)
             hit = hit_test(pixel, shown, self.view, polyline, points.selection, *found)
             if tool.finds_other_curves:

@@ -20,10 +20,10 @@ from ..qt.strokes import FILL_RULES, dot_at, overhang_of, pen_of, with_opacity
 from ..view_model.curve.curve_view import CurveView, Polyline
 
 TOLERANCE = 0.1
-"""Largest distance between the curve and what is drawn of it, in pixels; a quarter can be seen as corners."""
+"""Largest distance between the curve and its drawn polyline, in pixels; a quarter shows as corners."""
 
 _WIDE = 8.0
-"""Pixels of a line above which its edges show corners that its middle does not."""
+"""Line width in pixels above which the edges show corners that the middle does not."""
 
 _MOST_FINER = 8.0
 
@@ -32,7 +32,7 @@ Shape = tuple[CurveView, ...]
 
 
 def is_plain(view: CurveView) -> bool:
-    """Whether a curve is a line of the same width at every zoom: it has no looks but a colour."""
+    """Whether a curve is a line of the same width at every zoom: its style is no more than a colour."""
     style = view.source.style
     return style is PLAIN_STYLE or (
         style.width is None
@@ -51,7 +51,7 @@ def line_of(view: CurveView, pixel_map: PixelMap, style: Style | None = None) ->
     width = (style or view.source.style).width or 0.0
     if width * scale <= _WIDE:
         return view.flattened(TOLERANCE / scale, pixel_map.box)
-    # Where the middle turns by some angle the edge turns with a larger radius.
+    # The edge of a wide line turns with a larger radius than its middle.
     finer = min(width * scale / _WIDE, _MOST_FINER)
     left, low, right, high = pixel_map.box
     box = (left - width, low - width, right + width, high + width)
@@ -59,26 +59,26 @@ def line_of(view: CurveView, pixel_map: PixelMap, style: Style | None = None) ->
 
 
 def line_width(style: Style, pixel_map: PixelMap, usual: float) -> float:
-    """Return the width in pixels of a line in its style; 0 of none, `usual` where it has none of its own."""
+    """Return the width in pixels of a line in its style: 0 without a stroke, `usual` without a width."""
     if not style.has_stroke:
         return 0.0
     return usual if style.width is None else style.width * pixel_map.sx
 
 
 _NARROW = 4.0
-"""Pixels of a line up to which it is cut where others are."""
+"""Line width in pixels up to which the line is cut at the usual margin."""
 
 _FINE = (1.0, 8.0)
-"""Pixels of lines that Qt's stroker takes long for, and whose turns are slight enough to do without it."""
+"""Range of widths in pixels for which `RoundLine` replaces Qt's slow stroker."""
 
 _WIDEST = 1e7
-"""Pixels of the widest pen that Qt is given: with it all is covered."""
+"""Pixels of the widest pen that Qt is given: it covers every screen."""
 
 _SHORTEST_DASHES = 0.5
-"""Pixels of a pattern below which dashes cannot be told apart, and are a paler line."""
+"""Length in pixels of a dash pattern below which dashes merge into a paler line."""
 
 _FARTHEST_DASH = 20_000.0
-"""Pixels from the area to which dashes are counted through; a dashed line is not cut nearer by."""
+"""Pixels from the area at which a dashed line is cut: dashes are counted up to there."""
 
 
 class _Part(NamedTuple):
@@ -89,7 +89,7 @@ class _Part(NamedTuple):
 
     @property
     def is_dot(self) -> bool:
-        """Whether it is of no length."""
+        """Whether the polyline has no length."""
         return bool((self.points[0] == self.points[-1]).all() and (self.points == self.points[0]).all())
 
 
@@ -106,9 +106,9 @@ def paint_shape(
     Parameters
     ----------
     usual
-        Width in pixels of a line that has none of its own.
+        Width in pixels of a line whose style has no width.
     line
-        What fine lines are drawn with; one may serve for many shapes.
+        Draws fine lines; one serves for many shapes.
     """
     style = shape[0].source.style
     parts = [
@@ -127,7 +127,7 @@ def paint_shape(
 
 
 def _area(parts: Sequence[_Part], pixel_map: PixelMap) -> QPainterPath:
-    """Return the inside of a shape, cut to what may be seen."""
+    """Return the inside of a shape, cut to the visible area."""
     area = QPainterPath()
     for part in parts:
         ring = ring_within(pixel_map.points(part.points), pixel_map.width, pixel_map.height, MARGIN)
@@ -170,7 +170,7 @@ def _stroke(
 
 
 def _line(parts: Sequence[_Part], pixel_map: PixelMap, reach: float) -> QPainterPath:
-    """Return the line of a shape, cut to what may be seen."""
+    """Return the line of a shape, cut to the visible area."""
     path = QPainterPath()
     for part in parts:
         _add_line(path, part, pixel_map, reach)
@@ -178,7 +178,7 @@ def _line(parts: Sequence[_Part], pixel_map: PixelMap, reach: float) -> QPainter
 
 
 def _pen(style: Style, colour: QColor, width: float) -> QPen:
-    """Return the pen of a line; where its dashes are too short to be seen it is paler in place of them."""
+    """Return the pen of a line; dashes too short to be seen become a paler line."""
     opacity = style.stroke_opacity
     is_dashed = sum(style.dash) * width >= _SHORTEST_DASHES
     if style.dash and not is_dashed:
@@ -187,7 +187,7 @@ def _pen(style: Style, colour: QColor, width: float) -> QPen:
 
 
 def _add_line(line: QPainterPath, part: _Part, pixel_map: PixelMap, reach: float) -> None:
-    """Add a polyline to a path, cut to what may be seen; a closed one that is whole has no ends."""
+    """Add a polyline to a path, cut to the visible area; a closed one that lies inside has no ends."""
     pixels = pixel_map.points(part.points)
     runs = list(_runs(pixels, pixel_map, reach))
     is_whole = len(runs) == 1 and len(runs[0]) == len(pixels)
@@ -207,7 +207,7 @@ def _runs(pixels: FloatArray, pixel_map: PixelMap, reach: float) -> Iterator[Flo
 def _stroke_dashed(
     painter: QPainter, parts: Sequence[_Part], pen: QPen, offset: float, pixel_map: PixelMap, reach: float
 ) -> None:
-    """Stroke with dashes that run on from the beginning of each polyline, however little of it is seen."""
+    """Stroke with dashes counted from the start of each polyline, however little of it is visible."""
     for part in parts:
         pixels = np.clip(pixel_map.points(part.points), -1e15, 1e15)
         lengths = np.hypot(*np.diff(pixels, axis=0).T)
@@ -220,7 +220,7 @@ def _stroke_dashed(
 
 
 def _stretches(pixels: FloatArray, pixel_map: PixelMap, reach: float) -> Iterator[tuple[int, int]]:
-    """Yield where vertices follow each other whose segments are near, as (first, end)."""
+    """Yield the ranges (first, end) of consecutive vertices whose segments are near the area."""
     low, high = np.minimum(pixels[:-1], pixels[1:]), np.maximum(pixels[:-1], pixels[1:])
     is_near = ((high >= -reach) & (low <= (pixel_map.width + reach, pixel_map.height + reach))).all(axis=1)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], is_near, [False]]).astype(np.int8)))

@@ -41,16 +41,16 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
     """
 
     sheets: tuple[QPixmap, ...]
-    shown: PixelMap
+    pixel_map: PixelMap
     key: tuple[object, ...]
 
     def draw(self, painter: QPainter, pixel_map: PixelMap, sheet: QPixmap) -> None:
         """Draw a sheet, where it lies when this part of the plane is visible."""
-        if pixel_map is self.shown or pixel_map == self.shown:
+        if pixel_map is self.pixel_map or pixel_map == self.pixel_map:
             painter.drawPixmap(0, 0, sheet)
             return
         place = self.place_in(pixel_map)
-        if (pixel_map.sx, pixel_map.sy) == (self.shown.sx, self.shown.sy):
+        if (pixel_map.sx, pixel_map.sy) == (self.pixel_map.sx, self.pixel_map.sy):
             # On whole pixels of the screen, where it is as sharp as it was, and quickly copied.
             ratio = sheet.devicePixelRatio()
             corner = QPointF(round(place.x() * ratio) / ratio, round(place.y() * ratio) / ratio)
@@ -60,7 +60,7 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
 
     def place_in(self, pixel_map: PixelMap) -> QRectF:
         """Return where the sheets lie when another part of the plane is visible."""
-        old = self.shown
+        old = self.pixel_map
         x, y = pixel_map.point(old.x0, old.y0)
         return QRectF(x, y, old.width * pixel_map.sx / old.sx, old.height * pixel_map.sy / old.sy)
 

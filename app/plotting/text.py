@@ -263,13 +263,13 @@ def _beside(direction: complex) -> complex:
     return -across if across.imag > 0 else across
 
 
-class Taken:
+class OccupiedRoom:
     """Room that numbers take already."""
 
     def __init__(self) -> None:
         self._boxes: list[QRectF] = []
 
-    def take(self, centres: Iterable[QPointF], size: QSizeF) -> QPointF | None:
+    def reserve(self, centres: Iterable[QPointF], size: QSizeF) -> QPointF | None:
         """Take the first of some places that is free, and return its middle; None where none is."""
         for centre in centres:
             box = QRectF(QPointF(), size)

@@ -14,7 +14,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QDockWidget, QWidget
 
-from ..canvas.handle_marks import ShownHandles
+from ..canvas.handle_marks import VisibleHandles
 from ..cli.display import has_display
 from ..document.model import Curve, ParametrizationKind, Vector
 from ..document.plane_edits import set_grid_spacing, set_unit
@@ -200,7 +200,7 @@ class Editor(InputDriver):
     def handle(self, kind: int = 1, *, ahead: bool = True, index: int | None = None) -> Handle:
         """Return a handle that is shown: kind 1 velocity, 2 acceleration; of a selected point, or of one."""
         canvas = self.window.canvas
-        handles: ShownHandles = canvas.drawing.points.shown_handles
+        handles: VisibleHandles = canvas.drawing.points.visible_handles
         shown = canvas.pixel_map
         facing = handles.facing(shown) if index is not None else ()
         for handle in chain(handles.of_selected(shown), facing):

@@ -40,8 +40,9 @@ _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySi
 
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
-    *("_asked", "_axes", "_cost", "_costed", "_discs_asked", "_drawn", "_extents", "_frozen", "_ghost"),
+    *("_asked", "_axes", "_cost", "_costed", "_discs_key", "_drawn", "_extents", "_frozen", "_ghost"),
     *("_ghost_stroke", "_ground", "_in_sight", "_is_resting", "_italic", "_known", "_made", "_made_for"),
+    *("_cached_pen", "_pen_key", "InkCache._key"),
     *("_origin", "_pause", "_pens", "_pixels_of", "_room", "_seconds", "_stamps", "_stroke", "_strokes"),
     *("_upright", "_watcher", "__dict__", "is_due", "_autoRangeNeedsUpdate", "_painterPathCache"),
     *("BasisView.supports", "Cardinal.growth", "Cardinals._key", "CrestNames._crests_of"),
@@ -52,10 +53,16 @@ PASSING = {
     *("GridLayer._shown", "MotionLayer._written"),
     *("MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of", "MotionStage._scales"),
     *("PixelMap._known_rows", "PixelMap.box", "PlotCommands._own", "PlotCommands._plotted"),
-    *("PlotCommands._was_calm", "PlotLayer._strokes_of", "PointLayer._discs_now", "PointLayer._kinds_of"),
-    *("PointLayer._roles", "PointLayer._roles_for", "PointLayer._roles_of", "PointLayer.numbers"),
-    *("Rulers._band", "Rulers._marks", "Rulers._marks_of", "ScrubLayer.scrub", "ShownHandles._counted"),
-    *("ShownHandles._in_sight", "TickEdit._knot", "Toolbar._widths", "TraceLayer._lines"),
+    *("PlotCommands._was_calm", "PlotLayer._strokes_of", "PointLayer._discs", "PointLayer._kinds_key"),
+    *("PointLayer._roles", "PointLayer._roles_arrays", "PointLayer._roles_key", "PointLayer.numbers"),
+    *(
+        "Rulers._band",
+        "Rulers._marks",
+        "Rulers._marks_of",
+        "ScrubLayer.scrub",
+        "VisibleHandles._facing_counted",
+    ),
+    *("VisibleHandles._visible_at", "TickEdit._knot", "Toolbar._widths", "TraceLayer._lines"),
     *("SelectionBox._whole", "UsedColours._found", "WiggleCommands._cures"),
     # Where the pointer was last, before it left, and with which button.
     *("_button", "_last", "_place_now", "_pointer", "CurvePicker.entered", "Scrolling._zooms"),

@@ -90,7 +90,7 @@ def test_of_several_points_each_handle_is_dragged_for_itself_and_its_kind_holds(
 def test_handles_that_face_the_selected_points_are_fainter_and_dragged_as_well(zigzag):
     zigzag.select([2])
     canvas = zigzag.window.canvas
-    facing = canvas.drawing.points.shown_handles.facing(canvas.pixel_map)
+    facing = canvas.drawing.points.visible_handles.facing(canvas.pixel_map)
     assert [(each.index, each.ahead) for each in facing] == [(1, True), (3, False)]
     own, other = (zigzag.handle(ahead=False, index=index).position for index in (2, 3))
     picture, paper = zigzag.screenshot(), canvas.drawing.points.theme.paper.name()
@@ -111,7 +111,7 @@ def test_handles_that_face_the_selected_points_are_fainter_and_dragged_as_well(z
     assert zigzag.session.selection == {2}
     # A press of the pen beside the curve is to mean a point.
     zigzag.trigger("addTool")
-    assert not len(canvas.drawing.points.shown_handles.facing(canvas.pixel_map))
+    assert not len(canvas.drawing.points.visible_handles.facing(canvas.pixel_map))
 
 
 def test_a_straight_segment_has_the_handles_of_a_single_point_alone(zigzag):
@@ -120,7 +120,7 @@ def test_a_straight_segment_has_the_handles_of_a_single_point_alone(zigzag):
     zigzag.trigger("straightSegment")
     assert {(each.index, each.ahead) for each in layer.handles} == {(2, False), (3, True)}
     zigzag.select([2])
-    facing = layer.shown_handles.facing(zigzag.window.canvas.pixel_map)
+    facing = layer.visible_handles.facing(zigzag.window.canvas.pixel_map)
     assert {(each.index, each.ahead) for each in layer.handles} == {(2, False), (2, True)}
     assert [(each.index, each.ahead) for each in facing] == [(1, True)]
     # Bent, it has them again.

@@ -566,10 +566,10 @@ def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_re
     three.settle()
     assert layer._picture is picture
     shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
-    x, y = picture.shown.plane(100, 50)
+    x, y = picture.pixel_map.plane(100, 50)
     assert shown.point(x, y) == pytest.approx((place.x() + 120, place.y() + 60))
     until(lambda: layer._picture is not picture)
-    assert layer._picture.shown == shown
+    assert layer._picture.pixel_map == shown
 
 
 def test_a_corner_is_marked(three):

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from app.appearance.colours import point_colours
-from app.canvas.other_curves_layer import loose_places, sections_of
+from app.canvas.other_curves_layer import loose_indices, sections_of
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
@@ -513,10 +513,10 @@ def test_what_was_dragged_is_in_the_picture_again_when_something_else_is_painted
     for way in (0.3, 0.6, 0.9):
         pile.move((x + way, y))
     pile.release((x + way, y))
-    assert loose_places(others._sections) == set(range(10))
+    assert loose_indices(others._sections) == set(range(10))
     for _ in range(12):
         pixels_of(pile.window.canvas)
-    assert not loose_places(others._sections)
+    assert not loose_indices(others._sections)
 
 
 def test_chosen_curves_stay_in_the_picture_when_another_one_of_them_is_edited(pile):
@@ -529,7 +529,7 @@ def test_chosen_curves_stay_in_the_picture_when_another_one_of_them_is_edited(pi
     for way in (0.3, 0.6, 0.9):
         pile.move((start[0], start[1] + way))
     assert pile.session.active_index == 4
-    assert not loose_places(selected._sections)
+    assert not loose_indices(selected._sections)
     kept = selected._picture
     pile.move((start[0], start[1] + 0.2))
     assert selected._picture is kept
@@ -549,9 +549,9 @@ def test_chosen_curves_stay_in_the_picture_when_another_one_of_them_is_edited(pi
 )
 def test_still_shapes_are_in_as_few_sheets_as_are_worth_it(changed, still):
     sections = sections_of(changed, 30)
-    assert [section.places for section in sections if section.is_still] == still
-    assert [place for section in sections for place in section.places] == list(range(30))
-    assert set(changed) <= loose_places(sections)
+    assert [section.indices for section in sections if section.is_still] == still
+    assert [index for section in sections for index in section.indices] == list(range(30))
+    assert set(changed) <= loose_indices(sections)
 
 
 # Copies
