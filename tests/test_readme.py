@@ -1,4 +1,7 @@
-"""The README's examples run as they stand; the one that drives the editor in `test_wheel`."""
+"""README and manual: examples run as they stand, tables are those of the registries, links lead to files.
+
+The example that drives the editor runs in `test_wheel`; the manual in the window is in `gui/test_manual`.
+"""
 
 from __future__ import annotations
 
@@ -16,11 +19,17 @@ from app.families import FAMILIES
 from app.window.connect import all_actions
 
 ROOT = Path(__file__).parents[1]
+FILES = "resources/manual/07_files.md"
+COMMAND_LINE = "resources/manual/08_command_line.md"
+
+
+def text_of(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
 
 
 def blocks(section: str) -> list[str]:
-    """Return the Python blocks of a section."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    """Return the Python blocks of a section of the README."""
+    text = text_of("README.md")
     body = text.split(f"## {section}\n", 1)[1].split("\n## ", 1)[0]
     return re.findall(r"```python\n(.*?)```", body, re.DOTALL)
 
@@ -46,22 +55,20 @@ FAMILY_ROWS = [
 
 
 @pytest.mark.parametrize(
-    ("head", "rows"),
+    ("name", "head", "rows"),
     [
-        ("| ends in | | read | written |\n| --- | --- | --- | --- |\n", FORMAT_ROWS),
-        ("| family | its curves |\n| --- | --- |\n", FAMILY_ROWS),
+        (FILES, "| ends in | | read | written |\n| --- | --- | --- | --- |\n", FORMAT_ROWS),
+        ("README.md", "| family | its curves |\n| --- | --- |\n", FAMILY_ROWS),
     ],
     ids=["formats", "families"],
 )
-def test_a_table_is_that_of_the_registry(head, rows):
-    """Where they differ, put the rows into the README as the failure shows them."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    assert text.partition(head)[2].partition("\n\n")[0].split("\n") == rows
+def test_a_table_is_that_of_the_registry(name, head, rows):
+    """Where they differ, put the rows into the file as the failure shows them."""
+    assert text_of(name).partition(head)[2].partition("\n\n")[0].split("\n") == rows
 
 
-def test_every_option_of_the_command_line_is_named_and_no_other(capsys):
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    block = text.partition("```text\n")[2].partition("```")[0]
+def test_the_manual_has_every_option_of_the_command_line_and_no_other(capsys):
+    block = text_of(COMMAND_LINE).partition("```text\n")[2].partition("```")[0]
     named, known = set(re.findall(r"--[a-z-]+", block)), {"--help", "--output", "--no-points"}
     for command in ("render", "convert", "info", "lesson"):
         assert f"curvebench {command}" in block
@@ -71,28 +78,48 @@ def test_every_option_of_the_command_line_is_named_and_no_other(capsys):
         assert options - named - known == set(), command
         known |= options
     assert named - known == set()
+    short = text_of("README.md").partition("```text\n")[2].partition("```")[0]
+    assert set(re.findall(r"--[a-z-]+", short)) - known == set()
+    assert set(re.findall(r"curvebench \w+", short)) == set(re.findall(r"curvebench \w+", block))
 
 
-def test_keys_and_menus_are_those_of_the_actions():
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    known = {(key, each.text.removesuffix("…")) for each in all_actions() for key in each.key.split(", ")}
-    rows = re.findall(r"^\| (<kbd>.*) \| (.*) \|$", text, re.MULTILINE)
-    assert len(rows) > 5
-    for keys, names in rows:
-        pairs = zip(re.findall("<kbd>(.*?)</kbd>", keys), names.split(", "), strict=True)
-        assert set(pairs) - known == set()
+def test_keys_and_menus_of_the_readme_are_those_of_the_actions():
+    text = text_of("README.md")
+    keys = {key for each in all_actions() for key in each.key.split(", ")}
+    quoted = set(re.findall("<kbd>(.*?)</kbd>", text))
+    assert len(quoted) > 5
+    assert quoted - keys == {"Enter"}
     entries = {
-        " › ".join(filter(None, (each.section.menu.title, each.section.submenu, each.text)))
+        " › ".join(filter(None, (each.section.menu.title, each.section.submenu, each.text))): each.key
         for each in all_actions()
     }
     menus = {entry.rpartition(" › ")[0] for entry in entries}
-    paths = set(re.findall(r"\*((?:File|Edit|Curve|Points|Arrange|Analysis|View|Help) [›>] [^*]+)\*", text))
+    paths = re.findall(r"\*([^*\n]+ [›>] [^*\n]+)\*(?:\s\(<kbd>(.+?)</kbd>\))?", text)
     assert len(paths) > 4
-    assert paths - entries - menus == set()
+    assert {path for path, _key in paths} - entries.keys() - menus == set()
+    assert all(key in ("", *entries[path].split(", ")) for path, key in paths if path in entries)
+
+
+def test_every_link_of_readme_and_contributing_leads_to_a_file():
+    for name in ("README.md", "CONTRIBUTING.md"):
+        for link in re.findall(r"\]\(([^)#]+)", text_of(name)):
+            assert (ROOT / link).exists(), f"{link} in {name}"
+
+
+def test_the_readme_lists_the_pages_of_the_manual():
+    pages = {path.name: path.read_text("utf-8") for path in sorted((ROOT / "resources/manual").iterdir())}
+    titles = {name: text.partition("\n")[0].removeprefix("# ") for name, text in pages.items()}
+    listed = re.findall(r"\[([^\]]+)\]\(resources/manual/(\w+\.md)\)", text_of("README.md"))
+    assert [(title, name) for name, title in titles.items()] == listed
+
+
+@pytest.mark.parametrize("name", ["README.md"])
+def test_it_can_be_read_in_five_minutes(name):
+    assert len(text_of(name).encode()) <= 9000
 
 
 def test_the_core_example_prints_what_it_says(tmp_path):
-    (example,) = blocks("The core as a library")
+    (example,) = blocks("Library")
     result = run("-W", "error", "-c", example, cwd=tmp_path)
     assert result.returncode == 0, result.stderr
     # The position functions sum to one, to a few roundings.

@@ -68,7 +68,7 @@ def test_nothing_called_app_is_installed(installed):
 def test_the_editor_is_driven_beside_a_strangers_app(run, tmp_path):
     """The README's example, and the stranger's module is still his."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
-    body = text.split("## Driving the editor from pytest-qt\n", 1)[1].split("\n## ", 1)[0]
+    body = text.split("## Testing with pytest-qt\n", 1)[1].split("\n## ", 1)[0]
     conftest, test = re.findall(r"```python\n(.*?)```", body, re.DOTALL)
     (tmp_path / "conftest.py").write_text(conftest, encoding="utf-8")
     own = "\n\ndef test_his_module_is_his():\n    import app, sys\n\n    assert app.mine\n"

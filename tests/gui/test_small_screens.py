@@ -22,6 +22,7 @@ from app.exchange.cubics_in import Imported
 from app.exchange.formats import FORMATS
 from app.exchange.table.source import TableSource
 from app.exchange.table.text import preview_table
+from app.features.help.manual import ManualWindow
 from app.features.import_export.export_dialog import ExportDialog
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.features.import_export.import_table_dialog import ImportTableDialog
@@ -85,6 +86,7 @@ def dialogs(window):
     data = b"t,x,y,vx,vy,ax,ay\n" + b"0,1,2,3,4,5,6\n1,2,4,5,6,7,8\n" * 20
     yield ImportTableDialog(Verb.IMPORT, "a.csv", "a", TableSource(data), preview_table(data), window)
     yield PreferencesDialog(window.preferences, window.actions_by_name.keymap, window)
+    yield ManualWindow(window)
 
 
 def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monkeypatch):

@@ -1,6 +1,11 @@
-"""Keys and mouse, and what this program is.
+"""Help: the manual, all keys and gestures, and the version.
 
-- ``commands``: the Help menu.  ``shortcut_sheet``: all keys and gestures on one sheet over the window.
+To add a page to the manual: write `resources/manual/NN_name.md`. Its first line is its title, text in
+*italics* quotes the window (tests look for every action, menu and key), and a link names the file of another
+page.
+
+- ``commands``: the Help menu.  ``manual``: the window of the manual.
+- ``shortcut_sheet``: all keys and gestures on one sheet over the window.
 """
 
 import lazy_loader as lazy

@@ -14,6 +14,7 @@ from ...workbench.context import WindowContext
 from .. import help as help_feature
 
 if TYPE_CHECKING:
+    from .manual import ManualWindow
     from .shortcut_sheet import ShortcutSheet
 
 
@@ -23,6 +24,14 @@ class HelpCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._sheet: ShortcutSheet | None = None
+        self._manual: ManualWindow | None = None
+
+    @action("manual", "Manual", HELP_ALL, icon="manual")
+    def _show_manual(self) -> None:
+        """Read what the program can do, one page a subject."""
+        if self._manual is None:
+            self._manual = help_feature.manual.ManualWindow(self._context.window)
+        self._manual.bring_up()
 
     @action("showShortcuts", "Keys and Mouse", HELP_ALL, "F1", "help")
     def _show_shortcuts(self) -> None:
