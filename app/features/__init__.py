@@ -57,7 +57,6 @@ FEATURES = (
     "reference_image",
     "document_settings",
     "recovery",
-    "file_on_disk",
 )
 """The packages; tabs, and actions in a section of a menu, stand in this order."""
 

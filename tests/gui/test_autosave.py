@@ -19,9 +19,8 @@ from app.document.model import Document, make_curve
 from app.document.point_edits import move_points, set_position
 from app.families import HERMITE
 from app.features.recovery.autosave import DELAY_MS, Autosave, origin_of, snapshot_folder, state_folder
-from app.features.recovery.bar import RecoveryBar
+from app.features.recovery.bar import RecoveryBar, age_in_words
 from app.features.recovery.commands import RecoveryCommands
-from app.features.recovery.offers import age_in_words
 from app.session import MessageKind, Session
 from app.settings.preferences import Preferences
 from app.storage.files import load, save
@@ -190,7 +189,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, tmp_path, monkeypatc
 
 def test_what_another_program_has_emptied_is_kept(kept, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
-    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 1)
+    monkeypatch.setattr("app.features.files.disk._MOST_CHECKS", 1)
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     path.write_bytes(b"")

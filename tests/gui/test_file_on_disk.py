@@ -20,8 +20,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QToolButto
 from app.appearance.theme import ThemeMode
 from app.document.model import Document, make_curve
 from app.document.point_edits import move_points, set_position
-from app.features.file_on_disk.commands import DiskCommands
-from app.features.file_on_disk.notices import Ownership, about_lock
+from app.features.files.disk import DiskCommands, Ownership, lock_notice
 from app.session import Session
 from app.storage import files
 from app.storage.files import ChangedOnDiskError, StorageError, load, save
@@ -338,8 +337,8 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
 
 
 def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
-    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 1)
-    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
+    monkeypatch.setattr("app.features.files.disk._MOST_CHECKS", 1)
+    monkeypatch.setattr("app.features.files.disk._RECHECK_MS", SOON_MS)
     content = path.read_bytes()
     path.write_bytes(b"")
     until(lambda: saved.session.files.is_modified)
@@ -370,8 +369,8 @@ def test_half_a_file_is_waited_for(saved, path, until):
 
 @pytest.fixture
 def few_checks(monkeypatch):
-    monkeypatch.setattr("app.features.file_on_disk.commands._MOST_CHECKS", 2)
-    monkeypatch.setattr("app.features.file_on_disk.commands._RECHECK_MS", SOON_MS)
+    monkeypatch.setattr("app.features.files.disk._MOST_CHECKS", 2)
+    monkeypatch.setattr("app.features.files.disk._RECHECK_MS", SOON_MS)
 
 
 def test_a_file_that_stays_broken_is_said(saved, path, until, few_checks):
@@ -544,7 +543,7 @@ def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
 
 def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
-    monkeypatch.setattr("app.features.file_on_disk.commands._OWNER_MS", 50)
+    monkeypatch.setattr("app.features.files.disk._OWNER_MS", 50)
     save(path, THEIRS)
     code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_path\n"
     code += "kept = acquire(lock_path(Path(sys.argv[1]))); print(1, flush=True); sys.stdin.read()"
@@ -688,7 +687,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
 
 def test_a_lock_file_cannot_break_the_words():
     owner = Owner("", "", "m", 7, "x", 1e300, "mark")
-    text = about_lock("a", Ownership.OPENED_ELSEWHERE, owner).text
+    text = lock_notice("a", Ownership.OPENED_ELSEWHERE, owner).text
     assert text.startswith("Somebody has this open, since some time; opened read-only.")
 
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QUndoView
 from app.appearance.theme import ThemeMode, apply_theme
 from app.document import point_edits
 from app.document.model import make_curve
-from app.features.history.panel import HistoryPanel
+from app.features.history.commands import HistoryPanel
 from app.session import Session
 from app.storage import files
 

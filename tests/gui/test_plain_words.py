@@ -30,8 +30,7 @@ from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.import_export.commands import ImportCommands
 from app.features.point_table.commands import PointTableCommands
-from app.features.recovery.bar import RecoveryBar
-from app.features.recovery.offers import Offer
+from app.features.recovery.bar import RecoveryBar, UnsavedWork
 from app.storage.files import save
 from tests.waiting import until
 
@@ -166,7 +165,7 @@ def test_a_step_is_called_in_the_menu_as_in_the_history(planted):
 
 
 def test_what_was_not_saved_is_named_as_it_is(planted, tmp_path):
-    offer = Offer(NAME, NAME, str(tmp_path / NAME), planted.session.document)
+    offer = UnsavedWork(NAME, NAME, str(tmp_path / NAME), planted.session.document)
     bar = RecoveryBar(planted.window.canvas)
     bar.render([offer], NAME)
     check("Label recoveryNote", "ElidedLabel recoveryTold")

@@ -11,7 +11,7 @@ from app.appearance.theme import LIGHT
 from app.document.model import Document, make_curve
 from app.document.style import Style
 from app.families import HERMITE
-from app.features.recovery.thumbnail import thumbnail
+from app.features.recovery.bar import thumbnail
 
 
 @pytest.mark.usefixtures("qapp")

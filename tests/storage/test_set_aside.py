@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.document.model import Document, make_curve
 from app.features.lessons.lesson import load_lesson
-from app.features.recovery.set_aside import SetAside
+from app.features.recovery.autosave import SetAside
 from app.session import MessageKind, Session
 from app.storage.files import load
 from app.storage.recovery import list_snapshots

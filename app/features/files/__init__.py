@@ -1,4 +1,5 @@
-"""Files of documents: new, open, save, quit, and what is read or written beside the window.
+"""Files of documents: new, open, save, quit; and the file on the disk while it is open.
 
-- ``commands``: the actions.  ``work_commands``, ``job_bar``: progress of long work, and stopping it.
+- ``commands``: the actions, and the progress of long work.
+- ``disk``: a file that another program changed or deleted, or that is open elsewhere.
 """

@@ -1,14 +1,19 @@
-"""New, open, save and quit."""
+"""New, open, save and quit; and the progress of long work in the status line."""
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
 from ...actions.declaration import action, also
-from ...actions.menus import FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE, TOOLBAR
+from ...actions.menus import EDIT_WORK, FILE_OPEN, FILE_QUIT, FILE_RECENT, FILE_SAVE, TOOLBAR
+from ...actions.needs import Need
 from ...document.limits import EditError
+from ...qt.labels import Label
+from ...widgets.boxes import row_of
+from ...widgets.controls import ThinProgress, tool_button
 from ...workbench.context import WindowContext
-from .work_commands import WorkCommands
+from .disk import DiskCommands
 
 
 class DocumentCommands:
@@ -73,4 +78,76 @@ class DocumentCommands:
         all(window.close() for window in (self._context.window, *others))
 
 
-COMMAND_SETS = (DocumentCommands, WorkCommands)
+class WorkCommands:
+    """Shows in the status line what goes on beside the window, and stops it."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context = context
+        self._bar: JobBar | None = None
+        jobs = context.work.jobs
+        jobs.begun.connect(lambda: context.store.change(is_working=True))
+        jobs.shown.connect(self._show_bar)
+        jobs.ended.connect(self._hide_bar)
+        jobs.progressed.connect(self._show_share)
+
+    @action(
+        "cancelWork",
+        "Stop What Is Running",
+        EDIT_WORK,
+        "Ctrl+.",
+        "stop",
+        needs=Need(
+            "something that is being read, written or computed", lambda state: state.window.is_working
+        ),
+    )
+    def _cancel(self) -> None:
+        """Stop reading, writing or computing; nothing changes."""
+        self._context.work.cancel()
+
+    def _show_bar(self, title: str) -> None:
+        if self._bar is None:
+            self._bar = JobBar(self._context.actions["cancelWork"])
+            self._context.status_line.put_after(self._bar)
+        self._bar.begin(title)
+
+    def _hide_bar(self) -> None:
+        self._context.store.change(is_working=False)
+        if self._bar is not None:
+            self._bar.hide()
+
+    def _show_share(self, share: float, _word: str) -> None:
+        if self._bar is not None:
+            self._bar.bar.show_share(share)
+
+
+class JobBar(QWidget):
+    """A line with a word, a bar and a button; it shows what it is told."""
+
+    def __init__(self, cancel: QAction) -> None:
+        super().__init__()
+        self.setObjectName("jobBar")
+        self._word = Label(name="jobWord")
+        self.bar = ThinProgress("jobProgress", "How far it has come")
+        words = cancel.text(), cancel.toolTip()
+        self.button = tool_button("cancelJobButton", *words, text="Stop", icon_size=14, flat=True)
+        self.button.clicked.connect(cancel.trigger)
+        self._cancel = cancel
+        # No higher than the labels beside it: the drawing must not move when the line appears.
+        self.button.setFixedHeight(self.fontMetrics().height() + 4)
+        row_of(self._word, self.bar, self.button, margins=(6, 0, 6, 0), spacing=8, parent=self)
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """Words about the work."""
+        return self._word.text()
+
+    def begin(self, title: str) -> None:
+        """Show the line with a bar that is empty."""
+        self._word.setText(title)
+        self.bar.setValue(0)
+        self.button.setIcon(self._cancel.icon())  # tinted for the theme of the moment
+        self.show()
+
+
+COMMAND_SETS = (DocumentCommands, WorkCommands, DiskCommands)

@@ -1,4 +1,4 @@
-"""Undo as a list.
+"""History: undo and redo, and the list of steps.
 
-- ``commands``: undo and redo, and the list in the window.  ``panel``: the list of steps.
+- ``commands``: the actions and the panel.
 """

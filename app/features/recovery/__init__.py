@@ -1,8 +1,8 @@
 """Recovery of unsaved work.
 
-- ``autosave``: a snapshot of what is not saved yet.  ``set_aside``: of what was left for a lesson.
-- ``commands``: offers snapshots of ended processes, and brings them back.
-- ``bar``, ``offers``, ``thumbnail``: the panel that offers them, its words and pictures.
+- ``autosave``: snapshots of unsaved work, and of work that was left for a lesson or an example.
+- ``commands``: offers the snapshots of the last run, and restores them.
+- ``bar``: the bar over the canvas that offers them.
 """
 
 import lazy_loader as lazy

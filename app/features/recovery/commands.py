@@ -12,8 +12,7 @@ from ...session import DocumentOrigin
 from ...storage.recovery import Snapshot, SnapshotListing, list_snapshots
 from ...workbench.context import WindowContext
 from .. import recovery
-from .autosave import Autosave, beginning_of, snapshot_folder
-from .set_aside import SetAside
+from .autosave import Autosave, SetAside, beginning_of, snapshot_folder
 
 OpenBeside = Callable[[Document, Path | None, DocumentOrigin], Autosave]
 """Opens another window on a document with changes that are not in its file."""
@@ -73,8 +72,8 @@ class RecoveryCommands:
             self._bar.discard_asked.connect(self._discard)
             self._bar.later_asked.connect(self._later)
             self._bar.closed.connect(self.leave)
-        words = recovery.offers
-        self._bar.render(words.offers_of(self._found.snapshots), words.note_about(self._found.damaged))
+        bar = recovery.bar
+        self._bar.render(bar.unsaved_work_of(self._found.snapshots), bar.damaged_note(self._found.damaged))
 
     def _take(self, index: int) -> Snapshot:
         snapshots = list(self._found.snapshots)
@@ -101,10 +100,10 @@ class RecoveryCommands:
             snapshot.discard()
         else:
             snapshot.leave()  # rather offered twice than lost
-        told = recovery.offers.told_after(origin, is_unchanged=path is not None)
+        message = recovery.bar.restored_message(origin, is_unchanged=path is not None)
         if snapshot.left_out:
-            told = f"{told} {snapshot.left_out.said_of('It')}"
-        session.say(told)
+            message = f"{message} {snapshot.left_out.said_of('It')}"
+        session.say(message)
 
     def _discard(self, index: int) -> None:
         self._take(index).discard()
