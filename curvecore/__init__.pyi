@@ -74,13 +74,13 @@ from curvecore.families.chain import Chain as Chain
 from curvecore.families.cubic_spline import CubicSplineCurve as CubicSplineCurve
 from curvecore.families.cubic_spline import SplineEnds as SplineEnds
 from curvecore.families.curve import ParametricCurve as ParametricCurve
+from curvecore.families.defaults import Interpolant as Interpolant
+from curvecore.families.defaults import LocalBasis as LocalBasis
 from curvecore.families.floater_hormann import FloaterHormannCurve as FloaterHormannCurve
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.hermite import SepticHermiteCurve as SepticHermiteCurve
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
-from curvecore.families.records import Interpolant as Interpolant
-from curvecore.families.records import LocalBasis as LocalBasis
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.fitting.fit import fit as fit
 from curvecore.fitting.least_squares import least_squares_curve as least_squares_curve

@@ -19,7 +19,7 @@ from curvecore.analysis.curvature import curvature_of
 from curvecore.arithmetic import SMALLEST, UNIT_ROUNDOFF, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray, tolerance_value
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS
+from curvecore.families.defaults import JOINT_ORDERS, JOINT_ROUNDINGS
 
 _BREAK = -1
 _DATA_ROUNDINGS = 48.0 * UNIT_ROUNDOFF

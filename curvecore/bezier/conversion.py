@@ -30,7 +30,7 @@ from curvecore.arrays import FloatArray, data_array, finite_number, integer
 from curvecore.bezier.bernstein import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import Interpolant
+from curvecore.families.defaults import Interpolant
 from curvecore.rounding.exact import CommonPolynomial, as_float, interpolated, scaled_integers
 
 MOST = 64

@@ -14,7 +14,7 @@ from curvecore.bezier import bernstein
 from curvecore.calculus.integrals import Integral, integral_of
 from curvecore.families.chain import Chain, exact_pieces
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import LocalBasis
+from curvecore.families.defaults import LocalBasis
 
 
 class OfCurve(ParametricCurve):

@@ -23,8 +23,7 @@ from numpy.polynomial.legendre import leggauss
 from curvecore.arithmetic import made_finite
 from curvecore.arrays import FloatArray, finite_number, read_only
 from curvecore.bezier.control_points import all_joints
-from curvecore.families.curve import ParametricCurve
-from curvecore.families.evaluation import Extrapolate, checked_extrapolate
+from curvecore.families.curve import Extrapolate, ParametricCurve, checked_extrapolate
 
 Function: TypeAlias = Callable[[FloatArray], FloatArray]
 """A function of t (m,) with values (m, q)."""

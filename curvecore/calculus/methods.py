@@ -6,18 +6,16 @@ from typing import TYPE_CHECKING, Self, cast
 
 from curvecore import calculus
 from curvecore.arrays import FloatArray
-from curvecore.families.part import CurvePart
 
 if TYPE_CHECKING:
     from scipy.interpolate import BPoly, PPoly
 
-    from curvecore.families.curve import ParametricCurve
-    from curvecore.families.evaluation import Extrapolate
+    from curvecore.families.curve import Extrapolate, ParametricCurve
     from curvecore.families.setting import SettingValue
 
 
-class Calculus(CurvePart):
-    """A part of `ParametricCurve`: what may be done with any function."""
+class Calculus:
+    """The part of `ParametricCurve` that any function has: derivatives, integrals, solutions, SciPy."""
 
     __slots__ = ()
 
@@ -53,7 +51,7 @@ class Calculus(CurvePart):
         >>> velocity.degree
         1
         """
-        return calculus.derivative_of(self._this, order)
+        return calculus.derivative_of(_curve(self), order)
 
     def antiderivative(self, order: int = 1) -> ParametricCurve:
         """Return the integral from the beginning of the domain, as a curve.
@@ -84,7 +82,7 @@ class Calculus(CurvePart):
         >>> area([0, 3]).round(12).tolist()
         [[0.0], [9.0]]
         """
-        return calculus.antiderivative_of(self._this, order)
+        return calculus.antiderivative_of(_curve(self), order)
 
     def integrate(self, a: float, b: float, extrapolate: Extrapolate = True) -> FloatArray:
         """Return the integral over t from a to b.
@@ -119,7 +117,7 @@ class Calculus(CurvePart):
         >>> LagrangeCurve([[0, 1], [1, 1], [4, 1]], [0, 1, 2]).integrate(0, 3).round(12).tolist()
         [9.0, 3.0]
         """
-        return calculus.integral(self._this, a, b, extrapolate)
+        return calculus.integral(_curve(self), a, b, extrapolate)
 
     def solve(self, value: float = 0.0, axis: int = 0, discontinuity: bool = True) -> FloatArray:
         """Return all t of the domain at which a coordinate has a value.
@@ -171,7 +169,7 @@ class Calculus(CurvePart):
         >>> curve.solve(1.5, axis=1).round(9).tolist()
         [0.5, 1.5]
         """
-        return calculus.solutions(self._this, value, axis, discontinuity)
+        return calculus.solutions(_curve(self), value, axis, discontinuity)
 
     def roots(self, axis: int = 0, discontinuity: bool = True) -> FloatArray:
         """Return all t of the domain at which a coordinate is 0.
@@ -206,7 +204,7 @@ class Calculus(CurvePart):
         >>> curve.derivative().roots(axis=1).tolist()
         [1.0]
         """
-        return calculus.solutions(self._this, 0.0, axis, discontinuity)
+        return calculus.solutions(_curve(self), 0.0, axis, discontinuity)
 
     def to_bpoly(self) -> BPoly:
         """Return the curve as a polynomial in Bernstein form of SciPy's.
@@ -237,7 +235,7 @@ class Calculus(CurvePart):
         >>> polynomial(0.5).round(9).tolist()
         [0.25, 1.5]
         """
-        return calculus.to_bpoly(self._this)
+        return calculus.to_bpoly(_curve(self))
 
     def to_ppoly(self) -> PPoly:
         """Return the curve as a piecewise polynomial of SciPy's, by powers of t less a piece's beginning.
@@ -265,7 +263,7 @@ class Calculus(CurvePart):
         >>> curve.to_ppoly().c[:, 0, 0].tolist()
         [1.0, 0.0, 0.0]
         """
-        return calculus.to_ppoly(self._this)
+        return calculus.to_ppoly(_curve(self))
 
     @classmethod
     def from_bpoly(cls, polynomial: BPoly | PPoly, **settings: SettingValue) -> Self:
@@ -306,3 +304,8 @@ class Calculus(CurvePart):
         return cast(
             "Self", calculus.curve_of_bpoly(cast("type[ParametricCurve]", cls), polynomial, **settings)
         )
+
+
+def _curve(part: Calculus) -> ParametricCurve:
+    """Return the curve that it is a part of, for type checkers."""
+    return cast("ParametricCurve", part)

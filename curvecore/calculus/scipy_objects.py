@@ -137,15 +137,7 @@ def polynomial_pieces(curve: ParametricCurve) -> FloatArray:
         raise CurveError(
             "curve must have pieces that are polynomials of a moderate degree; cubic_path approximates others"
         )
-    return _sampled(curve, curve.degree)
-
-
-def _sampled(curve: ParametricCurve, degree: int) -> FloatArray:
-    """Return the polynomials through values inside the pieces: at a break itself the curve may jump."""
-    places = np.sin((np.arange(degree + 1) + 0.5) * (np.pi / (2 * (degree + 1)))) ** 2
-    starts, lengths = curve.breaks[:-1, None], np.diff(curve.breaks)[:, None]
-    values = curve.evaluate(starts + places * lengths)
-    return np.asarray(np.linalg.solve(weights(places, degree), values), dtype=np.float64)
+    return curve._sampled_pieces(curve.degree)
 
 
 class PolynomialPieces(ParametricCurve):

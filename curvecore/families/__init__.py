@@ -1,8 +1,7 @@
 """The families of curves: one file from the formula to the bounds of its errors.
 
 - ``curve``: the base class: what a family must say, what it may say, and what callers get.
-- ``records``: its named results.  ``part``, ``evaluation``, ``polynomial_facts``, ``approximating``,
-  ``parameter_derivatives``: its methods in groups.
+- ``defaults``: what a family may override, each method with its default, and the results.
 - ``immutable``: equality, copies and pickles of curves.  ``setting``: settings of a family.
 - ``lagrange``: the interpolating polynomial.  ``products``: the faster way to its functions.
 - ``hermite``: cubic, quintic and septic Hermite curves.  ``hermite_basis``: their functions, factored.

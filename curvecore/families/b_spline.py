@@ -11,7 +11,7 @@ from curvecore.arithmetic import DoubleDouble, add, difference, divide, made_fin
 from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_row
 from curvecore.bezier.bernstein import elevated
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import JOINT_ORDERS, JointDerivatives
+from curvecore.families.defaults import JOINT_ORDERS, JointDerivatives
 from curvecore.families.same_shape import joint_jets, pieces_of
 from curvecore.parametrization import with_one_more
 
@@ -109,16 +109,15 @@ class BSplineCurve(ParametricCurve):
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         first, values = self._local(t, order)
         curve = np.zeros((t.size, self.points.shape[1]))
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            for k in range(values.shape[1]):
-                curve += values[:, k, None] * self.points[first + k]
+        for k in range(values.shape[1]):
+            curve += values[:, k, None] * self.points[first + k]
         return made_finite(curve)
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         first, values = self._local(t, order)
         result = np.zeros((t.size, len(self._parameters)))
         np.put_along_axis(result, first[:, None] + np.arange(values.shape[1]), values, axis=1)
-        return result[:, :, None]
+        return result
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, n, dim): splines, with a second knot at t_i.
@@ -209,7 +208,9 @@ class BSplineCurve(ParametricCurve):
         values, scale = [], []
         for order in range(JOINT_ORDERS):
             beside = before and order >= self.degree
-            first, functions = self._local(np.nextafter(t, -np.inf) if beside else t, order)
+            with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+                first, functions = self._local(np.nextafter(t, -np.inf) if beside else t, order)
+            made_finite(functions)
             data = self.points[first[:, None] + np.arange(functions.shape[1])]
             # The functions add up to 1: where the origin lies counts for nothing.
             data = data - (data[:, :1] if order else 0.0)
@@ -284,12 +285,9 @@ class BSplineCurve(ParametricCurve):
         first = np.searchsorted(self._parameters[2:-2], t, side="right")
         if order > p:
             return first, np.zeros((t.size, p + 1))
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            if order:
-                values = self._derivatives(t, first + p, order)
-            else:
-                values = _functions(t, self.knots[first + np.arange(1, 2 * p + 1)[:, None]])
-        return first, made_finite(values)
+        if order:
+            return first, self._derivatives(t, first + p, order)
+        return first, _functions(t, self.knots[first + np.arange(1, 2 * p + 1)[:, None]])
 
     def _derivatives(self, t: FloatArray, interval: IntArray, order: int) -> FloatArray:
         """Return derivatives of the functions, with 106 bits: each may vanish within its piece."""

@@ -169,8 +169,8 @@ class BasisCurve(ParametricCurve):
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         if order == 0 or self._scheme.has_orders:
-            return self._functions(t, order)[:, :, None]
-        return self._differences(t, order)[:, :, None]
+            return self._functions(t, order)
+        return self._differences(t, order)
 
     def _functions(self, t: FloatArray, order: int) -> FloatArray:
         scheme = self._scheme
@@ -199,8 +199,7 @@ class BasisCurve(ParametricCurve):
         functions = self._functions(places.ravel(), 0).reshape(*places.shape, len(parameters))
         stencil = LagrangeCurve(np.zeros((_STENCIL.size, 1)), _STENCIL)
         weights = stencil.basis((t - middle) / step, order)[:, :, 0]
-        with np.errstate(over="ignore", under="ignore"):
-            result: FloatArray = np.einsum("mk,mkn->mn", weights, functions) / step[:, None] ** order
+        result: FloatArray = np.einsum("mk,mkn->mn", weights, functions) / step[:, None] ** order
         return result
 
     def _inside_of_a_piece(self, t: FloatArray, reach: FloatArray) -> FloatArray:

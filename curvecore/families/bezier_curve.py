@@ -38,7 +38,7 @@ from curvecore.arithmetic import (
 from curvecore.arrays import BoolArray, FloatArray, parameter_row, read_only
 from curvecore.bezier.bernstein import elevated
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import Interpolant
+from curvecore.families.defaults import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of
 from curvecore.parametrization import chebyshev, spread, uniform, with_one_more
 
@@ -139,8 +139,7 @@ class BezierCurve(ParametricCurve):
         x, y = (DoubleDouble(each.high[:, 0], each.low[:, 0]) for each in (at.x, at.y))
         curve = np.empty((t.size, self.points.shape[1]))
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
-        with np.errstate(under="ignore"):
-            curve[inside] = np.ldexp(windowed_values(np.ldexp(self.points, -exponent), x, y), exponent)
+        curve[inside] = np.ldexp(windowed_values(np.ldexp(self.points, -exponent), x, y), exponent)
         curve[~inside] = self._summed(t[~inside], 0)
         return curve
 
@@ -148,29 +147,27 @@ class BezierCurve(ParametricCurve):
         """Return the curve as the sum of all functions times the points."""
         curve = np.empty((t.size, self.points.shape[1]))
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            points = np.ldexp(self.points, -exponent)
-            for part, at in self._parts(t):
-                values = _in_range(at, self.degree, order)
-                if values is None:
-                    functions = _derivatives(at, self.degree, order)
-                    common = functions.exponent.max(axis=1, keepdims=True)
-                    values = scale_by_power(functions.mantissa, functions.exponent - common)
-                    curve[part] = scale_by_power(made_finite(values @ points), exponent + common)
-                else:
-                    curve[part] = scale_by_power(values @ points, exponent)
+        points = np.ldexp(self.points, -exponent)
+        for part, at in self._parts(t):
+            values = _in_range(at, self.degree, order)
+            if values is None:
+                functions = _derivatives(at, self.degree, order)
+                common = functions.exponent.max(axis=1, keepdims=True)
+                values = scale_by_power(functions.mantissa, functions.exponent - common)
+                curve[part] = scale_by_power(made_finite(values @ points), exponent + common)
+            else:
+                curve[part] = scale_by_power(values @ points, exponent)
         return curve
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.empty((t.size, len(self._parameters)))
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            for part, at in self._parts(t):
-                values = _in_range(at, self.degree, order)
-                if values is None:
-                    functions = _derivatives(at, self.degree, order)
-                    values = scale_by_power(made_finite(functions.mantissa), functions.exponent)
-                result[part] = values
-        return result[:, :, None]
+        for part, at in self._parts(t):
+            values = _in_range(at, self.degree, order)
+            if values is None:
+                functions = _derivatives(at, self.degree, order)
+                values = scale_by_power(made_finite(functions.mantissa), functions.exponent)
+            result[part] = values
+        return result
 
     def bezier_pieces(self) -> FloatArray | None:
         """Return the control points, shape (1, n, dim); None of a degree above 8.

@@ -20,7 +20,7 @@ from curvecore.arrays import (
 from curvecore.bezier.bernstein import elevated
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
-from curvecore.families.records import Interpolant, JointDerivatives, LocalBasis
+from curvecore.families.defaults import Interpolant, JointDerivatives, LocalBasis
 
 
 class Chain(ParametricCurve):

@@ -22,9 +22,9 @@ from curvecore.arithmetic import DoubleDouble, add, difference, divide, made_fin
 from curvecore.arrays import FloatArray, IntArray, parameter_row, read_only
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.defaults import Interpolant, JointDerivatives, Slopes
 from curvecore.families.hermite import HermiteCurve
 from curvecore.families.hermite_taylor import TaylorPieces, taylor_pieces
-from curvecore.families.records import Interpolant, JointDerivatives, Slopes
 from curvecore.families.setting import FamilySetting, SettingValue
 
 
@@ -229,7 +229,7 @@ class CubicSplineCurve(ParametricCurve):
             unit = np.eye(len(self._parameters))
             velocities, _ = spline_derivatives(unit, self._parameters, self.ends)
             self._units = _Data(unit, read_only(made_finite(velocities)), self._bends_for(unit))
-        return self._summed(t, order, self._units)[:, :, None]
+        return self._summed(t, order, self._units)
 
     def _outside(self, t: FloatArray) -> IntArray:
         """Return -1 where t lies before the domain, 1 where it lies behind it, else 0."""
@@ -240,14 +240,13 @@ class CubicSplineCurve(ParametricCurve):
         """Return sums of the data, (m, k), by the formula that is most accurate at each t."""
         outside = self._outside(t)
         inside = outside == 0
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            if inside.all():
-                return made_finite(self._inside(t, order, data))
-            result = np.zeros((len(t), data.points.shape[1]))
-            result[inside] = self._inside(t[inside], order, data)
-            for end in (-1, 1):
-                beyond = outside == end
-                result[beyond] = self._beyond(t[beyond], order, data, end)
+        if inside.all():
+            return made_finite(self._inside(t, order, data))
+        result = np.zeros((len(t), data.points.shape[1]))
+        result[inside] = self._inside(t[inside], order, data)
+        for end in (-1, 1):
+            beyond = outside == end
+            result[beyond] = self._beyond(t[beyond], order, data, end)
         return made_finite(result)
 
     def _inside(self, t: FloatArray, order: int, data: _Data) -> FloatArray:

@@ -1,32 +1,40 @@
-"""Base class of all curves: everything follows from basis functions and breaks."""
+"""Base class of all curves: what a family must say, what it may say, and what callers get.
+
+A family must say what its basis functions are (`ParametricCurve._basis`). It may say where their derivatives
+jump (`breaks`), the degree of polynomial pieces (`degree`), the class attributes below, and override any
+method of `FamilyDefaults`. Callers get all of it, and the methods of `Calculus`.
+"""
 
 from __future__ import annotations
 
-from typing import ClassVar, Self
+from abc import abstractmethod
+from typing import ClassVar, Literal, NamedTuple, Self, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from curvecore.arithmetic import UNIT_ROUNDOFF, made_finite
+from curvecore.arithmetic import LARGEST
 from curvecore.arrays import (
+    BoolArray,
     FloatArray,
+    integer,
     jet_array,
     parameter_array,
+    parameter_values,
     read_only,
     stacked_jets,
 )
 from curvecore.calculus.methods import Calculus
 from curvecore.errors import CurveError
-from curvecore.families.approximating import Approximating
-from curvecore.families.evaluation import Evaluation
+from curvecore.families.defaults import FamilyDefaults
 from curvecore.families.immutable import Immutable
-from curvecore.families.parameter_derivatives import ParameterDerivatives
-from curvecore.families.polynomial_facts import PolynomialFacts
-from curvecore.families.records import JOINT_ORDERS, JOINT_ROUNDINGS, JointDerivatives, LocalBasis
 from curvecore.families.setting import FamilySetting, SettingValue, chosen_values
 
+Extrapolate: TypeAlias = bool | Literal["periodic"]
+_DOUBLE = np.dtype(np.float64)
 
-class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialFacts, Evaluation, Immutable):
+
+class ParametricCurve(FamilyDefaults, Calculus, Immutable):
     """A parametric curve that is linear in its data.
 
     c(t) = sum over i, r of B_ir(t) d_ir, where d_i0 = p_i = c(t_i) and, for
@@ -34,9 +42,9 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
     per unit of t. Curves are immutable: their arrays are read-only copies.
 
     A family says what its basis functions are, by `_basis`, and where their
-    derivatives may jump, by `breaks`. All else is derived here, correct if
-    slower; families override what they know how to do faster or exactly. One with
-    derivatives in its data has a constructor of its own.
+    derivatives may jump, by `breaks`. All else is derived (`FamilyDefaults`),
+    correct if slower; families override what they know how to do faster or
+    exactly. One with derivatives in its data has a constructor of its own.
 
     Parameters
     ----------
@@ -83,6 +91,8 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
     is_calm : bool
         Whether it is offered as a cure for a curve that swings out between its points: through points alone
         it stays near them, whatever their parameters.
+    follows : bool
+        Whether `near` comes as close as is wanted to curves that do not consist of polynomials.
     most_points : int or None
         How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
         number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
@@ -128,11 +138,22 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
     is_local: ClassVar[bool] = False
     is_one_polynomial: ClassVar[bool] = False
     is_calm: ClassVar[bool] = False
+    follows: ClassVar[bool] = False
     most_points: ClassVar[int | None] = 2000
 
     _chosen: tuple[tuple[str, SettingValue], ...]
     _jets: FloatArray
     _parameters: FloatArray
+
+    # What a family must say
+
+    @abstractmethod
+    def _basis(self, t: FloatArray, order: int) -> FloatArray:
+        """Return B_ir^(order) at finite t (m,), inside the domain or not, as (m, n, R); order >= 0.
+
+        At a break the piece to the right counts. Where R is 1, the shape (m, n) will do. Numbers may overflow
+        or be invalid: they are made finite, without warnings.
+        """
 
     def __init__(self, points: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> None:
         self._keep(stacked_jets(points), parameters, **settings)
@@ -153,25 +174,6 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
     def _shape_in_words(self) -> str:
         first, last = self.domain
         return f"n={len(self._parameters)}, dim={self._jets.shape[2]}, domain=({first:.6g}, {last:.6g})"
-
-    # What a family says
-
-    # `_basis` is abstract in `Evaluation`.
-
-    def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
-        """Return the order-th derivative of the curve at finite t (m,), as (m, dim)."""
-        basis = self._basis(t, order)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            data = self.jets.reshape(-1, self.jets.shape[2])
-            curve = made_finite(basis.reshape(len(basis), len(data)) @ data)
-        if order == 0 and self.passes_points:
-            self._put_points(curve, t)
-        return curve
-
-    @property
-    def breaks(self) -> FloatArray:
-        """The parameters at which derivatives may jump, ascending, the ends included; shape (k,)."""
-        return self._parameters[[0, -1]]
 
     # What the data are
 
@@ -196,11 +198,6 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
         return float(self._parameters[0]), float(self._parameters[-1])
 
     @property
-    def degree(self) -> int | None:
-        """The degree of the polynomial, or of each polynomial piece; None where they are none."""
-        return None
-
-    @property
     def chosen(self) -> dict[str, SettingValue]:
         """The values of all settings, by their names."""
         return dict(self._chosen)
@@ -214,6 +211,8 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
     def pieces(self) -> tuple[ParametricCurve, ...]:
         """The curves that this one is a chain of: itself, unless it is a `Chain`."""
         return (self,)
+
+    # Curves with other data
 
     @classmethod
     def from_jets(cls, jets: ArrayLike, parameters: ArrayLike, **settings: SettingValue) -> Self:
@@ -282,118 +281,148 @@ class ParametricCurve(Calculus, Approximating, ParameterDerivatives, PolynomialF
         curve.__setstate__({**self.__getstate__(), "_jets": jet_array(jets, self._jets.shape[:2])})
         return curve
 
-    # What follows from the basis
+    # Values
 
-    def _put_points(self, curve: FloatArray, t: FloatArray) -> None:
-        """Put p_i into rows of `curve` where t is t_i."""
-        joint = np.minimum(np.searchsorted(self._parameters, t), len(self._parameters) - 1)
-        hit = t == self._parameters[joint]
-        curve[hit] = self.points[joint[hit]]
-
-    def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
-        """Return derivatives of several orders at many places, where that takes less than one by one.
+    @final
+    def basis(self, t: ArrayLike, order: int = 0) -> FloatArray:
+        """Return all basis functions, or their derivatives with respect to t.
 
         Parameters
         ----------
-        t : ndarray, shape (m,)
-            Finite.
-        orders : tuple of int
-            Each at least 0.
-
-        Returns
-        -------
-        list of ndarray, shape (m, dim)
-            As from `evaluate`; a family says by how much they may be less accurate.
-        """
-        return [self.evaluate(t, order) for order in orders]
-
-    def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
-        """Return the basis functions that live on each t's segment, where `is_local`.
-
-        Parameters
-        ----------
-        t : float or array_like, shape (m,)
-            Finite; a scalar counts as m = 1.
+        t : float or array_like of any shape
+            Finite, inside the domain or not. At a break the piece to the right counts.
         order : int, optional
             Order of the derivative, at least 0.
 
         Returns
         -------
-        LocalBasis
-            The two functions of each kind that are not 0 there, and which they are.
+        ndarray, shape (*shape of t, n, R)
+            ``[..., i, r]`` is B_ir; of a single t of the shape (n, R).
 
         Raises
         ------
         CurveError
-            If the family's functions reach further.
-        """
-        raise CurveError("curve must be of a family whose functions are local")
+            If t is not finite, or order is negative.
 
-    def support(self, index: int) -> tuple[float, float]:
-        """Return the interval outside of which all functions of a point are 0, as far as that is known.
+        See Also
+        --------
+        evaluate : The sum of the functions times the data.
+
+        Examples
+        --------
+        >>> from curvecore import LagrangeCurve
+        >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+        >>> curve.basis(0.5)[:, 0].round(9).tolist()
+        [0.375, 0.75, -0.125]
+        """
+        at = parameter_values(t)
+        return at.shaped(self._finite_basis(at.values, integer(order, "order", 0)))
+
+    @final
+    def evaluate(self, t: ArrayLike, order: int = 0, extrapolate: Extrapolate = True) -> FloatArray:
+        """Return the curve, or a derivative with respect to t.
 
         Parameters
         ----------
-        index : int
-            Of the point, from 0 to n - 1.
+        t : float or array_like of any shape
+            Finite, inside the domain or not.
+        order : int, optional
+            Order of the derivative, at least 0.
+        extrapolate : bool or "periodic", optional
+            Outside the domain: True, the first or the last piece goes on; False, NaN; "periodic", the curve
+            repeats itself, so that the end of the domain counts as its beginning.
 
         Returns
         -------
-        tuple of float
-            Its ends; the whole domain where it is not known.
+        ndarray, shape (*shape of t, dim)
+            At a parameter t_i and order 0 exactly p_i, if the family interpolates.
+
+        Raises
+        ------
+        CurveError
+            If t is not finite, order is negative, or extrapolate something else.
+
+        See Also
+        --------
+        derivative : The derivative as a curve.
+
+        Examples
+        --------
+        >>> from curvecore import LagrangeCurve
+        >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+        >>> curve.evaluate([0.5, 1]).round(9).tolist()
+        [[0.25, 1.5], [1.0, 2.0]]
+        >>> curve.evaluate(0.5, order=1).round(9).tolist()
+        [1.0, 2.0]
+        >>> curve.evaluate([-1, 3], extrapolate="periodic").round(9).tolist()
+        [[1.0, 2.0], [1.0, 2.0]]
         """
-        if not self.is_local:
-            return self.domain
-        t = self._parameters
-        return float(t[max(index - 1, 0)]), float(t[min(index + 1, len(t) - 1)])
+        if extrapolate is True:
+            if type(t) is np.ndarray and t.dtype is _DOUBLE and t.ndim == 1:
+                if (values := self._evaluate_at_once(t, order)) is not None:
+                    return values
+            elif type(t) is float and (values := self._evaluate_at_once(np.array([t]), order)) is not None:
+                return values[0]
+        at = parameter_values(t)
+        rank = integer(order, "order", 0)
+        inside, outside = at.values, None
+        if extrapolate is not True:
+            inside, outside = _within_domain(at.values, self.domain, extrapolate)
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            curve = self._evaluate(inside, rank)
+        if outside is not None:
+            curve[outside] = np.nan
+        return at.shaped(curve)
 
-    @property
-    def is_positive(self) -> bool:
-        """Whether no B_i0 is negative in the domain; they add up to 1, so that no error grows there."""
-        return False
+    @final
+    def __call__(self, t: ArrayLike, order: int = 0, extrapolate: Extrapolate = True) -> FloatArray:
+        """Return the curve, or a derivative with respect to t: `evaluate`."""
+        return self.evaluate(t, order, extrapolate)
 
-    def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c to c''' at the ends of all segments.
+    def _finite_basis(self, t: FloatArray, order: int) -> FloatArray:
+        """Return the basis functions at finite t (m,), with finite numbers and the shape (m, n, R)."""
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            functions = self._basis(t, order)
+        if functions.ndim == 2:
+            functions = functions[:, :, None]
+        return functions if np.isfinite(functions).all() else np.nan_to_num(functions, nan=LARGEST)
 
-        Parameters
-        ----------
-        before : bool
-            Whether before t_1, ..., t_(n-1), or after t_0, ..., t_(n-2).
 
-        Returns
-        -------
-        JointDerivatives
-            Of n - 1 ends.
-        """
-        t, h = self._parameters, np.diff(self._parameters)
-        at = np.where(before & np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
-        shorter = np.minimum(np.concatenate((h[:1], h)), np.concatenate((h, h[-1:])))
-        orders = [self._about_a_point(at, order, shorter) for order in range(JOINT_ORDERS + 1)]
-        values, sizes = (np.stack(each, axis=1) for each in zip(*orders, strict=True))
-        # From beside a break to it: without this step, parameters far from 0 would make derivatives jump.
-        values = values[:, :-1] + (t - at)[:, None, None] * values[:, 1:]
-        values[:, 0] = self.evaluate(t)
-        side = slice(1, None) if before else slice(-1)
-        return JointDerivatives(values[side], sizes[side, :-1])
+class _WithinDomain(NamedTuple):
+    """Parameters at which a curve is to be evaluated in place of those asked for.
 
-    def _about_a_point(self, t: FloatArray, order: int, h: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return derivatives (m, dim) and the sizes of their terms (m,), with the first point as the origin.
+    Attributes
+    ----------
+    t : ndarray, shape (m,)
+        Inside the domain where `extrapolate` is not True.
+    outside : ndarray of bool, shape (m,)
+        Where the curve has no value.
+    """
 
-        Derivatives of functions that add up to 1 add up to 0: where the origin lies counts for nothing. Those
-        that are differences, over lengths h, are off by the digits they lose, as terms of that size would be.
-        """
-        basis = self._basis(t, order)
-        origin = self.jets[0, 0]
-        data = self.jets.copy()
-        data[:, 0] -= origin
-        digits = self.difference_digits[order - 1 : order] if order else ()
-        lost = sum(2.0 * 10.0**-each for each in digits) / h**order
-        shifts = basis[:, :, 0].sum(axis=1)
-        if order:
-            roundings = 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)
-            shifts[np.abs(shifts) <= roundings + lost] = 0.0
-        flat, rows = basis.reshape(len(t), -1), data.reshape(basis[0].size, -1)
-        values = flat @ rows + shifts[:, None] * origin
-        size = (np.abs(flat) @ np.abs(rows) + np.abs(shifts[:, None] * origin)).max(axis=1)
-        reach = np.abs(data[:, 0]).max() + (shifts != 0.0) * np.abs(origin).max()
-        return values, size + lost / JOINT_ROUNDINGS * reach
+    t: FloatArray
+    outside: BoolArray
+
+
+def _within_domain(t: FloatArray, domain: tuple[float, float], extrapolate: Extrapolate) -> _WithinDomain:
+    """Return parameters inside [a, b] that stand for t, (m,).
+
+    "periodic" takes a + (t - a) mod (b - a), as SciPy does: the period is half open.
+    """
+    first, last = domain
+    nowhere = np.zeros(t.shape, dtype=np.bool_)
+    rule = checked_extrapolate(extrapolate)
+    if rule == "periodic":
+        # The sum may exceed b by rounding.
+        return _WithinDomain(np.minimum(first + np.remainder(t - first, last - first), last), nowhere)
+    if rule:
+        return _WithinDomain(t, nowhere)
+    return _WithinDomain(np.clip(t, first, last), (t < first) | (t > last))
+
+
+def checked_extrapolate(extrapolate: object) -> Extrapolate:
+    """Return it, as one of the three."""
+    if isinstance(extrapolate, (bool, np.bool_)):
+        return bool(extrapolate)
+    if isinstance(extrapolate, str) and extrapolate == "periodic":
+        return "periodic"
+    raise CurveError(f"extrapolate must be True, False or 'periodic', not {extrapolate!r}")

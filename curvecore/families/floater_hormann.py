@@ -54,8 +54,8 @@ from curvecore.arithmetic import (
 )
 from curvecore.arrays import BoolArray, FloatArray, IntArray, IntArray32
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.defaults import Interpolant
 from curvecore.families.lagrange import LagrangeCurve
-from curvecore.families.records import Interpolant
 from curvecore.families.setting import FamilySetting
 
 _NO_EXPONENT = np.zeros(1, dtype=np.int64)
@@ -192,11 +192,10 @@ class FloaterHormannCurve(ParametricCurve):
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         result = np.zeros((len(self._parameters), t.size))
         if self._vanishes(order):
-            return result.T[:, :, None]
-        with np.errstate(over="ignore", under="ignore"):
-            for where, values, exponent in self._rational_form.parts(t, order):
-                result[:, where] = values if exponent is None else scale_by_power(values, exponent)
-        return result.T[:, :, None]
+            return result.T
+        for where, values, exponent in self._rational_form.parts(t, order):
+            result[:, where] = values if exponent is None else scale_by_power(values, exponent)
+        return result.T
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         if self._vanishes(order):
@@ -204,11 +203,10 @@ class FloaterHormannCurve(ParametricCurve):
         # As in `LagrangeCurve.evaluate`: points near 1 keep a sum of large terms that cancel in range.
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         result = np.empty((self.points.shape[1], t.size))
-        with np.errstate(over="ignore", under="ignore"):
-            points = np.ldexp(self.points, -exponent)
-            for where, values, own in self._rational_form.parts(t, order):
-                rows = normalise(Scaled(values, own)) if own is not None else ScaledRows(values, _NO_EXPONENT)
-                result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
+        points = np.ldexp(self.points, -exponent)
+        for where, values, own in self._rational_form.parts(t, order):
+            rows = normalise(Scaled(values, own)) if own is not None else ScaledRows(values, _NO_EXPONENT)
+            result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
         if order == 0:
             self._put_points(curve, t)

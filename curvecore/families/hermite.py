@@ -28,6 +28,7 @@ from curvecore.bezier.control_points import cubic_path
 from curvecore.errors import CurveError
 from curvecore.families.chain import Chain
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.defaults import JOINT_ORDERS, Interpolant, JointDerivatives, LocalBasis, Slopes
 from curvecore.families.hermite_basis import (
     CUBIC,
     QUINTIC,
@@ -38,7 +39,6 @@ from curvecore.families.hermite_basis import (
     slopes_of,
 )
 from curvecore.families.hermite_taylor import TaylorPieces, taylor_pieces
-from curvecore.families.records import JOINT_ORDERS, Interpolant, JointDerivatives, LocalBasis, Slopes
 from curvecore.families.same_shape import (
     BezierChain,
     check_smooth_joints,
@@ -118,6 +118,8 @@ class PiecewiseHermite(ParametricCurve):
         for column, values in enumerate(local.values.reshape(m, 2 * width).T):
             result[first + column] = values
         return result.reshape(m, n, width)
+
+    _finite_basis = _basis  # `local_basis` makes them finite
 
     def bezier_pieces(self) -> FloatArray:
         """Return the Bezier control points of all segments, shape (n - 1, 2 R, dim).
@@ -253,18 +255,17 @@ class PiecewiseHermite(ParametricCurve):
     def _evaluate_anywhere(self, t: FloatArray, order: int) -> FloatArray:
         """Sum the basis functions times the data, both free of powers of h."""
         local = self._scaled_basis(t, order)
-        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            h = np.diff(self._parameters)[local.segment, None]
-            curve = np.zeros((t.size, self._jets.shape[2]))
-            for end in (0, 1):
-                data = self._jets[local.segment + end]
-                for k in range(data.shape[1]):
-                    term = data[:, k]
-                    for _ in range(k):
-                        term = term * h
-                    curve += local.values[:, end, k, None] * term
-            for _ in range(order):
-                curve /= h
+        h = np.diff(self._parameters)[local.segment, None]
+        curve = np.zeros((t.size, self._jets.shape[2]))
+        for end in (0, 1):
+            data = self._jets[local.segment + end]
+            for k in range(data.shape[1]):
+                term = data[:, k]
+                for _ in range(k):
+                    term = term * h
+                curve += local.values[:, end, k, None] * term
+        for _ in range(order):
+            curve /= h
         made_finite(curve)
         if order == 0:
             self._put_points(curve, t)

@@ -35,7 +35,7 @@ import numpy as np
 from curvecore.arithmetic import UNIT_ROUNDOFF, DoubleDouble, add, difference, multiply, rescaled, times
 from curvecore.arrays import FloatArray
 from curvecore.bezier.bernstein import controls_between, derivative
-from curvecore.families.records import Slopes
+from curvecore.families.defaults import Slopes
 
 
 class LocalCoordinates(NamedTuple):

@@ -57,6 +57,7 @@ from curvecore.arithmetic import (
 )
 from curvecore.arrays import FloatArray, IntArray32, parameter_row
 from curvecore.families.curve import ParametricCurve
+from curvecore.families.defaults import Interpolant
 from curvecore.families.products import (
     Hits,
     Kernel,
@@ -68,7 +69,6 @@ from curvecore.families.products import (
     value_kernel,
     weight_blocks,
 )
-from curvecore.families.records import Interpolant
 from curvecore.families.same_shape import check_one_polynomial, pieces_of
 from curvecore.parametrization import chebyshev, spread
 
@@ -227,7 +227,7 @@ class LagrangeCurve(ParametricCurve):
         to max sum |L_i(t)| <= 1e5 times larger than those of `evaluate`.
         """
         if matrix_serves(self._parameters, self.points, t, orders):
-            basis = self._basis(t, 0)[:, :, 0]
+            basis = self._finite_basis(t, 0)[:, :, 0]
             found = derivatives_by_matrix(self._parameters, self.points, basis, orders)
             if found is not None:
                 return found
@@ -237,7 +237,7 @@ class LagrangeCurve(ParametricCurve):
         """Return dc(t)/dt_i = -L_i(t) c'(t_i), shape (m, n, dim)."""
         (velocity,) = self.derivatives_at(self._parameters, (1,))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            moves: FloatArray = -self._basis(parameter_row(t), 0)[:, :, 0, None] * velocity
+            moves: FloatArray = -self._basis(parameter_row(t), 0)[:, :, None] * velocity
         return moves
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
@@ -245,7 +245,7 @@ class LagrangeCurve(ParametricCurve):
 
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         """Return all basis functions, or their derivatives; each function lies contiguous in memory."""
-        return self._product_form.functions(t, order).T[:, :, None]
+        return self._product_form.functions(t, order).T
 
     def with_jets(self, jets: ArrayLike) -> Self:
         """Return the curve with other points; it shares everything that depends on the parameters."""
@@ -333,6 +333,8 @@ class ProductForm(NamedTuple):
     def sums(self, t: FloatArray, order: int, data: FloatArray) -> FloatArray:
         """Return the sums of the functions' derivatives times data, limited to the largest number.
 
+        Numbers may over- and underflow on the way: the caller sets `numpy.errstate`.
+
         Parameters
         ----------
         t : ndarray, shape (m,)
@@ -359,17 +361,16 @@ class ProductForm(NamedTuple):
         result = np.empty((t.size, data.shape[1]))
         # Bringing the data near 1 keeps a sum of large terms that cancel in range.
         _, size = np.frexp(np.abs(data).max(axis=0))
-        with np.errstate(over="ignore", under="ignore"):
-            near = np.ldexp(data, -size)
-            weighted = [(near[block.rows] * block.weights[:, None]).T for block in self.blocks]
-            for part in self._parts(t, order):
-                if part.kernel is None:
-                    assert part.functions is not None
-                    values, exponent = normalise(part.functions)
-                    sums = Scaled(near.T @ values, np.broadcast_to(exponent, (data.shape[1], exponent.size)))
-                else:
-                    sums = self._kernel_sums(part.kernel, weighted, order)
-                result[part.where] = scale_by_power(sums.mantissa, sums.exponent + size[:, None]).T
+        near = np.ldexp(data, -size)
+        weighted = [(near[block.rows] * block.weights[:, None]).T for block in self.blocks]
+        for part in self._parts(t, order):
+            if part.kernel is None:
+                assert part.functions is not None
+                values, exponent = normalise(part.functions)
+                sums = Scaled(near.T @ values, np.broadcast_to(exponent, (data.shape[1], exponent.size)))
+            else:
+                sums = self._kernel_sums(part.kernel, weighted, order)
+            result[part.where] = scale_by_power(sums.mantissa, sums.exponent + size[:, None]).T
         # A sum that is 0 has the sign of the product that it is multiplied by.
         result += 0.0
         if order == 0:
@@ -377,18 +378,20 @@ class ProductForm(NamedTuple):
         return result
 
     def functions(self, t: FloatArray, order: int) -> FloatArray:
-        """Return the functions' derivatives of an order at t, (n, m), limited to the largest number."""
+        """Return the functions' derivatives of an order at t, (n, m), limited to the largest number.
+
+        The caller sets `numpy.errstate`.
+        """
         result = np.empty((len(self.given), t.size))
-        with np.errstate(over="ignore", under="ignore"):
-            for part in self._parts(t, order):
-                values = result[:, part.where]
-                if part.kernel is None:
-                    assert part.functions is not None
-                    values[:] = scale_by_power(*part.functions)
-                else:
-                    self._put_functions(part.kernel, order, values)
-                if order == 0:
-                    _put_units(values, part.hits)
+        for part in self._parts(t, order):
+            values = result[:, part.where]
+            if part.kernel is None:
+                assert part.functions is not None
+                values[:] = scale_by_power(*part.functions)
+            else:
+                self._put_functions(part.kernel, order, values)
+            if order == 0:
+                _put_units(values, part.hits)
         return result
 
     def _kernel_sums(self, kernel: Kernel, weighted: list[FloatArray], order: int) -> Scaled:
