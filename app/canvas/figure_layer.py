@@ -293,17 +293,17 @@ class Annotations(QObject):
                 return
             # Built with its first row: the first frame does without it.
             self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers, self._room)
-            self._plot.camera.changed.connect(self.legend.make_way)
+            self._plot.camera.changed.connect(self.legend.move_away)
             self._plot.style_changed.connect(self.legend.render_style)
             self.legend.chosen.connect(self.ghost_chosen)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)
-        self.legend.make_way()
+        self.legend.move_away()
 
-    def make_way(self) -> None:
+    def move_legend(self) -> None:
         """Move the legend to the corner where it covers least of the drawing."""
         if self.legend is not None:
-            self.legend.make_way()
+            self.legend.move_away()
 
     def _explain_lines(
         self, group: str, lines: Sequence[tuple[LineStyle, str]], heading: str = "", *, muted: bool = False

@@ -21,10 +21,10 @@ from ..plotting.ticks import Stretch, nice_step
 from ..tools.pointer import Hit, Part
 
 _LEAST_GAP = 8.0
-"""Pixels between two lines of a grid of fixed spacing, at least."""
+"""Smallest distance in pixels between two lines of a grid of fixed spacing."""
 
 _LEAST_COARSE_GAP = 80.0
-"""Pixels between two coarse lines of a grid that adapts, at least; steps of 1, 2, 5 keep them below 200."""
+"""Smallest distance in pixels of coarse lines of an adaptive grid; steps of 1, 2, 5 keep it below 200."""
 
 
 class GridLayer(Layer):
@@ -42,7 +42,7 @@ class GridLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         self._plot = plot
         super().__init__(plot)
-        self._shown: PixelMap | None = None
+        self._pixel_map: PixelMap | None = None
         self._fine, self._coarse = Bars(), Bars()
         self._fixed, self.steps = 0.0, (0.0, 0.0)
         plot.camera.changed.connect(self._tune_axes)
@@ -55,24 +55,24 @@ class GridLayer(Layer):
         self.update()
 
     def spacing(self, pixel_map: PixelMap) -> float:
-        """Return the distance of the fine lines, along x as along y: what snapping to the grid goes by."""
+        """Return the distance of the fine lines, along x and y alike, to which points snap."""
         return self._fixed or adaptive_steps(pixel_map.sx)[1]
 
     def _tune_axes(self) -> None:
-        """Keep the lines apart on the screen, both ways alike: the plane has the same unit along x and y."""
+        """Keep the lines apart on the screen, along x as along y: the plane has the same unit along both."""
         sx = self._plot.pixel_map.sx
         steps = grid_steps(self._fixed, sx) if self._fixed else adaptive_steps(sx)
         if steps == self.steps:
             return
-        self.steps, self._shown = steps, None
+        self.steps, self._pixel_map = steps, None
         coarse, fine = steps
         for side in ("bottom", "left"):
-            # Numbers of an adaptive grid stand at the coarse lines alone, as dense along x as along y.
+            # An adaptive grid has numbers at coarse lines only, as dense along x as along y.
             self._plot.getAxis(side).set_distances(fine, fine if self._fixed else coarse)
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw the lines; they are computed anew when another part of the plane is visible."""
-        if pixel_map is not self._shown:
+        """Draw the lines, computed anew only when another part of the plane is visible."""
+        if pixel_map is not self._pixel_map:
             self._compute(pixel_map)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(Qt.PenStyle.NoPen)
@@ -81,11 +81,11 @@ class GridLayer(Layer):
             lines.draw(painter)
 
     def _compute(self, pixel_map: PixelMap) -> None:
-        self._shown = pixel_map
+        self._pixel_map = pixel_map
         x_min, y_min, x_max, y_max = pixel_map.box
-        seen = Stretch(x_min, x_max, pixel_map.width), Stretch(y_min, y_max, pixel_map.height)
+        visible = Stretch(x_min, x_max, pixel_map.width), Stretch(y_min, y_max, pixel_map.height)
         for lines, step in ((self._coarse, self.steps[0]), (self._fine, self.steps[1])):
-            x, y = (np.array(along.multiples(step), dtype=float) for along in seen)
+            x, y = (np.array(along.multiples(step), dtype=float) for along in visible)
             lines.fill(_lines(pixel_map.x(x), pixel_map.y(y), pixel_map))
 
 
@@ -126,7 +126,7 @@ def _lines(x: FloatArray, y: FloatArray, pixel_map: PixelMap) -> FloatArray:
 class UnitLayer(Layer):
     """Layer of the unit's name, at the upper end of the y axis.
 
-    What has to be added to the numbers of that axis stands before it: they have too little room for it.
+    Before it stands the offset to be added to the numbers of that axis, which have too little room for it.
     """
 
     z = -5.0
@@ -138,22 +138,22 @@ class UnitLayer(Layer):
         self._unit = ""
 
     def render(self, unit: str) -> None:
-        """Write this name from the next paint on; empty for none."""
+        """Write this name from the next paint on; "" for no unit."""
         self._unit = unit
         self.update()
 
-    def words(self, pixel_map: PixelMap) -> str:
-        """Return what stands there."""
+    def text(self, pixel_map: PixelMap) -> str:
+        """Return the offset and the unit."""
         offset = self._plot.getAxis("left").ticks_in(pixel_map).offset
         return " ".join(filter(None, (offset, self._unit)))
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Write it."""
+        """Write offset and unit on a plate."""
         painter.setFont(self.fonts.less(1.5, 1.0))
-        if text := self.words(pixel_map):
-            # In the colours of the axes, which it belongs to.
-            plate = QRectF(QPointF(3, 4), size_of(painter, text, 8.0, 2.0))
-            write_on_plate(painter, plate, text, self.theme.surface, self.theme.muted)
+        if line := self.text(pixel_map):
+            # In the colours of the axes, to which it belongs.
+            plate = QRectF(QPointF(3, 4), size_of(painter, line, 8.0, 2.0))
+            write_on_plate(painter, plate, line, self.theme.surface, self.theme.muted)
 
 
 _REACH = 5.0
@@ -170,9 +170,9 @@ class GuidesLayer(Layer):
     Attributes
     ----------
     guides
-        What is drawn.
-    lit
-        The guide under the pointer, or that is dragged; None for none.
+        The guides that are drawn.
+    highlighted
+        Index of the guide under the pointer, or that is dragged; None for none.
     """
 
     z = 5.0
@@ -180,13 +180,13 @@ class GuidesLayer(Layer):
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
         self.guides: tuple[Guide, ...] = ()
-        self.lit: int | None = None
+        self.highlighted: int | None = None
         self._unit = ""
         self._halo = Halo()
         self.set_shown(False)
 
     def render(self, guides: tuple[Guide, ...], unit: str) -> None:
-        """Draw these guides from the next paint on; `unit` is that of their places."""
+        """Draw these guides from the next paint on; `unit` is the unit of their positions."""
         if (guides, unit) != (self.guides, self._unit):
             self.guides, self._unit = guides, unit
             self.set_shown(bool(guides))
@@ -194,67 +194,76 @@ class GuidesLayer(Layer):
 
     @property
     def corners(self) -> FloatArray | None:
-        """The lower left and the upper right corner of what lies between the guides, (2, 2), or None."""
-        at = [{each.position for each in self.guides if each.axis is axis} for axis in Axis]
-        is_box = all(len(each) > 1 for each in at)
-        return np.array([list(map(min, at)), list(map(max, at))]) if is_box else None
+        """The lower left and the upper right corner of the area between the guides, (2, 2), or None."""
+        positions = [{guide.position for guide in self.guides if guide.axis is axis} for axis in Axis]
+        is_box = all(len(on_axis) > 1 for on_axis in positions)
+        return np.array([list(map(min, positions)), list(map(max, positions))]) if is_box else None
 
-    def light(self, place: int | None) -> None:
-        """Draw one of the guides lit, with its place in words."""
-        if place != self.lit:
-            self.lit = place
+    def highlight(self, index: int | None) -> None:
+        """Draw one of the guides highlighted, with its position in words."""
+        if index != self.highlighted:
+            self.highlighted = index
             self.update()
 
     def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
         """Return the guide at a pixel of the plot area, the nearest of several."""
         if not self.is_visible or not self.guides:
             return None
-        away = [abs(_pixel_of(guide, pixel_map) - pixel[guide.axis.coordinate]) for guide in self.guides]
-        # Of those at one place the last one wins: it is drawn on top.
-        nearest = len(away) - 1 - int(np.argmin(away[::-1]))
-        if away[nearest] > _REACH:
+        distances = [abs(_pixel_of(guide, pixel_map) - pixel[guide.axis.coordinate]) for guide in self.guides]
+        # The last of coincident guides wins: it is drawn on top.
+        nearest = len(distances) - 1 - int(np.argmin(distances[::-1]))
+        if distances[nearest] > _REACH:
             return None
         return Hit(Part.GUIDE, nearest, self.guides[nearest].beside(pixel_map.plane(*pixel)))
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw those in sight."""
+        """Draw the visible guides."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        for place, guide in enumerate(self.guides):
-            at, room = _pixel_of(guide, pixel_map), (pixel_map.width, pixel_map.height)[guide.axis.coordinate]
-            if 0 <= at <= room:
-                self._paint_guide(painter, pixel_map, guide, round(at), is_lit=place == self.lit)
+        for index, guide in enumerate(self.guides):
+            pixel, size = (
+                _pixel_of(guide, pixel_map),
+                (pixel_map.width, pixel_map.height)[guide.axis.coordinate],
+            )
+            if 0 <= pixel <= size:
+                self._paint_guide(
+                    painter, pixel_map, guide, round(pixel), is_highlighted=index == self.highlighted
+                )
 
     def _paint_guide(
-        self, painter: QPainter, pixel_map: PixelMap, guide: Guide, at: int, *, is_lit: bool
+        self, painter: QPainter, pixel_map: PixelMap, guide: Guide, pixel: int, *, is_highlighted: bool
     ) -> None:
         pen = QPen(self.theme.accent, 1.0)
-        if not is_lit:
+        if not is_highlighted:
             pen.setDashPattern(_DASHES)
         painter.setPen(pen)
         if guide.axis is Axis.X:
-            painter.drawLine(QPointF(at, 0), QPointF(at, pixel_map.height))
+            painter.drawLine(QPointF(pixel, 0), QPointF(pixel, pixel_map.height))
         else:
-            painter.drawLine(QPointF(0, at), QPointF(pixel_map.width, at))
-        if is_lit:
-            self._write(painter, pixel_map, guide, at)
+            painter.drawLine(QPointF(0, pixel), QPointF(pixel_map.width, pixel))
+        if is_highlighted:
+            self._write(painter, pixel_map, guide, pixel)
 
-    def _write(self, painter: QPainter, pixel_map: PixelMap, guide: Guide, at: int) -> None:
-        """Write where the guide lies, near its upper or left end."""
+    def _write(self, painter: QPainter, pixel_map: PixelMap, guide: Guide, pixel: int) -> None:
+        """Write the position of the guide near its upper or left end."""
         text = place_words(guide, self._unit)
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, text)
         if guide.axis is Axis.X:
-            left = at + _GAP if at + _GAP + size.width() <= pixel_map.width else at - _GAP - size.width()
+            left = (
+                pixel + _GAP
+                if pixel + _GAP + size.width() <= pixel_map.width
+                else pixel - _GAP - size.width()
+            )
             left = max(min(left, pixel_map.width - size.width()), 0.0)
             box = QRectF(QPointF(left, _GAP), size)
         else:
-            top = at - _GAP - size.height()
-            top = max(min(top if top >= 0 else at + _GAP, pixel_map.height - size.height()), 0.0)
+            top = pixel - _GAP - size.height()
+            top = max(min(top if top >= 0 else pixel + _GAP, pixel_map.height - size.height()), 0.0)
             box = QRectF(QPointF(_GAP, top), size)
         self._halo.write(painter, box, text, self.theme.paper, self.theme.accent_text, 2 * self.scale)
 
 
 def _pixel_of(guide: Guide, pixel_map: PixelMap) -> float:
-    """Return where a guide lies in the plot area: from the left, or from the top."""
-    place = (guide.position, 0.0) if guide.axis is Axis.X else (0.0, guide.position)
-    return pixel_map.point(*place)[guide.axis.coordinate]
+    """Return the pixel of a guide in the plot area: from the left, or from the top."""
+    position = (guide.position, 0.0) if guide.axis is Axis.X else (0.0, guide.position)
+    return pixel_map.point(*position)[guide.axis.coordinate]

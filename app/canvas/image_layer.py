@@ -21,18 +21,18 @@ from ..tools.move_image import CORNERS, corner_of
 from ..tools.pointer import Hit, Part
 
 MAX_PIXELS = 64_000_000
-"""More pixels than this are not decoded."""
+"""Largest number of pixels that is decoded."""
 
 MAX_SIDE = 4096
 """Larger pictures are scaled down when they are read: 64 MB at most stay in memory."""
 
 _FORMATS = (b"png", b"jpeg", b"jpg")
 _ALLOCATION_MB = 512
-"""Enough for `MAX_PIXELS` of eight bytes each, a PNG of 16 bits."""
+"""Room for `MAX_PIXELS` of eight bytes each, a PNG of 16 bits."""
 
 
 class ImageFileError(ValueError):
-    """Refusal to show a picture; the message says why."""
+    """Refusal of an image file; the message states the reason."""
 
 
 def read_image(path: str) -> QImage:
@@ -41,7 +41,7 @@ def read_image(path: str) -> QImage:
     Raises
     ------
     ImageFileError
-        For files that are missing, no such picture, broken or too large.
+        If the file is missing, neither PNG nor JPEG, broken or too large.
     """
     try:
         data = read(path)
@@ -52,10 +52,10 @@ def read_image(path: str) -> QImage:
     buffer = QBuffer()
     buffer.setData(QByteArray(data))
     buffer.open(QIODevice.OpenModeFlag.ReadOnly)
-    # The content decides what it is, not the name.
+    # The content decides on the format, not the name.
     kind = bytes(QImageReader.imageFormat(buffer).data())
     if kind not in _FORMATS:
-        raise ImageFileError(f"{name} is no PNG or JPEG picture.")
+        raise ImageFileError(f"{name} is not a PNG or JPEG image.")
     reader = QImageReader(buffer, QByteArray(kind))
     reader.setAutoTransform(True)
     return _read(reader, name)
@@ -66,7 +66,7 @@ def _read(reader: QImageReader, name: str) -> QImage:
     if size.width() * size.height() > MAX_PIXELS:
         raise ImageFileError(
             f"{name} has {size.width()} × {size.height()} pixels; "
-            f"{MAX_PIXELS // 1_000_000} million are read at most. Make it smaller first."
+            f"the limit is {MAX_PIXELS // 1_000_000} million. Scale the image down first."
         )
     shrink = MAX_SIDE / max(size.width(), size.height(), 1)
     if shrink < 1:
@@ -79,20 +79,20 @@ def _read(reader: QImageReader, name: str) -> QImage:
 
 
 _LIGHT, _DARK = 200, 60
-"""Paper is at least as light as that in all colours, ink at most as light as that (of 255)."""
+"""Smallest lightness of paper and largest of ink in every colour channel, of 255."""
 
 _SAMPLE = QSize(64, 64)
 
 
 def is_page(image: QImage) -> bool:
-    """Tell whether a picture is mostly light, or light and dark with little between: a scan or a drawing."""
-    few = image.scaled(
+    """Return whether a picture is a scan or drawing: mostly light, or light and dark with little between."""
+    sample = image.scaled(
         image.size().boundedTo(_SAMPLE),
         Qt.AspectRatioMode.IgnoreAspectRatio,
         Qt.TransformationMode.SmoothTransformation,
     )
-    few = few.convertToFormat(QImage.Format.Format_RGBA8888)
-    pixels = _view(few)
+    sample = sample.convertToFormat(QImage.Format.Format_RGBA8888)
+    pixels = _view(sample)
     solid = pixels[..., 3] > 0
     if not solid.any():
         return False
@@ -126,7 +126,7 @@ _MARGIN = 4.0
 
 
 class ImageLayer(Layer):
-    """Layer of a picture at its place; a dashed frame where its file is not there."""
+    """Layer of a picture; a dashed frame in its place if its file is missing."""
 
     z = -6.0
     is_still = True
@@ -136,14 +136,14 @@ class ImageLayer(Layer):
         self._has_grips = False
         self._image: ReferenceImage | None = None
         self._pixels: QImage | None = None
-        self._drawn: tuple[object, ...] = (None,) * 4
-        self._shot: QPixmap | None = None
+        self._key: tuple[object, ...] = (None,) * 4
+        self._visible_part: QPixmap | None = None
         self._levels: list[QImage] = []
         self._is_page: bool | None = None
-        # A level for dark paper, and what it was made of.
+        # A level, and its inverted version for dark paper.
         self._dark: tuple[QImage, QImage] | None = None
         self.set_visible(False)
-        # The grips lie over curves and points: the mouse is theirs while they show.
+        # The grips lie over curves and points: while visible, they get the mouse.
         self._grips = Layer(plot, self._paint_grips, z=20.0)
         self._grips.set_visible(False)
 
@@ -154,15 +154,15 @@ class ImageLayer(Layer):
                 self._is_page = None
             self._image, self._pixels = image, pixels
             if pixels is None:
-                self._shot, self._levels, self._dark = None, [], None
+                self._visible_part, self._levels, self._dark = None, [], None
             self.set_visible(image is not None)
             self.update()
             self._grips.update()
             self._show_grips()
 
-    def set_grips(self, shown: bool) -> None:
-        """Show the grips, or not: they are there for the tool that moves the picture."""
-        self._has_grips = shown
+    def set_grips(self, visible: bool) -> None:
+        """Show or hide the grips of the tool that moves the picture."""
+        self._has_grips = visible
         self._show_grips()
 
     def _show_grips(self) -> None:
@@ -178,20 +178,20 @@ class ImageLayer(Layer):
         return np.array([corner, corner + size])
 
     def hit(self, pixel: Vector, pixel_map: PixelMap) -> Hit | None:
-        """Return which part of the picture lies under `pixel`."""
+        """Return the part of the picture under `pixel`: a corner or the inside."""
         image = self._image
         if image is None:
             return None
         for corner in range(len(CORNERS)):
-            place = corner_of(image, corner)
-            if math.dist(pixel_map.point(*place), pixel) <= GRIP_REACH:
-                return Hit(Part.IMAGE_CORNER, -1, place, knot=corner)
+            position = corner_of(image, corner)
+            if math.dist(pixel_map.point(*position), pixel) <= GRIP_REACH:
+                return Hit(Part.IMAGE_CORNER, -1, position, knot=corner)
         if _rect(image, pixel_map).contains(QPointF(*pixel)):
             return Hit(Part.IMAGE, -1, (image.x, image.y))
         return None
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw the picture, or the frame where it belongs."""
+        """Draw the picture, or a frame in its place."""
         image = self._image
         if image is None:
             return
@@ -199,22 +199,24 @@ class ImageLayer(Layer):
         if self._pixels is None:
             self._paint_frame(painter, rect)
             return
-        drawn = (image, self._pixels, pixel_map, self.theme)
-        if any(old is not new for old, new in zip(self._drawn, drawn, strict=True)):
+        key = (image, self._pixels, pixel_map, self.theme)
+        if any(old is not new for old, new in zip(self._key, key, strict=True)):
             ratio = painter.device().devicePixelRatioF()
-            self._shot = _shot(self._for_paper(self._level_for(rect, ratio)), rect, pixel_map, ratio)
-            self._drawn = drawn
-        if self._shot is not None:
+            self._visible_part = _visible_part(
+                self._for_paper(self._level_for(rect, ratio)), rect, pixel_map, ratio
+            )
+            self._key = key
+        if self._visible_part is not None:
             painter.setOpacity(image.opacity)
-            if self._lies_dark:
-                # Ink alone: the black that a page has become adds nothing to the paper.
+            if self._is_inverted:
+                # Screen mode draws the ink only: black, the inverted page, adds nothing to the paper.
                 painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_Screen)
-            painter.drawPixmap(QPointF(0, 0), self._shot)
+            painter.drawPixmap(QPointF(0, 0), self._visible_part)
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceOver)
             painter.setOpacity(1)
 
     def _level_for(self, rect: QRectF, ratio: float) -> QImage:
-        """Return the picture halved until it is less than twice as large as shown: smoother, and faster."""
+        """Return the picture halved until it is less than twice as large as drawn: smoother and faster."""
         assert self._pixels is not None
         if not self._levels or self._levels[0] is not self._pixels:
             self._levels = [self._pixels]
@@ -233,14 +235,14 @@ class ImageLayer(Layer):
         return self._levels[level]
 
     @property
-    def _lies_dark(self) -> bool:
+    def _is_inverted(self) -> bool:
         return bool(self._is_page) and self.theme.paper.lightness() < 128
 
     def _for_paper(self, level: QImage) -> QImage:
-        """Return what is drawn of a level: on dark paper, a page with light ink on dark."""
+        """Return a level as it is drawn: on dark paper, a page with light ink on black."""
         if self._is_page is None:
             self._is_page = is_page(level)
-        if not self._lies_dark:
+        if not self._is_inverted:
             return level
         if self._dark is None or self._dark[0] is not level:
             self._dark = (level, inverted_lightness(level))
@@ -252,7 +254,7 @@ class ImageLayer(Layer):
         painter.setPen(QPen(self.theme.muted, 1, Qt.PenStyle.DashLine))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(visible)
-        painter.drawText(visible, int(Qt.AlignmentFlag.AlignCenter), "The image is not there")
+        painter.drawText(visible, int(Qt.AlignmentFlag.AlignCenter), "Image not found")
 
     def _paint_grips(self, painter: QPainter, pixel_map: PixelMap) -> None:
         image = self._image
@@ -270,13 +272,13 @@ class ImageLayer(Layer):
 
 
 def _rect(image: ReferenceImage, pixel_map: PixelMap) -> QRectF:
-    """Return where the picture lies in pixels."""
+    """Return the rectangle of the picture in pixels."""
     left, top = pixel_map.point(image.x, image.y + image.height)
     return QRectF(left, top, image.width * pixel_map.sx, image.height * pixel_map.sy)
 
 
-def _shot(pixels: QImage, rect: QRectF, pixel_map: PixelMap, ratio: float) -> QPixmap | None:
-    """Return what is visible of the picture, scaled once: to scale it at every paint would cost frames."""
+def _visible_part(pixels: QImage, rect: QRectF, pixel_map: PixelMap, ratio: float) -> QPixmap | None:
+    """Return the visible part of the picture, scaled once and not at every paint."""
     visible = rect.intersected(
         QRectF(-_MARGIN, -_MARGIN, pixel_map.width + 2 * _MARGIN, pixel_map.height + 2 * _MARGIN)
     )

@@ -1,4 +1,4 @@
-"""The legend on the canvas: what the lines and marks beside the curve mean."""
+"""The legend on the canvas: names of the lines and marks beside the curve."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ from ..widgets.frames import OverlayFrame
 _MARGIN = 10
 
 FIRST = "overlays"
-"""The group of the curve itself, with what is drawn over it and its ghosts."""
+"""The group of the curve itself, its overlays and its ghosts; it has no heading."""
 
 
-_SOON_MS = 120
-"""Milliseconds that the drawing rests before the legend makes way for it."""
+_MOVE_DELAY_MS = 120
+"""Milliseconds of rest after which the legend moves away from the drawing."""
 
 _WORTH_MOVING = 12.0
-"""Pixels of curve by which another corner has to cover less than the one where the legend lies."""
+"""Pixels of curve by which another corner must cover less than the present one."""
 
-_FREE = 1.0
-"""Pixels of curve up to which a corner is free."""
+_FREE_CORNER = 1.0
+"""Pixels of curve up to which a corner counts as free."""
 
 _COVERED_FRAME = 1000.0
 """Cost of a corner where another frame lies, in pixels of curve covered."""
@@ -61,26 +61,26 @@ class Form(IntEnum):
     BARE = 2
 
 
-class _Shown(NamedTuple):
-    """A row on screen: its words, the button behind them and the number at its end."""
+class _VisibleRow(NamedTuple):
+    """A row on the screen: its text or button, the button that hides it, and the number at its end."""
 
     row: LegendRow
     words: Label | QToolButton
     hide: QToolButton | None
     figure: Label | None
 
-    def say(self, form: Form) -> None:
-        """Take the form of the moment."""
+    def set_form(self, form: Form) -> None:
+        """Show the row in this form."""
         self.words.setText(self.row.brief if form >= Form.BRIEF and self.row.brief else self.row.text)
         for widget in filter(None, (self.hide, self.figure)):
             widget.setVisible(form < Form.BARE)
 
-    def with_figure_of(self, row: LegendRow) -> _Shown:
-        """Show the number of a row that differs in nothing else, and return that."""
+    def with_figure_of(self, row: LegendRow) -> _VisibleRow:
+        """Show the number of a row that differs in nothing else, and return the row."""
         if self.figure is not None and row.figure != self.row.figure:
             self.figure.setText(row.figure)
             if row.ghost is not None:
-                _name_choosing(self.words, row)
+                _name_choose_button(self.words, row)
         return self._replace(row=row)
 
 
@@ -92,7 +92,7 @@ class Room(Protocol):
     area
         The drawing in pixels of the viewport.
     is_busy
-        Whether a gesture goes on, during which nothing else moves.
+        Whether a gesture is in flight: the legend stays meanwhile.
     """
 
     @property
@@ -102,18 +102,18 @@ class Room(Protocol):
     def is_busy(self) -> bool: ...
 
     def segments(self) -> FloatArray:
-        """Return what should be seen, as line segments (k, 4) in pixels of the viewport."""
+        """Return the lines that should stay visible, as segments (k, 4) in pixels of the viewport."""
 
 
 class Legend(OverlayFrame):
-    """Legend in the corner where it covers least; a press beside its buttons is meant for the drawing.
+    """Legend in the corner where it covers least; presses beside its buttons go to the drawing.
 
     Signals
     -------
     chosen
-        A ghost shall become the curve.
+        A ghost shall replace the curve.
     hidden
-        A ghost shall go away.
+        A ghost shall be hidden.
     """
 
     chosen = Signal(object)
@@ -125,9 +125,9 @@ class Legend(OverlayFrame):
         self._groups: dict[str, Sequence[LegendRow]] = {}
         self._style, self._room = style, room
         self._corner, self._form = Corner.LOWER_RIGHT, Form.WHOLE
-        self._shown: list[_Shown] = []
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._make_way)
+        self._visible_rows: list[_VisibleRow] = []
+        self._move_timer = QTimer(self, singleShot=True, interval=_MOVE_DELAY_MS)
+        self._move_timer.timeout.connect(self._move_away)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(8, 5, 6, 5)
         self._grid.setHorizontalSpacing(7)
@@ -138,12 +138,12 @@ class Legend(OverlayFrame):
 
     @property
     def rows(self) -> Sequence[LegendRow]:
-        """The lines on screen; what has no heading comes first, or it would stand under that of another."""
+        """The rows in order; the group without a heading comes first, or it would stand below another's."""
         names = sorted(self._groups, key=lambda name: name != FIRST)
         return [row for name in names for row in self._groups[name]]
 
     def render_rows(self, group: str, rows: Sequence[LegendRow]) -> None:
-        """Show these lines of a group, below those of groups that were there before; hidden without any."""
+        """Show the rows of a group, below the groups shown before it; () removes the group."""
         if list(rows) == list(self._groups.get(group, ())):
             return
         before = self.rows
@@ -152,9 +152,12 @@ class Legend(OverlayFrame):
         else:
             del self._groups[group]
         if [_without_figure(row) for row in before] == [_without_figure(row) for row in self.rows]:
-            self._shown = [each.with_figure_of(row) for each, row in zip(self._shown, self.rows, strict=True)]
+            self._visible_rows = [
+                visible.with_figure_of(row)
+                for visible, row in zip(self._visible_rows, self.rows, strict=True)
+            ]
             self._grid.activate()
-            self._make_way()
+            self._move_away()
         else:
             self._rebuild()
 
@@ -163,38 +166,38 @@ class Legend(OverlayFrame):
             self._grid.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
-        self._shown = []
-        for place, row in enumerate(self.rows):
-            self._add(place, row)
+        self._visible_rows = []
+        for index, row in enumerate(self.rows):
+            self._add(index, row)
         if self.isHidden():
             self._corner = Corner.LOWER_RIGHT
         self.setVisible(bool(self._groups))
-        # A layout counts what is visible only.
+        # A layout counts visible widgets only.
         for widget in self._children():
             widget.show()
-        for each in self._shown:
-            each.say(self._form)
+        for visible in self._visible_rows:
+            visible.set_form(self._form)
         self._grid.activate()
-        self._make_way()
+        self._move_away()
 
     def _children(self) -> list[QWidget]:
-        items = [self._grid.itemAt(place) for place in range(self._grid.count())]
-        found = [item.widget() for item in items if item is not None]
-        return [widget for widget in found if widget is not None]
+        items = [self._grid.itemAt(index) for index in range(self._grid.count())]
+        widgets = [item.widget() for item in items if item is not None]
+        return [widget for widget in widgets if widget is not None]
 
-    def _add(self, place: int, row: LegendRow) -> None:
+    def _add(self, index: int, row: LegendRow) -> None:
         font = QFont(self.font())
         font.setPointSizeF(font.pointSizeF() * 0.92 * self._style.scale)
         if row.style is not None:
             sign = Label()
             sign.setPixmap(sign_pixmap(row.style, self._style.theme, self.devicePixelRatioF()))
-            self._grid.addWidget(sign, place, 0)
+            self._grid.addWidget(sign, index, 0)
         if row.ghost is not None:
             choose, hide = self._ghost_buttons(row, row.ghost)
             choose.setFont(font)
-            self._grid.addWidget(choose, place, 1)
-            self._grid.addWidget(hide, place, 3)
-            self._shown.append(_Shown(row, choose, hide, self._add_figure(place, row, font)))
+            self._grid.addWidget(choose, index, 1)
+            self._grid.addWidget(hide, index, 3)
+            self._visible_rows.append(_VisibleRow(row, choose, hide, self._add_figure(index, row, font)))
             return
         text = Label(row.text)
         text.setFont(font)
@@ -203,23 +206,23 @@ class Legend(OverlayFrame):
             f"color: {(self._style.theme.muted if row.is_muted else self._style.theme.ink).name()}"
         )
         first = 0 if row.style is None else 1
-        self._grid.addWidget(text, place, first, 1, (2 if row.figure else 4) - first)
-        self._shown.append(_Shown(row, text, None, self._add_figure(place, row, font)))
+        self._grid.addWidget(text, index, first, 1, (2 if row.figure else 4) - first)
+        self._visible_rows.append(_VisibleRow(row, text, None, self._add_figure(index, row, font)))
 
-    def _add_figure(self, place: int, row: LegendRow, font: QFont) -> Label | None:
+    def _add_figure(self, index: int, row: LegendRow, font: QFont) -> Label | None:
         if not row.figure:
             return None
         figure = Label(row.figure)
         figure.setFont(font)
         figure.setToolTip("The Lebesgue constant: how much errors in the points can grow")
         figure.setStyleSheet(f"color: {self._style.theme.muted.name()}")
-        self._grid.addWidget(figure, place, 2, Qt.AlignmentFlag.AlignRight)
+        self._grid.addWidget(figure, index, 2, Qt.AlignmentFlag.AlignRight)
         return figure
 
     def _ghost_buttons(self, row: LegendRow, ghost: Ghost) -> tuple[QToolButton, QToolButton]:
         hiding = f"Hide the ghost: {row.text}"
         choose = tool_button(f"legendChoose_{ghost.name}", "", "", text=row.text, flat=True)
-        _name_choosing(choose, row)
+        _name_choose_button(choose, row)
         hide = tool_button(f"legendHide_{ghost.name}", hiding, tip_of(hiding), icon_size=11, flat=True)
         choose.setEnabled(not row.is_muted)
         hide.setIcon(icon("close", self._style.theme))
@@ -232,56 +235,56 @@ class Legend(OverlayFrame):
         return choose, hide
 
     def place(self) -> None:
-        """Lie in a corner of the drawing, as small as can be."""
+        """Lie in a corner of the drawing, as small as possible."""
         self.setGeometry(self._box_in(self._corner))
 
-    def make_way(self) -> None:
-        """Go to another corner, if that covers less, once the drawing rests."""
+    def move_away(self) -> None:
+        """Move to a corner that covers less, once the drawing rests."""
         if not self.isHidden():
-            self._soon.start()
+            self._move_timer.start()
 
-    def _make_way(self) -> None:
+    def _move_away(self) -> None:
         if self._room.is_busy:
             self.place()
-            self._soon.start()
+            self._move_timer.start()
             return
-        segments, found = self._room.segments(), dict[tuple[Form, Corner], float]()
+        segments, lengths = self._room.segments(), dict[tuple[Form, Corner], float]()
         for form in Form:
             self._show_form(form)
-            covered = self._covered(segments)
-            found |= {(form, corner): length for corner, length in covered.items()}
+            covered = self._covered_lengths(segments)
+            lengths |= {(form, corner): length for corner, length in covered.items()}
             best = min(covered, key=lambda corner: covered[corner])
-            if covered[best] <= _FREE:
+            if covered[best] <= _FREE_CORNER:
                 break
         else:
-            # There is no free corner: as much of the words as that costs nothing.
-            form, best = min(found, key=lambda place: (found[place], place[0]))
+            # There is no free corner: the longest form among those that cover least.
+            form, best = min(lengths, key=lambda option: (lengths[option], option[0]))
             self._show_form(form)
-        if found[form, self._corner] > found[form, best] + _WORTH_MOVING:
+        if lengths[form, self._corner] > lengths[form, best] + _WORTH_MOVING:
             self._corner = best
         self.place()
 
-    def _covered(self, segments: FloatArray) -> dict[Corner, float]:
-        """Return how much the legend covers in each corner, in pixels of curve."""
+    def _covered_lengths(self, segments: FloatArray) -> dict[Corner, float]:
+        """Return the length of curve that the legend covers in each corner, in pixels."""
         boxes = [self._box_in(corner) for corner in Corner]
         here = Qt.FindChildOption.FindDirectChildrenOnly
-        frames = [each for each in self.below.findChildren(OverlayFrame, options=here) if each is not self]
-        taken = [
-            any(each.isVisible() and each.geometry().intersects(box) for each in frames) for box in boxes
+        frames = [frame for frame in self.below.findChildren(OverlayFrame, options=here) if frame is not self]
+        is_occupied = [
+            any(frame.isVisible() and frame.geometry().intersects(box) for frame in frames) for box in boxes
         ]
-        lengths = covered_lengths(segments, boxes) + _COVERED_FRAME * np.array(taken)
+        lengths = covered_lengths(segments, boxes) + _COVERED_FRAME * np.array(is_occupied)
         return dict(zip(Corner, lengths.tolist(), strict=True))
 
     def _show_form(self, form: Form) -> None:
         if form is self._form:
             return
         self._form = form
-        for each in self._shown:
-            each.say(self._form)
+        for visible in self._visible_rows:
+            visible.set_form(self._form)
         self._grid.activate()
 
     def _box_in(self, corner: Corner) -> QRect:
-        """Return where the legend lies in a corner; inside the viewport, however small that is."""
+        """Return the rectangle of the legend in a corner, inside the viewport however small that is."""
         size, area = self.sizeHint(), self._room.area
         is_right, is_below = corner.value
         x = area.right() - size.width() - _MARGIN if is_right else area.left() + _MARGIN
@@ -289,18 +292,18 @@ class Legend(OverlayFrame):
         return QRect(QPoint(max(x, 0), max(y, 0)), size)
 
     def event(self, event: QEvent) -> bool:
-        # The frame of a style sheet counts later than the rows.
+        # The frame of a style sheet is laid out after the rows.
         if event.type() == QEvent.Type.LayoutRequest:
             self.place()
         return super().event(event)
 
     def render_style(self) -> None:
-        """Take the theme and the scale of the drawing."""
+        """Use the theme and the scale of the drawing."""
         theme = self._style.theme
         paper, line = theme.paper, theme.grid_coarse.name()
         hover = mix(theme.ink, theme.paper, 0.1).name()
-        # Never opaque: Qt would cut it out of what it paints below, and drawing in a region that is no
-        # rectangle takes several times as long.
+        # Never opaque: Qt would clip the painting below to a region that is no rectangle, which takes
+        # several times as long.
         self.setStyleSheet(
             f"#legend {{ background: rgba({paper.red()}, {paper.green()}, {paper.blue()}, 215);"
             f" border: 1px solid {line}; border-radius: 6px }}"
@@ -314,7 +317,7 @@ def _without_figure(row: LegendRow) -> LegendRow:
     return replace(row, figure="…") if row.figure else row
 
 
-def _name_choosing(button: QWidget, row: LegendRow) -> None:
-    """Name the button that makes a ghost the curve, with the figure, which the narrowest form leaves out."""
-    words = row.tip or f"Make this the curve: {row.text}" + (f" ({row.figure})" if row.figure else "")
-    named(button, button.objectName(), words, tip_of(words))
+def _name_choose_button(button: QWidget, row: LegendRow) -> None:
+    """Name the button that replaces the curve by a ghost, with the figure that the narrowest form omits."""
+    text = row.tip or f"Make this the curve: {row.text}" + (f" ({row.figure})" if row.figure else "")
+    named(button, button.objectName(), text, tip_of(text))

@@ -22,25 +22,25 @@ _NOTHING = Marks()
 
 _GRIP, _FAR = 3.5, 1e6
 _SLANT = 0.8
-"""Of the grips that skew, across their height."""
+"""Slant of the grips that skew, relative to their height."""
 
-_BENEATH = 3.0
-"""Pixels of paper below a line over artwork."""
+_CASING = 3.0
+"""Width in pixels of the paper below a line over a drawing."""
 
 _PIVOT_ARM = 6.5
 """Pixels from the pivot to the ends of its cross."""
 
-_ARM = 9
-"""Length of the arms of the cross where something is caught."""
+_CROSS_ARM = 9
+"""Length of the arms of the cross at a snap target, in pixels."""
 
 _GRID_LINE, _NUMBER_ENDS = 60, 27
-"""Half the length of what is shown of a line of the grid, and how far the number of a point reaches."""
+"""Half the length of a drawn piece of a grid line, and the reach of the number of a point, in pixels."""
 
 _LABEL_GAP = (8.0, 7.0)
-"""Pixels between a point and the words about what it snapped to."""
+"""Pixels between a point and the label of its snap target."""
 
-_CLEAR = 18.0
-"""Pixels between a readout and its place: a selected point with its ring, or a grip, stays free."""
+_READOUT_GAP = 18.0
+"""Pixels between a readout and its position: a selected point with its ring, or a grip, stays free."""
 
 
 class MarksLayer(Layer):
@@ -49,9 +49,9 @@ class MarksLayer(Layer):
     Attributes
     ----------
     marks
-        What is drawn.
+        The marks that are drawn.
     readout_rect, snap_label_rect
-        Where the last readout of a gesture stood, and the words about the last snap, in pixels of the area.
+        Boxes of the last readout of a gesture, and of the last snap label, in pixels of the area.
     """
 
     z = 20.0
@@ -59,7 +59,7 @@ class MarksLayer(Layer):
     def __init__(self, plot: PlotWidget, around: Callable[[Vector], Surroundings]) -> None:
         super().__init__(plot)
         self.marks = _NOTHING
-        # Tells what words beside a pixel should not cover.
+        # Returns the lines and numbers that a label beside a pixel should not cover.
         self._around = around
         self.readout_rect = self.snap_label_rect = QRectF()
         self._halo = Halo()
@@ -73,7 +73,7 @@ class MarksLayer(Layer):
             self.update()
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Draw what there is."""
+        """Draw the marks that are set."""
         marks = self.marks
         painter.setFont(self.fonts.times(0.95 * self.scale))
         if marks.box is not None:
@@ -107,24 +107,26 @@ class MarksLayer(Layer):
         if not _is_drawable(frame.left(), frame.top(), frame.right(), frame.bottom()):
             return
         if box.is_whole:
-            # Beside a straight stroke, and not on it: its colour is seen.
+            # Beside a straight stroke, and not on it, so that its colour stays visible.
             beside = BESIDE * self.scale
             frame = QRectF(frame.adjusted(-beside, -beside, beside, beside).toRect())
         painter.setBrush(Qt.BrushStyle.NoBrush)
         # On whole pixels, where dashes are sharp.
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        # Paper between the dashes, no wider than they are: seen on any colour, and little is covered.
+        # Paper between the dashes, no wider than these: visible on any colour, covering little.
         for pen in (QPen(self.theme.paper, self.scale), self._pen(style=Qt.PenStyle.DashLine)):
             painter.setPen(pen)
             painter.drawRect(frame)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         grips = [
-            (grip, QPointF(*pixel_map.point(*place))) for grip, place in box.grips(pixel_map.sx) if has_grips
+            (grip, QPointF(*pixel_map.point(*position)))
+            for grip, position in box.grips(pixel_map.sx)
+            if has_grips
         ]
         for grip, pixel in grips:
             if grip.does is TransformKind.ROTATE and not box.turns:
-                # Below the grips: it passes one of them.
-                for pen in (QPen(self.theme.paper, _BENEATH * self.scale), self._pen(1.2)):
+                # Below the grips, because the line passes one of them.
+                for pen in (QPen(self.theme.paper, _CASING * self.scale), self._pen(1.2)):
                     painter.setPen(pen)
                     painter.drawLine(QPointF(pixel.x(), frame.top()), pixel)
         for grip, pixel in grips:
@@ -138,7 +140,7 @@ class MarksLayer(Layer):
         if grip.does is TransformKind.ROTATE:
             painter.drawEllipse(square.adjusted(-0.5, -0.5, 0.5, 0.5))
         elif grip.does is TransformKind.SKEW:
-            # What it makes of the square of the others.
+            # The square of the other grips, skewed.
             slant = QTransform().shear(-_SLANT, 0.0) if grip.y else QTransform().shear(0.0, -_SLANT)
             corners = QPolygonF(square.translated(-pixel))
             painter.drawPolygon(slant.map(corners).translated(pixel))
@@ -146,7 +148,7 @@ class MarksLayer(Layer):
             painter.drawRect(square)
 
     def _paint_pivot(self, painter: QPainter, x: float, y: float) -> None:
-        """Draw a cross in a ring, with paper below its lines: it often lies on a curve."""
+        """Draw a cross in a ring, with paper below its lines because it often lies on a curve."""
         if not _is_drawable(x, y):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
@@ -181,25 +183,25 @@ class MarksLayer(Layer):
             painter.drawLine(QPointF(x, 0), QPointF(x, pixel_map.height))
 
     def _paint_snap(self, painter: QPainter, pixel_map: PixelMap, snap: Snap) -> None:
-        place = pixel_map.point(*snap.position)
-        if not _is_drawable(*place):
+        target = pixel_map.point(*snap.position)
+        if not _is_drawable(*target):
             return
-        pixel = QPointF(*place)
+        pixel = QPointF(*target)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
         for guide in snap.guides:
-            from_ = pixel_map.point(*guide)
-            if _is_drawable(*from_):
-                painter.drawLine(QPointF(*from_), pixel)
-        around = self._around(place)
-        # A caught x is shown by a piece of its vertical, a caught y by one of its horizontal.
+            guide_pixel = pixel_map.point(*guide)
+            if _is_drawable(*guide_pixel):
+                painter.drawLine(QPointF(*guide_pixel), pixel)
+        around = self._around(target)
+        # A snapped x is shown by a piece of a vertical line, a snapped y by a horizontal one.
         for axis in snap.axes:
             along = QPointF(0, self.scale) if axis == 0 else QPointF(self.scale, 0)
             if axis == snap.grid_line:
                 self._paint_grid_line(painter, pixel, along, around.words)
             else:
                 painter.setPen(self._pen(1.5))
-                painter.drawLine(pixel - along * _ARM, pixel + along * _ARM)
+                painter.drawLine(pixel - along * _CROSS_ARM, pixel + along * _CROSS_ARM)
         self._paint_label(painter, pixel_map, pixel, snap.label, around)
 
     def _paint_grid_line(
@@ -207,10 +209,12 @@ class MarksLayer(Layer):
     ) -> None:
         """Draw a piece of a line of the grid, long and dashed: a short one would look like a crossing."""
         painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
-        for way in (along, -along):
-            near = QRectF(pixel, pixel + way * _NUMBER_ENDS).normalized().adjusted(-1, -1, 1, 1)
-            has_number = any(near.intersects(each) for each in words)
-            painter.drawLine(pixel + way * (_NUMBER_ENDS if has_number else 0), pixel + way * _GRID_LINE)
+        for direction in (along, -along):
+            near = QRectF(pixel, pixel + direction * _NUMBER_ENDS).normalized().adjusted(-1, -1, 1, 1)
+            has_number = any(near.intersects(word) for word in words)
+            painter.drawLine(
+                pixel + direction * (_NUMBER_ENDS if has_number else 0), pixel + direction * _GRID_LINE
+            )
 
     def _paint_ruler(self, painter: QPainter, pixel_map: PixelMap, ruler: Ruler) -> None:
         start, end = pixel_map.point(*ruler.start), pixel_map.point(*ruler.end)
@@ -222,16 +226,16 @@ class MarksLayer(Layer):
         painter.drawPolyline([QPointF(*start), corner, QPointF(*end)])
         painter.setPen(self._pen(1.5))
         painter.drawLine(QPointF(*start), QPointF(*end))
-        for place in (start, end):
-            painter.drawEllipse(QPointF(*place), 2.5 * self.scale, 2.5 * self.scale)
+        for pixel in (start, end):
+            painter.drawEllipse(QPointF(*pixel), 2.5 * self.scale, 2.5 * self.scale)
         dx, dy = end[0] - start[0], end[1] - start[1]
-        # On the side where the right angle is not, clear of the points at the ends.
-        way = QPointF(abs(dy) * (-1 if dx >= 0 else 1), abs(dx) * (-1 if dy <= 0 else 1))
+        # On the side away from the right angle, clear of the points at the ends.
+        offset = QPointF(abs(dy) * (-1 if dx >= 0 else 1), abs(dx) * (-1 if dy <= 0 else 1))
         middle = QPointF((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
-        self._write_beyond(painter, pixel_map, middle, (way, -way), ruler.text)
+        self._write_beyond(painter, pixel_map, middle, (offset, -offset), ruler.text)
 
     def _paint_spot(self, painter: QPainter, x: float, y: float) -> None:
-        """Draw a ring where the pen would insert a point, or over the small one of another curve's point."""
+        """Draw a ring where the pen would insert a point, or over the ring of another curve's point."""
         if _is_drawable(x, y):
             painter.setBrush(self.theme.paper)
             painter.setPen(self._pen(1.5))
@@ -241,25 +245,32 @@ class MarksLayer(Layer):
     # Words
 
     def _paint_note(self, painter: QPainter, pixel_map: PixelMap, note: Note) -> None:
-        place = pixel_map.point(*note.position)
-        if _is_drawable(*place):
-            way = QPointF(*place) - QPointF(*pixel_map.point(*note.work))
-            aside = QPointF(-way.y(), way.x())
-            self._write_beyond(painter, pixel_map, QPointF(*place), (way, aside, -aside, -way), note.text)
+        position = pixel_map.point(*note.position)
+        if _is_drawable(*position):
+            offset = QPointF(*position) - QPointF(*pixel_map.point(*note.work))
+            aside = QPointF(-offset.y(), offset.x())
+            self._write_beyond(
+                painter, pixel_map, QPointF(*position), (offset, aside, -aside, -offset), note.text
+            )
 
     def _write_beyond(
-        self, painter: QPainter, pixel_map: PixelMap, place: QPointF, ways: Sequence[QPointF], text: str
+        self,
+        painter: QPainter,
+        pixel_map: PixelMap,
+        position: QPointF,
+        directions: Sequence[QPointF],
+        text: str,
     ) -> None:
-        """Write beside a place, away from what is worked on."""
+        """Write beside a position, away from the points that are edited."""
         plate = self.readout_rect = beyond(
-            place, ways, _CLEAR * self.scale, size_of(painter, text), pixel_map
+            position, directions, _READOUT_GAP * self.scale, size_of(painter, text), pixel_map
         )
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent_text)
 
     def _paint_label(
         self, painter: QPainter, pixel_map: PixelMap, pixel: QPointF, text: str, around: Surroundings
     ) -> None:
-        """Write beside a point, where it covers least of the curve and no number."""
+        """Write beside a point, in the corner where the label covers least of curve and numbers."""
         size, gap = size_of(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
         self.snap_label_rect = free_corner(pixel, size, gap, around, pixel_map)
         theme = self.theme
@@ -271,5 +282,5 @@ def _rectangle(pixel_map: PixelMap, a: Vector, b: Vector) -> QRectF:
 
 
 def _is_drawable(*pixels: float) -> bool:
-    """Tell whether Qt can take these numbers: neither endless nor absurdly far away."""
+    """Return whether Qt can draw at these pixels: finite and not absurdly far away."""
     return all(abs(pixel) < _FAR for pixel in pixels)

@@ -29,14 +29,14 @@ from ..view_model.motion import (
 )
 
 _TRAIL_DOT = 3.0
-_FAR = 1e5
+_LONGEST = 1e5
 _Pixel = tuple[float, float]
 _SHORTEST = 3.0
-"""Pixels below which an arrow is not drawn: its head would cover it."""
+"""Length in pixels below which an arrow is not drawn: its head would cover it."""
 
 
 class MotionLayer(Layer):
-    """Layer of dots that run; the scrub line's own dot lies on top of them."""
+    """Layer of moving dots; the dot of the scrub line lies on top of them."""
 
     z = 9.0
 
@@ -44,7 +44,7 @@ class MotionLayer(Layer):
         super().__init__(plot)
         self.dots: Sequence[Dot] = ()
         self.lines: Sequence[tuple[Role, FloatArray]] = ()
-        self._written: list[QRectF] = []
+        self._plates: list[QRectF] = []
 
     def render(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, FloatArray]]) -> None:
         """Draw `dots`, and the curves that some of them run along, from the next paint on."""
@@ -57,7 +57,7 @@ class MotionLayer(Layer):
             self._paint_line(painter, pixel_map, role, line)
         for dot in self.dots:
             self._paint_trail(painter, pixel_map, dot)
-        self._written.clear()
+        self._plates.clear()
         painter.setFont(self.fonts.at(9.0 * self.scale))
         for dot in self.dots:
             self._paint_dot(painter, pixel_map, dot)
@@ -74,8 +74,8 @@ class MotionLayer(Layer):
         painter.setPen(Qt.PenStyle.NoPen)
         radius = _TRAIL_DOT * self.scale
         with np.errstate(all="ignore"):
-            places = pixel_map.points(dot.trail)
-        for age, (x, y) in enumerate(places.tolist()):
+            pixels = pixel_map.points(dot.trail)
+        for age, (x, y) in enumerate(pixels.tolist()):
             if is_near(x, y):
                 colour.setAlphaF(0.65 * (1.0 - age / TRAIL))
                 painter.setBrush(colour)
@@ -87,8 +87,8 @@ class MotionLayer(Layer):
             return
         for arrow in dot.arrows:
             colour = curve_colour(colour_of(dot, arrow), self.theme)
-            words = f"{dot.role.title} {arrow.text}".strip()
-            self._paint_arrow(painter, pixel_map, (x, y), pixel_map.point(*arrow.tip), colour, words)
+            label = f"{dot.role.title} {arrow.text}".strip()
+            self._paint_arrow(painter, pixel_map, (x, y), pixel_map.point(*arrow.tip), colour, label)
         if dot.role is not OWN:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
@@ -96,15 +96,15 @@ class MotionLayer(Layer):
             painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_arrow(
-        self, painter: QPainter, pixel_map: PixelMap, start: _Pixel, tip: _Pixel, colour: QColor, words: str
+        self, painter: QPainter, pixel_map: PixelMap, start: _Pixel, tip: _Pixel, colour: QColor, label: str
     ) -> None:
         length = float(np.hypot(tip[0] - start[0], tip[1] - start[1]))
-        if not _SHORTEST <= length <= _FAR:
+        if not _SHORTEST <= length <= _LONGEST:
             return
         painter.setPen(QPen(colour, 2.0 * self.scale))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         draw_segments(painter, arrow_segments(start, tip, 9.0 * self.scale), pixel_map)
-        self._write_beyond(painter, pixel_map, start, tip, words)
+        self._write_beyond(painter, pixel_map, start, tip, label)
 
     def _write_beyond(
         self,
@@ -112,14 +112,14 @@ class MotionLayer(Layer):
         pixel_map: PixelMap,
         start: _Pixel,
         tip: _Pixel,
-        words: str,
+        label: str,
     ) -> None:
         """Write beyond the tip of an arrow, on a little paper and inside the drawing."""
-        size = size_of(painter, words, 6, 0)
+        size = size_of(painter, label, 6, 0)
         width, height = size.width(), size.height()
         along = np.subtract(tip, start) / max(float(np.hypot(*np.subtract(tip, start))), 1e-9)
         x = tip[0] + along[0] * (width / 2 + 4) - width / 2
         y = tip[1] + along[1] * (height / 2 + 4) - height / 2
-        plate = clear_of(self._written, inside(x, y, size, pixel_map))
-        self._written.append(plate)
-        write_on_plate(painter, plate, words, self.theme.paper, painter.pen().color())
+        plate = clear_of(self._plates, inside(x, y, size, pixel_map))
+        self._plates.append(plate)
+        write_on_plate(painter, plate, label, self.theme.paper, painter.pen().color())

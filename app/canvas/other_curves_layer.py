@@ -468,7 +468,7 @@ class DrawnCurves:
         elif self._edited_indices:
             self.edited.render(tuple(views[index] for index in self._edited_indices))
 
-    def follow(self, views: Sequence[CurveView]) -> None:
+    def follow_drag(self, views: Sequence[CurveView]) -> None:
         """Show the same curves after a move: called at every step of a drag."""
         self.render(views, *self._rendered[1:])
 

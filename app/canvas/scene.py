@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 
 _DISC = 5.0
-"""Half of what a point takes, in pixels."""
+"""Half the width of a point in pixels."""
 
 
 class CanvasScene:
@@ -50,7 +50,7 @@ class CanvasScene:
     view, views
         The active curve, None before the first; all curves of the document.
     is_editing
-        Whether the active curve is edited: otherwise it is drawn and hit as the others are.
+        Whether the active curve is edited: otherwise it is drawn and found as the others are.
     image
         The picture to trace.
     grid, units
@@ -58,17 +58,17 @@ class CanvasScene:
     curves
         All curves, from the back to the front.
     others, selected
-        The curves that are not edited; those of them that are selected together with it.
+        The curves that are not edited; marks of those that are selected with the active one.
     polygon, curve, points
         The active curve, and its control polygon if it does not pass its points.
     other_points
-        Selected points of the curves that are edited with it.
+        Selected points of the curves that are edited with the active one.
     guides
         The guides.
     annotations
-        What explains it: figures, ghosts, other versions, the legend.
+        Figures, ghosts and other versions of the active curve, and the legend.
     marks, pen
-        What a gesture shows over it; what the pen would make.
+        Marks of a gesture; preview of the pen.
     """
 
     def __init__(self, plot: ToolPlot) -> None:
@@ -98,56 +98,56 @@ class CanvasScene:
     # Curves
 
     def render_view(self, view: CurveView) -> None:
-        """Show the curve that is edited; a ghost of the old one fades when a rule has changed."""
+        """Show the active curve; a ghost of the old one fades when a rule has changed."""
         self._show_ghost_of_other_rules(view)
         self.view = view
         self.polygon.render(view)
         self.curve.render(view)
         self._show_weights()
         self.points.render(view)
-        self.annotations.make_way()
+        self.annotations.move_legend()
 
     def render_others(
         self,
         views: Sequence[CurveView],
         active: int | None,
-        chosen: frozenset[int],
+        selected: frozenset[int],
         edited: frozenset[int],
     ) -> None:
-        """Show all curves of the document: the active one if it is edited, those chosen and those edited."""
+        """Show all curves of the document: the active one if it is edited, the selected and edited ones."""
         self.views, self.is_editing = views, active is not None
         for layer in (self.curve, self.points, self.polygon):
             layer.set_shown(self.is_editing)
-        self.curves.render(views, active, chosen, edited)
+        self.curves.render(views, active, selected, edited)
         self.other_points.render(views, sorted(edited - {active}))
         self._show_marks_now()
 
-    def follow(self, views: Sequence[CurveView]) -> None:
-        """Show the curve that is edited where it runs now; all others rest, and what is selected."""
+    def follow_drag(self, views: Sequence[CurveView]) -> None:
+        """Show the active curve after a step of a drag; other curves and the selection stay."""
         self.views = views
-        self.curves.follow(views)
+        self.curves.follow_drag(views)
         self._show_marks_now()
 
     def set_selection(self, selection: frozenset[int], group: PointGroup) -> None:
-        """Show which points are selected: of the active curve, and of all that are edited."""
+        """Show the selected points of the active curve, and of all curves that are edited."""
         self.points.selection = selection
         self.points.refresh()
         self.other_points.set_group(group)
         self._plot.show_marks()
 
     def set_hovered(self, index: int) -> None:
-        """Light up a point (−1 for none)."""
+        """Highlight a point (−1 for none)."""
         self.points.hovered = index
         self.points.refresh()
 
     def set_image(self, image: ReferenceImage | None, pixels: QImage | None) -> None:
-        """Show a picture behind the curves; without `pixels` the frame where it belongs."""
+        """Show a picture behind the curves; without `pixels` a frame in its place."""
         self.image.render(image, pixels)
         self.curves.set_cased(pixels is not None)
         self.points.over_picture = self.other_points.over_picture = pixels is not None
 
     def set_plain(self, is_plain: bool) -> None:
-        """Draw points without numbers and colours that say which is which."""
+        """Draw points without numbers and colours of their own."""
         for layer in (self.points, self.other_points):
             layer.is_plain = is_plain
             layer.update()
@@ -164,7 +164,7 @@ class CanvasScene:
             self.curve.show_ghost(self._plot.pixel_map)
 
     def hold_ghost(self, held: bool) -> None:
-        """Keep a ghost of the curve as it is now while something is dragged elsewhere; then let it fade."""
+        """Keep a ghost of the present curve while a slider is dragged; then let it fade."""
         if held:
             self.curve.show_ghost(self._plot.pixel_map, held=True)
         else:
@@ -184,15 +184,14 @@ class CanvasScene:
             layer.weights = layer.scrub = None
             return
         x, y = view.curve.evaluate(t)
-        # Where a dot runs, weights would cover it, and it tells its own numbers.
+        # Weights would cover the moving dots, which have numbers of their own.
         layer.weights = None if self.dots else weights_at(view, t)
         layer.scrub = (t, float(x), float(y))
 
     def render_motion(self, dots: Sequence[Dot], lines: Sequence[tuple[Role, FloatArray]] = ()) -> None:
-        """Show dots that run, and the curves that some of them run along."""
+        """Show moving dots, and the curves that some of them run along."""
         if self._motion is None:
-            # Made when something runs: nobody waits for it at the start.
-
+            # Built with the first motion: the first frame does without it.
             self._motion = canvas.motion_layer.MotionLayer(self._plot)
         had_dots = bool(self.dots)
         self._motion.render(dots, lines)
@@ -202,45 +201,45 @@ class CanvasScene:
 
     @property
     def dots(self) -> Sequence[Dot]:
-        """The dots that run."""
+        """The moving dots."""
         return self._motion.dots if self._motion is not None else ()
 
     # Gestures
 
     def _show_marks_now(self) -> None:
-        """Show the marks again, unless a gesture here does so at its end."""
+        """Show the marks again, unless a gesture in flight does so."""
         if not self._plot.is_dragging:
             self._plot.show_marks()
 
     def show_marks(self, marks: Marks) -> None:
-        """Show what a gesture, or the pen before a press, has over the drawing."""
+        """Show the marks of a gesture, or of the pen before a press."""
         self.marks.render(marks)
-        self.guides.light(marks.guide)
+        self.guides.highlight(marks.guide)
         self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
     def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
-        """Return what of the drawing a tool hits at the pointer."""
-        shown, pixel, points = self._plot.pixel_map, pointer.pixel, self.points
+        """Return the part of the drawing under the pointer that the tool can hit."""
+        pixel_map, pixel, points = self._plot.pixel_map, pointer.pixel, self.points
         if tool.finds_image:
-            return self.image.hit(pixel, shown)
+            return self.image.hit(pixel, pixel_map)
         if self.view is None:
             return None
         hit = None
         if self.is_editing:
-            polyline = self.curve.polyline(shown)
+            polyline = self.curve.polyline(pixel_map)
             handles = points.visible_handles
-            found = handles.of_selected(shown), handles.facing(shown)
-            hit = hit_test(pixel, shown, self.view, polyline, points.selection, *found)
+            both_handles = handles.of_selected(pixel_map), handles.facing(pixel_map)
+            hit = hit_test(pixel, pixel_map, self.view, polyline, points.selection, *both_handles)
             if tool.finds_other_curves:
-                hit = nearer(self.other_points.nearest(pixel, shown), hit, pixel, shown)
+                hit = nearer(self.other_points.nearest(pixel, pixel_map), hit, pixel, pixel_map)
         if hit is None and tool.finds_other_curves:
-            hit = self.curves.hit(pixel, shown)
+            hit = self.curves.hit(pixel, pixel_map)
         if tool.finds_guides and (hit is None or hit.inside):
-            hit = self.guides.hit(pixel, shown) or hit
+            hit = self.guides.hit(pixel, pixel_map) or hit
         return hit
 
     def locked_at(self, pointer: Pointer) -> int:
-        """Return the place of the locked curve at the pointer; −1 for none."""
+        """Return the index of the locked curve at the pointer; −1 for none."""
         return self.curves.locked_at(pointer.pixel, self._plot.pixel_map)
 
     @property
@@ -250,31 +249,33 @@ class CanvasScene:
 
     @property
     def is_busy(self) -> bool:
-        """Whether a gesture goes on."""
+        """Whether a gesture is in flight."""
         return self._plot.is_dragging
 
     def segments(self) -> FloatArray:
         """Return curve, ghosts and points as line segments (k, 4) in pixels of the viewport."""
-        shown, origin = self._plot.pixel_map, self._plot.camera.origin
-        polyline = self.curve.polyline(shown)
+        pixel_map, origin = self._plot.pixel_map, self._plot.camera.origin
+        polyline = self.curve.polyline(pixel_map)
         lines = [polyline.points] if polyline is not None else []
-        lines += self.annotations.figure_layer.ghost_lines(shown)
-        found = [visible_segments(shown.points(each), shown.width, shown.height) for each in lines]
+        lines += self.annotations.figure_layer.ghost_lines(pixel_map)
+        parts = [
+            visible_segments(pixel_map.points(line), pixel_map.width, pixel_map.height) for line in lines
+        ]
         if self.view is not None:
-            places, disc = shown.points(self.view.points), np.array([_DISC, 0.0])
-            found.append(np.hstack([places - disc, places + disc]))
+            pixels, disc = pixel_map.points(self.view.points), np.array([_DISC, 0.0])
+            parts.append(np.hstack([pixels - disc, pixels + disc]))
         offset = np.tile([origin.x(), origin.y()], 2)
-        segments: FloatArray = np.concatenate([np.empty((0, 4)), *found]) + offset
+        segments: FloatArray = np.concatenate([np.empty((0, 4)), *parts]) + offset
         return segments
 
     def _surroundings_of(self, pixel: Vector) -> Surroundings:
-        """Return what words beside a pixel should not cover: curve, handles, and numbers of points."""
-        shown, layer = self._plot.pixel_map, self.points
-        beside = [each.of_selected(shown) for _, each in self.other_points.handles(shown)]
-        lines = np.concatenate([each.lines for each in (layer.handles, *beside)])
-        segments = shown.points(lines.reshape(-1, 2)).reshape(-1, 4)
-        polyline = self.curve.polyline(shown)
+        """Return the lines and numbers that a label beside a pixel should not cover."""
+        pixel_map, layer = self._plot.pixel_map, self.points
+        beside = [handles.of_selected(pixel_map) for _, handles in self.other_points.handles(pixel_map)]
+        lines = np.concatenate([handles.lines for handles in (layer.handles, *beside)])
+        segments = pixel_map.points(lines.reshape(-1, 2)).reshape(-1, 4)
+        polyline = self.curve.polyline(pixel_map)
         if polyline is not None:
-            segments = np.vstack([segments, segments_near(polyline.points, pixel, shown)])
+            segments = np.vstack([segments, segments_near(polyline.points, pixel, pixel_map)])
         words = [number_box(centre, length, layer.scale) for centre, length in layer.numbers]
-        return Surroundings(cut_segments(segments, shown.width, shown.height), words)
+        return Surroundings(cut_segments(segments, pixel_map.width, pixel_map.height), words)

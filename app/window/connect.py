@@ -202,7 +202,7 @@ class Rendering(QObject):
             view.settle()
         self._canvas.drawing.render_view(view)
         if self._rests_but_for_edited():
-            self._canvas.drawing.follow(views)
+            self._canvas.drawing.follow_drag(views)
         else:
             self._render_others()
             self._commands.show_document()

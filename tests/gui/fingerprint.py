@@ -42,7 +42,7 @@ PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
     *("_asked", "_axes", "_cost", "_costed", "_discs_key", "_drawn", "_extents", "_frozen", "_ghost"),
     *("_ghost_stroke", "_ground", "_in_sight", "_is_resting", "_italic", "_known", "_made", "_made_for"),
-    *("_cached_pen", "_pen_key", "InkCache._key"),
+    *("_cached_pen", "_pen_key", "InkCache._key", "ImageLayer._key"),
     *("_origin", "_pause", "_pens", "_pixels_of", "_room", "_seconds", "_stamps", "_stroke", "_strokes"),
     *("_upright", "_watcher", "__dict__", "is_due", "_autoRangeNeedsUpdate", "_painterPathCache"),
     *("BasisView.supports", "Cardinal.growth", "Cardinals._key", "CrestNames._crests_of"),
@@ -50,7 +50,7 @@ PASSING = {
     *("CurveLayer._line", "CurveLayer.error", "DiskCommands._shown", "EditedShapeLayer._line"),
     *("FamilyButton._shown", "FunctionLines._basis", "FunctionLines._envelopes", "FunctionLines._polygons"),
     *("FunctionLines._shown", "FunctionLines._stretches", "FunctionLines._widths"),
-    *("GridLayer._shown", "MotionLayer._written"),
+    *("GridLayer._pixel_map", "MotionLayer._plates"),
     *("MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of", "MotionStage._scales"),
     *("PixelMap._known_rows", "PixelMap.box", "PlotCommands._own", "PlotCommands._plotted"),
     *("PlotCommands._was_calm", "PlotLayer._strokes_of", "PointLayer._discs", "PointLayer._kinds_key"),

@@ -45,7 +45,7 @@ def test_the_unit_is_a_step_of_the_history_and_the_numbers_stay(editor, panel):
     assert editor.status == "Lengths are in mm now; the numbers stay as they are."
     editor.hover((1.5, 0.5))
     assert editor.window.context.status_line.readouts.unit == "mm"
-    assert editor.window.canvas.drawing.units.words(editor.window.canvas.pixel_map) == "mm"
+    assert editor.window.canvas.drawing.units.text(editor.window.canvas.pixel_map) == "mm"
     editor.trigger("undo")
     assert editor.session.document.unit == ""
     assert editor.window.context.status_line.readouts.unit == ""

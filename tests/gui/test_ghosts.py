@@ -317,7 +317,7 @@ def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor):
     editor.press(editor.point(3))
     editor.move(end)
     # What the timer would do, now.
-    canvas.drawing.annotations.legend._soon.timeout.emit()
+    canvas.drawing.annotations.legend._move_timer.timeout.emit()
     assert in_corner(editor) == (True, True)
     assert covered(editor)
     editor.release(end)
@@ -325,7 +325,7 @@ def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor):
     assert in_corner(editor) == (True, False)
     # And it stays there, as long as it is not in the way.
     editor.trigger("undo")
-    canvas.drawing.annotations.legend._soon.timeout.emit()
+    canvas.drawing.annotations.legend._move_timer.timeout.emit()
     assert in_corner(editor) == (True, False)
 
 

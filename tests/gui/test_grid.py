@@ -91,7 +91,7 @@ def test_numbers_far_from_the_origin_say_once_what_they_have_in_common(editor):
     common = float(offset.offset.removesuffix(" +"))
     for place, text in offset.labels:
         assert common + float(text.replace("−", "-")) == pytest.approx(place, abs=1e-9)
-    assert canvas.drawing.units.words(canvas.pixel_map) == offset.offset
+    assert canvas.drawing.units.text(canvas.pixel_map) == offset.offset
     blank = canvas.grab().toImage()
     canvas.camera.show_box((0.0, 1.0), (0.25, 0.75))
     assert not canvas.getAxis("left").ticks_in(canvas.pixel_map).offset

@@ -333,7 +333,7 @@ def test_all_families_that_go_through_the_points_run_side_by_side(editor, motion
     assert radii == sorted(radii, reverse=True)
     assert min(radii) > own.role.radius
     # Their names do not cover each other, though they are all but in one place.
-    written = editor.window.canvas.drawing._motion._written
+    written = editor.window.canvas.drawing._motion._plates
     assert len(written) == len(others)
     assert not any(one.intersects(other) for one, other in combinations(written, 2))
     # One of them less.

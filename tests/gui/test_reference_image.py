@@ -452,11 +452,11 @@ def test_a_huge_picture_is_refused_before_it_is_decoded(editor, tmp_path):
 @pytest.mark.parametrize(
     ("name", "data", "reason"),
     [
-        ("text.png", b"no picture at all", "no PNG or JPEG picture"),
-        ("empty.jpg", b"", "no PNG or JPEG picture"),
-        ("drawing.png", b"<svg xmlns='http://www.w3.org/2000/svg'/>", "no PNG or JPEG picture"),
-        ("other.png", b"GIF89a\x01\x00\x01\x00\x00\x00\x00;", "no PNG or JPEG picture"),
-        ("bitmap.png", b"BM" + bytes(60), "no PNG or JPEG picture"),
+        ("text.png", b"no picture at all", "not a PNG or JPEG image"),
+        ("empty.jpg", b"", "not a PNG or JPEG image"),
+        ("drawing.png", b"<svg xmlns='http://www.w3.org/2000/svg'/>", "not a PNG or JPEG image"),
+        ("other.png", b"GIF89a\x01\x00\x01\x00\x00\x00\x00;", "not a PNG or JPEG image"),
+        ("bitmap.png", b"BM" + bytes(60), "not a PNG or JPEG image"),
     ],
 )
 def test_what_is_no_picture_is_refused(tmp_path, name, data, reason):
