@@ -79,7 +79,7 @@ def _facts(done: _Converted) -> dict[str, Any]:
 
 
 def _result(target: str, done: _Converted) -> str:
-    deviation = exchange.parts.stated(done.deviation, done.is_bound)
+    deviation = exchange.exported_curves.stated(done.deviation, done.is_bound)
     return f"{one_line(target)}: largest deviation from the true curves {deviation}"
 
 

@@ -3,7 +3,7 @@
 - ``formats``: a record for each format, found by listing, with its reader and its writer.
 - ``files``: `import_file` and `export`; the content of a file or its name decides on the format.
   ``options``, ``choice``: options of exports, and what a person chose of them.
-- ``parts``: the curves of a document and their pieces, the source of every writer of data.
+- ``exported_curves``: the curves of a document and their pieces, the source of every writer of data.
   ``code_runtime``: functions that exported Python consists of.
 - ``drawing``: a document as a picture: the source of SVG, PNG, PDF and films.
 - ``cubics_in``: paths of other programs as Hermite curves.  ``svg``: SVG.  ``dxf_library``: ezdxf, for DXF.

@@ -4,10 +4,10 @@ from . import choice as choice
 from . import cubics_in as cubics_in
 from . import drawing as drawing
 from . import dxf_library as dxf_library
+from . import exported_curves as exported_curves
 from . import facts as facts
 from . import files as files
 from . import options as options
-from . import parts as parts
 from . import reading as reading
 from . import svg as svg
 from . import units as units

@@ -12,8 +12,8 @@ from app.document.model import (
     make_curve,
 )
 from app.exchange.errors import ExchangeError
-from app.exchange.formats.code import names_of, python_code, scipy_code
-from app.exchange.parts import samples_of, sources_of
+from app.exchange.exported_curves import curves_of, samples_of
+from app.exchange.formats.code import identifiers_of, python_code, scipy_code
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 
@@ -32,9 +32,9 @@ def distance(document, text, step=1):
     `step`-th is asked for.
     """
     namespace = executed(text)
-    sources, _ = sources_of(document)
+    sources = curves_of(document)
     worst = 0.0
-    for name, source in zip(names_of(sources), sources, strict=True):
+    for name, source in zip(identifiers_of(sources), sources, strict=True):
         function = namespace[name]
         t = np.concatenate([samples_of(piece) for piece in source.core.pieces])[::step]
         points = function(t)
@@ -95,8 +95,8 @@ def test_scipy_loses_digits_on_uniform_parameters_and_the_code_says_so():
     assert distance(document, written.text) > 1e-13
 
 
-def test_several_curves_get_names_of_their_own(gallery):
-    names = names_of(sources_of(gallery)[0])
+def test_several_curves_get_identifiers_of_their_own(gallery):
+    names = identifiers_of(curves_of(gallery))
     assert names[-2:] == ["ring", "ring_2"]
     assert len(set(names)) == len(names)
     for write in (python_code, scipy_code):

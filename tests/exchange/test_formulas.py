@@ -13,11 +13,11 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.errors import ExchangeError
+from app.exchange.exported_curves import beziers_of, cubics_of, curves_of
 from app.exchange.formats.code import python_code, scipy_code
 from app.exchange.formats.formulas import coefficients_json, desmos_expressions, svg_path_data
 from app.exchange.formats.latex import DIGITS, PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.options import Options
-from app.exchange.parts import beziers_of, cubics_of, sources_of
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
@@ -71,7 +71,7 @@ def test_the_coefficients_are_the_exact_ones_rounded_once():
     # x = t³ - t, y = 2 t² through four points that are exact in binary.
     t = [0.0, 0.25, 0.5, 1.0]
     document = Document((make_curve([(x**3 - x, 2 * x**2) for x in t]),))
-    source = sources_of(document)[0][0]
+    source = curves_of(document).curves[0]
     (segment,) = json.loads(coefficients_json(document).text)["curves"][0]["segments"]
     assert len(segment["x"]) == 4
     parameters = [Fraction(v) for v in source.core.parameters.tolist()]
@@ -102,7 +102,7 @@ def desmos_value(expression, t):
 def test_the_desmos_list_gives_the_curve(kind):
     written = desmos_expressions(kind, Options(tolerance=1e-4))
     lines = written.text.splitlines()
-    (source,), _ = sources_of(kind)
+    (source,) = curves_of(kind)
     parts = [beziers_of(piece, 1e-4) for piece in source.core.pieces]
     assert len(lines) == sum(len(part.control_points) for part in parts)
     parameters = np.concatenate([parts[0].parameters, *(part.parameters[1:] for part in parts[1:])])
@@ -128,7 +128,7 @@ def test_path_data_are_cubics_with_y_down(kind):
     written = svg_path_data(kind, Options(tolerance=1e-3))
     numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MCZ]", " ", written.text))]
     points = np.array(numbers).reshape(-1, 2) * [1, -1]
-    (source,), _ = sources_of(kind)
+    (source,) = curves_of(kind)
     path = cubics_of(source.core, 1e-3)
     # Within 8 eps of a decimal of up to 12 digits that decimal is written.
     np.testing.assert_allclose(
@@ -164,7 +164,7 @@ def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(k
     written = latex_formula(kind, Options(own={DIGITS.name: 4}))
     rows = tex_rows(written.text)
     assert rows
-    (source,), _ = sources_of(kind)
+    (source,) = curves_of(kind)
     bound = 2 * stated(written.text) + rounding(kind)
     assert 0 < written.deviation <= stated(written.text)
     if kind.curves[0].points and "prod" in written.text:

@@ -1,8 +1,49 @@
-"""Formats of files, one record each: `FORMATS` finds those that the modules of this package define.
+r"""Formats of files, one record each: `FORMATS` finds those that the modules of this package define.
 
-A `Format` in a module here is all that a format needs. Nothing else names one: the dialogs, their filters,
-dropped files, the command line, the README and the tests read the registry. The modules are imported when it
-is first asked; what takes long to import (Qt, ezdxf) they import when they use it.
+Nothing else names a format: the dialogs, their filters, dropped files, the command line, the README and the
+tests read the registry. The modules are imported when it is first asked; what takes long to import (Qt,
+ezdxf) they import when they use it.
+
+To add a format, add a module here, and a row in the README, which a test shows::
+
+    # app/exchange/formats/gcode.py
+    from curvecore import flatten_pieces
+    from . import Format, Written
+    from ..exported_curves import curves_of
+    from ..options import TOLERANCE, Real
+
+    FEED = Real(
+        name="feed",
+        label="Feed",
+        tip="Millimetres per minute",
+        help="of G-code: millimetres per minute (default: %(default)s)",
+        default=600.0,
+        limits=(1.0, 1e5),
+    )
+
+    def write(document, options):
+        curves, deviation = curves_of(document, options), 0.0
+        lines = ["G21", f"F{options[FEED]:g}"]
+        for curve in curves:  # the visible ones; the loop reports its progress
+            line = flatten_pieces(curve.core, curves.tolerance)
+            deviation = max(deviation, line.reached)
+            points = curve.core.evaluate(line.parameters).tolist()
+            lines += [f"G{int(k > 0)} X{x!r} Y{y!r}" for k, (x, y) in enumerate(points)]
+        return Written("\n".join(lines) + "\n", deviation, curves.remarks)
+
+    GCODE = Format(
+        endings=(".gcode",),
+        title="G-code",
+        description="Straight moves for a plotter.",
+        options=(TOLERANCE, FEED),
+        write=write,
+    )
+
+The export form makes a widget for each option and, with a `help`, the command line an argument. The deviation
+is that of the file from the true curves: 0 only if the file, read again, gives the same curves, and
+`is_bound=False` where it was measured. A format that is read has `kind`, `plural` and `read`; one whose files
+share an ending with another says by `recognises` which contents are its own. `tests/gui/test_new_format.py`
+has a format with all of that; add a round trip to `tests/exchange`.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ import inspect
 import keyword
 import re
 import unicodedata
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
 
@@ -16,15 +16,14 @@ from curvecore import bezier_segments
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
-from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
+from ..exported_curves import ExportedCurve, accuracy, bezier_values, curves_of, measured, one_line
 from ..naming import Names
 from ..options import DEFAULT, Options
-from ..parts import Source, accuracy, bezier_values, measured, one_line, sources_of
 from . import Format, Written
 
-_TAKEN = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
+_RESERVED = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 
 # The runtime bears no annotations, so that people can read what is exported.
 _RUNTIME: tuple[Callable[..., Any], ...] = (
@@ -46,20 +45,18 @@ def python_code(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
-    deviation = max(
-        measured(piece, partial(_evaluate, [(piece.parameters, piece.jets)])) + source.polynomials.deviation
-        for source in with_progress(sources, part(options.report, 0.3, 0.7), "Comparing")
-        for piece in source.polynomials.pieces
-    )
-    named = list(zip(names_of(sources), sources, strict=True))
-    body = [inspect.getsource(function).rstrip() for function in _RUNTIME]
-    body += [
-        f"{_listing(name.upper(), source)}\n\n\n{_function(name, source)}"
-        for name, source in with_progress(named, part(options.report, 0.7, 1.0), "Writing")
-    ]
-    text = "\n\n\n".join([_head(deviation, remarks, "import numpy as np"), *body]) + "\n"
-    return Written(text, deviation, remarks, is_bound=False)
+    curves = curves_of(document, options)
+    identifiers = identifiers_of(curves.curves)
+    body, deviation = [inspect.getsource(function).rstrip() for function in _RUNTIME], 0.0
+    for identifier, curve in zip(identifiers, curves, strict=True):
+        rounding = [
+            measured(piece, partial(_evaluate, [(piece.parameters, piece.jets)]))
+            for piece in curve.polynomials.pieces
+        ]
+        deviation = max(deviation, max(rounding) + curve.polynomials.deviation)
+        body.append(f"{_listing(identifier.upper(), curve)}\n\n\n{_function(identifier, curve)}")
+    text = "\n\n\n".join([_head(deviation, curves.remarks, "import numpy as np"), *body]) + "\n"
+    return Written(text, deviation, curves.remarks, is_bound=False)
 
 
 def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
@@ -74,28 +71,28 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
-    named = list(zip(names_of(sources), sources, strict=True))
-    made = [
-        _scipy_object(*each) for each in with_progress(named, part(options.report, 0.3, 1.0), "Comparing")
-    ]
-    deviation = max(each for _, each in made)
+    curves = curves_of(document, options)
+    identifiers = identifiers_of(curves.curves)
+    body, deviation = list[str](), 0.0
+    for identifier, curve in zip(identifiers, curves, strict=True):
+        code, rounding = _scipy_object(identifier, curve)
+        body.append(f"# {_title(curve)}\n{code}")
+        deviation = max(deviation, rounding)
     imports = "import numpy as np\nfrom scipy import interpolate"
-    body = [f"# {_title(source)}\n{code}" for source, (code, _) in zip(sources, made, strict=True)]
-    text = "\n\n".join([_head(deviation, remarks, imports), *body]) + "\n"
-    return Written(text, deviation, remarks, is_bound=False)
+    text = "\n\n".join([_head(deviation, curves.remarks, imports), *body]) + "\n"
+    return Written(text, deviation, curves.remarks, is_bound=False)
 
 
-def names_of(sources: list[Source]) -> list[str]:
+def identifiers_of(curves: Iterable[ExportedCurve]) -> list[str]:
     """Return a different Python identifier for every curve, like its name."""
-    names, found = Names(between="_"), []
-    for source in sources:
-        plain = unicodedata.normalize("NFKD", source.name).encode("ascii", "ignore").decode().lower()
+    names, identifiers = Names(between="_"), []
+    for curve in curves:
+        plain = unicodedata.normalize("NFKD", curve.name).encode("ascii", "ignore").decode().lower()
         base = re.sub("[^a-z0-9]+", "_", plain).strip("_") or "curve"
-        if base[0].isdigit() or keyword.iskeyword(base) or base in _TAKEN:
+        if base[0].isdigit() or keyword.iskeyword(base) or base in _RESERVED:
             base = f"curve_{base}"
-        found.append(names.different(base))
-    return found
+        identifiers.append(names.different(base))
+    return identifiers
 
 
 def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
@@ -104,23 +101,23 @@ def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
     return "\n".join([*(f"# {line}" for line in lines), "", imports])
 
 
-def _title(source: Source) -> str:
-    start, end = source.core.domain
+def _title(curve: ExportedCurve) -> str:
+    start, end = curve.core.domain
     return (
-        f"{one_line(source.name)}: {source.curve.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
+        f"{one_line(curve.name)}: {curve.source.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
     )
 
 
-def _listing(name: str, source: Source) -> str:
+def _listing(name: str, curve: ExportedCurve) -> str:
     pieces = "".join(
         f"    (\n        {_array(piece.parameters, 8)},\n        {_array(piece.jets, 8)},\n    ),\n"
-        for piece in source.polynomials.pieces
+        for piece in curve.polynomials.pieces
     )
     return f"{name} = [\n{pieces}]"
 
 
-def _function(name: str, source: Source) -> str:
-    return f"def {name}(t):\n    # {_title(source)}\n    return evaluate({name.upper()}, t)"
+def _function(name: str, curve: ExportedCurve) -> str:
+    return f"def {name}(t):\n    # {_title(curve)}\n    return evaluate({name.upper()}, t)"
 
 
 def _array(values: FloatArray, indent: int) -> str:
@@ -130,9 +127,9 @@ def _array(values: FloatArray, indent: int) -> str:
     return f"np.array([\n{rows}{margin}])"
 
 
-def _scipy_object(name: str, source: Source) -> tuple[str, float]:
+def _scipy_object(name: str, curve: ExportedCurve) -> tuple[str, float]:
     """Return the code of a curve's interpolator, and how far its formulas are from the curve."""
-    first, *others = pieces = source.polynomials.pieces
+    first, *others = pieces = curve.polynomials.pieces
     arrays, note = [first.parameters, first.points], ""
     if first.is_one_polynomial:
         kind = "BarycentricInterpolator"
@@ -150,7 +147,7 @@ def _scipy_object(name: str, source: Source) -> tuple[str, float]:
             for piece, own in zip(pieces, controls, strict=True)
         )
     listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
-    return f"{name} = interpolate.{kind}(\n{note}{listed})", deviation + source.polynomials.deviation
+    return f"{name} = interpolate.{kind}(\n{note}{listed})", deviation + curve.polynomials.deviation
 
 
 def _barycentric(t: FloatArray, parameters: FloatArray, points: FloatArray) -> FloatArray:

@@ -22,7 +22,7 @@ from curvecore.arrays import FloatArray
 from ... import exchange
 from ...document.model import Document
 from ...document.style import Style
-from ...tasks.progress import Report, part, with_progress
+from ...tasks.progress import Report
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import (
@@ -36,20 +36,19 @@ from ..cubics_in import (
     pieces_of_arc,
 )
 from ..errors import LEFT_OUT, ExchangeError, Flaw, Missed
-from ..naming import Names
-from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options
-from ..parts import (
+from ..exported_curves import (
     Beziers,
-    Source,
+    ExportedCurve,
     accuracy,
     bezier_values,
     beziers_of,
-    checked_tolerance,
     cubics_of,
+    curves_of,
     one_line,
-    sources_of,
     worst_of,
 )
+from ..naming import Names
+from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options
 from ..units import dxf_code, unit_of_dxf
 from . import ContentKind, Format, Written
 
@@ -86,45 +85,45 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
         If there is no curve to write, or ezdxf is not installed.
     """
     ezdxf = ezdxf_module()
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.2))
-    allowed = checked_tolerance(sources, options.tolerance)
+    curves = curves_of(document, options)
+    tolerance = curves.tolerance
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(options.unit))
-    parts = list[Beziers]()
+    paths = list[Beziers]()
     names = Names(drawing.layers)
-    for source in with_progress(sources, part(options.report, 0.2, 0.6), "Writing"):
-        layer = _layer(drawing, source, names)
-        pieces = _pieces(source, allowed, options[CUBIC])
-        _add_spline(drawing, source, pieces, layer)
-        parts += pieces
-        for x, y in source.core.points[: len(source.curve.points)].tolist() if options.points else ():
+    for curve in curves:
+        layer = _layer(drawing, curve, names)
+        pieces = _pieces(curve, tolerance, options[CUBIC])
+        _add_spline(drawing, curve, pieces, layer)
+        paths += pieces
+        for x, y in curve.core.points[: len(curve.source.points)].tolist() if options.points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
-    deviation, is_bound = worst_of(parts)
-    comments = [accuracy(deviation, is_bound), *map(one_line, remarks)]
+    deviation, is_bound = worst_of(paths)
+    comments = [accuracy(deviation, is_bound), *map(one_line, curves.remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
-    stream = _ToldStream(options.report)
+    stream = _ReportingStream(options.report)
     drawing.write(stream)
     # 999 is the group of comments; they stand before everything else.
     head = "".join(f"999\n{comment}\n" for comment in comments)
-    return Written(head + stream.getvalue(), deviation, remarks, is_bound)
+    return Written(head + stream.getvalue(), deviation, curves.remarks, is_bound)
 
 
-class _ToldStream(io.StringIO):
-    """Text that reports at every piece that is written: what ezdxf writes can be stopped."""
+class _ReportingStream(io.StringIO):
+    """Text stream that reports at every write, so that the work of ezdxf can be cancelled."""
 
     def __init__(self, report: Report) -> None:
         super().__init__()
         self._report = report
 
     def write(self, text: str) -> int:
-        """Write and report; how much is still to come only ezdxf knows."""
-        self._report(0.8, "Writing")
+        """Write and report; only ezdxf knows how much is still to come."""
+        self._report(1.0, "Writing")
         return super().write(text)
 
 
-def _pieces(source: Source, tolerance: float, cubic: bool) -> list[Beziers]:
+def _pieces(curve: ExportedCurve, tolerance: float, cubic: bool) -> list[Beziers]:
     return [
         cubics_of(piece, tolerance) if cubic and _is_high(piece) else beziers_of(piece, tolerance)
-        for piece in source.core.pieces
+        for piece in curve.core.pieces
     ]
 
 
@@ -132,13 +131,13 @@ def _is_high(piece: ParametricCurve) -> bool:
     return piece.degree is None or piece.degree > 3
 
 
-def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: str) -> None:
+def _add_spline(drawing: Drawing, curve: ExportedCurve, parts: list[Beziers], layer: str) -> None:
     degree = parts[0].degree
     points = [parts[0].control_points[0, :1]]
     points += [part.control_points[:, 1:].reshape(-1, 2) for part in parts]
     joints = np.concatenate([parts[0].parameters, *(part.parameters[1:] for part in parts[1:])])
     knots = [joints[0], *np.repeat(joints, degree), joints[-1]]
-    flags = PLANAR | (CLOSED if source.curve.is_closed else 0)
+    flags = PLANAR | (CLOSED if curve.source.is_closed else 0)
     # The usual tolerance, 1e-10, lets readers round the knots.
     attributes = {"layer": layer, "flags": flags, "knot_tolerance": 1e-15}
     spline = drawing.modelspace().add_spline(degree=degree, dxfattribs=attributes)
@@ -146,13 +145,13 @@ def _add_spline(drawing: Drawing, source: Source, parts: list[Beziers], layer: s
     spline.knots = [float(knot) for knot in knots]
 
 
-def _layer(drawing: Drawing, source: Source, names: Names) -> str:
+def _layer(drawing: Drawing, curve: ExportedCurve, names: Names) -> str:
     """Add a layer with the curve's name, as far as DXF allows it, and its colour."""
-    base = _NOT_IN_A_LAYER.sub("_", one_line(source.name)).strip()[:_LONGEST_LAYER] or "Curve"
+    base = _NOT_IN_A_LAYER.sub("_", one_line(curve.name)).strip()[:_LONGEST_LAYER] or "Curve"
     name = names.different(base)
     layer = drawing.layers.add(name, color=WHITE)
-    if source.curve.style.colour:
-        digits = source.curve.style.colour
+    if curve.source.style.colour:
+        digits = curve.source.style.colour
         layer.rgb = (int(digits[1:3], 16), int(digits[3:5], 16), int(digits[5:7], 16))
     return name
 

@@ -20,8 +20,8 @@ from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
+from ..exported_curves import Beziers, beziers_of, curves_of, measured, worst_of
 from ..options import DEFAULT, TOLERANCE, Options
-from ..parts import beziers_of, checked_tolerance, measured, sources_of, worst_of
 from ..svg.writer import path_data
 from . import Format, Written
 
@@ -39,17 +39,14 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
     ExchangeError
         If there is no curve to write.
     """
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
-    allowed = checked_tolerance(sources, options.tolerance)
-    written = with_progress(sources, part(options.report, 0.3, 0.6), "Writing")
-    pieces = [beziers_of(piece, allowed) for source in written for piece in source.core.pieces]
-    lines = [
-        _desmos_line(controls)
-        for each in with_progress(pieces, part(options.report, 0.6, 1.0), "Writing")
-        for controls in each.control_points
-    ]
-    deviation, is_bound = worst_of(pieces)
-    return Written("\n".join(lines) + "\n", deviation, remarks, is_bound)
+    curves = curves_of(document, options)
+    tolerance, paths, lines = curves.tolerance, list[Beziers](), list[str]()
+    for curve in curves:
+        pieces = [beziers_of(piece, tolerance) for piece in curve.core.pieces]
+        lines += [_desmos_line(controls) for each in pieces for controls in each.control_points]
+        paths += pieces
+    deviation, is_bound = worst_of(paths)
+    return Written("\n".join(lines) + "\n", deviation, curves.remarks, is_bound)
 
 
 def _desmos_line(controls: FloatArray) -> str:
@@ -103,27 +100,29 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> Written
     ExchangeError
         If there is no curve, or for a Lagrange curve of more than `MOST_COEFFICIENTS` points.
     """
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
-    curves, worst = [], 0.0
-    for source in with_progress(sources, part(options.report, 0.3, 1.0), "Writing"):
+    curves = curves_of(document, options)
+    written, worst = [], 0.0
+    for curve in curves:
         segments = []
-        for piece in source.polynomials.pieces:
+        for piece in curve.polynomials.pieces:
             coefficients, ends = _coefficients(piece), piece.breaks
             deviation = measured(piece, lambda t, c=coefficients, e=ends: _horner(c, e, t))  # type: ignore[misc]
-            worst = max(worst, deviation + source.polynomials.deviation)
+            worst = max(worst, deviation + curve.polynomials.deviation)
             segments += [_segment(ends, i, rows) for i, rows in enumerate(coefficients)]
-        curves.append({"name": source.name, "family": str(source.curve.family), "segments": segments})
+        written.append({"name": curve.name, "family": str(curve.source.family), "segments": segments})
     content: dict[str, Any] = {
         "made_by": f"Curvebench {__version__}",
         "basis": "powers of s = (t - start) / (end - start), lowest first",
         "deviation": worst,
         "deviation_is_bound": False,
-        "remarks": remarks,
-        "curves": curves,
+        "remarks": curves.remarks,
+        "curves": written,
     }
     if not np.isfinite(worst):
         raise ExchangeError("The coefficients are beyond all numbers; export code instead.")
-    return Written(json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, remarks, is_bound=False)
+    return Written(
+        json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, curves.remarks, is_bound=False
+    )
 
 
 def _segment(ends: FloatArray, index: int, rows: FloatArray) -> dict[str, Any]:

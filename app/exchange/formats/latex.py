@@ -20,18 +20,18 @@ from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import Drawing, drawing_of
 from ..drawing.outlines import Frame, Outline
 from ..errors import ExchangeError
-from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
-from ..parts import (
+from ..exported_curves import (
     Deviation,
-    Source,
+    ExportedCurve,
     accuracy,
     bezier_values,
     beziers_of,
+    curves_of,
     measured,
     one_line,
-    sources_of,
     worst_of,
 )
+from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
 from ..units import size_in_words
 from . import Format, Written
 
@@ -76,17 +76,14 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If there is no curve, or if so few digits would make two parameters equal.
     """
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.3))
-    digits = options[DIGITS]
-    deviation, is_bound = 0.0, True
-    for source in with_progress(sources, part(options.report, 0.3, 0.6), "Comparing"):
-        rounding, is_certain = worst_of(_rounding(piece, digits) for piece in source.formulas.pieces)
-        deviation = max(deviation, rounding + source.formulas.deviation)
-        is_bound &= is_certain and source.formulas.is_bound
-    parts = [
-        _formula(each, digits) for each in with_progress(sources, part(options.report, 0.6, 1.0), "Writing")
-    ]
-    return _file(parts, Deviation(deviation, is_bound), remarks, "amsmath")
+    curves, digits = curves_of(document, options), options[DIGITS]
+    formulas, deviation, is_bound = list[str](), 0.0, True
+    for curve in curves:
+        rounding, is_certain = worst_of(_rounding(piece, digits) for piece in curve.formulas.pieces)
+        deviation = max(deviation, rounding + curve.formulas.deviation)
+        is_bound &= is_certain and curve.formulas.is_bound
+        formulas.append(_formula(curve, digits))
+    return _file(formulas, Deviation(deviation, is_bound), curves.remarks, "amsmath")
 
 
 def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
@@ -142,12 +139,12 @@ def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
 # Formulas
 
 
-def _formula(source: Source, digits: int) -> str:
+def _formula(curve: ExportedCurve, digits: int) -> str:
     blocks = [
         _lagrange(piece, digits) if piece.is_one_polynomial else _segments(piece, digits)
-        for piece in source.formulas.pieces
+        for piece in curve.formulas.pieces
     ]
-    return "\n".join([rf"\paragraph{{{_text(source.name)}}}", *blocks])
+    return "\n".join([rf"\paragraph{{{_text(curve.name)}}}", *blocks])
 
 
 def _lagrange(piece: ParametricCurve, digits: int) -> str:

@@ -25,13 +25,12 @@ from curvecore.bezier.control_points import chebyshev_samples
 
 from ...document.model import Document
 from ...families import QUINTIC_HERMITE
-from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import Imported, ImportedPath, Look, imported
 from ..errors import ExchangeError, Flaw, Missed
+from ..exported_curves import ExportedCurve, bezier_values, cell_of_number, curves_of, tolerance_for
 from ..naming import numbered
 from ..options import DEFAULT, TOLERANCE, Options
-from ..parts import Source, bezier_values, cell_of_number, checked_tolerance, sources_of
 from ..table.columns import AFTER, ROLES, mapping_of
 from ..table.table import RowProblem, Table, TextLayout, table_of
 from ..table.text import preview_table, read_table
@@ -160,28 +159,29 @@ def path_table(document: Document, options: Options = DEFAULT) -> Written:
     ExchangeError
         If there is no curve, or `MOST_WAYPOINTS` do not suffice.
     """
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
-    allowed = checked_tolerance(sources[:1], options.tolerance)
-    rows, deviation, is_bound = list[str](), 0.0, True
-    for source in with_progress(sources, part(options.report, 0.5, 1.0), "Writing"):
-        if rows:
-            remarks = (*remarks, f"“{source.name}” was left out: a file of PathWeaver has one path.")
+    curves = curves_of(document, options)
+    remarks, (first, *_) = curves.remarks, curves.curves
+    tolerance = tolerance_for([first], options)
+    rows, deviation = list[str](), 0.0
+    for curve in curves:
+        if curve is first:
+            rows, deviation = _rows_of(curve, tolerance)
         else:
-            rows, deviation = _rows_of(source, allowed)
-            is_bound = not deviation or (source.core.degree or math.inf) <= _MOST_SAMPLED
+            remarks = (*remarks, f"“{curve.name}” was left out: a file of PathWeaver has one path.")
+    is_bound = not deviation or (first.core.degree or math.inf) <= _MOST_SAMPLED
     return Written("\n".join([_WAYPOINT_TITLES, *rows]) + "\n", deviation, remarks, is_bound)
 
 
-def _rows_of(source: Source, allowed: float) -> tuple[list[str], float]:
+def _rows_of(curve: ExportedCurve, tolerance: float) -> tuple[list[str], float]:
     """Return the rows of a curve, and the largest distance of the path from it."""
-    count = len(source.core.parameters) - 1
+    count = len(curve.core.parameters) - 1
     while count < MOST_WAYPOINTS:
-        path = _WaypointPath(source.core, count)
-        if path.deviation <= allowed:
-            return path.rows, path.deviation if path.deviation > _ROUNDING * source.size else 0.0
+        path = _WaypointPath(curve.core, count)
+        if path.deviation <= tolerance:
+            return path.rows, path.deviation if path.deviation > _ROUNDING * curve.size else 0.0
         count *= 2
     raise ExchangeError(
-        f"“{source.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Choose a larger tolerance, or make "
+        f"“{curve.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Choose a larger tolerance, or make "
         "it smoother: such a path has no corners."
     )
 

@@ -17,12 +17,12 @@ from curvecore.arrays import FloatArray
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Document
 from ...document.words import NamedEnum, count_of
-from ...tasks.progress import Report, part, with_progress
+from ...tasks.progress import Report, part
 from ...view_model.arc_lengths import arc_lengths_of
 from ...view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..errors import ExchangeError
+from ..exported_curves import cell_of_name, cell_of_number, curves_of
 from ..options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
-from ..parts import cell_of_name, cell_of_number, checked_tolerance, distinct_names, sources_of
 from ..table.columns import AFTER, ROLES, WORDS, family_word, numbered_titles
 from ..table.table import MAX_COLUMNS, MAX_ROWS, Table, table_of
 from . import ContentKind, Format, Written
@@ -128,20 +128,18 @@ def points_table(document: Document, options: Options = DEFAULT) -> Written:
         If there is no curve.
     """
     separator = "\t" if options.path.lower().endswith(".tsv") else ","
-    sources, remarks = sources_of(document, part(options.report, 0.0, 0.5))
+    curves = curves_of(document, options)
     titles = (*ROLES, *AFTER)
     rows = []
-    named = list(zip(sources, distinct_names(sources), strict=True))
-    for source, name in with_progress(named, part(options.report, 0.5, 1.0), "Writing"):
-        curve = source.curve
-        words = [cell_of_name(name, separator), family_word(curve)]
-        rows += [(words, row) for row in _rows(view_of(curve))]
+    for curve in curves:
+        words = [cell_of_name(curve.line_name, separator), family_word(curve.source)]
+        rows += [(words, row) for row in _rows(view_of(curve.source))]
     used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
     lines = [separator.join([*WORDS, *(titles[place] for place in used)])]
     lines += [
         separator.join([*words, *(cell_of_number(row[place]) for place in used)]) for words, row in rows
     ]
-    return Written("\n".join(lines) + "\n", 0.0, remarks)
+    return Written("\n".join(lines) + "\n", 0.0, curves.remarks)
 
 
 def _rows(view: CurveView) -> list[tuple[float, ...]]:
@@ -242,24 +240,20 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
     ExchangeError
         If there is no curve, or the number of samples is out of range.
     """
-    samples, report = options[SAMPLES], options.report
-    if not 2 <= samples <= MOST_SAMPLES:
+    if not 2 <= options[SAMPLES] <= MOST_SAMPLES:
         raise ExchangeError(f"A table can have 2 to {MOST_SAMPLES} samples.")
-    sources, remarks = sources_of(document, part(report, 0.0, 0.1))
-    allowed = checked_tolerance(sources, options.tolerance)
-    chosen, rest = _columns(options[COLUMNS]), part(report, 0.1, 1.0)
-    named = len(sources) > 1
-    titles = [_ALL[column] for column in chosen]
-    lines, deviation, unsure = [separator.join(["curve", *titles] if named else titles)], 0.0, 0
-    for place, (source, name) in enumerate(zip(sources, distinct_names(sources), strict=True)):
-        away = part(rest, place / len(sources), (place + 1) / len(sources))
-        lead = cell_of_name(name, separator) + separator if named else ""
-        for rows, missed in _samples_of(source.core, options, allowed, _LENGTH in chosen, away):
+    curves = curves_of(document, options)
+    remarks, columns, has_names = curves.remarks, _columns(options[COLUMNS]), len(curves.curves) > 1
+    titles, tolerance = [_ALL[column] for column in columns], curves.tolerance
+    lines, deviation, unsure = [separator.join(["curve", *titles] if has_names else titles)], 0.0, 0
+    for curve, report in curves.with_reports():
+        lead = cell_of_name(curve.line_name, separator) + separator if has_names else ""
+        for rows, missed in _samples_of(curve.core, options, tolerance, _LENGTH in columns, report):
             deviation = max(deviation, missed)
-            if _CURVATURE in chosen and not source.core.difference_digits:
-                size = np.maximum(np.abs(rows[:, _CURVATURE]), _STRAIGHT / max(source.size, 1e-300))
-                unsure += int(np.count_nonzero(curvature_error(source.core, rows[:, 0]) > _UNSURE * size))
-            lines += [lead + separator.join(map(cell_of_number, row)) for row in rows[:, chosen].tolist()]
+            if _CURVATURE in columns and not curve.core.difference_digits:
+                size = np.maximum(np.abs(rows[:, _CURVATURE]), _STRAIGHT / max(curve.size, 1e-300))
+                unsure += int(np.count_nonzero(curvature_error(curve.core, rows[:, 0]) > _UNSURE * size))
+            lines += [lead + separator.join(map(cell_of_number, row)) for row in rows[:, columns].tolist()]
     if unsure:
         rows_unsure = count_of(unsure, "row")
         remarks = (*remarks, f"In {rows_unsure} rounding may change the curvature by more than a thousandth.")

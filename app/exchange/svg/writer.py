@@ -24,10 +24,10 @@ from ..cubics_in import guessed, joined
 from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed
 from ..drawing.outlines import Frame, Outline
 from ..drawing.styles import PictureStyle
+from ..exported_curves import stated
 from ..formats import Written
 from ..naming import Names
 from ..options import DEFAULT, Options
-from ..parts import stated
 from ..units import in_unit, shifted
 from .own_files import MARK, NO_CURVES
 from .xml_tree import INKSCAPE_SPACE, SODIPODI_SPACE

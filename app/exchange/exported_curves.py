@@ -1,8 +1,11 @@
-"""The curves of a document and the pieces they are made of: the source of every writer of data."""
+"""The curves of a document that a file can hold, and their pieces: the source of every writer of data.
+
+A writer loops over `curves_of(document, options)`, which knows what is left out and reports the progress.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from math import isnan
@@ -26,13 +29,14 @@ from curvecore.arrays import FloatArray
 from .. import __version__
 from ..document.model import Curve, Document
 from ..document.words import rounded_up
-from ..tasks.progress import Report, silent
+from ..tasks.progress import Report, part
 from ..view_model.cubics import RELATIVE_TOLERANCE
 from ..view_model.curve.core_curve import in_words
 from ..view_model.curve.curve_view import ParametricCurve
 from .drawing.drawing import drawable
 from .errors import ExchangeError
 from .naming import Names
+from .options import DEFAULT, Options
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
@@ -68,19 +72,22 @@ class Polynomials(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Source:
+class ExportedCurve:
     """A curve of the document that can be written.
 
     Attributes
     ----------
-    curve
-        The document's value.
+    source
+        The document's value, as in `CurveView`.
     core
         The same as a curve of the core, a chain of pieces where it has corners.
+    line_name
+        The name on one line, with a number where another curve has the same.
     """
 
-    curve: Curve
+    source: Curve
     core: ParametricCurve
+    line_name: str
 
     @cached_property
     def polynomials(self) -> Polynomials:
@@ -105,7 +112,7 @@ class Source:
     @property
     def name(self) -> str:
         """The curve's name."""
-        return self.curve.name
+        return self.source.name
 
     @property
     def size(self) -> float:
@@ -145,36 +152,76 @@ def worst_of(parts: Iterable[Beziers | Deviation]) -> Deviation:
     return Deviation(max(deviations), all(bounds))
 
 
-def sources_of(document: Document, report: Report = silent) -> tuple[list[Source], tuple[str, ...]]:
-    """Return the visible curves that can be written, and a sentence for each of the others.
+@dataclass(frozen=True, eq=False)
+class ExportedCurves:
+    """The visible curves of a document that can be written; the loop over them reports the progress.
+
+    Attributes
+    ----------
+    curves
+        At least one.
+    remarks
+        A sentence for each curve that is left out.
+    options
+        Those of the export.
+    """
+
+    curves: tuple[ExportedCurve, ...]
+    remarks: tuple[str, ...]
+    options: Options
+
+    def __iter__(self) -> Iterator[ExportedCurve]:
+        for curve, report in self.with_reports():
+            report(0.0, "Writing")
+            yield curve
+
+    def with_reports(self) -> Iterator[tuple[ExportedCurve, Report]]:
+        """Yield each curve with a report for its share of the second half of the work."""
+        count = len(self.curves)
+        half = part(self.options.report, 0.5, 1.0)
+        for index, curve in enumerate(self.curves):
+            yield curve, part(half, index / count, (index + 1) / count)
+
+    @property
+    def tolerance(self) -> float:
+        """The largest deviation allowed; see `tolerance_for`."""
+        return tolerance_for(self.curves, self.options)
+
+
+def curves_of(document: Document, options: Options = DEFAULT) -> ExportedCurves:
+    """Return the visible curves that can be written; to compute them is half of the work.
 
     Raises
     ------
     ExchangeError
         If there is none.
     """
-    names = dict.fromkeys(curve.seen_name for curve in document.curves if not curve.visible)
-    hidden = [f"“{name}” is hidden." for name in names]
-    curves, unusable = drawable(document, report)
-    remarks = hidden + unusable
-    if not curves:
+    hidden = dict.fromkeys(curve.seen_name for curve in document.curves if not curve.visible)
+    usable, unusable = drawable(document, part(options.report, 0.0, 0.5))
+    remarks = (*(f"“{name}” is hidden." for name in hidden), *unusable)
+    if not usable:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
-    return [Source(*each) for each in curves], tuple(remarks)
+    names = Names()
+    curves = tuple(
+        ExportedCurve(source, core, names.different(" ".join(source.name.split()) or "Curve"))
+        for source, core in usable
+    )
+    return ExportedCurves(curves, remarks, options)
 
 
-def checked_tolerance(sources: list[Source], tolerance: float | None) -> float:
-    """Return the tolerance asked for, or a hundred-thousandth of the largest curve's size.
+def tolerance_for(curves: Iterable[ExportedCurve], options: Options) -> float:
+    """Return the tolerance of the options, or a hundred-thousandth of the largest curve's size.
 
     Raises
     ------
     ExchangeError
         Unless it is positive and finite.
     """
-    if tolerance is None:
-        return RELATIVE_TOLERANCE * max(1e-300, *(source.size for source in sources))
-    if not 0 < tolerance < np.inf:
+    if options.tolerance is None:
+        return RELATIVE_TOLERANCE * max(1e-300, *(curve.size for curve in curves))
+    if not 0 < options.tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    return tolerance
+    return options.tolerance
 
 
 def stated(deviation: float, is_bound: bool) -> str:
@@ -193,12 +240,6 @@ def accuracy(deviation: float, is_bound: bool) -> str:
 def one_line(text: str) -> str:
     """Return text as it may stand in any comment: one line, nothing but printable characters."""
     return "".join(each if each.isprintable() else " " for each in text).encode("utf-8", "replace").decode()
-
-
-def distinct_names(sources: list[Source]) -> list[str]:
-    """Return the names of the curves on one line each; where two are the same, one gets a number."""
-    names = Names()
-    return [names.different(" ".join(source.name.split()) or "Curve") for source in sources]
 
 
 def cell_of_name(name: str, separator: str) -> str:
