@@ -140,7 +140,7 @@ class VisibleHandles:
         lines: dict[tuple[Shade, int], list[QLineF]] = {}
         marks: list[Mark[HandleLook]] = []
         # As plain numbers: for a few, in every frame of a drag, NumPy would be slower.
-        arms: list[Arm] = pixel_map.points(handles.places).tolist()
+        arms: list[Arm] = pixel_map.points(handles.arms).tolist()
         arms[:facing] = [arm[:2] for arm in arms[:facing]]
         for number, (arm, given) in enumerate(zip(arms, handles.explicit.tolist(), strict=True)):
             shade = Shade.FAINT if number < facing else Shade.STRONG
@@ -183,7 +183,7 @@ def _joined(first: PointSides, second: PointSides) -> PointSides:
 
 def _reach_into(handles: Handles, pixel_map: PixelMap) -> BoolArray:
     """Return which arms reach into the visible area."""
-    pixels = pixel_map.points(handles.places)
+    pixels = pixel_map.points(handles.arms)
     low, high = pixels.min(axis=1), pixels.max(axis=1)
     which: BoolArray = ((high > 0) & (low < [pixel_map.width, pixel_map.height])).all(axis=1)
     return which

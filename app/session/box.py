@@ -31,7 +31,7 @@ class BoxState:
     def set_pivot(self, pivot: Pivot | None) -> None:
         """Turn, scale and mirror about another place; None for the middle."""
         before, self.pivot = self.pivot, pivot
-        if (before and before.place) != (pivot and pivot.place):
+        if (before and before.position) != (pivot and pivot.position):
             self._pivot_changed()
 
     def set_turns(self, turns: bool) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Sequence
 
 from ..document.model import Document, Guide
 from ..document.point_group import PointGroup
-from ..view_model.boxes import Bounds, nine_places
+from ..view_model.boxes import Bounds, nine_positions
 from .editing_session import EditingSession
 from .pointer import Pointer
 from .snap_targets import targets_of, targets_of_handle, targets_of_side
@@ -63,7 +63,7 @@ class SnapTargets:
         """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
         views, active = self._session.views, self._session.active_index
         return self._make(
-            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_places(bounds))
+            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_positions(bounds))
         )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:

@@ -143,7 +143,7 @@ class SelectionBox:
         if pivot is None or self.is_nothing:
             return None
         found = pivot.at(self.anchored())
-        return found.place if found is not None else None
+        return found.position if found is not None else None
 
     @pivot.setter
     def pivot(self, place: Vector | None) -> None:

@@ -209,10 +209,10 @@ class ScaleBox(Drag, frozen=True):
     @property
     def _corner(self) -> Vector:
         """The corner of the box that moves, or the middle of the side."""
-        return self.box.place(self.grip.x, self.grip.y)
+        return self.box.position(self.grip.x, self.grip.y)
 
     def _fixed(self, pointer: Pointer) -> Vector:
-        opposite, corner = self.box.place(-self.grip.x, -self.grip.y), self._corner
+        opposite, corner = self.box.position(-self.grip.x, -self.grip.y), self._corner
         if not pointer.shift:
             return opposite
         # Nothing can be scaled about the side that moves.

@@ -39,7 +39,7 @@ def transforming(event: ToolEvent, kind: TransformKind) -> Transform:
         kind,
         group,
         target.centre,
-        target.bounds.place(1, 1),
+        target.bounds.position(1, 1),
         event.pointer.position,
         event.snapping.for_points(group, grip),
         grip,
@@ -53,7 +53,7 @@ def turning(event: ToolEvent, grip: Grip) -> Transform:
     drag, box = replace(transforming(event, grip.does), by_grip=True), event.box.rectangle
     if box is None or not box.turns:
         return drag
-    hold, opposite = box.place(grip.x, grip.y), box.place(-grip.x, -grip.y)
+    hold, opposite = box.position(grip.x, grip.y), box.position(-grip.x, -grip.y)
     return replace(drag, hold=hold, opposite=opposite, axis=int(grip.y == 0))
 
 

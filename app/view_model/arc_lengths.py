@@ -1,8 +1,8 @@
 """Arc length of a curve of the document, to a relative accuracy.
 
-The core's arc length takes an absolute tolerance. What is asked for here is a share of the length itself, so
-that a curve small against its distance from the origin, or one whose points all coincide, is measured as
-well as any other.
+The core's arc length takes an absolute tolerance. Here the tolerance is a share of the length itself, so that
+a curve small against its distance from the origin, or one whose points all coincide, is measured as well as
+any other.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ def arc_lengths_of(core: ParametricCurve, accuracy: float) -> ArcLength:
     core
         A curve in the plane.
     accuracy
-        Error aimed at, against the length. `ArcLength.total` says what was reached: rounding, at points far
-        from the origin for example, may not allow as much.
+        Target error, against the length. `ArcLength.total` has the error that was reached: rounding, at
+        points far from the origin for example, may not allow as little.
     """
     return ArcLength(core, max(accuracy * _least_length(core), _LEAST))
 

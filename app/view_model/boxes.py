@@ -1,6 +1,7 @@
-"""Bounds of points that change together: of whole curves those of the curves, of other points their own.
+"""Bounds of groups of points: of whole curves the exact bounds of the curves, else those of the points.
 
-Bounds of curves are those of their lines, without their strokes.
+Bounds of curves are those of their lines, without strokes. `bounds_of` gives those of a group; the exact
+boxes of many curves are computed at once, or mapped, and kept with the views.
 """
 
 from __future__ import annotations
@@ -17,35 +18,39 @@ from ..document.model import Vector
 from ..document.point_group import PointGroup
 from .curve.curve_view import CurveMap, CurveView
 
-_ALONG = 1e-14
-"""Share of a map that may lead across the axes: what is rounded."""
+_AXES_ROUNDING = 1e-14
+"""Rounding of a map along the axes: the share of it that may lead across them."""
 
 
-def find_boxes(views: Sequence[CurveView]) -> None:
-    """Find the exact boxes of curves that there are, and keep them with their views."""
+def compute_boxes(views: Sequence[CurveView]) -> None:
+    """Compute the exact boxes of current curves, and keep them with their views."""
     missing = [view for view in views if "bounds" not in view.__dict__]
     if not missing:
         return
-    carried = [
-        (view, view.curve_map) for view in missing if view.curve_map is not None and _is_along(view.curve_map)
+    mapped = [
+        (view, view.curve_map)
+        for view in missing
+        if view.curve_map is not None and _keeps_axes(view.curve_map)
     ]
-    alone = {id(view): view for view in missing} | {id(carry.root): carry.root for _, carry in carried}
-    for view, _ in carried:
+    alone = {id(view): view for view in missing} | {
+        id(curve_map.root): curve_map.root for _, curve_map in mapped
+    }
+    for view, _ in mapped:
         del alone[id(view)]
     _compute(view for view in alone.values() if "bounds" not in view.__dict__)
-    if carried:
-        _carry_along(carried)
+    if mapped:
+        _map_boxes(mapped)
 
 
-def box_found(view: CurveView) -> FloatArray:
-    """Return the box that was found: lowest and highest corner, (2, 2)."""
-    found: FloatArray = view.__dict__["bounds"]
-    return found
+def exact_box(view: CurveView) -> FloatArray:
+    """Return the box that `compute_boxes` has kept: lowest and highest corner, (2, 2)."""
+    box: FloatArray = view.__dict__["bounds"]
+    return box
 
 
-def _is_along(carry: CurveMap) -> bool:
-    (a, b), (c, d) = carry.matrix.tolist()
-    return bool(max(abs(b), abs(c)) <= _ALONG * min(abs(a), abs(d)))
+def _keeps_axes(curve_map: CurveMap) -> bool:
+    (a, b), (c, d) = curve_map.matrix.tolist()
+    return bool(max(abs(b), abs(c)) <= _AXES_ROUNDING * min(abs(a), abs(d)))
 
 
 def _compute(views: Iterable[CurveView]) -> None:
@@ -59,20 +64,20 @@ def _compute(views: Iterable[CurveView]) -> None:
         view.__dict__["bounds"] = np.array([box.minimum, box.maximum])
 
 
-def _carry_along(carried: Sequence[tuple[CurveView, CurveMap]]) -> None:
-    """Keep the boxes of views that were carried here, by those of their roots."""
-    scale = np.array([carry.matrix.diagonal() for _, carry in carried])[:, None]
-    shift = np.array([carry.shift for _, carry in carried])[:, None]
-    before = np.array([box_found(carry.root) for _, carry in carried])
-    by_points = before == np.array([carry.root.extent[0] for _, carry in carried])
-    points = np.array([view.extent[0] for view, _ in carried])
+def _map_boxes(mapped: Sequence[tuple[CurveView, CurveMap]]) -> None:
+    """Keep the boxes of views whose curves were mapped, by the boxes of their roots."""
+    scale = np.array([curve_map.matrix.diagonal() for _, curve_map in mapped])[:, None]
+    shift = np.array([curve_map.shift for _, curve_map in mapped])[:, None]
+    before = np.array([exact_box(curve_map.root) for _, curve_map in mapped])
+    by_points = before == np.array([curve_map.root.extent[0] for _, curve_map in mapped])
+    points = np.array([view.extent[0] for view, _ in mapped])
     boxes = before * scale + shift
     turned = np.broadcast_to(scale < 0.0, boxes.shape)
-    boxes, by_points = (np.where(turned, each[:, ::-1], each) for each in (boxes, by_points))
+    boxes, by_points = (np.where(turned, values[:, ::-1], values) for values in (boxes, by_points))
     boxes = np.where(by_points, points, boxes)
     boxes[:, 0] = np.minimum(boxes[:, 0], points[:, 0])
     boxes[:, 1] = np.maximum(boxes[:, 1], points[:, 1])
-    for (view, _), box in zip(carried, boxes, strict=True):
+    for (view, _), box in zip(mapped, boxes, strict=True):
         view.__dict__["bounds"] = box
 
 
@@ -90,10 +95,10 @@ class Bounds(msgspec.Struct, frozen=True):
     @property
     def centre(self) -> Vector:
         """The middle."""
-        return self.place(0, 0)
+        return self.position(0, 0)
 
-    def place(self, across: int, up: int) -> Vector:
-        """Return one of nine places: −1, 0 or 1 for left, middle, right, and for bottom, middle, top."""
+    def position(self, across: int, up: int) -> Vector:
+        """Return one of nine positions: −1, 0 or 1 for left, middle, right, and for bottom, middle, top."""
         return (self._along(0, across), self._along(1, up))
 
     def _along(self, axis: int, step: int) -> float:
@@ -107,28 +112,28 @@ class Bounds(msgspec.Struct, frozen=True):
 
 
 NINE: Final = tuple((across, up) for up in (1, 0, -1) for across in (-1, 0, 1))
-"""The nine places of a box, as they are read: from the upper left one to the lower right one."""
+"""The nine positions of a box in reading order: from the upper left one to the lower right one."""
 
 _ACROSS, _UP = ("left", "middle", "right"), ("bottom", "middle", "top")
 
 
-def name_of_place(across: int, up: int) -> str:
-    """Return the words for one of the nine places: "top left", "right", "middle"."""
+def position_name(across: int, up: int) -> str:
+    """Return the name of one of the nine positions: "top left", "right", "middle"."""
     names = [_UP[up + 1]] * bool(up) + [_ACROSS[across + 1]] * bool(across)
     return " ".join(names) or "middle"
 
 
-def nine_places(bounds: Bounds) -> dict[str, Vector]:
-    """Return the nine places of a box by their names."""
-    return {name_of_place(*at): bounds.place(*at) for at in NINE}
+def nine_positions(bounds: Bounds) -> dict[str, Vector]:
+    """Return the nine positions of a box by their names."""
+    return {position_name(*at): bounds.position(*at) for at in NINE}
 
 
 def bounds_of(views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool = False) -> Bounds | None:
     """Return the bounds of a group, None where it has no points.
 
-    Of a curve all of whose points are in the group they are those of the curve, exact, or `as_drawn`: while
-    it is being dragged, by the polyline that is drawn. Of a curve that there is not, and of some points
-    of a curve, they are those of the points.
+    Of a curve all of whose points are in the group they are those of the curve: exact, or `as_drawn` by its
+    polyline, while it is dragged. Of some points of a curve, or where there is no curve, they are those of
+    the points.
     """
     whole = _whole(views, group)
     known = {id(view) for view in whole}
@@ -141,17 +146,17 @@ def bounds_of(views: Sequence[CurveView], group: PointGroup, *, as_drawn: bool =
 
 
 def _boxes(views: Sequence[CurveView], *, as_drawn: bool) -> list[FloatArray]:
-    """Return boxes that reach as far as curves do."""
+    """Return boxes whose union is the box of the curves."""
     if as_drawn:
         return [view.drawn_box for view in views]
     views = _reaching_out(views)
-    find_boxes(views)
-    return [box_found(view) for view in views]
+    compute_boxes(views)
+    return [exact_box(view) for view in views]
 
 
-def bounds_of_each(views: Sequence[CurveView], groups: Sequence[PointGroup]) -> list[Bounds | None]:
-    """Return the bounds of many groups, as `bounds_of`, whose curves are measured all at once."""
-    find_boxes([view for group in groups for view in _reaching_out(_whole(views, group))])
+def bounds_of_groups(views: Sequence[CurveView], groups: Sequence[PointGroup]) -> list[Bounds | None]:
+    """Return the bounds of many groups, as `bounds_of`, with all their curves measured at once."""
+    compute_boxes([view for group in groups for view in _reaching_out(_whole(views, group))])
     return [bounds_of(views, group) for group in groups]
 
 
@@ -161,9 +166,9 @@ def _whole(views: Sequence[CurveView], group: PointGroup) -> list[CurveView]:
 
 
 def _reaching_out(views: Sequence[CurveView]) -> list[CurveView]:
-    """Return those curves that may reach as far as any, by their polylines: the box of all is theirs.
+    """Return the curves that may touch the box of all, by their polylines.
 
-    Exact bounds take a tenth of a millisecond for each of their pieces, and there may be thousands of curves.
+    Exact bounds take a tenth of a millisecond for each piece, and there may be thousands of curves.
     """
     known = [(view, box) for view in views if (box := view.known_box) is not None]
     if len(known) < 2:
@@ -186,5 +191,5 @@ def around(boxes: Sequence[FloatArray]) -> Bounds | None:
 
 
 def is_whole(view: CurveView, indices: frozenset[int]) -> bool:
-    """Whether points are all of a curve that there is: its bounds count, not those of its points."""
+    """Whether points are all points of a current curve: its bounds count, not those of its points."""
     return len(indices) == len(view.points) > 1 and view.is_current

@@ -13,7 +13,7 @@ from ..document.limits import EditError
 from ..document.words import count_of, number
 from ..families import Family
 from .curve.curve_view import CurveView, view_of
-from .curve.distances import dense, is_kept, largest_distance
+from .curve.distances import dense, keeps_shape, largest_distance
 from .geometry import size_of
 from .reshape import Reshaped, refuse_without_curve, through
 
@@ -79,7 +79,7 @@ def converted(view: CurveView, family: Family) -> Reshaped:
     refuse_without_curve(after)
     t = dense(view.parameters)
     residual = largest_distance(view, t, after, t)
-    if residual > tolerance and not is_kept(residual, (view.source,)):
+    if residual > tolerance and not keeps_shape(residual, (view.source,)):
         raise EditError(
             f"As {family.a_curve} it would be up to {number(residual, 2)} away: too much is lost by rounding."
         )
@@ -101,7 +101,7 @@ def needless_change(before: CurveView, after: CurveView) -> float:
         return 0.0
     t = dense(before.parameters)
     away = largest_distance(before, t, after, t)
-    return 0.0 if is_kept(away, (before.source,)) else away
+    return 0.0 if keeps_shape(away, (before.source,)) else away
 
 
 def _tolerance(view: CurveView) -> float:

@@ -31,7 +31,7 @@ def polygon_length(points: FloatArray) -> float:
 
 
 def at_knots(points: FloatArray, *, closed: bool) -> FloatArray:
-    """Return what points (n, …) have at the knots of their curve: where it is closed, the first once more."""
+    """Return the rows of points (n, …) at the knots of their curve: a closed one ends with the first row."""
     return np.vstack([points, points[:1]]) if closed else points
 
 
@@ -50,7 +50,7 @@ def to_the_left(vectors: FloatArray) -> FloatArray:
 def usual_length(vectors: FloatArray, longest: float) -> float:
     """Return the length that nine tenths of the vectors keep, or the longest if that is not far above.
 
-    One endless vector, at a cusp for instance, shall not make all others invisible.
+    One huge vector, at a cusp for instance, must not make all others invisible.
     """
     with np.errstate(over="ignore"):
         lengths = np.hypot(vectors[:, 0], vectors[:, 1])
@@ -68,7 +68,7 @@ def within_segments(knots: FloatArray, shares: FloatArray) -> FloatArray:
 
 
 def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
-    """Return so many parameters of every segment, its knot the first of them, and the last knot."""
+    """Return `per_segment` parameters of every segment, its first knot included, and the last knot."""
     shares = np.arange(per_segment) / per_segment
     return np.append(within_segments(knots, shares).ravel(), knots[-1])
 
@@ -96,7 +96,7 @@ class Samples(NamedTuple):
 
 
 class OneSided(NamedTuple):
-    """Parameters of which the last in every segment lies a hair before the knot: it counts to that segment.
+    """Parameters of which the last in every segment lies just before the knot, and belongs to that segment.
 
     Attributes
     ----------
@@ -123,16 +123,16 @@ def one_sided(knots: FloatArray, counts: IntArray) -> OneSided:
 
 
 def segment_at(knots: FloatArray, t: float) -> int:
-    """Return the segment that holds `t`; at a knot the one after it, but at the last knot the one before."""
+    """Return the segment of `t`; at a knot the one after it, but at the last knot the one before."""
     return int(np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(knots) - 2))
 
 
-_ASKED = 24
-"""Points of an outline that are asked whether it lies within the others."""
+_PROBES = 24
+"""Points of an outline that are tested for lying within the others."""
 
 
 def windings(outlines: Sequence[FloatArray], points: FloatArray) -> npt.NDArray[np.int64]:
-    """Return how often outlines (k, 2), closed by straight lines, run around points (m, 2) to the left."""
+    """Return winding numbers of outlines (k, 2), closed by straight lines, around points (m, 2)."""
     turns = np.zeros(len(points), dtype=np.int64)
     for outline in outlines:
         starts, ends = outline, np.roll(outline, -1, axis=0)
@@ -140,29 +140,29 @@ def windings(outlines: Sequence[FloatArray], points: FloatArray) -> npt.NDArray[
         above = starts[:, 1] <= points[:, 1:]
         rises = above & (ends[:, 1] > points[:, 1:])
         falls = ~above & (ends[:, 1] <= points[:, 1:])
-        # Which side of each line the points lie on; where it does not cross their height, nobody asks.
+        # The side of each line on which the points lie; ignored where it does not cross their height.
         side = along[:, 0] * (points[:, 1:] - starts[:, 1]) - along[:, 1] * (points[:, :1] - starts[:, 0])
         turns += (rises & (side > 0)).sum(axis=1) - (falls & (side < 0)).sum(axis=1)
     return turns
 
 
 def is_inside(turns: npt.NDArray[np.int64], rule: FillRule) -> npt.NDArray[np.bool_]:
-    """Return which points are inside of what runs so often around them."""
+    """Return the mask of points inside, given the winding numbers around them."""
     inside: npt.NDArray[np.bool_] = turns != 0 if rule is FillRule.NONZERO else turns % 2 == 1
     return inside
 
 
 def fills_holes(outlines: Sequence[FloatArray]) -> bool:
-    """Whether the nonzero rule fills what the even-odd rule leaves open: an outline within another.
+    """Whether the nonzero rule fills holes of the even-odd rule: an outline within another.
 
-    It does where both run the same way.
+    It does where both run in the same direction.
     """
     low, high = (np.array([ends(outline, axis=0) for outline in outlines]) for ends in (np.min, np.max))
-    for number, outline in enumerate(outlines):
-        # An outline runs around nothing outside of its box: of thousands few are asked.
-        near = np.flatnonzero(((low <= high[number]) & (low[number] <= high)).all(axis=1)).tolist()
-        others = [outlines[other] for other in near if other != number]
-        around = windings(others, outline[:: max(1, len(outline) // _ASKED)])
+    for index, outline in enumerate(outlines):
+        # An outline winds around nothing outside of its box: of thousands few are tested.
+        near = np.flatnonzero(((low <= high[index]) & (low[index] <= high)).all(axis=1)).tolist()
+        others = [outlines[other] for other in near if other != index]
+        around = windings(others, outline[:: max(1, len(outline) // _PROBES)])
         # Where it crosses the others it lies in none of them.
         if len(set(around.tolist())) == 1 and around[0] % 2 == 1 and around[0] + _turn(outline) != 0:
             return True

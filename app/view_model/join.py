@@ -20,7 +20,7 @@ from ..document.point_group import PointGroup
 from ..document.words import number
 from ..families import titles_with_derivatives
 from .curve.curve_view import CurveView, view_of
-from .curve.distances import dense, is_kept, largest_distance
+from .curve.distances import dense, keeps_shape, largest_distance
 from .geometry import polygon_length, size_of
 from .point_kinds import with_straight_segments
 from .reshape import Reshaped, baked, refuse_without_curve, reversed_curve
@@ -203,7 +203,7 @@ def _residual_of(views: Sequence[CurveView], whole: CurveView, shifts: Sequence[
 
 
 def _refuse_another_shape(views: Sequence[CurveView], residual: float) -> None:
-    if is_kept(residual, [view.source for view in views]):
+    if keeps_shape(residual, [view.source for view in views]):
         return
     family = views[0].source.family
     other = f"Choose {titles_with_derivatives()} for both."

@@ -23,7 +23,7 @@ KIND_DASHES = (SOLID, DASHED, DOTTED, DASH_DOTTED)
 
 
 class Mark(enum.Enum):
-    """The forms of marks: told apart without colours."""
+    """The shapes of marks, which differ without colours."""
 
     RING = enum.auto()
     DIAMOND = enum.auto()
@@ -33,7 +33,7 @@ class Mark(enum.Enum):
 
 
 class Sign(enum.Enum):
-    """The forms of an entry in a legend."""
+    """The symbols of an entry in a legend."""
 
     LINE = enum.auto()
     MARK = enum.auto()
@@ -49,7 +49,7 @@ class LineStyle(msgspec.Struct, frozen=True):
     colour
         The name of a colour of the theme, or an Okabe–Ito colour as documents write it.
     width
-        Pixels, where nothing is enlarged.
+        Width in pixels at scale 1.
     """
 
     colour: str = "accent"
@@ -65,7 +65,7 @@ ORANGE, SKY, YELLOW = "#e69f00", "#56b4e9", "#f0e442"
 """Okabe–Ito colours."""
 
 GREY = "#7f7f7f"
-"""A further colour that is told from those on either paper."""
+"""A further colour that differs from those on either paper."""
 
 USUAL_STYLE = LineStyle()
 CURVE_STYLE = LineStyle("curve", width=2.0)

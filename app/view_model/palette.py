@@ -16,7 +16,7 @@ ACCENT: Final = {"light": "#2563d9", "dark": "#6ea8fe"}
 """Paper, ink and accent of each theme."""
 
 LEAST_CONTRAST: Final = 3.0
-"""Of every curve against its paper: WCAG 2.1, success criterion 1.4.11, for graphics."""
+"""Least contrast of a curve against its paper: WCAG 2.1, success criterion 1.4.11, for graphics."""
 
 OKABE_ITO: Final = {
     # On light paper five of the seven are too pale. Lightness alone is moved, by hand and search,
@@ -49,7 +49,7 @@ _LMS_TO_RGB: Final = np.array(
 _RGB_TO_LMS: Final = np.linalg.inv(_LMS_TO_RGB)
 _LMS_TO_LAB: Final = np.linalg.inv(_LAB_TO_LMS)
 _HALVINGS: Final = 10
-"""Of the lightness that is looked for: then it is known to a quarter of a step of eight bits."""
+"""Halvings of the range of lightness: then it is known to a quarter of a step of eight bits."""
 
 _CHROMA: Final = np.linspace(1.0, 0.0, 129)[:, None]
 """Shares of a colour's chroma that are tried, the largest first."""
@@ -62,14 +62,14 @@ def contrast(one: str, other: str) -> float:
 
 
 def colour_on(paper: str | None, code: str) -> str:
-    """Return the colour that something of a chosen colour has on a paper, all "#rrggbb".
+    """Return the colour in which a colour is drawn on a paper, all "#rrggbb".
 
     Parameters
     ----------
     paper : str or None
-        None where nobody knows what will lie below, as in a picture without background.
+        None where the paper is unknown, as in a picture without background.
     code : str
-        The colour that was chosen.
+        The colour as set.
 
     Returns
     -------
@@ -83,30 +83,30 @@ def colour_on(paper: str | None, code: str) -> str:
 
 
 def adjustment_of(paper: str | None, code: str) -> str:
-    """Return how a colour on a paper differs from the one that was chosen; empty if it does not."""
+    """Return words about the difference of a colour drawn on a paper; empty without one."""
     if not code or paper is None or (drawn := colour_on(paper, code)) == code:
         return ""
     how = "darker" if _luminance(drawn) < _luminance(code) else "lighter"
-    return f"drawn {how} than its {code}, to be seen on this paper"
+    return f"drawn {how} than {code} for contrast with this paper"
 
 
 @lru_cache(maxsize=4096)
 def _moved_off(paper: str, code: str) -> str:
-    """Move the lightness of a colour away from that of a paper, just as far as the contrast takes.
+    """Return a colour with its lightness moved away from that of a paper, just enough for the contrast.
 
     The hue stays; chroma shrinks where sRGB has no colour so light or dark.
     """
     lightness, a, b = (np.cbrt(_linear(code) @ _RGB_TO_LMS.T) @ _LMS_TO_LAB.T).tolist()
     far = 0.0 if contrast("#000000", paper) >= contrast("#ffffff", paper) else 1.0
-    near, found = lightness, "#000000" if far == 0.0 else "#ffffff"
+    near, result = lightness, "#000000" if far == 0.0 else "#ffffff"
     for _ in range(_HALVINGS):
         middle = (near + far) / 2
         moved = _within_srgb(middle, a, b)
         if contrast(moved, paper) >= LEAST_CONTRAST:
-            far, found = middle, moved
+            far, result = middle, moved
         else:
             near = middle
-    return found
+    return result
 
 
 def _within_srgb(lightness: float, a: float, b: float) -> str:
@@ -157,7 +157,7 @@ def _ramp(n: int, theme: str) -> NDArray[np.int64]:
 
 
 def _packed(linear: FloatArray) -> NDArray[np.int64]:
-    """Return colours (k, 3) in linear light as packed sRGB, 0xffRRGGBB; what lies outside is cut off."""
+    """Return colours (k, 3) in linear light as packed sRGB, 0xffRRGGBB, clipped to the range."""
     rgb = np.clip(linear, 0.0, 1.0)
     srgb = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** (1.0 / 2.4) - 0.055)
     red, green, blue = np.rint(255.0 * srgb).astype(np.int64).T

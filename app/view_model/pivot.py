@@ -1,7 +1,7 @@
-"""The pivot: the place that transforms turn, scale and mirror about, and that goes along with them.
+"""The pivot: the centre of rotations, scalings and mirrorings, which follows transforms.
 
-What a transform did to points is read off them: whatever moved them, by the mouse, by a number, by undo, the
-pivot is where the same map takes it. Points that were edited one by one leave it where it was.
+The map of a transform is found from the points before and after. Whether the mouse, a typed number or undo
+moved them, the same map moves the pivot. Points that are edited one by one leave it where it was.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
     Attributes
     ----------
     group
-        Which points.
+        The points.
     points, bounds
-        Where they were, (k, 2), and the bounds of the group; None of no points.
+        Their positions, (k, 2), and the bounds of the group; None of no points.
     curves, count
-        The curves that they were of, and how many the document had.
+        The curves of these points, and the number of curves in the document.
     """
 
     group: PointGroup
@@ -46,31 +46,31 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
     count: int
 
     def has_same_points(self, now: Anchor) -> bool:
-        """Whether the points are where they were, or are copies at the same places."""
+        """Whether the points are where they were, or copies lie there."""
         return self.points.shape == now.points.shape and np.array_equal(self.points, now.points)
 
     def handed_to(self, copies: Anchor) -> Anchor:
-        """Return what copies, which lie where this lies now, were at that moment."""
+        """Return this anchor for copies that lie where the points lie now."""
         return replace(self, group=copies.group, curves=copies.curves, count=copies.count)
 
     def group_in(self, curves: Sequence[Curve]) -> PointGroup | None:
-        """Return the group where it is now; None where a curve of it is gone.
+        """Return the group in these curves; None where a curve of it is gone.
 
-        A curve that was changed is in its place, where there are as many as before.
+        A curve that was changed has its index still where the number of curves is the same.
         """
-        places = {id(curve): place for place, curve in enumerate(curves)}
+        positions_by_id = {id(curve): curve_index for curve_index, curve in enumerate(curves)}
         is_same_number, parts = len(curves) == self.count, list[tuple[int, frozenset[int]]]()
         for (before, indices), curve in zip(self.group.parts, self.curves, strict=True):
-            place = places.get(id(curve), before if is_same_number else None)
-            if place is None or any(index >= len(curves[place].points) for index in indices):
+            curve_index = positions_by_id.get(id(curve), before if is_same_number else None)
+            if curve_index is None or any(index >= len(curves[curve_index].points) for index in indices):
                 return None
-            parts.append((place, indices))
+            parts.append((curve_index, indices))
         return replace(self.group, parts=tuple(sorted(parts, key=lambda part: part[0])))
 
     def since(self, now: Anchor) -> Affine | None:
-        """Return the map that a transform has done since; None where other points are meant by now.
+        """Return the map of a transform since this anchor; None where the group has other points now.
 
-        Points of other curves at the same places are their copies, and count as the same.
+        Points of other curves at the same positions are copies, and count as the same.
         """
         before, after = self.points, now.points
         if self.has_same_points(now):
@@ -81,17 +81,17 @@ class Anchor(msgspec.Struct, frozen=True, eq=False):
         return by if by is IDENTITY else self._as_boxes(by, now)
 
     def _as_boxes(self, by: Affine, now: Anchor) -> Affine:
-        """Return a map along the axes as that of the bounds: where a curve is stretched they are exact."""
+        """Return a map along the axes as that of the bounds, which are exact where a curve is stretched."""
         before, after, is_turned = self.bounds, now.bounds, max(abs(by.xy), abs(by.yx)) > _SLACK
         if is_turned or before is None or after is None:
             return by
         flips = (1.0 + by.xx < 0.0, 1.0 + by.yy < 0.0)
         x, y = (-1 if is_flipped else 1 for is_flipped in flips)
-        return between(before, (after.place(-x, -y), after.place(x, y)))
+        return between(before, (after.position(-x, -y), after.position(x, y)))
 
 
 def anchored(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> Anchor:
-    """Return a group as it is now; `live` while it is dragged, with its bounds as they are drawn."""
+    """Return the anchor of a group now; `live` while it is dragged, with its bounds as drawn."""
     parts = [views[curve].points[sorted(indices)] for curve, indices in group.parts]
     points = np.concatenate(parts) if parts else np.empty((0, 2))
     curves = tuple(views[curve].source for curve, _ in group.parts)
@@ -99,46 +99,46 @@ def anchored(views: Sequence[CurveView], group: PointGroup, *, live: bool = Fals
 
 
 class Pivot(msgspec.Struct, frozen=True, eq=False):
-    """A pivot that was chosen, and the group that it belongs to."""
+    """A pivot that was set, and the group that it belongs to."""
 
-    place: Vector
+    position: Vector
     anchor: Anchor
 
     def at(self, now: Anchor) -> Pivot | None:
-        """Return the pivot as it is now, None where the group is another one."""
+        """Return the pivot after the transforms up to now; None where the group has other points."""
         by = self.anchor.since(now)
         if by is None:
             return None
-        place = by.point(self.place)
+        position = by.point(self.position)
         size = float(np.ptp(now.points, axis=0).max(initial=0.0))
-        # What it was turned about stays to the last bit.
-        stays = math.dist(place, self.place) <= _SLACK * size
-        return Pivot(self.place if stays else place, now)
+        # The centre of a rotation stays to the last bit.
+        stays = math.dist(position, self.position) <= _SLACK * size
+        return Pivot(self.position if stays else position, now)
 
 
 class Turning:
-    """The angle at which a group stands, from when it was selected on; a mirror image is no rotation.
+    """The angle of a group, counted from its selection; a mirror image is no rotation.
 
-    What is mirrored sideways and turned by 180° is what is mirrored upside down, and to mirror both ways is
-    half a turn, though nobody turned anything: the angle before says which of the two it is.
+    A group mirrored sideways and turned by 180° is the same as one mirrored upside down, and mirroring both
+    ways is the same as half a turn: the angle before decides between the two.
 
     Attributes
     ----------
     anchor
-        The group as it was then.
+        The group when it was selected.
     """
 
     def __init__(self, anchor: Anchor) -> None:
         self.anchor, self._last = anchor, 0.0
-        # The group as it was when it was asked for last.
+        # The group at the last call of `at`.
         self._before = anchor
-        # Whether it was a mirror image, and what is added since it became one, or none again.
+        # Whether it was a mirror image, and the angle that is added since that changed.
         self._is_mirrored, self._more = False, 0.0
 
     def at(self, now: Anchor) -> float | None:
-        """Return the angle now, from −180 to 180; None where the group is another one."""
+        """Return the angle now, from −180 to 180; None where the group has other points."""
         if self._before.has_same_points(now):
-            # Copies are turned as what they are of, and by what they are turned from then on.
+            # Copies have the angle of their originals, and their own rotations from then on.
             self.anchor = self.anchor.handed_to(now)
         self._before = now
         by = self.anchor.since(now)
@@ -157,7 +157,7 @@ def _wrapped(degrees: float) -> float:
 
 
 def map_between(before: FloatArray, after: FloatArray) -> Affine:
-    """Return the map of one set of points to another, that which changes shape least; none without one."""
+    """Return the map of one set of points to another that changes shape least; the identity without one."""
     centre: FloatArray = before.mean(axis=0)
     shift: FloatArray = (after - centre).mean(axis=0)
     here: FloatArray = before - centre
@@ -173,7 +173,7 @@ def map_between(before: FloatArray, after: FloatArray) -> Affine:
 
 
 def _similarity(here: FloatArray, there: FloatArray) -> FloatArray:
-    """Return the rotation with a scale, as a matrix, that maps points nearest to others."""
+    """Return the matrix of the rotation with a scale that maps points nearest to others."""
     a, b = here[:, 0] + 1j * here[:, 1], there[:, 0] + 1j * there[:, 1]
     length = float(np.vdot(a, a).real)
     turn = complex(np.vdot(a, b)) / length if length > 0.0 else 1.0 + 0.0j

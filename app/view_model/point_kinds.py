@@ -27,7 +27,7 @@ from ..document.straight_edits import corners_of, straighten, why_not_straight
 from ..families import Family, titles_with_derivatives
 from .append import closed_by_pen, with_point_appended
 from .curve.curve_view import CurveView, view_of
-from .curve.handles import pulled_out, way_past
+from .curve.handles import offset_past, pulled_out
 from .curve.point_arrays import PointArrays
 from .reshape import estimates_kept, refuse_without_curve, with_jets
 
@@ -156,7 +156,7 @@ def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector
     if lines[0] != lines[1]:
         direction = before if lines[0] else after
     elif not any(direction):
-        direction = after if any(after) else way_past(view, index)
+        direction = after if any(after) else offset_past(view, index)
     first, second = (
         turned(velocity, direction) if any(velocity) else pulled_out(view, index, direction, ahead=ahead)
         for velocity, ahead in ((before, False), (after, True))

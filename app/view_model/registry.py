@@ -1,4 +1,4 @@
-"""Registries that list themselves: the records of a kind that the modules of a package define."""
+"""A registry: the records of a kind that the modules of a package define, found by listing them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Registry(Collection[_Record]):
     kind
         Class of the records.
     package
-        Name of the package in whose modules they are; imported when somebody first asks.
+        Name of the package whose modules define them; imported at the first use.
     """
 
     def __init__(self, kind: type[_Record], package: str) -> None:
@@ -52,7 +52,7 @@ class Registry(Collection[_Record]):
 
     @contextmanager
     def with_record(self, record: _Record) -> Iterator[None]:
-        """Have one record more for a while."""
+        """Have one more record in a block, for tests."""
         before = self._records
         self.__dict__["_records"] = self._sorted([*before, record])
         try:
@@ -63,9 +63,9 @@ class Registry(Collection[_Record]):
     @cached_property
     def _records(self) -> list[_Record]:
         package = import_module(self._package)
-        names = [each.name for each in pkgutil.iter_modules(package.__path__, f"{self._package}.")]
+        names = [module.name for module in pkgutil.iter_modules(package.__path__, f"{self._package}.")]
         members: list[Any] = [value for name in names for value in vars(import_module(name)).values()]
-        return self._sorted(each for each in members if isinstance(each, self._kind))
+        return self._sorted(module for module in members if isinstance(module, self._kind))
 
     @staticmethod
     def _sorted(records: Iterable[_Record]) -> list[_Record]:

@@ -26,7 +26,7 @@ from ..document.words import number
 from ..families import Family
 from .curve.core_curve import Sides
 from .curve.curve_view import CurveView, ParametricCurve, view_of
-from .curve.distances import dense, is_kept, largest_distance, outcome
+from .curve.distances import dense, keeps_shape, largest_distance, outcome
 
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""
@@ -56,9 +56,9 @@ class Reshaped(msgspec.Struct, frozen=True):
     note: str = ""
 
     @property
-    def is_kept(self) -> bool:
+    def keeps_shape(self) -> bool:
         """Whether the shape is the same but for roundings."""
-        return not self.parameters_moved and is_kept(self.residual, (self.curve,))
+        return not self.parameters_moved and keeps_shape(self.residual, (self.curve,))
 
     @property
     def sentence(self) -> str:
@@ -123,11 +123,11 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         at = dense(longer.parameters)
         return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
     by_rule = _with_point_at(view, index, t)
-    if view.source.is_manual or by_rule.is_kept:
+    if view.source.is_manual or by_rule.keeps_shape:
         return by_rule
     frozen = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
     kept = _with_point_at(view_of(frozen), index, t)
-    return replace(kept, left_rule=True) if kept.is_kept else by_rule
+    return replace(kept, left_rule=True) if kept.keeps_shape else by_rule
 
 
 def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
@@ -147,7 +147,7 @@ def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
     moved = change_of_shape(view, after, np.insert(view.parameters, index, t))
-    return Reshaped(grown, moved, parameters_moved=not is_kept(moved, (grown,)))
+    return Reshaped(grown, moved, parameters_moved=not keeps_shape(moved, (grown,)))
 
 
 def inserted_index(view: CurveView, t: float) -> int:
@@ -185,7 +185,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
         assert after.curve is not None
         t = dense(curve.parameters)
         away = float(np.abs(after.curve.evaluate(t) - curve.evaluate(t)).max())
-        if is_kept(away, (made,)):
+        if keeps_shape(away, (made,)):
             return replace(made, points=tuple(replace(point, t=None) for point in made.points))
     return replace(made, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
 

@@ -1,8 +1,8 @@
-"""Points and curves made to fill a box: exactly, also where the curve answers with another shape.
+"""Points and curves made to fill a box: exactly, also where the curve changes its shape.
 
 Where a rule gives the parameters by the distances of the points, or estimates by their coordinates, a curve
 whose points are stretched along one axis is not the stretched curve. The stretch is then corrected by the
-bounds that come out, along secants through the last ones, until these are the ones wanted.
+resulting bounds, along secants through the last ones, until they fill the box.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from .boxes import Bounds, bounds_of, is_whole
 from .curve.curve_view import CurveView, view_of
 
 _NEGLIGIBLE = 1e-10
-"""Share of the largest change of a residual below which others say nothing of where to go."""
+"""Share of the largest change of a residual below which other changes are ignored."""
 
 
 class Secants:
-    """Steps from one x to the next by what g made of the last ones (Anderson's mixing).
+    """Fixed-point iteration x = g(x) with steps along secants (Anderson's mixing).
 
-    Where g is smooth they come as close in some ten steps as x = g(x) itself does in forty, and they also
-    arrive where that goes to and fro.
+    Where g is smooth, ten such steps come as close as forty plain ones, and they also converge where plain
+    steps oscillate.
     """
 
     def __init__(self, most: int) -> None:
@@ -39,32 +39,31 @@ class Secants:
         self._tried: list[tuple[FloatArray, FloatArray]] = []
 
     def after(self, x: FloatArray, image: FloatArray) -> FloatArray:
-        """Return the x to be tried next, `image` being what g makes of `x`."""
+        """Return the next x to try, given the image g(x) of `x`."""
         self._tried = [*self._tried[-self._most :], (x, image)]
         if len(self._tried) == 1:
             return image
-        xs, images = (np.array(each) for each in zip(*self._tried, strict=True))
+        xs, images = (np.array(values) for values in zip(*self._tried, strict=True))
         residuals = images - xs
         weights, *_ = np.linalg.lstsq(np.diff(residuals, axis=0).T, residuals[-1], rcond=_NEGLIGIBLE)
         nearer: FloatArray = image - weights @ np.diff(images, axis=0)
         return nearer
 
     def forget(self) -> None:
-        """Begin anew, as where the last steps led away."""
+        """Start again, where the last steps led away from the solution."""
         self._tried = []
 
 
 Corners = tuple[Vector, Vector]
-"""Images of the lower left and of the upper right corner of a box; they may have changed places."""
+"""Images of the lower left and of the upper right corner of a box; a mirrored box has them exchanged."""
 
 _ROUNDS = 40
 _ROUNDING = 2.0**-50
 """Share of the largest coordinate within which bounds are computed."""
 
 _IN_VAIN, _NEAR = 5, 1e-9
-"""Rounds without half the deviation that end it, and the share of the coordinates below which it is noise.
-
-Curves that swing wildly have bounds that are no better known.
+"""Rounds that do not halve the deviation before the search ends, and the share of the coordinates below which
+a deviation is noise: bounds of curves that swing wildly are not known better.
 """
 
 
@@ -78,19 +77,19 @@ def stretched(
     about: Vector | None = None,
     tolerance: float = 0.0,
 ) -> Document:
-    """Return the document with a group stretched so that the corners of its bounds come where they shall.
+    """Return the document with a group stretched so that its bounds have given corners.
 
     Parameters
     ----------
     document, views
         The document, and the views of its curves.
     corners
-        Where the corners go.
+        The new positions of the corners.
     even
-        An axis, for a stretch with proportions kept: along that one the corners count, and along the other
-        the place `about`, which stays where it is in the box.
+        The axis, for a stretch with proportions kept, along which the corners count; along the other the
+        position `about` keeps its share of the box.
     tolerance
-        By how much the bounds may be off; within rounding they always may.
+        Largest deviation of the bounds; rounding is always allowed.
     """
     before = _measured(views, group)
     goal = _goal_of(corners, even, about)
@@ -118,7 +117,7 @@ def stretched(
 
 
 def _next_aim(secants: Secants, aim: Corners, corrected: Corners) -> Corners:
-    """Return the corners to be tried next: along secants, unless these would turn the box over."""
+    """Return the next corners to try: along secants, unless these would mirror the box."""
     left, bottom, right, top = secants.after(np.ravel(aim), np.ravel(corrected)).tolist()
     (x, y), (end_x, end_y) = corrected
     if (right - left) * (end_x - x) < 0.0 or (top - bottom) * (end_y - y) < 0.0:
@@ -133,11 +132,11 @@ class _Goal(msgspec.Struct, frozen=True):
     Attributes
     ----------
     box
-        Where it lies.
+        The box.
     even
-        The axis along which it is filled where proportions are kept; None where it is along both.
+        The axis along which it is filled where proportions are kept; None for both axes.
     share
-        What stays along the other one: from 0, the low end of the box, to 1.
+        The fixed point along the other axis: from 0, the low end of the box, to 1.
     """
 
     box: Bounds
@@ -145,10 +144,10 @@ class _Goal(msgspec.Struct, frozen=True):
     share: float
 
     def aimed(self, before: Bounds, corners: Corners) -> Corners:
-        """Return where the corners go, if curves answer as their points do."""
+        """Return the new corners, if curves change as their points do."""
         bounds = self.from_(before)
         x, y = (-1 if corners[1][axis] < corners[0][axis] else 1 for axis in (0, 1))
-        return bounds.place(-x, -y), bounds.place(x, y)
+        return bounds.position(-x, -y), bounds.position(x, y)
 
     def from_(self, now: Bounds) -> Bounds:
         """Return the bounds that fill the box, with the present proportions where they are kept."""
@@ -177,7 +176,7 @@ def _measured(views: Sequence[CurveView], group: PointGroup) -> Bounds:
 
 
 def _follows(views: Sequence[CurveView], curve: int, indices: frozenset[int]) -> bool:
-    """Whether the bounds go as the points do: parameters and estimates answer to no stretch."""
+    """Whether the bounds change as the points do: no parameter or estimate depends on the stretch."""
     view = views[curve]
     source = view.source
     is_linear = all(rule.is_linear for rule in source.rules)
@@ -186,7 +185,7 @@ def _follows(views: Sequence[CurveView], curve: int, indices: frozenset[int]) ->
 
 
 def between(before: Bounds, corners: Corners) -> Affine:
-    """Return the map of a box by what becomes of its corners; a side without length is only moved."""
+    """Return the map of a box to new corners; a side without length is only moved."""
     low, high = corners
     factors = [(high[axis] - low[axis]) / before.size[axis] if before.size[axis] else 1.0 for axis in (0, 1)]
     shift = (low[0] - before.low[0], low[1] - before.low[1])
@@ -194,10 +193,10 @@ def between(before: Bounds, corners: Corners) -> Affine:
 
 
 def _views_of(document: Document, views: Sequence[CurveView], group: PointGroup) -> Sequence[CurveView]:
-    made = list(views)
-    for place in group.curves:
-        made[place] = view_of(document.curves[place], views[place])
-    return made
+    result = list(views)
+    for index in group.curves:
+        result[index] = view_of(document.curves[index], views[index])
+    return result
 
 
 def _in_order(corners: Corners) -> Bounds:
@@ -211,7 +210,7 @@ def _distance(one: Bounds, other: Bounds) -> float:
 
 
 def _corrected(corner: Vector, reached: Bounds, wanted: Bounds) -> Vector:
-    """Return where a corner is aimed at next: the map of what was reached to what is wanted."""
+    """Return the next aim of a corner: the map from the box that was reached to the wanted one."""
     aimed = []
     for axis in (0, 1):
         size, length = reached.size[axis], wanted.size[axis]
@@ -221,7 +220,7 @@ def _corrected(corner: Vector, reached: Bounds, wanted: Bounds) -> Vector:
 
 
 SIDES = ("width", "height")
-"""What a length along x and along y is called."""
+"""Names of a length along x and along y."""
 
 
 def resized(
@@ -234,9 +233,9 @@ def resized(
     *,
     keeps_proportions: bool = False,
 ) -> Document:
-    """Return the document with a group whose box is `length` wide (axis 0) or high about a place.
+    """Return the document with a group whose box is `length` wide (axis 0) or high, scaled about a position.
 
-    With `keeps_proportions` the other side goes along.
+    With `keeps_proportions` the other side changes by the same factor.
 
     Raises
     ------
@@ -247,11 +246,11 @@ def resized(
     if bounds is None:
         return document
     if not bounds.size[axis]:
-        raise EditError(f"What has no {SIDES[axis]} cannot be given one.")
+        raise EditError(f"The selection has no {SIDES[axis]} to scale.")
     if length <= 0.0:
-        raise EditError(f"A {SIDES[axis]} is greater than 0; Flip mirrors.")
+        raise EditError(f"The {SIDES[axis]} must be greater than 0; use Flip to mirror.")
     factor, even = length / bounds.size[axis], axis if keeps_proportions else None
-    x, y = (factor if keeps_proportions or each == axis else 1.0 for each in (0, 1))
+    x, y = (factor if keeps_proportions or other == axis else 1.0 for other in (0, 1))
     by = scaling(x, y, about)
     corners = by.point(bounds.low), by.point(bounds.high)
     return stretched(document, views, group, corners, even=even, about=about)

@@ -21,7 +21,7 @@ from ..document.straight_edits import why_not_straight
 from ..document.words import number
 from ..families import HERMITE
 from .curve.curve_view import CurveView, view_of
-from .curve.distances import dense, is_kept, largest_distance, outcome
+from .curve.distances import dense, keeps_shape, largest_distance, outcome
 from .reshape import baked, refuse_without_curve, through, with_point_inserted
 
 MOST_POINTS_SPLIT = 40
@@ -71,7 +71,7 @@ def split(view: CurveView, *cuts: float) -> Split:
         of_one = family.curve_class.is_one_polynomial
         parts = _split_polynomial(view, cuts) if of_one else _split_pieces(view, cuts)
     made = Split(parts, residual_of_parts(view, parts))
-    if not family.curve_class.is_one_polynomial and not is_kept(made.residual, parts):
+    if not family.curve_class.is_one_polynomial and not keeps_shape(made.residual, parts):
         within = view_model.convert.outlook(view, HERMITE).within
         kept = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(

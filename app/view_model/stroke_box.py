@@ -20,7 +20,7 @@ from ..document.style import LineCap, LineJoin, Style
 from .geometry import to_the_left, unit_tangents
 
 _LEAST = 1e-12
-"""Share of the size of a piece below which the way to a control point is no direction."""
+"""Share of the size of a piece below which the offset to a control point is no direction."""
 
 
 class Line(msgspec.Struct, frozen=True, eq=False):
@@ -31,10 +31,10 @@ class Line(msgspec.Struct, frozen=True, eq=False):
     points
         The joints, (m, 2), of an open line with its ends.
     before, after
-        The directions in which the line comes to a joint and leaves it, (m, 2). What an open line has before
-        its first point, and after its last, means nothing.
+        The directions in which the line enters a joint and leaves it, (m, 2). Those of an open line before
+        its first point, and after its last, have no meaning.
     turns
-        Where else x turns back, and where y does: these coordinates.
+        The extreme values of x, and of y, within pieces.
     is_closed
         Whether the last joint is joined with the first.
     """
@@ -47,18 +47,18 @@ class Line(msgspec.Struct, frozen=True, eq=False):
 
 
 def half_width(style: Style) -> float:
-    """Return how far a stroke reaches beside its line; 0 of one that is as wide at every zoom."""
+    """Return half the width of a stroke; 0 of one that is as wide at every zoom."""
     return (style.width or 0.0) / 2.0 if style.has_stroke else 0.0
 
 
-def around_dot(place: FloatArray, style: Style) -> FloatArray:
-    """Return the corners, (2, 2), of the box around what is seen of a line of no length, by its caps."""
+def around_dot(position: FloatArray, style: Style) -> FloatArray:
+    """Return the corners, (2, 2), of the box around a line of no length with its caps."""
     reach = half_width(style) if style.has_caps else 0.0
-    return np.stack([place - reach, place + reach])
+    return np.stack([position - reach, position + reach])
 
 
 def line_of(controls: FloatArray, turns: tuple[FloatArray, FloatArray], *, is_closed: bool) -> Line | None:
-    """Return the line of Bézier pieces (k, m, 2), which turns at these x and y; None of a single place."""
+    """Return the line of Bézier pieces (k, m, 2) with these extreme x and y; None of a single point."""
     leaving, is_long = _directions(controls)
     coming, _ = _directions(controls[:, ::-1])
     if not is_long.any():
@@ -72,12 +72,12 @@ def line_of(controls: FloatArray, turns: tuple[FloatArray, FloatArray], *, is_cl
 
 
 def _directions(controls: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Return the unit vectors in which pieces (k, m, 2) begin, and which of them have any length."""
-    ways: FloatArray = controls[:, 1:] - controls[:, :1]
-    lengths = np.hypot(ways[..., 0], ways[..., 1])
+    """Return the unit tangents at the starts of pieces (k, m, 2), and the mask of those with any length."""
+    chords: FloatArray = controls[:, 1:] - controls[:, :1]
+    lengths = np.hypot(chords[..., 0], chords[..., 1])
     longest = lengths.max(axis=1)
     first = (lengths > _LEAST * longest[:, None]).argmax(axis=1)
-    return unit_tangents(ways[np.arange(len(ways)), first]), longest > 0.0
+    return unit_tangents(chords[np.arange(len(chords)), first]), longest > 0.0
 
 
 def stroke_box(line: Line, style: Style) -> FloatArray:
@@ -101,22 +101,22 @@ def stroke_box(line: Line, style: Style) -> FloatArray:
 
 
 _Disc = tuple[FloatArray, FloatArray, FloatArray]
-"""Places (k, 2) with half discs about them: what of these lies ahead in two directions, (k, 2) each."""
+"""Centres (k, 2) of half discs, and for each two directions, (k, 2), between which it lies."""
 
 
 def _along(axis: int, line: Line, spots: FloatArray, discs: list[_Disc], half: float) -> tuple[float, float]:
     """Return the least and the greatest coordinate along an axis."""
     values = [spots[:, axis], line.turns[axis] - half, line.turns[axis] + half]
-    for places, one, other in discs:
+    for centres, one, other in discs:
         for sign in (-1.0, 1.0):
             is_ahead = (sign * one[:, axis] >= 0.0) & (sign * other[:, axis] >= 0.0)
-            values.append(places[is_ahead, axis] + sign * half)
-    found = np.concatenate(values)
-    return float(found.min()), float(found.max())
+            values.append(centres[is_ahead, axis] + sign * half)
+    reached = np.concatenate(values)
+    return float(reached.min()), float(reached.max())
 
 
 def _sides(points: FloatArray, directions: FloatArray, half: float) -> Iterator[FloatArray]:
-    """Yield the places to the left and to the right of points."""
+    """Yield the points half a width to the left and to the right of points."""
     aside = half * to_the_left(directions)
     yield points + aside
     yield points - aside
@@ -149,7 +149,7 @@ def extent_of(control_points: FloatArray) -> FloatArray:
 
 
 def turns_within(control_points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the coordinates x, and y, at which pieces turn within."""
+    """Return the extreme values of x, and of y, within pieces."""
     pieces = control_points.transpose(0, 2, 1).reshape(-1, 4)
     places = _turning_points(pieces)
     values = np.where(places > 0.0, _cubic_values(pieces, places), np.nan).reshape(-1, 2, 2)
@@ -158,7 +158,7 @@ def turns_within(control_points: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _turning_points(pieces: FloatArray) -> FloatArray:
-    """Return where in [0, 1] the cubics (k, 4) turn, (k, 2); zero stands for "nowhere".
+    """Return the parameters in [0, 1] of extremes of the cubics (k, 4), (k, 2); zero stands for none.
 
     The roots of a s² − 2 b s + c are taken as c / q and q / a with q = b ± √(b² − a c), the sign chosen
     so that nothing cancels.

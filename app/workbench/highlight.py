@@ -13,7 +13,7 @@ from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change
 from ..session.highlight import ClipboardSelection
-from ..view_model.curve.distances import is_kept
+from ..view_model.curve.distances import keeps_shape
 from ..view_model.delete import Deletion, without_points, without_points_but_handles
 from .context import WindowContext
 
@@ -84,7 +84,7 @@ def _say_change(context: WindowContext, what: ClipboardSelection, deleted: Seque
         return
     session = context.session
     words, most = what.points.counted, max(each.residual or 0.0 for each in fitted)
-    if is_kept(most, [each.curve for each in fitted]):
+    if keeps_shape(most, [each.curve for each in fitted]):
         session.say(f"Deleted {words}: shape kept.")
     else:
         length = f"{number(most, 2)} {session.document.unit}".rstrip()

@@ -220,7 +220,7 @@ def test_of_curves_without_points_there_is_nothing_to_align(four):
         session.selected.set_curves({0, 1})
         four.action(f"alignTo{to}").trigger()
         four.action("alignLeft").trigger()
-        assert four.window.status_line.text == "What is chosen has no points to align.", to
+        assert four.window.status_line.text == "The selection has no points to align.", to
         four.window.status_line.clear_message()
 
 

@@ -245,7 +245,7 @@ def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
     editor.trigger("insertPoint")
     assert len(editor.curve.points) == 7
     assert editor.point(3) == pytest.approx(place, abs=1e-9)
-    assert "shape is another, largest change" in editor.status.lower() + editor.message.lower()
+    assert "shape changed by up to" in editor.status.lower() + editor.message.lower()
     assert is_true(editor)
 
 

@@ -322,8 +322,8 @@ def test_a_rational_curve_is_followed_and_this_is_said_before_and_after(drawn, c
     assert text in editor.find_command("convert hermite")
     entry.trigger()
     editor.settle()
-    assert editor.status.startswith("The shape is another, largest change ")
-    change = editor.status.removeprefix("The shape is another, largest change ").partition(". ")[0]
+    assert editor.status.startswith("Shape changed by up to ")
+    change = editor.status.removeprefix("Shape changed by up to ").partition(". ")[0]
     assert editor.session.undo_stack.undoText() == f"Convert to Hermite, within {change}"
     moved = np.abs(shape(editor) - before).max()
     assert 0.0 < moved <= within

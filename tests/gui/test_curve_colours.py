@@ -154,7 +154,7 @@ def test_the_export_dialog_tells_of_colours_that_cannot_be_seen_as_chosen(qtbot)
     assert transparent.isChecked()
     transparent.click()
     until(dialog.told.text)
-    assert dialog.told.text() == "“<b>Sun” is drawn darker than its #f0e442, to be seen on this paper."
+    assert dialog.told.text() == "“<b>Sun” is drawn darker than #f0e442 for contrast with this paper."
     transparent.click()
     until(lambda: not dialog.told.text())
 

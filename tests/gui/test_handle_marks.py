@@ -27,7 +27,7 @@ def test_marks_of_one_point_can_be_told_apart(editor):
         editor.fit()
         editor.select_point(count // 2)
         shown, handles = editor.window.canvas.pixel_map, editor.window.canvas.drawing.points.handles
-        sizes_of_arms = [mark_sizes(shown.points(arm).tolist(), 1.0) for arm in handles.places]
+        sizes_of_arms = [mark_sizes(shown.points(arm).tolist(), 1.0) for arm in handles.arms]
         sizes = dict(zip(handles, chain.from_iterable(sizes_of_arms), strict=True))
         assert len(sizes) == 2 * editor.curve.family.derivatives, (family, count)
         for before, after in pairwise(handles):

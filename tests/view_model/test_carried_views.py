@@ -12,7 +12,7 @@ from app.document.model import Curve, Document, Parametrization, Parametrization
 from app.document.several_curves import mapped, moved, whole_curves
 from app.document.transforms import Affine, flipping, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.view_model.boxes import box_found, find_boxes
+from app.view_model.boxes import compute_boxes, exact_box
 from app.view_model.curve.curve_view import CurveView, view_of
 from app.view_model.curve.transformed import views_after
 from curvecore.bezier.flatten import segment_distance
@@ -50,16 +50,16 @@ def test_exact_boxes_come_along_and_reach_as_far_as_points_do_to_the_last_digit(
     document = several(HERMITE)
     before = seen(document)
     if is_known:
-        find_boxes(before)
+        compute_boxes(before)
     after = mapped(document, whole_curves(document, range(len(before))), MAPS[name])
     carried = views_after(after.curves, before)
-    find_boxes(carried)
+    compute_boxes(carried)
     assert all(view.is_followed for view in carried)
     anew = [view_of(view.source) for view in carried]
-    find_boxes(anew)
+    compute_boxes(anew)
     ends = 0
     for view, fresh in zip(carried, anew, strict=True):
-        box, expected = box_found(view), box_found(fresh)
+        box, expected = exact_box(view), exact_box(fresh)
         size = np.abs(expected).max()
         assert box == pytest.approx(expected, rel=0.0, abs=1e-14 * size)
         by_points = expected == fresh.extent[0]

@@ -15,7 +15,7 @@ from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES
 from app.view_model.convert import converted, outlook
 from app.view_model.curve.curve_view import view_of
-from app.view_model.curve.distances import is_kept
+from app.view_model.curve.distances import keeps_shape
 from app.view_model.point_kinds import jolts_of, with_corners
 from curvecore import CurveError, LagrangeCurve
 from tests.rows import each_row
@@ -63,9 +63,13 @@ def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
     most = 1e-13 if before.curve.degree is not None else 1e-4 * size
     assert apart(before, after) <= most
     assert made.residual <= most
-    words = "Shape kept" if is_kept(made.residual, (before.source,)) else "The shape is another"
-    assert made.sentence.startswith(f"{words}, largest change ")
-    assert words == "Shape kept" or before.curve.degree is None
+    words = (
+        "Shape kept, largest change"
+        if keeps_shape(made.residual, (before.source,))
+        else "Shape changed by up to"
+    )
+    assert made.sentence.startswith(f"{words} ")
+    assert words == "Shape kept, largest change" or before.curve.degree is None
     assert told.within == pytest.approx(0.0 if before.curve.degree is not None else 1e-4 * size, rel=0.5)
     assert [point.corner for point in made.curve.points].count(True) == made.note.count("jumps at") * (
         len(made.curve.points) - 2

@@ -352,8 +352,8 @@ def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, c
 def test_a_change_that_is_no_rounding_is_not_called_kept():
     curve = view().source
     assert Reshaped(curve, 1e-12).sentence == "Shape kept, largest change 1e−12."
-    assert Reshaped(curve, 1.9).sentence == "The shape is another, largest change 1.9."
-    assert Split((curve, curve), 1e-3).sentence == "the shape is another, largest change 0.001."
+    assert Reshaped(curve, 1.9).sentence == "Shape changed by up to 1.9."
+    assert Split((curve, curve), 1e-3).sentence == "shape changed by up to 0.001."
 
 
 def test_between_curves_that_do_not_meet_a_straight_segment_leads_from_one_to_the_other():

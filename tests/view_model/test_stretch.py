@@ -150,8 +150,8 @@ def test_the_pivot_goes_where_the_transform_takes_it(how, indices):
         # A turn maps two points as well; it has the same middle.
         assert found.anchor.points.mean(axis=0) == pytest.approx((2 - 3.5, 1.5))
     else:
-        assert found.place == pytest.approx(MAPS[how].point(place), abs=1e-9)
-    assert pivot.at(anchored(views_of(moved(document, group, (2.0, 1.0))), group)).place == pytest.approx(
+        assert found.position == pytest.approx(MAPS[how].point(place), abs=1e-9)
+    assert pivot.at(anchored(views_of(moved(document, group, (2.0, 1.0))), group)).position == pytest.approx(
         (7.0, -2.0)
     )
 
@@ -163,14 +163,14 @@ def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
     for _ in range(5):
         document = mapped(document, group, rotation(72.0, place))
         pivot = pivot.at(anchored(views_of(document), group))
-    assert pivot.place == place
+    assert pivot.position == place
 
 
 def test_points_edited_one_by_one_leave_the_pivot_and_another_selection_has_none():
     document = document_of(FAMILIES.named("hermite"))
     pivot = Pivot((5.0, -3.0), anchored(views_of(document), points_of(0, range(5))))
     edited = moved(document, points_of(0, {2}), (0.3, 1.0))
-    assert pivot.at(anchored(views_of(edited), points_of(0, range(5)))).place == (5.0, -3.0)
+    assert pivot.at(anchored(views_of(edited), points_of(0, range(5)))).position == (5.0, -3.0)
     assert pivot.at(anchored(views_of(document), points_of(0, {1, 2}))) is None
 
 

@@ -23,7 +23,7 @@ from ...document.several_curves import remove_curves
 from ...document.words import number
 from ...view_model.append import with_closed
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.curve.distances import is_kept
+from ...view_model.curve.distances import keeps_shape
 from ...view_model.join import (
     End,
     Joined,
@@ -162,7 +162,7 @@ class JoinCommands:
         else:
             session.selected.choose([session.active_index])
         what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
-        shapes = "shapes kept" if is_kept(made[0].residual, (made[0].curve,)) else "the shapes are others"
+        shapes = "shapes kept" if keeps_shape(made[0].residual, (made[0].curve,)) else "shapes changed"
         session.say(f"Joined {what}: {shapes}, largest change {number(made[0].residual, 2)}.")
         return True
 

@@ -187,7 +187,7 @@ class RuleCommands:
     def _convert(self, family: Family) -> None:
         session = self._session
         made = view_model.convert.converted(session.active_view, family)
-        kept = "keeping the shape" if made.is_kept else f"within {number(made.residual, 2)}"
+        kept = "keeping the shape" if made.keeps_shape else f"within {number(made.residual, 2)}"
         if session.change(
             f"Convert to {family.title}, {kept}",
             lambda document: replace_curve(document, session.active_index, made.curve),

@@ -17,7 +17,7 @@ from ...document.model import Vector
 from ...document.transforms import Reference
 from ...qt.labels import Label
 from ...qt.overrides import SafeOverrides
-from ...view_model.boxes import NINE, Bounds, name_of_place
+from ...view_model.boxes import NINE, Bounds, position_name
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import ICON, action_button, choice_box, named, tool_button
 from ...widgets.fields import FieldForm, NumberEdit, read_number
@@ -301,7 +301,7 @@ class PivotChooser(SafeOverrides, QWidget):
         self._group = QButtonGroup(self)
         self._buttons: dict[tuple[int, int], QToolButton] = {}
         for place, at in enumerate(NINE):
-            words = name_of_place(*at)
+            words = position_name(*at)
             name = "pivot" + "".join(word.capitalize() for word in words.split())
             tip = f"Pivot: {words} of the box; X and Y are of it, and transforms are about it"
             button = named(QToolButton(), name, f"Pivot: {words}", tip)

@@ -126,7 +126,7 @@ class TransformPanelCommands(QObject):
         bounds, pivot = self._target.bounds, self._target.pivot
         if pivot is None:
             return (0, 0)
-        places = [at for at in NINE if bounds.place(*at) == pivot]
+        places = [at for at in NINE if bounds.position(*at) == pivot]
         return places[len(places) // 2] if places else None
 
     def _angle(self) -> float:
@@ -155,7 +155,7 @@ class TransformPanelCommands(QObject):
 
     def _choose_pivot(self, across: int, up: int) -> None:
         forgets = (across, up) == (0, 0)
-        self._target.pivot = None if forgets else self._target.bounds.place(across, up)
+        self._target.pivot = None if forgets else self._target.bounds.position(across, up)
         self._render()
 
     def _place(self, axis: int, value: float) -> None:

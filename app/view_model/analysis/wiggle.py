@@ -22,7 +22,7 @@ from ...tasks.progress import Report, silent, with_progress
 from ..basis import growth_at, growth_of_points, weights_at
 from ..curve.core_curve import is_explicit, unbounded
 from ..curve.curve_view import CurveView, view_of
-from ..curve.distances import dense, is_kept, largest_distance
+from ..curve.distances import dense, keeps_shape, largest_distance
 from ..geometry import segment_at, within_segments
 from .wording import short
 
@@ -380,7 +380,7 @@ def _tried(remedy: Remedy, document: Document, curve: int, view: CurveView, knot
     swing, growth = overshoot(other, knot)[0], _lebesgue(other)
     if np.array_equal(other.parameters, view.parameters):
         t = dense(view.parameters)
-        if is_kept(largest_distance(view, t, other, t), (view.source,)):
+        if keeps_shape(largest_distance(view, t, other, t), (view.source,)):
             return Cure(remedy, overshoot=swing, lebesgue=growth, problem=_SAME)
     return Cure(remedy, document, other.polyline, swing, growth)
 

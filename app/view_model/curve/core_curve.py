@@ -82,15 +82,16 @@ def moved_with_points(
     arrays: PointArrays,
     coordinate: int | None = None,
 ) -> Callable[[FloatArray], tuple[FloatArray, FloatArray]]:
-    """Return what moves of the points, (n, m), do to the derivatives before and after each knot.
+    """Return a function from moves of the points, (n, m), to changes of the derivatives at each knot.
 
-    At fixed parameters, and for Catmull-Rom at fixed knots, the estimates are linear in the points; of
-    others it is what small moves do, as a mean or to one coordinate. What the person set stays.
+    These are the changes before and after each knot. At fixed parameters, and for Catmull-Rom at fixed knots,
+    the estimates are linear in the points; of others they are the changes by small moves, as a mean or of one
+    coordinate. Derivatives that the person set do not change.
     """
     corners = _dividing_knots(arrays, len(points))
 
     def moved(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
-        # Whatever cuts and unrolls the points does so with their moves, too.
+        # The moves are cut and unrolled with the points.
         both = np.hstack([points, at_knots(moves, closed=curve.is_closed)])
         before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
         after = before.copy()
@@ -105,7 +106,7 @@ def moved_with_points(
 
 
 def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estimate:
-    """Return what a rule makes of moves of the points: of (k, 2 + m) the columns behind two.
+    """Return the changes of an estimate by moves of the points: columns 0 and 1 are points, the others moves.
 
     Of a rule that is not linear this is its Jacobian at the points, times the moves: where it treats each
     coordinate for itself, the mean of both, which is the mean over the directions of a move; or, of one
@@ -126,12 +127,12 @@ def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estim
 
 
 def two_sided_knots(arrays: PointArrays, count: int) -> list[int]:
-    """Return which of the `count` knots have derivatives of their own on each side."""
+    """Return the knots, of `count`, that have derivatives of their own on each side."""
     return _knots_where(arrays.corners, count)
 
 
 def _dividing_knots(arrays: PointArrays, count: int) -> list[int]:
-    """Return which of the `count` knots divide what is estimated: corners whose velocities are free."""
+    """Return the knots, of `count`, that divide the estimates: corners whose velocities are free."""
     return _knots_where(arrays.corners & ~arrays.ties, count)
 
 
@@ -147,8 +148,8 @@ def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
 
     def estimate(points: FloatArray, t: ArrayLike) -> FloatArray:
         data = (points, t) if "parameters" in rule.takes else (points,)
-        found: FloatArray = function(*data, **_further(rule, curve))
-        return found
+        estimates: FloatArray = function(*data, **_further(rule, curve))
+        return estimates
 
     return estimate
 
@@ -185,12 +186,12 @@ def _estimate(
         cuts = sorted({corner % count for corner in corners})
         cuts.append(cuts[0] + count)
     for start, end in pairwise(cuts):
-        places = np.arange(start, end + 1)
-        knots = places % count
+        indices = np.arange(start, end + 1)
+        knots = indices % count
         if is_given is not None and is_given[0][knots[1:]].all() and is_given[1][knots[:-1]].all():
             continue
         piece = estimate(points[knots], Spaced(spacing[knots[:-1]]))
-        wanted = (places >= 0) & (places < count) | (not is_endless)
+        wanted = (indices >= 0) & (indices < count) | (not is_endless)
         after[knots[:-1][wanted[:-1]]] = piece[:-1][wanted[:-1]]
         before[knots[1:][wanted[1:]]] = piece[1:][wanted[1:]]
     if closed:
@@ -207,10 +208,10 @@ def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntAr
 
 
 def _is_given(arrays: PointArrays, side: int, order: int, count: int) -> BoolArray:
-    """Return of which knots, of `count`, the derivative was set."""
-    found = np.zeros(count, dtype=np.bool_)
-    found[_given_rows(arrays, side, order, count)] = True
-    return found
+    """Return the mask of the knots, of `count`, whose derivative was set."""
+    is_given = np.zeros(count, dtype=np.bool_)
+    is_given[_given_rows(arrays, side, order, count)] = True
+    return is_given
 
 
 def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
@@ -219,7 +220,7 @@ def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
 
 
 class CoreCurve(msgspec.Struct, frozen=True, eq=False):
-    """The core's curve, or why there is none, and its jets; see the properties of `CurveView`."""
+    """The core's curve, or the problem why there is none, and its jets; see the properties of `CurveView`."""
 
     curve: ParametricCurve | None
     problem: str = ""
@@ -260,7 +261,7 @@ def core_curve(
 
 
 def core_after(curve: Curve, arrays: PointArrays, before: ParametricCurve) -> CoreCurve:
-    """Return the curve after its points have moved, given the one before; nothing but them has changed."""
+    """Return the curve after its points have moved, given the one before; nothing else has changed."""
     knots = at_knots(arrays.positions, closed=curve.is_closed)
     try:
         return core_curve(curve, knots, before.parameters, arrays, before)
@@ -306,13 +307,13 @@ def checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> 
 
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_NAMES = {"points": "", **{each.plural: each.letter for each in DERIVATIVES}}
+_NAMES = {"points": "", **{derivative.plural: derivative.letter for derivative in DERIVATIVES}}
 _ENTRY = re.compile(rf"\b({'|'.join(_NAMES)}|parameters)\[(\d+)(?:, (\d+))?\]")
 _NUMBER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)(?![\w.]|\))")
 
 
 def refusal_of(problem: CurveError, curve: Curve) -> str:
-    """Return why the core refused a curve of the document, as a sentence."""
+    """Return a sentence that says why the core refused a curve of the document."""
     text = str(problem)
     if text.startswith("parameters must be strictly increasing") and len(problem.indices) == 2:
         return _not_increasing(text, problem.indices, curve)
@@ -324,7 +325,7 @@ def refusal_of(problem: CurveError, curve: Curve) -> str:
 
 def in_words(text: str) -> str:
     """Return a refusal of the core with t₁ for parameters[1], x of point 2 for points[2, 0], and so on."""
-    return _NUMBER.sub(lambda found: _number(found[1]), _ENTRY.sub(_entry, text))
+    return _NUMBER.sub(lambda match: _number(match[1]), _ENTRY.sub(_entry, text))
 
 
 def sentence(text: str) -> str:
@@ -335,7 +336,7 @@ def sentence(text: str) -> str:
 
 def _not_increasing(text: str, indices: tuple[int, ...], curve: Curve) -> str:
     before, after = indices
-    second, first = (_number(each) for each in re.findall(r"= (\S+)", text)[:2])
+    second, first = (_number(value) for value in re.findall(r"= (\S+)", text)[:2])
     if not curve.is_manual:
         return (
             f"{_t(before)} and {_t(after)} are the same number, {first}: for an interval from "
@@ -353,8 +354,8 @@ def _t(index: int) -> str:
     return "t" + str(index).translate(_SUBSCRIPTS)
 
 
-def _entry(found: re.Match[str]) -> str:
-    name, row, column = found[1], int(found[2]), found[3]
+def _entry(match: re.Match[str]) -> str:
+    name, row, column = match[1], int(match[2]), match[3]
     if name == "parameters":
         return _t(row)
     component = "xy"[int(column)] if column in ("0", "1") else ""
@@ -362,14 +363,14 @@ def _entry(found: re.Match[str]) -> str:
 
 
 def _number(text: str) -> str:
-    """Return a number as it is shown and typed: every digit it has, no point without digits, a true minus."""
+    """Return a number as it is displayed and typed: all digits, no point without digits, a true minus."""
     value = float(text)
-    shown = f"{value:.0f}" if value == round(value) and abs(value) < 1e15 else f"{value!r}"
-    return with_minus(shown)
+    digits = f"{value:.0f}" if value == round(value) and abs(value) < 1e15 else f"{value!r}"
+    return with_minus(digits)
 
 
 _MANY, _SHORT_REACH = 200, 24
-"""Points from which on an estimate forgets a point after so many: 1e-14 of it is left, as a rule."""
+"""Points from which on an estimate forgets a point after `_SHORT_REACH` others: about 1e-14 of it is left."""
 
 
 class Cardinal(msgspec.Struct, frozen=True, eq=False, dict=True):
@@ -384,12 +385,12 @@ class Cardinal(msgspec.Struct, frozen=True, eq=False, dict=True):
 
 
 def unbounded(growth: float) -> float:
-    """Return a growth, infinite in place of the largest float."""
+    """Return a growth, or infinity in place of the largest float."""
     return growth if growth < LARGEST else math.inf
 
 
 class Cardinals:
-    """Remembers the cardinal functions of one curve, which change with few of its edits.
+    """Cache of the cardinal functions of one curve, which change with few of its edits.
 
     They depend on parameters, rules, corners and on which derivatives were set, not on the points.
     """
@@ -418,13 +419,13 @@ class Cardinals:
         numbers = [basis_curve.parameters, arrays.corners, arrays.ties, is_set]
         if not all(rule.is_linear for rule in curve.rules):
             numbers += [np.array(curve.parametrization.alpha), points]
-        key = (curve.functions_key, curve.is_closed, *curve.rules, *(each.tobytes() for each in numbers))
+        key = (curve.functions_key, curve.is_closed, *curve.rules, *(column.tobytes() for column in numbers))
         if key != self._key:
-            self._key, self._known = key, Cardinal(_made(curve, points, basis_curve, arrays))
+            self._key, self._known = key, Cardinal(_cardinal_basis(curve, points, basis_curve, arrays))
         return self._known
 
 
-def _made(
+def _cardinal_basis(
     curve: Curve, points: FloatArray, basis_curve: ParametricCurve, arrays: PointArrays
 ) -> CardinalBasis | None:
     if not curve.family.derivatives:

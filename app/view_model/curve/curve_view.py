@@ -54,7 +54,7 @@ LINE = tuple(
     for name in Curve.__struct_fields__
     if name not in ("name", "style", "shape", "groups", "visible", "locked", "other_settings")
 )
-"""Fields of a curve that decide where it runs."""
+"""Fields of a curve that shape its line."""
 
 _runs = attrgetter(*LINE)
 
@@ -114,7 +114,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     source: Curve
     points: FloatArray
     arrays: PointArrays
-    _made: CoreCurve | None = None
+    _ready: CoreCurve | None = None
     displacement: Displacement | None = None
     curve_map: CurveMap | None = None
     _flattener: Flattener = msgspec.field(default_factory=Flattener)
@@ -123,8 +123,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def _core(self) -> CoreCurve:
-        if self._made is not None:
-            return self._made
+        if self._ready is not None:
+            return self._ready
         if self.curve_map is not None:
             return core_anew(self.source, self.arrays, self.curve_map.root.curve)
         assert self.displacement is not None
@@ -132,12 +132,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def is_followed(self) -> bool:
-        """Whether what is drawn follows points, and nobody has asked yet for the core's curve they give."""
-        return self._made is None and "_core" not in self.__dict__
+        """Whether the polyline follows moved points, and the core's curve has not been computed yet."""
+        return self._ready is None and "_core" not in self.__dict__
 
     def settle(self) -> None:
-        """Make the core's curve: nothing is being dragged any more, and all that is shown is exact."""
-        self._core  # noqa: B018 - kept from now on
+        """Compute the core's curve: the drag is over, and all that is drawn becomes exact."""
+        self._core  # noqa: B018 - cached
 
     @property
     def curve(self) -> ParametricCurve | None:
@@ -159,12 +159,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def problem(self) -> str:
-        """Why the present points and rules give no curve, as a sentence; empty where they do."""
+        """A sentence why the present points and rules give no curve; empty where they do."""
         return "" if self.is_followed else self._core.problem
 
     @property
     def is_overdue(self) -> bool:
-        """Whether there is none because functions of a file take too long."""
+        """Whether there is no curve because functions of a file take too long."""
         return not self.is_followed and self._core.is_overdue
 
     @property
@@ -188,7 +188,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def ticks(self) -> FloatArray:
         """The parameters that the present rule gives, one for each knot; empty where it gives none.
 
-        The family may refuse them: then `curve` has other ones, or there is none.
+        The family may refuse them: then `curve` has other parameters, or there is no curve.
         """
         if self.is_current:
             return self.parameters
@@ -247,14 +247,14 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         if not self.source.family.derivatives:
             return []
         last = len(self.points) - 1
-        found: list[int] = np.flatnonzero(holds).tolist()
-        return [index for index in found if self.source.is_closed or 0 < index < last]
+        indices: list[int] = np.flatnonzero(holds).tolist()
+        return [index for index in indices if self.source.is_closed or 0 < index < last]
 
     @property
     def cardinal(self) -> CardinalBasis | None:
         """The cardinal functions of the points of `curve`, with the estimates; None where there is no curve.
 
-        None, too, where the derivatives that a point carries along are beyond all floats.
+        Also None where the derivatives that a point carries along are beyond all floats.
         """
         return self._cardinal.functions if self.is_current else None
 
@@ -270,12 +270,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def linearised(self) -> str:
-        """A remark on the effects of points, where estimates are not linear in them; else empty."""
+        """A remark on the effects of points where estimates are not linear in them; else empty."""
         return next((rule.linearised for rule in self.source.rules if rule.linearised), "")
 
     @property
     def growth_holds(self) -> str:
-        """Where the growth of errors holds, if it is another one for other points; else empty."""
+        """The range where the growth of errors holds, if it differs for other points; else empty."""
         return next((rule.growth_holds for rule in self.source.rules if rule.growth_holds), "")
 
     @cached_property
@@ -319,7 +319,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self._whole if "_whole" in self.__dict__ and self._whole[1] else None
 
     def take_over(self, line: Polyline, tolerance: float, box: FloatArray, extent: FloatArray) -> None:
-        """Take the polyline, the tolerance that it keeps everywhere, its box and extent as known."""
+        """Set the polyline, the tolerance that it keeps everywhere, its box and its extent."""
         self.__dict__.update(_whole=(line, tolerance), drawn_box=box, extent=extent)
 
     @cached_property
@@ -334,8 +334,8 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def flattened(self, tolerance: float, box: Box | None = None) -> Polyline:
         """Return the curve as a polyline within `tolerance` of it inside `box`.
 
-        Where `polyline` is known already and close enough, it serves: of thousands of curves that are small
-        on the screen each is flattened once, for their boxes, and not again to be drawn.
+        Where `polyline` is known and close enough it is the result: of thousands of curves that are small
+        on the screen each is flattened once, for its box, and not again to be drawn.
         """
         if "_whole" in self.__dict__ and 0.0 < self._whole[1] <= tolerance:
             return self._whole[0]
@@ -393,9 +393,9 @@ def view_of(curve: Curve, previous: CurveView | None = None) -> CurveView:
 
 
 def same_line(curve: Curve, other: CurveView) -> CurveView | None:
-    """Return the view of `curve` where nothing but its looks and its name is another than in a view's curve.
+    """Return the view of `curve` where it differs from a view's curve in its style and its name alone.
 
-    It shares all that was computed of the other; None where the curve may run elsewhere.
+    It shares all that was computed of the other; None where the line of the curve may differ.
     """
     if other.displacement is not None or other.problem or not _lends(other):
         return None
@@ -405,7 +405,7 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
         curve,
         other.points,
         other.arrays,
-        other._made,
+        other._ready,
         curve_map=other.curve_map,
         _cardinals=other._cardinals,
         _flattened=other._flattened,
@@ -415,7 +415,7 @@ def same_line(curve: Curve, other: CurveView) -> CurveView | None:
 
 
 def _displacement_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> Displacement | None:
-    """Return how the points came here, where all else is as in the view before; None where it is not."""
+    """Return the displacement of points since the view before; None where anything else has changed."""
     if previous is None or len(arrays.points) != len(previous.points):
         return None
     known = previous.displacement.moving.to(curve, arrays) if previous.displacement is not None else None
@@ -440,7 +440,7 @@ def _first_displacement(curve: Curve, arrays: PointArrays, previous: CurveView) 
 
 
 def _lends(previous: CurveView) -> bool:
-    """Whether what was computed of the functions of a view is of use: they are not other ones now."""
+    """Whether results of the functions of a view can be used again: the functions are the same."""
     known = previous.known_curve
     return known is None or previous.source.family.makes(known)
 
@@ -456,7 +456,7 @@ def _core_of(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> C
 
 
 def _resting_parameters(curve: Curve, arrays: PointArrays, previous: CurveView | None) -> FloatArray | None:
-    """Return the parameters of the view before where its rule and all that this rule asks are the same."""
+    """Return the parameters of the view before where the rule and all that it depends on are the same."""
     if (
         previous is None
         or not previous.is_current
@@ -473,7 +473,7 @@ def _resting_parameters(curve: Curve, arrays: PointArrays, previous: CurveView |
 def _same_parameters(
     curve: Curve, parameters: FloatArray, previous: CurveView | None
 ) -> ParametricCurve | None:
-    """Return the curve before if it has the same functions and parameters: only its data are other ones."""
+    """Return the curve before if it has the same functions and parameters, and only other data."""
     if previous is None or not previous.is_current or previous.source.functions_key != curve.functions_key:
         return None
     old = previous.curve
@@ -485,6 +485,6 @@ def _same_parameters(
 
 def curve_through(view: CurveView, points: FloatArray, parameters: FloatArray) -> ParametricCurve:
     """Return the core curve through other points (k, 2), at parameters (k,), under the rules of a view."""
-    made = core_curve(view.source, points, parameters, view.arrays).curve
-    assert made is not None
-    return made
+    result = core_curve(view.source, points, parameters, view.arrays).curve
+    assert result is not None
+    return result

@@ -22,47 +22,47 @@ if TYPE_CHECKING:
 
 
 class NearestPoint:
-    """Finds nearest points of one curve; divides it once."""
+    """Search for nearest points of one curve, which is divided once."""
 
     def __init__(self, view: CurveView) -> None:
         self._curve = view.curve if view.is_current else None
 
-    def within(self, place: Vector, reach: float) -> Nearest | None:
-        """Return the nearest point if it is at most `reach` away: the nearest of all, wherever it lies."""
-        is_found = self._curve is not None and np.isfinite(place).all()
-        return self._search.to(place, reach) if is_found else None
+    def within(self, position: Vector, reach: float) -> Nearest | None:
+        """Return the nearest point of the whole curve if it is at most `reach` away."""
+        is_searched = self._curve is not None and np.isfinite(position).all()
+        return self._search.to(position, reach) if is_searched else None
 
     @cached_property
     def _search(self) -> NearestWithin:
         assert self._curve is not None
-        # Looked up when it is needed: at the start nothing snaps.
+        # Imported when it is needed: at the start nothing snaps.
         return curvecore.NearestWithin(self._curve)
 
 
 _SAMPLES = 32
 _MOST_SAMPLES = 20_000
 
-_KEPT = 1e-8
-"""Change, relative to the size of a curve, up to which its shape counts as kept: nobody sees it."""
+_NEGLIGIBLE = 1e-8
+"""Change, relative to the size of a curve, up to which its shape counts as kept: it is not visible."""
 
 _ROUNDING = 1e-12
 """Share of the domain up to which parameters are the same."""
 
 
-def is_kept(residual: float, curves: Sequence[Curve]) -> bool:
-    """Tell whether the shape of these curves is the same but for roundings, `residual` being what changed."""
+def keeps_shape(residual: float, curves: Sequence[Curve]) -> bool:
+    """Return whether the shape of these curves is the same but for roundings, given the largest change."""
     points = np.array([point.position for curve in curves for point in curve.points])
-    return residual <= _KEPT * size_of(points)
+    return residual <= _NEGLIGIBLE * size_of(points)
 
 
 def outcome(residual: float, curves: Sequence[Curve]) -> str:
-    """Return in words whether the shape of these curves was kept, and how much changed."""
-    kept = "shape kept" if is_kept(residual, curves) else "the shape is another"
-    return f"{kept}, largest change {number(residual, 2)}."
+    """Return words about the shape of these curves: kept or not, and the largest change."""
+    words = "shape kept, largest change" if keeps_shape(residual, curves) else "shape changed by up to"
+    return f"{words} {number(residual, 2)}."
 
 
 def dense(knots: FloatArray) -> FloatArray:
-    """Return parameters all along a curve with these knots, the knots included; as many on every segment."""
+    """Return parameters all along a curve with these knots, the knots included, as many on every segment."""
     per_segment = int(np.clip(_MOST_SAMPLES // len(knots), 5, _SAMPLES))
     return all_along(knots, per_segment)
 
@@ -76,7 +76,7 @@ def largest_distance(first: CurveView, at: FloatArray, second: CurveView, at_sec
 
 
 def coincide(first: CurveView, second: CurveView) -> bool:
-    """Whether two curves are at the same places for the same t, but for roundings."""
+    """Return whether two curves have the same positions at the same t, but for roundings."""
     if first is second:
         return True
     if not (first.is_current and second.is_current):
@@ -85,4 +85,4 @@ def coincide(first: CurveView, second: CurveView) -> bool:
     if t.shape != second.parameters.shape or np.abs(t - second.parameters).max() > _ROUNDING * np.ptp(t):
         return False
     away = first.samples - second.samples
-    return is_kept(float(np.hypot(away[:, 0], away[:, 1]).max()), (first.source,))
+    return keeps_shape(float(np.hypot(away[:, 0], away[:, 1]).max()), (first.source,))

@@ -36,13 +36,13 @@ class Handle(msgspec.Struct, frozen=True):
     ahead
         Whether it belongs to the segment after the point.
     position
-        Its place in the plane.
+        The position in the plane.
     anchor
-        The beginning of the line to it: the point, or the handle of the derivative before.
+        The start of the line to it: the point, or the handle of the derivative below.
     explicit
-        Whether the person set the value; otherwise a rule estimates it.
+        Whether the person set the value; else a rule estimates it.
     index
-        The point that it belongs to.
+        The index of its point.
     """
 
     kind: int
@@ -54,13 +54,13 @@ class Handle(msgspec.Struct, frozen=True):
 
 
 class Handles(msgspec.Struct, frozen=True, eq=False):
-    """Handles of points, in arms: those on one side of a point, each hanging on the one before.
+    """Handles of points, in arms: an arm has those on one side of a point, each attached to the one before.
 
     Attributes
     ----------
     indices, ahead
         The point of each arm, and whether the arm lies on the segment after it; (a,).
-    places
+    arms
         The point and then the handles of its arm, by the orders of the derivatives, (a, 1 + orders, 2).
     explicit
         Whether the person set the derivatives, (a, orders).
@@ -68,7 +68,7 @@ class Handles(msgspec.Struct, frozen=True, eq=False):
 
     indices: IntArray
     ahead: BoolArray
-    places: FloatArray
+    arms: FloatArray
     explicit: BoolArray
 
     def __len__(self) -> int:
@@ -76,7 +76,7 @@ class Handles(msgspec.Struct, frozen=True, eq=False):
 
     def __getitem__(self, number: int) -> Handle:
         arm, order = divmod(number, self.explicit.shape[1])
-        (x0, y0), (x, y) = self.places[arm, order : order + 2].tolist()
+        (x0, y0), (x, y) = self.arms[arm, order : order + 2].tolist()
         side, is_explicit = bool(self.ahead[arm]), bool(self.explicit[arm, order])
         return Handle(order + 1, side, (x, y), (x0, y0), is_explicit, int(self.indices[arm]))
 
@@ -85,21 +85,21 @@ class Handles(msgspec.Struct, frozen=True, eq=False):
 
     @property
     def positions(self) -> FloatArray:
-        """Their places in the plane, one arm after the other, (k, 2)."""
-        return self.places[:, 1:].reshape(-1, 2)
+        """The positions of the handles, one arm after the other, (k, 2)."""
+        return self.arms[:, 1:].reshape(-1, 2)
 
     @property
     def lines(self) -> FloatArray:
-        """The lines from what they hang on, (k, 4)."""
-        return np.concatenate([self.places[:, :-1], self.places[:, 1:]], axis=2).reshape(-1, 4)
+        """The lines to the handles from their anchors, (k, 4)."""
+        return np.concatenate([self.arms[:, :-1], self.arms[:, 1:]], axis=2).reshape(-1, 4)
 
     def of_velocities(self) -> Handles:
         """Return the handles of the velocities alone."""
-        return Handles(self.indices, self.ahead, self.places[:, :2], self.explicit[:, :1])
+        return Handles(self.indices, self.ahead, self.arms[:, :2], self.explicit[:, :1])
 
     def of_arms(self, which: BoolArray | slice) -> Handles:
         """Return the handles of some of the arms."""
-        return Handles(self.indices[which], self.ahead[which], self.places[which], self.explicit[which])
+        return Handles(self.indices[which], self.ahead[which], self.arms[which], self.explicit[which])
 
 
 NO_HANDLES = Handles(
@@ -108,7 +108,7 @@ NO_HANDLES = Handles(
 
 
 class PointSides(msgspec.Struct, frozen=True, eq=False):
-    """Sides of points: which points, and whether the side ahead of them is meant; (a,) each."""
+    """Sides of points: the indices of the points, and whether it is the side ahead of them; (a,) each."""
 
     indices: IntArray
     ahead: BoolArray
@@ -145,9 +145,9 @@ def sides_at(indices: Collection[int]) -> PointSides:
 
 
 def sides_facing(indices: Collection[int], count: int, *, closed: bool) -> PointSides:
-    """Return the sides that face some of the `count` points of a curve from beyond the segments beside them.
+    """Return the sides of other points at the far ends of the segments beside some points.
 
-    Those of the points themselves are left out.
+    The curve has `count` points; sides of the points themselves are left out.
     """
     if not len(indices):
         return NO_SIDES
@@ -191,39 +191,39 @@ def _arms(view: CurveView, sides: PointSides, *, free: bool) -> _Arms:
 
 
 def _handles_from(view: CurveView, sides: Sides, arms: _Arms) -> Handles:
-    """Return the handles of arms, were these the jets of the curve."""
+    """Return the handles of arms of a curve with these jets."""
     orders = view.source.family.derivatives
     jets = np.where(arms.ahead[:, None, None], sides.after[arms.indices], sides.before[arms.indices])
-    places = _control_points(jets, arms.h, _degree(view))
+    controls = _control_points(jets, arms.h, _degree(view))
     given = view.arrays.given[arms.indices, arms.ahead.astype(np.intp), :orders, 0]
-    return Handles(arms.indices, arms.ahead, places, ~np.isnan(given))
+    return Handles(arms.indices, arms.ahead, controls, ~np.isnan(given))
 
 
 def _control_points(jets: FloatArray, h: FloatArray, degree: int) -> FloatArray:
     """Return the control points of jets (a, R, 2) on segments of signed lengths h (a,), (a, R, 2)."""
-    places = np.repeat(jets[:, :1], jets.shape[1], axis=1)
+    controls = np.repeat(jets[:, :1], jets.shape[1], axis=1)
     # Far outside they are infinite, and not drawn.
     with np.errstate(over="ignore", invalid="ignore"):
-        for place in range(1, jets.shape[1]):
-            for order in range(1, place + 1):
-                share = math.comb(place, order) * h**order / math.perm(degree, order)
-                places[:, place] += share[:, None] * jets[:, order]
-    return places
+        for index in range(1, jets.shape[1]):
+            for order in range(1, index + 1):
+                share = math.comb(index, order) * h**order / math.perm(degree, order)
+                controls[:, index] += share[:, None] * jets[:, order]
+    return controls
 
 
 def _moved_handles(view: CurveView, displacement: Displacement, sides: PointSides, *, free: bool) -> Handles:
-    """Return handles while points are dragged: they follow by a share of the way."""
+    """Return handles while points are dragged: they follow by a share of the offset."""
     moves, key = displacement.moving, (id(sides), free)
     if key not in moves.handles:
-        # Those of the points selected and those that face them; who asks for others has selected others.
+        # Two: the sides of the selected points and those that face them; others belong to another selection.
         while len(moves.handles) > 1:
             moves.handles.pop(next(iter(moves.handles)))
         arms = _arms(view, sides, free=free)
-        at_rest, unit = (_handles_from(view, each, arms) for each in (moves.at_rest, moves.unit))
-        moves.handles[key] = (sides, at_rest, unit.places[..., :1])
+        at_rest, unit = (_handles_from(view, jets, arms) for jets in (moves.at_rest, moves.unit))
+        moves.handles[key] = (sides, at_rest, unit.arms[..., :1])
     _, at_rest, share = moves.handles[key]
-    places = at_rest.places + share * displacement.offset
-    return Handles(at_rest.indices, at_rest.ahead, places, at_rest.explicit)
+    moved = at_rest.arms + share * displacement.offset
+    return Handles(at_rest.indices, at_rest.ahead, moved, at_rest.explicit)
 
 
 def control_polygon(view: CurveView) -> list[Handle]:
@@ -275,20 +275,20 @@ def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: f
     """
     document = Document((view.source,))
     for index in indices:
-        for ahead in _own_sides(view, index):
+        for ahead in _sides_with_velocity(view, index):
             document = set_velocity(document, 0, index, _pulled(view, index, visible, ahead), ahead=ahead)
     return document.curves[0]
 
 
-def _own_sides(view: CurveView, index: int) -> list[bool]:
-    """Return the sides of a point with velocities of their own: at a corner both, else ahead of it."""
+def _sides_with_velocity(view: CurveView, index: int) -> list[bool]:
+    """Return the sides of a point with separate velocities: at a corner both, else the side ahead."""
     if not view.source.points[index].corner:
         return [True]
     return [ahead for ahead in (False, True) if view.spacing(index, ahead=ahead) is not None]
 
 
 def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
-    """Return a velocity whose handle can be seen: the present one, or one that points the same way."""
+    """Return a velocity whose handle is visible: the present one, or a longer one in the same direction."""
     velocity, h = view.velocity_of(index, ahead=ahead), _signed_spacing(view, index, ahead=ahead)
     if velocity is None:
         raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
@@ -298,51 +298,51 @@ def _pulled(view: CurveView, index: int, visible: float, ahead: bool) -> Vector:
         return pulled_out(view, index, velocity, ahead=ahead)
     point = view.source.points[index]
     if not point.corner or point.tied:
-        return pulled_out(view, index, way_past(view, index), ahead=ahead)
+        return pulled_out(view, index, offset_past(view, index), ahead=ahead)
     before, after = _neighbours(view, index)
     ends = (point.position, after) if ahead else (before, point.position)
     return pulled_out(view, index, (ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]), ahead=ahead)
 
 
 def pulled_out(view: CurveView, index: int, direction: Vector, *, ahead: bool) -> Vector:
-    """Return the velocity in a direction whose handle is a third as long as the way to the neighbour.
+    """Return the velocity in a direction whose handle is a third as long as the distance to the neighbour.
 
     Raises
     ------
     EditError
-        If there is no direction, or no way.
+        If there is no direction, or no distance.
     """
-    length, reach = math.hypot(*direction), _way_to_neighbour(view, index, ahead=ahead)
+    length, reach = math.hypot(*direction), _distance_to_neighbour(view, index, ahead=ahead)
     if length == 0 or reach == 0:
         raise EditError(f"The neighbours of point {index} give its velocity no direction or length.")
     factor = reach / 3 * _degree(view) / abs(_signed_spacing(view, index, ahead=ahead)) / length
     return (direction[0] * factor, direction[1] * factor)
 
 
-def way_past(view: CurveView, index: int) -> Vector:
-    """Return the way from the point before to the point after one."""
+def offset_past(view: CurveView, index: int) -> Vector:
+    """Return the offset from the point before to the point after a point."""
     before, after = _neighbours(view, index)
     return (after[0] - before[0], after[1] - before[1])
 
 
 def _neighbours(view: CurveView, index: int) -> tuple[Vector, Vector]:
-    """Return the points before and after a point; at an end the point itself is one of them."""
+    """Return the positions before and after a point; at an end the point itself is one of them."""
     points, last = view.source.points, len(view.source.points) - 1
     if view.source.is_closed:
         return points[index - 1].position, points[(index + 1) % len(points)].position
     return points[max(index - 1, 0)].position, points[min(index + 1, last)].position
 
 
-def _way_to_neighbour(view: CurveView, index: int, *, ahead: bool) -> float:
+def _distance_to_neighbour(view: CurveView, index: int, *, ahead: bool) -> float:
     before, after = _neighbours(view, index)
     p = view.source.points[index].position
     return math.dist(p, after if ahead else before) or math.dist(p, before if ahead else after)
 
 
 def _signed_spacing(view: CurveView, index: int, *, ahead: bool) -> float:
-    """Return the h of one side, negative behind the point; the free side of an end goes by the other.
+    """Return the h of one side, negative behind the point; the free side of an end has that of the other.
 
-    Of a point that stands alone, the interval that it is going to open.
+    The only point of a curve has the interval of the curve.
     """
     h = view.spacing(index, ahead=ahead) or view.spacing(index, ahead=not ahead)
     if h is None:

@@ -27,11 +27,11 @@ FlatteningKey = tuple[float, Box | None]
 """Tolerance, and the box in which it matters."""
 
 _PAUSE = 30
-"""Curves after one that not even samples of its own could follow, for which none are taken."""
+"""Curves, after one that not even its own samples could follow, for which no samples are taken."""
 
 
 Polyline: TypeAlias = Pieces
-"""A curve as drawn: the parameters of its vertices (k,), the vertices (k, 2), and how far it is off."""
+"""A curve as drawn: the parameters of its vertices (k,), the vertices (k, 2), and their deviation."""
 
 _NOTHING = Polyline(np.empty(0), np.empty((0, 2)), np.empty(0))
 
@@ -39,8 +39,8 @@ _NOTHING = Polyline(np.empty(0), np.empty((0, 2)), np.empty(0))
 class Flattener:
     """Flattens one curve after the other; views of a curve that changes hand it on from one to the next.
 
-    A curve that is drawn again at the same scale gets samples, or places on its segments, that follow it.
-    What is drawn of it, and the whole of it for its extent, are asked for in turn: each has its own.
+    A curve that is drawn again at the same scale gets samples, or parameters on its segments, that follow it.
+    The visible part of it, and the whole of it for its extent, are requested in turn: each has its follower.
     """
 
     __slots__ = ("_drawn", "_whole")
@@ -55,7 +55,7 @@ class Flattener:
 
 
 class _Follower:
-    """Samples, or places on segments, that follow a curve as long as it is asked for with the same key."""
+    """Samples, or parameters on segments, that follow a curve while it is requested with the same key."""
 
     __slots__ = ("_frozen", "_last", "_pause")
 
@@ -94,11 +94,11 @@ _LARGEST = 1e150
 """Size of data up to which no sum or product of two overflows."""
 
 _ROUNDING = 1e-14
-"""Differences between the ways of points that moved together, as a share of where they are."""
+"""Largest difference between offsets of points that moved together, as a share of their coordinates."""
 
 
 class MovingPoints:
-    """Moves of some points of a current curve, all by the same way.
+    """Some points of a current curve that move together, all by the same offset.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ class MovingPoints:
     rows
         The points that move.
     at_rest, unit
-        The data before they moved; by how much they move along, as for a way of 1 along x.
+        The data before they moved; their changes for an offset of 1 along x.
     handles
         Cache of the module ``handles``: handles before the points moved, and their share of the offset.
 
@@ -147,11 +147,11 @@ class MovingPoints:
         unit = [at_knots(which, closed=is_closed)[:, :, None]] * 2
         if sides is not None:
             derivatives = moved_with_points(source, points, curve.parameters, arrays)(which)
-            unit = [np.hstack([unit[0], each]) for each in derivatives]
+            unit = [np.hstack([unit[0], values]) for values in derivatives]
         before, after = unit
         self._unit_jets = np.vstack([after[:-1], before[-1:]])
-        # A way of 1 along x.
-        self.unit = Sides(*(np.pad(each, ((0, 0), (0, 0), (0, 1))) for each in unit))
+        # An offset of 1 along x.
+        self.unit = Sides(*(np.pad(values, ((0, 0), (0, 0), (0, 1))) for values in unit))
         self.handles: dict[tuple[int, bool], Any] = {}
         self._polylines: tuple[FlatteningKey, MovedPoints] | None = None
 
@@ -159,10 +159,10 @@ class MovingPoints:
     def is_safe(self) -> bool:
         """Whether no move to anywhere in a document can fail."""
         data = [self.curve.jets, *self.unit]
-        return all(bool((np.abs(each) < _LARGEST).all()) for each in data)
+        return all(bool((np.abs(values) < _LARGEST).all()) for values in data)
 
     def to(self, curve: Curve, arrays: PointArrays) -> Displacement | None:
-        """Return the motion to another value where that is all that it differs in, else None."""
+        """Return the displacement to another value of the curve; None where anything else has changed."""
         old = self._arrays
         if (
             arrays.given is not old.given
@@ -176,26 +176,26 @@ class MovingPoints:
         moved = rows_changed(arrays.points, old.points)
         if not moved:
             return Displacement(self, (0.0, 0.0))
-        way = self._common_way(arrays) if moved == self.rows else None
-        return None if way is None else Displacement(self, way)
+        offset = self._common_offset(arrays) if moved == self.rows else None
+        return None if offset is None else Displacement(self, offset)
 
-    def _common_way(self, arrays: PointArrays) -> Vector | None:
+    def _common_offset(self, arrays: PointArrays) -> Vector | None:
         if len(self.rows) == 1:
             new, old = arrays.points[self.rows[0]], self._arrays.points[self.rows[0]]
             return (new.x - old.x, new.y - old.y)
-        places = arrays.positions[self.rows]
-        ways = places - self._arrays.positions[self.rows]
-        if np.abs(ways - ways[0]).max() > _ROUNDING * np.abs(places).max():
+        moved = arrays.positions[self.rows]
+        offsets = moved - self._arrays.positions[self.rows]
+        if np.abs(offsets - offsets[0]).max() > _ROUNDING * np.abs(moved).max():
             return None
-        x, y = ways[0].tolist()
+        x, y = offsets[0].tolist()
         return (x, y)
 
-    def polyline(self, way: Vector, key: FlatteningKey) -> Polyline | None:
-        """Return the curve after a move as a polyline; None where it is drawn as quickly from itself."""
+    def polyline(self, offset: Vector, key: FlatteningKey) -> Polyline | None:
+        """Return the curve after a move as a polyline; None where flattening it is as fast."""
         if self._polylines is None or self._polylines[0] != key:
             unit = self.curve.with_jets(self._unit_jets)
             self._polylines = (key, MovedPoints(self.curve, unit, *key))
-        return self._polylines[1].at(*way)
+        return self._polylines[1].at(*offset)
 
 
 class Displacement(msgspec.Struct, frozen=True, eq=False):
@@ -210,6 +210,6 @@ class Displacement(msgspec.Struct, frozen=True, eq=False):
 
 
 def _rules(curve: Curve) -> tuple[object, ...]:
-    """Return what shapes a curve besides its points."""
+    """Return all that shapes a curve besides its points."""
     rule, is_closed, count = curve.parametrization, curve.closed, len(curve.points)
     return (curve.family, curve.settings, rule, is_closed, count, *curve.rules)

@@ -1,4 +1,4 @@
-"""The numbers in a curve's points as arrays; made anew only for points that are other values now."""
+"""The numbers in a curve's points as arrays; computed again only for points that have changed."""
 
 from __future__ import annotations
 
@@ -54,11 +54,11 @@ class PointArrays(msgspec.Struct, frozen=True, eq=False, gc=False):
 
 
 def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) -> PointArrays:
-    """Return the arrays of `points`; rows of points that `previous` has too are taken from there."""
+    """Return the arrays of `points`; rows of points that have not changed come from `previous`."""
     if previous is None or len(previous.points) != len(points):
         return PointArrays(points, *_columns(points))
     rows = rows_changed(points, previous.points)
-    old = (previous.positions, *_columns_besides_places(previous))
+    old = (previous.positions, *_columns_besides_positions(previous))
     if not rows:
         return PointArrays(points, *old)
     if have_only_moved([previous.points[row] for row in rows], [points[row] for row in rows]):
@@ -68,44 +68,44 @@ def arrays_of(points: tuple[Point, ...], previous: PointArrays | None = None) ->
             positions[row] = points[row].x, points[row].y
         positions.setflags(write=False)
         return PointArrays(points, positions, *old[1:])
-    fresh, places = _columns([points[row] for row in rows]), np.array(rows)
-    return PointArrays(points, *(_with_rows(*columns, places) for columns in zip(old, fresh, strict=True)))
+    fresh, indices = _columns([points[row] for row in rows]), np.array(rows)
+    return PointArrays(points, *(_with_rows(*columns, indices) for columns in zip(old, fresh, strict=True)))
 
 
 def arrays_of_all(
     points: Sequence[tuple[Point, ...]], previous: Sequence[PointArrays], *, are_moved: bool = False
 ) -> list[PointArrays]:
-    """Return the arrays of points of many curves, each of as many as before, made all at once.
+    """Return the arrays of points of many curves, each of as many points as before, computed all at once.
 
-    `are_moved` where all but their places is known to be the same.
+    `are_moved` says that nothing but their positions has changed.
     """
     all_points = [*chain.from_iterable(points)]
     if are_moved or have_only_moved(chain.from_iterable(old.points for old in previous), all_points):
         # As under nearly every drag.
-        kept = [True] * len(points)
+        unchanged = [True] * len(points)
     else:
-        kept = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
-    places = _positions(all_points)
-    places.setflags(write=False)
-    positions = _parts(places, points)
-    others = [each for each, is_kept in zip(points, kept, strict=True) if not is_kept]
+        unchanged = [have_only_moved(old.points, new) for new, old in zip(points, previous, strict=True)]
+    all_positions = _positions(all_points)
+    all_positions.setflags(write=False)
+    positions = _parts(all_positions, points)
+    others = [curve for curve, is_unchanged in zip(points, unchanged, strict=True) if not is_unchanged]
     _, *columns = _columns([*chain.from_iterable(others)])
     fresh = iter([*zip(*(_parts(column, others) for column in columns), strict=True)])
     return [
         PointArrays(
             new,
-            place,
+            moved,
             *(
-                _columns_besides_places(old)
-                if is_kept
-                else map(_same_or, _columns_besides_places(old), next(fresh))
+                _columns_besides_positions(old)
+                if is_unchanged
+                else map(_same_or, _columns_besides_positions(old), next(fresh))
             ),
         )
-        for new, place, old, is_kept in zip(points, positions, previous, kept, strict=True)
+        for new, moved, old, is_unchanged in zip(points, positions, previous, unchanged, strict=True)
     ]
 
 
-def _columns_besides_places(arrays: PointArrays) -> tuple[NDArray[Any], ...]:
+def _columns_besides_positions(arrays: PointArrays) -> tuple[NDArray[Any], ...]:
     return arrays.times, arrays.corners, arrays.ties, arrays.evens, arrays.given
 
 
@@ -116,12 +116,12 @@ def _parts(column: NDArray[Any], points: Sequence[Sequence[Point]]) -> list[NDAr
 
 
 def _same_or(old: NDArray[Any], fresh: NDArray[Any]) -> NDArray[Any]:
-    """Return what was there before where it holds the same; NaN is NaN."""
+    """Return the old array where it holds the same bytes; NaN equals NaN."""
     return old if old.tobytes() == fresh.tobytes() else fresh
 
 
 def rows_changed(points: Sequence[Point], before: Sequence[Point]) -> list[int]:
-    """Return which of as many points as before are other values."""
+    """Return the rows of points that are other objects than before, of as many points."""
     return list(compress(range(len(points)), map(is_not, points, before)))
 
 
@@ -142,10 +142,10 @@ def _columns(
 
 
 def _positions(points: Sequence[Point]) -> FloatArray:
-    places = np.empty((len(points), 2))
+    positions = np.empty((len(points), 2))
     for axis, value in enumerate((_x, _y)):
-        places[:, axis] = np.fromiter(map(value, points), dtype=float, count=len(points))
-    return places
+        positions[:, axis] = np.fromiter(map(value, points), dtype=float, count=len(points))
+    return positions
 
 
 def _given(point: Point) -> list[Vector]:

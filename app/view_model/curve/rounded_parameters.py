@@ -33,7 +33,7 @@ _MOST_ROUNDINGS = 2.0**20
 """Roundings by which a parameter is moved at most."""
 
 _CLEARLY = 4.0
-"""Times as large is another error beside which that of rounding need not be measured."""
+"""Factor by which another error must be larger for the effect of rounding not to be measured."""
 
 _PROPORTIONAL = 0.25
 """Share up to which the effect is in proportion to it, within a factor of two."""
@@ -42,10 +42,10 @@ _MOST_TINY = 64
 """Distances with a larger share that are corrected one by one."""
 
 _SHOWS = 1e-9
-"""Share from which the curvature, of which four digits are shown, is told with its error."""
+"""Share from which the curvature, displayed with four digits, is displayed with its error."""
 
 _WORTH_A_WORD = 1e-5
-"""Share from which the digits that people see of boxes and of the growth of errors are not certain."""
+"""Share from which the displayed digits of boxes and of the growth of errors are uncertain."""
 
 
 class Disturbed(NamedTuple):
@@ -65,9 +65,9 @@ class Disturbed(NamedTuple):
 
 
 def curvature_error(view: CurveView, t: FloatArray) -> FloatArray:
-    """Return how far rounding may put the curvature of a current curve off, (m,), at t (m,).
+    """Return bounds (m,) of the error by rounding of the curvature of a current curve at t (m,).
 
-    That of the parameters counts at the same share of the segment.
+    Rounded parameters are compared at the same share of the segment.
     """
     assert view.curve is not None
     error, rounding = curvecore.curvature_error(view.curve, t), ParameterRounding(view)
@@ -80,14 +80,14 @@ def curvature_error(view: CurveView, t: FloatArray) -> FloatArray:
 
 
 class ParameterRounding:
-    """The most by which the parameters of a current curve may be off, and what that does.
+    """Largest errors of the parameters of a current curve, and their effect.
 
     Attributes
     ----------
     sizes
-        Of each parameter, (k,); 0 where it does nothing.
+        The error of each parameter, (k,); 0 where it has no effect.
     shares
-        Of the distance of each to the next, against it, (k - 1,).
+        The error of the distance of each parameter to the next, against that distance, (k - 1,).
     """
 
     __slots__ = ("_view", "shares", "sizes")
@@ -107,7 +107,7 @@ class ParameterRounding:
 
     @property
     def remark(self) -> str:
-        """A sentence where it shows in numbers of the curve; else empty."""
+        """A sentence where the effect shows in numbers of the curve; else empty."""
         knot, owner = int(self.shares.argmax()), self._view.owner
         if self.shares[knot] < _WORTH_A_WORD:
             return ""
@@ -120,29 +120,29 @@ class ParameterRounding:
         )
 
     def is_lost(self, of_data: float, growth: float, accuracy: float) -> bool:
-        """Whether the effect on the length is lost in another error of it.
+        """Whether another error of the length is much larger than the effect.
 
         Parameters
         ----------
         of_data, growth
             The Lebesgue constants of the data and of the points.
         accuracy
-            That error, against the length.
+            The other error, against the length.
         """
         if of_data > 1.0 / UNIT_ROUNDOFF:
-            # The rounding of the pieces, grown by as much, is in that error.
+            # That error includes the rounding of the pieces, grown by as much.
             return True
         lost = accuracy / (_CLEARLY * growth)
-        # The mean is at most three times the largest one, which takes fewer calls.
+        # The mean is at most three times the largest share, which is found by fewer calls.
         return bool(3.0 * self.shares.max() <= lost or self._mean_share() <= lost)
 
     def disturbed(self) -> list[Disturbed]:
-        """Return curves that measure the effect."""
+        """Return disturbed curves that measure the effect."""
         t, is_tiny = self._view.parameters, self.shares > _PROPORTIONAL
         tiny = np.flatnonzero(is_tiny)
         cases = [(self._with_true_distance(knot), 2.0) for knot in tiny[:_MOST_TINY].tolist()]
         moved = np.setdiff1d(np.flatnonzero(self.sizes), [tiny, tiny + 1])
-        # By many roundings at once, which are not lost in those of the results.
+        # By many roundings at once, so that the roundings of the results do not hide the effect.
         share = float(self.shares[~is_tiny].max(initial=SMALLEST))
         steps = min(max(_MOST_STEP / share, 1.0), _MOST_ROUNDINGS)
         changes = np.random.default_rng(len(t)).choice((-2.0, 2.0), len(t)) * steps * self.sizes
@@ -150,17 +150,19 @@ class ParameterRounding:
             group, other = moved[first::_GROUPS], t.copy()
             other[group] += changes[group]
             cases.append((other, 1.0 / steps))
-        found = []
+        disturbed_curves = []
         for other, weight in cases:
             # The functions of a file may refuse some parameters.
             with suppress(CurveError):
-                found.append(Disturbed(curve_through(self._view, self._view.at_knots, other), weight))
-        return found
+                disturbed_curves.append(
+                    Disturbed(curve_through(self._view, self._view.at_knots, other), weight)
+                )
+        return disturbed_curves
 
     def _mean_share(self) -> float:
-        """Return the mean of the shares over the way from point to point; each counts for the neighbours."""
-        ways = np.linalg.norm(np.diff(self._view.at_knots, axis=0), axis=1)
-        return float(self.shares @ np.convolve(ways, np.ones(3))[1:-1] / max(ways.sum(), SMALLEST))
+        """Return the mean of the shares over the lengths of the polygon; each counts for its neighbours."""
+        lengths = np.linalg.norm(np.diff(self._view.at_knots, axis=0), axis=1)
+        return float(self.shares @ np.convolve(lengths, np.ones(3))[1:-1] / max(lengths.sum(), SMALLEST))
 
     def _with_true_distance(self, knot: int) -> FloatArray:
         """Return the parameters, which count from one of them, with its exact distance to the next."""
@@ -173,6 +175,6 @@ class ParameterRounding:
         t: FloatArray = self._view.parameters - self._view.parameters[knot]
         t[knot + 1] = (rule.end - rule.start) * (spacing[knot] / spacing.sum())
         for index in range(1, len(t)):
-            # Others may come together so far from this one: they stay in order.
+            # Far from this knot parameters may coincide: they stay in order.
             t[index] = max(t[index], np.nextafter(t[index - 1], np.inf))
         return t

@@ -24,16 +24,16 @@ from .moving import Polyline
 from .point_arrays import PointArrays, arrays_of_all
 
 _FEWEST = 2
-"""Curves from which on arrays of them all are the quicker way."""
+"""Curves from which on arrays of them all are faster."""
 
 _OFF = 1e-8
-"""Distance of points from where a map puts them, as a share of the tolerance of the polyline, and of the
-distances that parameters are made of. What is rounded is 1e-16 of where a curve lies."""
+"""Distance of points from their images, as a share of the tolerance of the polyline, and of the distances
+that parameters depend on. Rounding is 1e-16 of the coordinates of a curve."""
 
 _FINEST = 1e-3
 """Largest tolerance of a polyline, as a share of the diagonal of the box of the points."""
 
-_SAME, _NO_WAY = np.eye(2), np.zeros(2)
+_SAME, _NO_OFFSET = np.eye(2), np.zeros(2)
 
 _besides_points = attrgetter(*(name for name in LINE if name != "points"))
 _functions = attrgetter("family", "family.curve_class", *(each.rule_field for each in DERIVATIVES))
@@ -42,36 +42,36 @@ _functions = attrgetter("family", "family.curve_class", *(each.rule_field for ea
 def views_after(
     curves: Sequence[Curve], before: Sequence[CurveView | None], *, are_moved: bool = False
 ) -> list[CurveView]:
-    """Return the views of curves, which the views before them lend what did not change; see `view_of`.
+    """Return the views of curves; the views before lend them what did not change, see `view_of`.
 
-    `are_moved` where it is known that nothing but places of points is another.
+    `are_moved` says that nothing but positions of points has changed.
     """
     pairs = [
-        (place, curve, old)
-        for place, (curve, old) in enumerate(zip(curves, before, strict=True))
+        (index, curve, old)
+        for index, (curve, old) in enumerate(zip(curves, before, strict=True))
         if old is not None
         and (are_moved or _has_other_points_alone(curve, old))
         and _may_be_carried(curve, old)
     ]
-    found: dict[int, CurveView] = {}
+    mapped: dict[int, CurveView] = {}
     if len(pairs) >= _FEWEST:
-        places, changed, olds = zip(*pairs, strict=True)
-        found = {places[row]: view for row, view in _carried(changed, olds, are_moved=are_moved)}
+        indices, changed, olds = zip(*pairs, strict=True)
+        mapped = {indices[row]: view for row, view in _carried(changed, olds, are_moved=are_moved)}
     return [
-        found.get(place) or view_of(curve, old)
-        for place, (curve, old) in enumerate(zip(curves, before, strict=True))
+        mapped.get(index) or view_of(curve, old)
+        for index, (curve, old) in enumerate(zip(curves, before, strict=True))
     ]
 
 
 def _has_other_points_alone(curve: Curve, old: CurveView) -> bool:
-    """Whether only points are others, as many as before."""
+    """Whether only points have changed, and their number has not."""
     return len(curve.points) == len(old.points) and all(
         map(is_, _besides_points(curve), _besides_points(old.source))
     )
 
 
 def _may_be_carried(curve: Curve, old: CurveView) -> bool:
-    """Whether a map of the points is one of the curve, whose line is known."""
+    """Whether a map of the points maps the curve with them, and its polyline is known."""
     return (
         len(curve.points) > 1
         and old.whole_line is not None
@@ -82,9 +82,9 @@ def _may_be_carried(curve: Curve, old: CurveView) -> bool:
 
 @cache
 def _is_affine(family: Family, curve_class: type[ParametricCurve], *rules: EstimateRule) -> bool:
-    """Whether an affine map of the points is one of the curve, at the same parameters, but for roundings.
+    """Whether an affine map of the points maps the curve at the same parameters, but for roundings.
 
-    Functions are to be small and add up to 1: those of a file need not, and one polynomial's are large.
+    Functions must be small and add up to 1: those of a file need not, and those of one polynomial are large.
     """
     is_small = family.is_built_in and (curve_class.is_local or not curve_class.interpolates)
     return is_small and all(rule.is_linear for rule in rules[: family.derivatives])
@@ -93,13 +93,13 @@ def _is_affine(family: Family, curve_class: type[ParametricCurve], *rules: Estim
 def _carried(
     curves: Sequence[Curve], olds: Sequence[CurveView], *, are_moved: bool
 ) -> Iterator[tuple[int, CurveView]]:
-    """Yield views of those curves that were mapped, each with its place among these."""
+    """Yield the index and the view of each curve that was mapped."""
     arrays = arrays_of_all(
         [curve.points for curve in curves], [old.arrays for old in olds], are_moved=are_moved
     )
     roots = [old.curve_map.root if old.curve_map else old for old in olds]
     moves = _Moves(curves, olds, roots, arrays)
-    moved = moves.found()
+    moved = moves.find_maps()
     rows = np.flatnonzero(moved).tolist()
     if not rows:
         return
@@ -113,20 +113,20 @@ def _carried(
     points = moves.spans.boxes(moves.new)[rows]
     extents = np.stack([points, _around(points, boxes)], axis=1)
     shifts = end - _times(linear[rows], start)
-    for place, row in enumerate(rows):
-        (polyline, tolerance), old, by = lines[place], olds[row], float(stretch[row])
+    for number, row in enumerate(rows):
+        (polyline, tolerance), old, by = lines[number], olds[row], float(stretch[row])
         view = CurveView(
             curves[row],
             arrays[row].positions,
             arrays[row],
-            curve_map=CurveMap(roots[row], linear[row], shifts[place], by),
+            curve_map=CurveMap(roots[row], linear[row], shifts[number], by),
             _flattener=old._flattener,
             _cardinals=old._cardinals,
         )
-        at = vertices[spans.starts[place] : spans.starts[place] + len(polyline.points)]
+        at = vertices[spans.starts[number] : spans.starts[number] + len(polyline.points)]
         deviation = polyline.deviation if by == 1.0 else polyline.deviation * by
         whole = Polyline(polyline.parameters, at, deviation)
-        view.take_over(whole, tolerance * by, boxes[place], extents[place])
+        view.take_over(whole, tolerance * by, boxes[number], extents[number])
         yield row, view
 
 
@@ -144,8 +144,8 @@ class _Spans:
 
     def largest(self, values: FloatArray) -> FloatArray:
         """Return the largest value in each part."""
-        found: FloatArray = np.maximum.reduceat(values, self.starts)
-        return found
+        result: FloatArray = np.maximum.reduceat(values, self.starts)
+        return result
 
     def boxes(self, points: FloatArray) -> FloatArray:
         """Return lowest and highest corner of each part of points (m, 2), as (k, 2, 2)."""
@@ -154,7 +154,7 @@ class _Spans:
 
 
 class _Moves:
-    """Ways of points of curves from their roots to where they are, and what map it is."""
+    """Points of curves, before and now, and the affine maps from their roots."""
 
     def __init__(
         self,
@@ -163,16 +163,16 @@ class _Moves:
         roots: Sequence[CurveView],
         arrays: Sequence[PointArrays],
     ) -> None:
-        self.spans = _Spans([len(each.points) for each in arrays])
+        self.spans = _Spans([len(values.points) for values in arrays])
         self._old, self.new, self.roots = (
-            np.concatenate(each)
-            for each in (
+            np.concatenate(values)
+            for values in (
                 [old.points for old in olds],
-                [each.positions for each in arrays],
+                [values.positions for values in arrays],
                 [root.points for root in roots],
             )
         )
-        self._vectors = _given([old.arrays.given for old in olds], [each.given for each in arrays])
+        self._vectors = _given([old.arrays.given for old in olds], [values.given for values in arrays])
         self._before = np.array([old.curve_map.matrix if old.curve_map else _SAME for old in olds])
         self._tolerances = np.array([line[1] for root in roots if (line := root.whole_line)])
         self._asks = np.array([curve.parametrization.kind.asks_where_points_are for curve in curves])
@@ -188,63 +188,63 @@ class _Moves:
 
     @property
     def linear(self) -> FloatArray:
-        """The maps of ways, (k, 2, 2)."""
-        found: FloatArray = self._by @ self._before
-        return found
+        """The linear parts of the maps, (k, 2, 2)."""
+        maps: FloatArray = self._by @ self._before
+        return maps
 
     @property
     def stretch(self) -> FloatArray:
-        """By how much each makes ways longer at most, (k,)."""
+        """The largest factor by which each map makes lengths longer, (k,)."""
         linear = self.linear
-        # Of most there is one, and each takes a while.
-        own = linear[:1] if (linear == linear[0]).all() else linear
-        found: FloatArray = np.linalg.norm(own, 2, axis=(1, 2))
-        return np.broadcast_to(found, len(linear))
+        # Mostly all are the same, and each norm takes a while.
+        distinct = linear[:1] if (linear == linear[0]).all() else linear
+        stretches: FloatArray = np.linalg.norm(distinct, 2, axis=(1, 2))
+        return np.broadcast_to(stretches, len(linear))
 
-    def found(self) -> BoolArray:
-        """Find the maps; return of which curves they are."""
-        are_moved = self._hold()
-        rest = ~are_moved & self._rest
-        if rest.any():
-            self._by[rest] = self._common(np.repeat(rest, self.spans.counts))
-            are_moved |= rest & self._hold()
-        return are_moved
+    def find_maps(self) -> BoolArray:
+        """Find the maps; return the mask of the curves that were mapped."""
+        holds = self._hold()
+        remaining = ~holds & self._rest
+        if remaining.any():
+            self._by[remaining] = self._common(np.repeat(remaining, self.spans.counts))
+            holds |= remaining & self._hold()
+        return holds
 
     def _common(self, rows: BoolArray) -> FloatArray:
-        """Return the one map that is nearest to what became of the ways within curves."""
+        """Return the linear map that is nearest to the changes within these curves."""
         starts = self.spans.starts
-        old, new = (each - self.spans.each(each[starts]) for each in (self._old, self.new))
+        old, new = (positions - self.spans.each(positions[starts]) for positions in (self._old, self.new))
         solution = np.linalg.lstsq(old[rows], new[rows], rcond=None)[0]
         return np.array(solution.T, dtype=float)
 
     def _hold(self) -> BoolArray:
-        """Whether the maps take the points where they are, and what is tied to points with them."""
+        """Return the mask of the curves whose points, and vectors at points, are where the maps put them."""
         linear, stretch, starts = self.linear, self.stretch, self.spans.starts
-        ways = self.new - self.spans.each(self.new[starts])
+        offsets = self.new - self.spans.each(self.new[starts])
         mapped = _times(self.spans.each(linear), self.roots - self.spans.each(self.roots[starts]))
-        off = self.spans.largest(np.abs(ways - mapped).max(axis=1))
+        off = self.spans.largest(np.abs(offsets - mapped).max(axis=1))
         tolerance = self._tolerances * stretch
         diagonal = np.linalg.norm(np.subtract(*self.spans.boxes(self.new).swapaxes(0, 1)), axis=1)
         close = np.where(self._asks, np.minimum(tolerance, self._shortest()), tolerance)
-        found: BoolArray = (
+        holds: BoolArray = (
             self._rest
             & (off <= _OFF * close)
             & (tolerance <= _FINEST * diagonal)
             & (~self._asks | _keeps_angles(linear))
         )
-        return found & self._vectors_follow() if found.any() else found
+        return holds & self._vectors_follow() if holds.any() else holds
 
     def _shortest(self) -> FloatArray:
-        """Return the shortest way from a point of each curve to its next, (k,); around a closed one, too."""
+        """Return the shortest side of the closed polygon through the points of each curve, (k,)."""
         starts = self.spans.starts
         following = np.arange(1, len(self.new) + 1)
         following[starts + self.spans.counts - 1] = starts
         lengths = np.linalg.norm(self.new[following] - self.new, axis=1)
-        found: FloatArray = np.minimum.reduceat(lengths, starts)
-        return found
+        shortest: FloatArray = np.minimum.reduceat(lengths, starts)
+        return shortest
 
     def _vectors_follow(self) -> BoolArray:
-        """Whether the derivatives that are set were mapped with the points."""
+        """Return the mask of the curves whose derivatives that are set were mapped with the points."""
         old, new = self._vectors
         if not old.shape[1]:
             return np.ones(len(self._by), dtype=np.bool_)
@@ -252,65 +252,65 @@ class _Moves:
         same = (np.isnan(old) == np.isnan(new)).all(axis=(1, 2))
         off = np.nan_to_num(np.abs(mapped - new)).max(axis=(1, 2))
         size = np.nan_to_num(np.abs(new)).max(axis=(1, 2))
-        found: BoolArray = (self.spans.largest(off) <= _OFF * self.spans.largest(size)) & (
+        follows: BoolArray = (self.spans.largest(off) <= _OFF * self.spans.largest(size)) & (
             self.spans.largest(~same) == 0
         )
-        return found
+        return follows
 
 
 def _given(curves: Sequence[FloatArray], others: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
-    """Return the derivatives of points, (m, k, 2) each, without those that none has, here and there."""
-    here, there = (np.concatenate(each) for each in (curves, others))
-    here, there = (each.reshape(len(here), -1, 2) for each in (here, there))
+    """Return the derivatives of points before and after, (m, k, 2) each, without those that no point has."""
+    here, there = (np.concatenate(values) for values in (curves, others))
+    here, there = (values.reshape(len(here), -1, 2) for values in (here, there))
     is_used = ~(np.isnan(here[..., 0]) & np.isnan(there[..., 0])).all(axis=0)
     return here[:, is_used], there[:, is_used]
 
 
-def _times(matrices: FloatArray, ways: FloatArray) -> FloatArray:
-    """Return matrices (…, 2, 2) times ways (…, 2)."""
+def _times(matrices: FloatArray, vectors: FloatArray) -> FloatArray:
+    """Return matrices (…, 2, 2) times vectors (…, 2)."""
     # Not by einsum, nor by matmul: they take several times as long for matrices as small as these.
-    found: FloatArray = matrices[..., 0] * ways[..., :1] + matrices[..., 1] * ways[..., 1:]
-    return found
+    products: FloatArray = matrices[..., 0] * vectors[..., :1] + matrices[..., 1] * vectors[..., 1:]
+    return products
 
 
 def _keeps_angles(linear: FloatArray) -> BoolArray:
-    """Whether maps make all lengths longer by the same factor."""
+    """Return the mask of the maps that scale all lengths by the same factor."""
     squares = linear.swapaxes(1, 2) @ linear
     size = squares.max(axis=(1, 2))
     uneven = np.abs(squares[:, 0, 0] - squares[:, 1, 1]) + np.abs(squares[:, 0, 1])
-    found: BoolArray = uneven <= _OFF * size
-    return found
+    keeps: BoolArray = uneven <= _OFF * size
+    return keeps
 
 
 def _around(boxes: FloatArray, others: FloatArray) -> FloatArray:
-    """Return the boxes around two each, (k, 2, 2)."""
+    """Return the boxes around pairs of boxes, (k, 2, 2)."""
     return np.stack([np.minimum(boxes, others)[:, 0], np.maximum(boxes, others)[:, 1]], axis=1)
 
 
 def views_ahead(
     curves: Sequence[Curve],
-    told: Callable[[float], object],
+    progress: Callable[[float], object],
     originals: Sequence[CurveView | None] = (),
 ) -> list[CurveView]:
-    """Return the views of curves, with what every one of them is asked for when it is first shown.
+    """Return the views of curves, with polyline and extent, so that drawing them need not wait.
 
     Parameters
     ----------
     curves
         The document's values.
-    told
-        Hears the share that is done; what it raises ends the work.
+    progress
+        Called with the share of the work that is done; an exception that it raises ends the work.
     originals
-        The views of what curves are copies of, moved perhaps; None for those that are none.
+        The views of the curves that these are copies of, moved perhaps; None for a curve that is no copy.
     """
-    places = [place for place, view in enumerate(originals) if view is not None]
-    lent = views_after([curves[place] for place in places], [originals[place] for place in places])
-    copies = dict(zip(places, lent, strict=True))
+    indices = [index for index, view in enumerate(originals) if view is not None]
+    lent = views_after([curves[index] for index in indices], [originals[index] for index in indices])
+    copies = dict(zip(indices, lent, strict=True))
     views = []
-    for place, curve in enumerate(curves):
-        told(place / len(curves))
-        view = copies.get(place) or view_of(curve)
+    for index, curve in enumerate(curves):
+        progress(index / len(curves))
+        view = copies.get(index) or view_of(curve)
         if len(view.points):
-            _ = view.extent  # kept by the view, and with it the polyline that it is made of
+            _ = view.extent  # cached by the view, and with it the polyline
         views.append(view)
     return views
