@@ -89,7 +89,7 @@ def children(monkeypatch):
         started.append(start(*arguments, **options))
         return started[-1]
 
-    monkeypatch.setattr("app.exchange.child.subprocess.Popen", note)
+    monkeypatch.setattr("app.exchange.reader_process.subprocess.Popen", note)
     return started
 
 
@@ -99,19 +99,19 @@ def drawings_read_here(monkeypatch):
 
     For questions about what is read. That a process reads it, and what its limits do, others ask.
     """
-    from app.exchange import child, reading
+    from app.exchange import reader_main, reader_process
 
     def read(reader, data, tolerance, *, report, **_limits):
         report(0.0, "Reading")
-        answer = child.answer_to(
-            child.Request(reader.__module__, reader.__name__, tolerance, data), child.MEMORY
+        answer = reader_process.answer_to(
+            reader_process.Request(reader.__module__, reader.__name__, tolerance, data), reader_process.MEMORY
         )
         if answer.result is None:
-            raise child.ExchangeError(answer.problem)
+            raise reader_process.ExchangeError(answer.problem)
         return answer.result
 
-    monkeypatch.setattr(reading, "limit_memory", lambda _extra: None)
-    monkeypatch.setattr(child, "limited", read)
+    monkeypatch.setattr(reader_main, "limit_memory", lambda _extra: None)
+    monkeypatch.setattr(reader_process, "read_in_process", read)
 
 
 def _goes_backwards(config):

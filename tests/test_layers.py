@@ -161,7 +161,7 @@ def test_the_process_that_reads_drawings_imports_what_reading_takes():
     """Every drawing that is read alone pays for its start."""
     code = (
         "import sys, numpy; known = set(sys.modules)\n"
-        "import app.exchange.reading, app.exchange.svg.reader\n"
+        "import app.exchange.reader_main, app.exchange.svg.reader\n"
         "print(*set(sys.modules) - known)"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)

@@ -103,7 +103,7 @@ def _run(words: list[str]) -> int:
     if words[:1] == [READER_PROCESS] and len(words) == 2:
         # A bundle starts itself for this: it has no interpreter besides.
 
-        exchange.reading.main(words[1])
+        exchange.reader_main.main(words[1])
         return 0
     if words and words[0] in _COMMANDS:
         return cli.commands.run_command(words)

@@ -19,7 +19,7 @@ from ..document.words import rounded_up
 from ..exchange.errors import ExchangeError
 from ..exchange.files import ImportOptions, begin_import, export, import_file
 from ..exchange.formats import FORMATS, ContentKind, ending_in, format_of
-from ..exchange.table.columns import FamilyWord, read_family_word
+from ..exchange.table.columns import FamilyCell, read_family_cell
 from ..families import HERMITE
 from ..storage.files import StorageError
 from ..tasks.progress import Report, part
@@ -30,8 +30,8 @@ from .output import RefusalError, TerminalProgress, one_line, reason_of, say, sa
 
 if TYPE_CHECKING:
     from ..document.model import Document
-    from ..exchange.child import ReaderProcess
-    from ..exchange.cubics_in import Imported
+    from ..exchange.cubics_in import ImportResult
+    from ..exchange.reader_process import ReaderProcess
 
 _MANY_CURVES = 20
 """Curves beyond which it is said how to take some of them."""
@@ -94,7 +94,7 @@ def _convert_many(options: argparse.Namespace) -> int:
     results = []
     with TerminalProgress() as progress, ExitStack() as stack:
         # While a file is written here, processes read the next ones: each has its turn, in order.
-        readers = [stack.enter_context(exchange.child.ReaderProcess()) for _job in range(jobs)]
+        readers = [stack.enter_context(exchange.reader_process.ReaderProcess()) for _job in range(jobs)]
         for each, reader in zip(conversions[1:], readers[1:], strict=False):
             begin_import(each.source, ImportOptions(tolerance=options.tolerance), reader)
         for place, each in enumerate(conversions):
@@ -203,16 +203,16 @@ def _jobs(options: argparse.Namespace) -> int:
     return max(1, min(len(options.files), os.cpu_count() or 1, total // _BYTES_A_PROCESS))
 
 
-def _family_of(options: argparse.Namespace) -> FamilyWord:
+def _family_of(options: argparse.Namespace) -> FamilyCell:
     if options.keep_times and not _wants_fit(options):
         raise RefusalError("--keep-times goes with --fit or --fit-tolerance.")
     try:
-        return read_family_word(" ".join([options.family or HERMITE.name, *options.setting]))
+        return read_family_cell(" ".join([options.family or HERMITE.name, *options.setting]))
     except ValueError as problem:
         raise RefusalError(f"--setting must be of {problem}.") from None
 
 
-def _import_options(options: argparse.Namespace, read: FamilyWord) -> ImportOptions:
+def _import_options(options: argparse.Namespace, read: FamilyCell) -> ImportOptions:
     return ImportOptions(
         tolerance=options.tolerance,
         thin=options.thin,
@@ -243,7 +243,7 @@ def _converted(
     """
     word = _family_of(options)
     # What is fitted is near all rows, whatever the family: the curve through them is not that.
-    wanted = _import_options(options, FamilyWord(HERMITE) if _wants_fit(options) else word)
+    wanted = _import_options(options, FamilyCell(HERMITE) if _wants_fit(options) else word)
     try:
         source = import_file(conversion.source, wanted, report=part(report, 0.0, 0.4), process=reader)
     finally:
@@ -275,7 +275,7 @@ def _wants_fit(options: argparse.Namespace) -> bool:
 
 
 def _fitted(
-    document: Document, options: argparse.Namespace, word: FamilyWord, report: Report
+    document: Document, options: argparse.Namespace, word: FamilyCell, report: Report
 ) -> tuple[Document, list[Fitted]]:
     """Return the document with fewer points, where that was asked for, and what came of each curve."""
     if not _wants_fit(options):
@@ -305,7 +305,7 @@ def _fitted(
     return replace(document, curves=tuple(fit.curve for fit in fits)), fits
 
 
-def _on_groups(source: Imported, only: Sequence[str]) -> tuple[str, ...]:
+def _on_groups(source: ImportResult, only: Sequence[str]) -> tuple[str, ...]:
     """Return what could be taken alone, where there are more curves than somebody may have meant."""
     count = len(source.document.curves)
     if only or not source.has_groups or count <= _MANY_CURVES:

@@ -54,7 +54,9 @@ def add_options(render: argparse.ArgumentParser) -> None:
 def _drawn_document(options: argparse.Namespace) -> Document:
     """Return what pictures are made of: the document, or the curves of it that were asked for."""
     document = document_of(options.file).document
-    return exchange.cubics_in.Imported(document).called(options.only).document if options.only else document
+    return (
+        exchange.cubics_in.ImportResult(document).called(options.only).document if options.only else document
+    )
 
 
 def render(options: argparse.Namespace) -> int:

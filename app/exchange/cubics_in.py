@@ -1,6 +1,6 @@
 """Cubic Bézier pieces in: a path from another program becomes a cubic Hermite curve, exactly.
 
-Readers make an `ImportedPath` of each path; `imported` makes curves of them. Arcs become pieces within a
+Readers make an `ImportedPath` of each path; `import_paths` makes curves of them. Arcs become pieces within a
 stated distance; the letters of the kinds of points are those of Inkscape: c corner, s smooth, z symmetric.
 
 References
@@ -41,7 +41,7 @@ from ..families import HERMITE
 from ..storage.format_error import FormatError
 from ..storage.validation import validate_changes
 from ..view_model.cubics import CORNER, EVEN, TIED, WRITTEN_BY_PROGRAMS, are_alike, points_of_cubics
-from .errors import LEFT_OUT, ExchangeError, Flaw, Missed
+from .errors import LEFT_OUT, ExchangeError, Loss, Losses
 
 MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
@@ -49,11 +49,11 @@ MAX_PIECES = 100_000
 FAMILY = HERMITE
 """The family of what comes in."""
 
-SINGLE_POINT = Flaw("single point")
+SINGLE_POINT = Loss("single point")
 
-_TOO_LARGE = Flaw("curve", f"with coordinates or velocities beyond −1e12 to 1e12 {LEFT_OUT}")
-_TOO_DIFFERENT = Flaw("curve", f"with pieces of too different lengths {LEFT_OUT}")
-_TOO_MANY = Flaw("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
+_TOO_LARGE = Loss("curve", f"with coordinates or velocities beyond −1e12 to 1e12 {LEFT_OUT}")
+_TOO_DIFFERENT = Loss("curve", f"with pieces of too different lengths {LEFT_OUT}")
+_TOO_MANY = Loss("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
 _ROUNDING = 2.0**-48
 """Of the coordinates, for each piece: a bound of the rounding of ends that programs add up, step by step."""
@@ -64,7 +64,7 @@ _MOST_NAMES = 24
 
 
 @dataclass(frozen=True)
-class Imported:
+class ImportResult:
     """Content of a file that was read.
 
     Attributes
@@ -91,7 +91,7 @@ class Imported:
         """Whether any curve has a point."""
         return any(curve.points for curve in self.document.curves)
 
-    def with_curves(self) -> Imported:
+    def with_curves(self) -> ImportResult:
         """Return the same.
 
         Raises
@@ -103,13 +103,13 @@ class Imported:
             raise ExchangeError(" ".join(["There is no curve in the file.", *self.remarks]))
         return self
 
-    def only(self, taken: Sequence[bool]) -> Imported:
+    def only(self, taken: Sequence[bool]) -> ImportResult:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
         curves = tuple(compress(self.document.curves, taken))
         document = msgspec.structs.replace(self.document, curves=curves)
         return replace(self, document=tidy_shapes(document))
 
-    def called(self, names: Sequence[str]) -> Imported:
+    def called(self, names: Sequence[str]) -> ImportResult:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
 
         Raises
@@ -175,7 +175,7 @@ class ImportedPath:
 
 
 @dataclass(frozen=True)
-class PointsAlone:
+class PathThroughPoints:
     """A curve of which a file gives no more than the points that it passes.
 
     Attributes
@@ -194,23 +194,23 @@ class PointsAlone:
     closed: bool
 
 
-def imported(paths: Sequence[ImportedPath | PointsAlone], missed: Missed) -> Imported:
+def import_paths(paths: Sequence[ImportedPath | PathThroughPoints], losses: Losses) -> ImportResult:
     """Return the curves of paths as a document; single points, and curves beyond limits, are missed."""
     curves, deviation = list[Curve](), 0.0
     for number, path in enumerate(paths):
-        found = _through(path) if isinstance(path, PointsAlone) else _curve(path)
-        if isinstance(found, Flaw):
-            missed.note(found, number, path.name)
+        found = _through(path) if isinstance(path, PathThroughPoints) else _curve(path)
+        if isinstance(found, Loss):
+            losses.note(found, number, path.name)
             continue
         try:
             validate_changes(None, Document((found.curve,)))
         except FormatError:
-            missed.note(_TOO_LARGE, number, path.name)
+            losses.note(_TOO_LARGE, number, path.name)
             continue
         curves.append(found.curve)
         deviation = max(deviation, found.deviation)
     document = tidy_shapes(Document(tuple(curves))) if curves else empty_document()
-    return Imported(document, deviation, missed.sentences)
+    return ImportResult(document, deviation, losses.sentences)
 
 
 def lines(points: FloatArray) -> FloatArray:
@@ -281,13 +281,13 @@ def _dot(path: ImportedPath) -> _Found:
     return _Found(_made(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points))
 
 
-def _through(path: PointsAlone) -> _Found:
+def _through(path: PathThroughPoints) -> _Found:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
     return _Found(_made(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
 
 
 def _made(
-    path: ImportedPath | PointsAlone, parametrization: Parametrization, points: tuple[Point, ...]
+    path: ImportedPath | PathThroughPoints, parametrization: Parametrization, points: tuple[Point, ...]
 ) -> Curve:
     look = path.look
     return Curve(
@@ -304,7 +304,7 @@ def _made(
     )
 
 
-def _curve(path: ImportedPath) -> _Found | Flaw:
+def _curve(path: ImportedPath) -> _Found | Loss:
     """Return a path as a curve, or why it cannot be one."""
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():

@@ -14,7 +14,7 @@ class ExchangeError(ValueError):
     """A document cannot be exported, or a file not be imported, as asked; the message says why."""
 
 
-class Flaw(NamedTuple):
+class Loss(NamedTuple):
     """Kind of content that is not taken over as it is.
 
     Attributes
@@ -29,23 +29,23 @@ class Flaw(NamedTuple):
     outcome: str = LEFT_OUT
 
 
-class Missed:
+class Losses:
     """Record of what did not come in as it is, each kind in the order in which it was first met."""
 
     def __init__(self) -> None:
-        self._names: dict[Flaw, dict[Hashable, str]] = {}
+        self._names: dict[Loss, dict[Hashable, str]] = {}
 
-    def note(self, flaw: Flaw, key: Hashable, name: str = "") -> None:
+    def note(self, loss: Loss, key: Hashable, name: str = "") -> None:
         """Count something, known by a key, once for each flaw; its name is empty where it has none."""
-        self._names.setdefault(flaw, {})[key] = name
+        self._names.setdefault(loss, {})[key] = name
 
     @property
     def sentences(self) -> tuple[str, ...]:
         """One sentence for each kind: how many there were, what became of them, and their first names."""
-        return tuple(_sentence(flaw, list(names.values())) for flaw, names in self._names.items())
+        return tuple(_sentence(loss, list(names.values())) for loss, names in self._names.items())
 
 
-def _sentence(flaw: Flaw, names: list[str]) -> str:
+def _sentence(loss: Loss, names: list[str]) -> str:
     named = [name for name in names if name]
     which = f": {names_of(named)}" if named else ""
-    return f"{count_of(len(names), flaw.noun)} {flaw.outcome}{which}."
+    return f"{count_of(len(names), loss.noun)} {loss.outcome}{which}."

@@ -35,8 +35,8 @@ from ..view_model.curve.core_curve import in_words
 from ..view_model.curve.curve_view import ParametricCurve
 from .drawing.drawing import drawable
 from .errors import ExchangeError
-from .naming import Names
 from .options import DEFAULT, Options
+from .unique_names import UniqueNames
 
 HIGHEST_DEGREE = 10
 """Highest degree of a Lagrange curve that is written as one Bézier piece; beyond, as cubics."""
@@ -201,9 +201,9 @@ def curves_of(document: Document, options: Options = DEFAULT) -> ExportedCurves:
     remarks = (*(f"“{name}” is hidden." for name in hidden), *unusable)
     if not usable:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
-    names = Names()
+    names = UniqueNames()
     curves = tuple(
-        ExportedCurve(source, core, names.different(" ".join(source.name.split()) or "Curve"))
+        ExportedCurve(source, core, names.unique(" ".join(source.name.split()) or "Curve"))
         for source, core in usable
     )
     return ExportedCurves(curves, remarks, options)

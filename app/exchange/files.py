@@ -19,12 +19,12 @@ from ..storage.format_error import FormatError, foreign_name_clause
 from ..tasks.progress import FINAL, Report, silent
 from . import table
 from .errors import ExchangeError
-from .formats import FORMATS, ContentKind, Format, Written, ending_in, format_in, format_of
+from .formats import FORMATS, ContentKind, ExportResult, Format, ending_in, format_in, format_of
 from .options import DEFAULT, Options
 
 if TYPE_CHECKING:
-    from .child import ReaderProcess
-    from .cubics_in import Imported
+    from .cubics_in import ImportResult
+    from .reader_process import ReaderProcess
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ def import_file(
     *,
     report: Report = silent,
     process: ReaderProcess | None = None,
-) -> Imported:
+) -> ImportResult:
     """Return the curves in a file of the format that its ending names.
 
     Parameters
@@ -160,22 +160,22 @@ def _imported(
     options: ImportOptions,
     report: Report,
     process: ReaderProcess | None,
-) -> Imported:
+) -> ImportResult:
     form = file.form
     if form.kind is ContentKind.DOCUMENT:
         found = document_in(file.data, path)
         remarks = (found.left_out.sentence(path.name),) if found.left_out else ()
-        return exchange.cubics_in.Imported(found.document, remarks=remarks)
+        return exchange.cubics_in.ImportResult(found.document, remarks=remarks)
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
-        limited = exchange.child.limited if process is None else process.read
-        return limited(form.read, file.data, options.tolerance, report=report)
+        read_in_process = exchange.reader_process.read_in_process if process is None else process.read
+        return read_in_process(form.read, file.data, options.tolerance, report=report)
     return table.source.import_table(
         file.name, table.source.TableSource(file.data, form.read), options, report
     )
 
 
-def export(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> Written:
+def export(document: Document, path: str | os.PathLike[str], options: Options = DEFAULT) -> ExportResult:
     """Write a document with at least one curve that can be drawn.
 
     Raises

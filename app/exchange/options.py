@@ -150,7 +150,7 @@ class Extent(NamedEnum):
     """Part of a document that goes into a file."""
 
     ALL = "all", "All curves"
-    CHOSEN = "chosen", "Chosen curves"
+    SELECTED = "chosen", "Chosen curves"
 
 
 EXTENT = OneOf(

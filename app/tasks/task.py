@@ -6,7 +6,7 @@ one task at a time, with progress; `DebouncedTask` runs what follows a value, on
 
 This is the only module that starts threads. The work sees immutable values and touches no widget. Work that
 parses files of other programs may hang or hold the interpreter lock for long; it runs in a process of its own
-(``exchange.child``), and the thread only waits for it.
+(``exchange.reader_process``), and the thread only waits for it.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 from app.document.model import Document, make_curve
 from app.exchange.files import export, import_file
 from app.exchange.options import Options
-from app.exchange.table.columns import family_word, read_family_word
+from app.exchange.table.columns import family_cell, read_family_cell
 from app.families import FAMILIES, HERMITE, NO_SETTINGS, ChosenSettings
 from app.view_model.curve.curve_view import view_of
 from tests.own_families import EVERY
@@ -27,7 +27,7 @@ def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
     family = FAMILIES.named(name)
     settings = ChosenSettings((setting.name, other_value(setting)) for setting in family.settings.all)
     curve = replace(make_curve(POINTS, family=family), settings=settings)
-    assert read_family_word(family_word(curve)) == (family, False, settings)
+    assert read_family_cell(family_cell(curve)) == (family, False, settings)
     path = tmp_path / "curve.points.csv"
     export(Document((curve,)), path, Options())
     (again,) = import_file(path).document.curves
@@ -38,10 +38,10 @@ def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
 def test_the_words():
     family = FAMILIES.named("tests_swaying")
     curve = replace(make_curve(POINTS, family=family), settings=ChosenSettings({"amount": 5}))
-    assert family_word(curve) == "tests_swaying amount=5"
-    assert family_word(replace(make_curve(POINTS, family=HERMITE), closed=True)) == "closed hermite"
-    assert read_family_word(" Closed  Hermite ") == (HERMITE, True, NO_SETTINGS)
-    assert not read_family_word("tests_swaying amount=2").settings
+    assert family_cell(curve) == "tests_swaying amount=5"
+    assert family_cell(replace(make_curve(POINTS, family=HERMITE), closed=True)) == "closed hermite"
+    assert read_family_cell(" Closed  Hermite ") == (HERMITE, True, NO_SETTINGS)
+    assert not read_family_cell("tests_swaying amount=2").settings
 
 
 @each_row(
@@ -58,4 +58,4 @@ def test_the_words():
 )
 def test_other_words_are_refused(text, words):
     with pytest.raises(ValueError, match=words):
-        read_family_word(text)
+        read_family_cell(text)

@@ -41,7 +41,7 @@ import contextlib, importlib.util, io, json, os, sys
 from pathlib import Path
 
 from app.cli import main
-from app.exchange import child
+from app.exchange import reader_process
 
 script, folder = sys.argv[1:]
 spec = importlib.util.spec_from_file_location("hostile_files", script)
@@ -62,7 +62,7 @@ def at_once(reader, data, tolerance, report):
     return reader(data, tolerance)
 
 # A process for each would take most of the time.
-child.limited = at_once
+reader_process.read_in_process = at_once
 
 for name, make in hostile.CASES.items():
     path, data = Path(folder, name), make()

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from app.document.model import Document, make_curve
-from app.exchange.child import ReaderProcess, limited, seconds_for
 from app.exchange.errors import ExchangeError
 from app.exchange.files import ImportOptions, export, import_file
 from app.exchange.formats import FORMATS, ContentKind, endings_of, format_of
+from app.exchange.reader_process import ReaderProcess, read_in_process, seconds_for
 from app.exchange.svg.reader import read_svg
 from app.families import LAGRANGE
 from app.tasks.progress import Cancelled
@@ -73,7 +73,7 @@ def test_what_takes_too_long_is_stopped(children):
     with pytest.raises(
         ExchangeError, match=r"Reading takes more than 0.2 s of the processor; it was stopped"
     ):
-        limited(read_svg, BUSY, None, seconds=0.2)
+        read_in_process(read_svg, BUSY, None, seconds=0.2)
     assert all(each.returncode not in (None, 0) for each in children)
     assert len(children) == 1
 
@@ -113,7 +113,7 @@ def slow_reader(tmp_path, monkeypatch):
 def test_neither_the_start_nor_other_programs_count(slow_reader, children):
     """Beside eight busy programs, eleven of nineteen icons took longer than 10 s, as the clock says."""
     told = []
-    found = limited(
+    found = read_in_process(
         slow_reader.sleeping, LINE, None, seconds=0.15, report=lambda share, _word: told.append(share)
     )
     assert len(found.document.curves) == 1
@@ -123,9 +123,9 @@ def test_neither_the_start_nor_other_programs_count(slow_reader, children):
 
 
 def test_what_sleeps_ends_some_day(slow_reader, children, monkeypatch):
-    monkeypatch.setattr("app.exchange.child.longest_wait", lambda _seconds: 0.1)
+    monkeypatch.setattr("app.exchange.reader_process.longest_wait", lambda _seconds: 0.1)
     with pytest.raises(ExchangeError, match=r"Reading has not ended after 0.1 s; it was stopped"):
-        limited(slow_reader.sleeping, LINE, None)
+        read_in_process(slow_reader.sleeping, LINE, None)
     assert [each.returncode in (None, 0) for each in children] == [False]
 
 
@@ -157,7 +157,7 @@ def test_a_process_whose_parent_is_gone_leaves_no_folder(tmp_path):
     folder = tmp_path / "messages"
     folder.mkdir()
     (folder / "question").write_bytes(LINE)
-    code = f"from app.exchange.reading import main; main({str(folder)!r})"
+    code = f"from app.exchange.reader_main import main; main({str(folder)!r})"
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, stdin=subprocess.DEVNULL, check=True, timeout=60)
     assert not folder.exists()
 
@@ -174,7 +174,7 @@ def test_what_nobody_waits_for_any_more_is_ended(children):
 
     impatient = Impatient()
     with pytest.raises(Cancelled):
-        limited(read_svg, BUSY, None, report=impatient)
+        read_in_process(read_svg, BUSY, None, report=impatient)
     assert impatient.calls == 3
     assert all(each.returncode not in (None, 0) for each in children)
     assert len(children) == 1
@@ -188,7 +188,7 @@ def test_a_large_file_may_take_longer_than_a_small_one():
 @pytest.mark.skipif("sys.platform != 'linux'", reason="only Linux limits the address space")
 def test_what_takes_too_much_memory_is_stopped():
     with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed; it was stopped"):
-        limited(read_svg, BUSY, None, memory=10 * 2**20, seconds=30)
+        read_in_process(read_svg, BUSY, None, memory=10 * 2**20, seconds=30)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the executable is a script")
@@ -205,14 +205,14 @@ def test_a_bundle_reads_drawings_too(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     monkeypatch.setattr(sys, "executable", str(bundle))
     drawing = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C1 1 2 2 3 0"/></svg>'
-    assert len(limited(read_svg, drawing, None).document.curves) == 1
+    assert len(read_in_process(read_svg, drawing, None).document.curves) == 1
 
 
 def test_a_process_that_breaks_down_is_not_called_one_that_needs_memory(monkeypatch):
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     # An interpreter, which does not know the option and ends with 2.
     with pytest.raises(ExchangeError, match=r"ended without an answer \(code 2\)"):
-        limited(read_svg, b"<svg/>", None)
+        read_in_process(read_svg, b"<svg/>", None)
 
 
 def test_every_ending_belongs_to_one_format_that_is_written_and_one_that_is_read():

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from app.document import point_edits, rule_edits
 from app.document.model import Document, Point, make_curve
 from app.document.style import Style
-from app.exchange.cubics_in import Imported
+from app.exchange.cubics_in import ImportResult
 from app.exchange.drawing.styles import DARK
 from app.exchange.errors import ExchangeError
 from app.exchange.files import export, import_file
@@ -20,7 +20,7 @@ from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.table.columns import ColumnMapping
-from app.exchange.table.thinning import Thinning, thinned
+from app.exchange.table.thinning import Thinning, thin_out
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
@@ -59,7 +59,7 @@ def test_a_table_of_points_gives_the_same_curves(document, ending, tmp_path):
     path = tmp_path / f"all{ending}"
     assert export(document, path).deviation == 0
     back = import_file(path)
-    assert isinstance(back, Imported)
+    assert isinstance(back, ImportResult)
     assert [curve.name for curve in back.document.curves] == NAMES
     families = [(curve.family, curve.is_closed) for curve in document.curves]
     assert [(curve.family, curve.is_closed) for curve in back.document.curves] == families
@@ -153,7 +153,7 @@ def test_a_polyline_is_thinned_by_its_chords():
     steps = np.array([(0, 0), (1, 0), (1, 1), (2, 1), (2, 2), (3, 2)], dtype=float)
     share = np.linspace(0, 1, 200, endpoint=False)[:, None]
     points = np.concatenate([a + share * (b - a) for a, b in itertools.pairwise(steps)])
-    kept = thinned(np.vstack([points, steps[-1:]]), None, 1e-9, Thinning.POLYLINE)
+    kept = thin_out(np.vstack([points, steps[-1:]]), None, 1e-9, Thinning.POLYLINE)
     assert kept.rows.tolist() == [0, 200, 400, 600, 800, 1000]
     assert kept.deviation > 0.01  # the spline through the corners swings
 
@@ -162,7 +162,7 @@ def test_a_polyline_is_thinned_by_its_chords():
 def test_a_thinned_polyline_stays_within_the_tolerance(tolerance):
     t = np.linspace(0, 7, 4001)
     points = np.column_stack([np.cos(t) * t, np.sin(t)])
-    kept = thinned(points, None, tolerance, Thinning.POLYLINE)
+    kept = thin_out(points, None, tolerance, Thinning.POLYLINE)
     chords = points[kept.rows]
     x = np.linspace(0, 1, 40)[:, None, None]
     dense = (chords[:-1] * (1 - x) + chords[1:] * x).reshape(-1, 2)

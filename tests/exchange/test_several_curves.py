@@ -18,10 +18,10 @@ from app.exchange.drawing.styles import INK
 from app.exchange.errors import ExchangeError
 from app.exchange.facts import facts_of
 from app.exchange.files import export
-from app.exchange.naming import Names
 from app.exchange.options import Options
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
+from app.exchange.unique_names import UniqueNames
 from app.families import FAMILIES
 from app.storage.files import save
 from app.view_model.curve.curve_view import view_of
@@ -156,9 +156,9 @@ def test_names_of_many_curves_are_looked_up_as_often_as_there_are_curves():
             return super().__contains__(name)
 
     taken = Counting({"a 3"})
-    names = Names(taken)
-    given = [names.different("a") for _ in range(1000)]
+    names = UniqueNames(taken)
+    given = [names.unique("a") for _ in range(1000)]
     assert given[:4] == ["a", "a 2", "a 4", "a 5"]
     assert len(set(given)) == 1000
     assert taken.looked_up <= 2100
-    assert names.different("a 2") == "a 2 2"
+    assert names.unique("a 2") == "a 2 2"

@@ -19,8 +19,8 @@ from app.exchange.drawing.drawing import drawing_of
 from app.exchange.drawing.painting import Painting
 from app.exchange.drawing.styles import INK
 from app.exchange.options import Options
-from app.exchange.svg.coordinates import sheet_of
-from app.exchange.svg.own_files import OurOwn
+from app.exchange.svg.coordinates import page_of
+from app.exchange.svg.own_files import OwnFile
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.exchange.svg.xml_tree import parsed
@@ -108,7 +108,7 @@ def known_to(judge, path):
 def frame_of(data):
     """What a file shows, in its unit; None where it does not say."""
     root = parsed(data)
-    return sheet_of(root, is_nominal=OurOwn(root).has_nominal_size).frame
+    return page_of(root, is_nominal=OwnFile(root).has_nominal_size).frame
 
 
 def within(written, data):

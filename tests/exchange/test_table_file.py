@@ -15,7 +15,7 @@ from app.exchange.table.columns import ColumnMapping
 from app.exchange.table.curves import TableOptions
 from app.exchange.table.table import TextLayout
 from app.exchange.table.text import preview_table
-from app.exchange.table.thinning import thinned
+from app.exchange.table.thinning import thin_out
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.format import encode
 from app.storage.validation import validate
@@ -162,7 +162,7 @@ def test_empty_cells_matter_only_where_they_are_used():
 def test_a_thinned_table_stays_within_the_tolerance(tolerance):
     angles = np.linspace(0, 7, 4001)
     points = np.column_stack([np.cos(angles) * angles, np.sin(angles)])
-    kept = thinned(points, None, tolerance)
+    kept = thin_out(points, None, tolerance)
     assert kept.deviation <= tolerance
     assert len(kept.rows) < 40 * tolerance**-0.25
     text = "\n".join(f"{x!r},{y!r}" for x, y in points.tolist())
@@ -176,7 +176,7 @@ def test_a_thinned_table_stays_within_the_tolerance(tolerance):
 def test_thinning_keeps_a_corner_and_skips_repeated_points():
     x = np.linspace(-1, 1, 401)
     points = np.repeat(np.column_stack([x, np.abs(x)]), 2, axis=0)
-    kept = thinned(points, None, 1e-4)
+    kept = thin_out(points, None, 1e-4)
     assert kept.deviation <= 1e-4
     assert len(kept.rows) < 60
     assert (0.0, 0.0) in [tuple(p) for p in points[kept.rows].round(9).tolist()]
@@ -185,11 +185,11 @@ def test_thinning_keeps_a_corner_and_skips_repeated_points():
 def test_thinning_says_what_it_cannot():
     noise = np.random.default_rng(0).normal(size=(30_000, 2))
     with pytest.raises(ExchangeError, match="More than 20000 points would be left"):
-        thinned(noise, None, 1e-6)
+        thin_out(noise, None, 1e-6)
     with pytest.raises(ExchangeError, match="All points coincide"):
-        thinned(np.ones((5, 2)), None, 1.0)
+        thin_out(np.ones((5, 2)), None, 1.0)
     with pytest.raises(ExchangeError, match="positive"):
-        thinned(noise, None, 0.0)
+        thin_out(noise, None, 0.0)
 
 
 def test_very_many_rows_are_read_and_thinned_by_arrays():

@@ -15,10 +15,10 @@ from app.cli import main
 from app.document.lengths import MILLIMETRES, known_unit
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.exchange.choice import ExportChoice
 from app.exchange.drawing.drawing import drawing_of, trimmed
 from app.exchange.drawing.image import png_preview
 from app.exchange.errors import ExchangeError
+from app.exchange.export_choice import ExportChoice
 from app.exchange.files import export, import_file
 from app.exchange.formats import FORMATS, format_of
 from app.exchange.options import Options
@@ -139,8 +139,8 @@ def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
 def test_size_scale_and_page_are_said_before(ending, unit, said):
     bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),), unit=unit)
     look = format_of(f"a{ending}", FORMATS.pictures).preview
-    assert look(*ExportChoice(ending).order(bent, 0), (100, 100)).size == said
-    whole = ExportChoice(ending, {"true_size": False, "by_dpi": False}).order(bent, 0)
+    assert look(*ExportChoice(ending).request(bent, 0), (100, 100)).size == said
+    whole = ExportChoice(ending, {"true_size": False, "by_dpi": False}).request(bent, 0)
     # A PNG is by its width then, and its resolution follows.
     assert whole.options.unit == (unit if ending == ".png" else "")
     by_width = "1600 × 916 pixels, 70.21 × 40.21 mm at 578.8 dpi"
@@ -183,7 +183,7 @@ def test_basis_functions_are_those_that_the_panel_shows():
     curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
     drawn = [
-        svg_of(*ExportChoice(".svg", {"basis": True}).order(document, 0, with_estimates=shown)).text
+        svg_of(*ExportChoice(".svg", {"basis": True}).request(document, 0, with_estimates=shown)).text
         for shown in (False, True)
     ]
     lines = [ElementTree.fromstring(each.encode()).findall(".//*[@id='basis']//*[@d]") for each in drawn]
@@ -192,7 +192,9 @@ def test_basis_functions_are_those_that_the_panel_shows():
     # Of a closed curve the first point has one function, as all others have: there were two of it.
     for family, estimates in ((FAMILIES.named("cubic_spline"), False), (HERMITE, True)):
         closed = Document((replace(curve, family=family, closed=True),))
-        text = svg_of(*ExportChoice(".svg", {"basis": True}).order(closed, 0, with_estimates=estimates)).text
+        text = svg_of(
+            *ExportChoice(".svg", {"basis": True}).request(closed, 0, with_estimates=estimates)
+        ).text
         assert len(ElementTree.fromstring(text.encode()).findall(".//*[@id='basis']//*[@d]")) == 3 + 4
 
 

@@ -15,13 +15,13 @@ from app.appearance.colours import CURVE_COLOURS, curve_colour
 from app.appearance.theme import DARK, LIGHT, ThemeMode, apply_theme, mix
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.exchange.choice import ExportChoice
 from app.exchange.drawing.film import Film
 from app.exchange.drawing.image import png_file
 from app.exchange.drawing.motion_frames import FrameMaker
 from app.exchange.drawing.styles import DARK as DARK_STYLE
 from app.exchange.drawing.styles import INK
 from app.exchange.drawing.styles import LIGHT as LIGHT_STYLE
+from app.exchange.export_choice import ExportChoice
 from app.exchange.options import Options
 from app.exchange.svg.writer import svg_of
 from app.features.curve_list.commands import CurveListCommands

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, Q
 
 from app.document.group_edits import grouped
 from app.document.model import NEVER_EXPORTED, Document, Export, make_curve
-from app.exchange.choice import ExportChoice, choice_from, choice_of, note_of, text_of
+from app.exchange.export_choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.files import import_file
 from app.exchange.formats import FORMATS, format_of, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE

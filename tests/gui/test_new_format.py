@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QComboBox, QDialog, QFile
 
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.exchange.cubics_in import Imported
-from app.exchange.formats import FORMATS, ContentKind, Format, Written
+from app.exchange.cubics_in import ImportResult
+from app.exchange.formats import FORMATS, ContentKind, ExportResult, Format
 from app.exchange.options import TOLERANCE, Check, OneOf, Real, SomeOf, Tolerance, Whole
 from app.storage.files import save
 
@@ -53,12 +53,12 @@ def write(document, options):
     said = {"corners": corners, "tolerance": options.tolerance}
     if options[KIND]:
         said["own"] = [options[PEN], options[MARKS], options[ROUGH]]
-    return Written(json.dumps(said), deviation=0.25)
+    return ExportResult(json.dumps(said), deviation=0.25)
 
 
 def read(data, _tolerance):
     """A curve through the corners."""
-    return Imported(Document((make_curve([tuple(pair) for pair in json.loads(data)["corners"]]),)))
+    return ImportResult(Document((make_curve([tuple(pair) for pair in json.loads(data)["corners"]]),)))
 
 
 @pytest.fixture

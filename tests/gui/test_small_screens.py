@@ -17,8 +17,8 @@ import app.workbench
 from app.diagnostics.crash_dialog import CrashDialog
 from app.document.model import Document, make_curve
 from app.document.point_edits import set_position
-from app.exchange.choice import ExportChoice
-from app.exchange.cubics_in import Imported
+from app.exchange.cubics_in import ImportResult
+from app.exchange.export_choice import ExportChoice
 from app.exchange.formats import FORMATS
 from app.exchange.table.source import TableSource
 from app.exchange.table.text import preview_table
@@ -82,7 +82,9 @@ def dialogs(window):
     yield CrashDialog(window, "Traceback\n" * 40, is_safe=False)
     many = tuple(f"Element {number} holds text, which has no curves to take." for number in range(30))
     rest = "Its page, its unit mm and 2 guides stay behind."
-    yield ImportDrawingDialog(Verb.OPEN, "drawing.svg", Imported(LINE, 0.0, many), lambda _anew: rest, window)
+    yield ImportDrawingDialog(
+        Verb.OPEN, "drawing.svg", ImportResult(LINE, 0.0, many), lambda _anew: rest, window
+    )
     data = b"t,x,y,vx,vy,ax,ay\n" + b"0,1,2,3,4,5,6\n1,2,4,5,6,7,8\n" * 20
     yield ImportTableDialog(Verb.IMPORT, "a.csv", "a", TableSource(data), preview_table(data), window)
     yield PreferencesDialog(window.preferences, window.actions_by_name.keymap, window)

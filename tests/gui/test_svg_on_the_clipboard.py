@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 
 from app import exchange
 from app.document.model import Document, make_curve
-from app.exchange import child
+from app.exchange import reader_process
 from app.exchange.svg.coordinates import length
 from app.exchange.svg.fragments import SMALL, fragment_in
 from app.exchange.svg.reader import read_svg
@@ -159,8 +159,13 @@ def test_a_faulty_drawing_leaves_the_document_and_says_why(three):
 
 def test_a_large_drawing_is_read_in_a_process_of_its_own(three, monkeypatch):
     asked = []
-    limited = child.limited
-    monkeypatch.setattr(child, "limited", lambda *given, **named: asked.append(1) or limited(*given, **named))
+    read = reader_process.read_in_process
+
+    def read_and_note(*given, **named):
+        asked.append(1)
+        return read(*given, **named)
+
+    monkeypatch.setattr(reader_process, "read_in_process", read_and_note)
     # Large, though of few points: many of them take long to draw.
     numbers = ((place % 97 + 0.125, place % 89) for place in range(400))
     data = "M0 0" + "".join(f"{f'L{x:.15f} {y}':>{SMALL // 390}}" for x, y in numbers)

@@ -19,7 +19,7 @@ from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...tasks.progress import part
 from ..errors import ExchangeError
-from ..formats import Written
+from ..formats import ExportResult
 from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
 from ..units import POINTS_PER_MILLIMETRE, size_in_words
@@ -175,7 +175,7 @@ def _paint(fitted: Drawing, painter: QPainter, style: PictureStyle, options: Opt
     Painting(fitted, painter, style).paint(points=options.points, report=report)
 
 
-def png_file(document: Document, options: Options) -> Written:
+def png_file(document: Document, options: Options) -> ExportResult:
     """Return a PNG file, `options.width` × `options.scale` pixels wide.
 
     Its pixels are as dense as true size asks for where that can be, else as on a screen.
@@ -190,7 +190,7 @@ def png_file(document: Document, options: Options) -> Written:
     size = _size(drawing, options)
     with application():
         data = _png(_image(drawing, size, options, style))
-        return Written(data, drawing.deviation, drawing.left_out, drawing.is_bound, size)
+        return ExportResult(data, drawing.deviation, drawing.left_out, drawing.is_bound, size)
 
 
 def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:
@@ -217,7 +217,7 @@ def _buffer() -> QBuffer:
     return buffer
 
 
-def pdf_file(document: Document, options: Options) -> Written:
+def pdf_file(document: Document, options: Options) -> ExportResult:
     """Return a document as a PDF of one page.
 
     `options.width` is in points of 1/72 inch.
@@ -232,7 +232,9 @@ def pdf_file(document: Document, options: Options) -> Written:
     style = options.vector_style
     drawing = _drawing(document, options, style)
     with application():
-        return Written(_page(drawing, options, style), drawing.deviation, drawing.left_out, drawing.is_bound)
+        return ExportResult(
+            _page(drawing, options, style), drawing.deviation, drawing.left_out, drawing.is_bound
+        )
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:

@@ -8,7 +8,7 @@ To add a format, add a module here, and a row in the README, which a test shows:
 
     # app/exchange/formats/gcode.py
     from curvecore import flatten_pieces
-    from . import Format, Written
+    from . import Format, ExportResult
     from ..exported_curves import curves_of
     from ..options import TOLERANCE, Real
 
@@ -29,7 +29,7 @@ To add a format, add a module here, and a row in the README, which a test shows:
             deviation = max(deviation, line.reached)
             points = curve.core.evaluate(line.parameters).tolist()
             lines += [f"G{int(k > 0)} X{x!r} Y{y!r}" for k, (x, y) in enumerate(points)]
-        return Written("\n".join(lines) + "\n", deviation, curves.remarks)
+        return ExportResult("\n".join(lines) + "\n", deviation, curves.remarks)
 
     GCODE = Format(
         endings=(".gcode",),
@@ -69,7 +69,7 @@ DOCUMENT_ENDING = ".curve.json"
 
 
 @dataclass(frozen=True)
-class Written:
+class ExportResult:
     """Result of a writer.
 
     Attributes
@@ -168,9 +168,9 @@ class Format(FileKind):
     plural
         What the import dialog calls such files.
     read
-        Of a drawing a function at the top level of its module, for a process of its own calls it by name: it
-        takes the content and the tolerance and returns what was `Imported`. That of a table takes the content
-        and returns a `Table`. None for documents and for tables of text.
+        Reader of the content of a file; None for documents and for tables of text. That of a table takes the
+        content and returns a `Table`. That of a drawing takes the content and the tolerance and returns an
+        `ImportResult`; it stands at the top level of its module, for another process calls it by name.
     recognises
         Whether a content is of this format, in a file whose name ends as those of others; None if none is.
     """
@@ -179,7 +179,7 @@ class Format(FileKind):
     rank: int = 1000
     options: tuple[Option[Any], ...] = ()
     hidden: Callable[[Mapping[str, Any]], Sequence[Option[Any]]] = lambda _values: ()
-    write: Callable[[Document, Options], Written] | None = None
+    write: Callable[[Document, Options], ExportResult] | None = None
     preview: Callable[[Document, Options, tuple[int, int]], PicturePreview] | None = None
     kind: ContentKind | None = None
     plural: str = ""

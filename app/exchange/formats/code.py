@@ -19,9 +19,9 @@ from ...document.model import Document
 from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
 from ..exported_curves import ExportedCurve, accuracy, bezier_values, curves_of, measured, one_line
-from ..naming import Names
 from ..options import DEFAULT, Options
-from . import Format, Written
+from ..unique_names import UniqueNames
+from . import ExportResult, Format
 
 _RESERVED = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 
@@ -34,7 +34,7 @@ _RUNTIME: tuple[Callable[..., Any], ...] = (
 _evaluate: Callable[..., FloatArray] = code_runtime.evaluate
 
 
-def python_code(document: Document, options: Options = DEFAULT) -> Written:
+def python_code(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return a module of Python, with NumPy alone, that has a function of t for every curve.
 
     Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
@@ -56,10 +56,10 @@ def python_code(document: Document, options: Options = DEFAULT) -> Written:
         deviation = max(deviation, max(rounding) + curve.polynomials.deviation)
         body.append(f"{_listing(identifier.upper(), curve)}\n\n\n{_function(identifier, curve)}")
     text = "\n\n\n".join([_head(deviation, curves.remarks, "import numpy as np"), *body]) + "\n"
-    return Written(text, deviation, curves.remarks, is_bound=False)
+    return ExportResult(text, deviation, curves.remarks, is_bound=False)
 
 
-def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
+def scipy_code(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return a module of Python that makes every curve an interpolator of SciPy, called with t.
 
     A Lagrange curve becomes a `BarycentricInterpolator`, whose error grows with the Lebesgue constant;
@@ -80,18 +80,18 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> Written:
         deviation = max(deviation, rounding)
     imports = "import numpy as np\nfrom scipy import interpolate"
     text = "\n\n".join([_head(deviation, curves.remarks, imports), *body]) + "\n"
-    return Written(text, deviation, curves.remarks, is_bound=False)
+    return ExportResult(text, deviation, curves.remarks, is_bound=False)
 
 
 def identifiers_of(curves: Iterable[ExportedCurve]) -> list[str]:
     """Return a different Python identifier for every curve, like its name."""
-    names, identifiers = Names(between="_"), []
+    names, identifiers = UniqueNames(between="_"), []
     for curve in curves:
         plain = unicodedata.normalize("NFKD", curve.name).encode("ascii", "ignore").decode().lower()
         base = re.sub("[^a-z0-9]+", "_", plain).strip("_") or "curve"
         if base[0].isdigit() or keyword.iskeyword(base) or base in _RESERVED:
             base = f"curve_{base}"
-        identifiers.append(names.different(base))
+        identifiers.append(names.unique(base))
     return identifiers
 
 

@@ -8,13 +8,13 @@ from ...storage.format import encode
 from ...storage.format_error import FormatError
 from ..errors import ExchangeError
 from ..options import Options
-from . import DOCUMENT_ENDING, ContentKind, Format, Written, is_document
+from . import DOCUMENT_ENDING, ContentKind, ExportResult, Format, is_document
 
 
-def _write(document: Document, options: Options) -> Written:
+def _write(document: Document, options: Options) -> ExportResult:
     # The picture to trace is found from where the file lies.
     try:
-        return Written(encode(with_relative_image_path(document, folder_of(options.path))))
+        return ExportResult(encode(with_relative_image_path(document, folder_of(options.path))))
     except FormatError as problem:
         raise ExchangeError(f"The document cannot be written: {problem}.") from problem
 

@@ -26,16 +26,16 @@ from ...tasks.progress import Report
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import (
-    Imported,
     ImportedPath,
+    ImportResult,
     Look,
-    PointsAlone,
+    PathThroughPoints,
     error_of_arc,
-    imported,
+    import_paths,
     lines,
     pieces_of_arc,
 )
-from ..errors import LEFT_OUT, ExchangeError, Flaw, Missed
+from ..errors import LEFT_OUT, ExchangeError, Loss, Losses
 from ..exported_curves import (
     Beziers,
     ExportedCurve,
@@ -47,10 +47,10 @@ from ..exported_curves import (
     one_line,
     worst_of,
 )
-from ..naming import Names
 from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options
+from ..unique_names import UniqueNames
 from ..units import dxf_code, unit_of_dxf
-from . import ContentKind, Format, Written
+from . import ContentKind, ExportResult, Format
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -71,7 +71,7 @@ CUBIC = Check(
 )
 
 
-def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
+def dxf_text(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return the curves as DXF (R2010): one SPLINE each, on a layer of its own.
 
     Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
@@ -89,7 +89,7 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     tolerance = curves.tolerance
     drawing: Drawing = ezdxf.new("R2010", units=dxf_code(options.unit))
     paths = list[Beziers]()
-    names = Names(drawing.layers)
+    names = UniqueNames(drawing.layers)
     for curve in curves:
         layer = _layer(drawing, curve, names)
         pieces = _pieces(curve, tolerance, options[CUBIC])
@@ -104,7 +104,7 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> Written:
     drawing.write(stream)
     # 999 is the group of comments; they stand before everything else.
     head = "".join(f"999\n{comment}\n" for comment in comments)
-    return Written(head + stream.getvalue(), deviation, curves.remarks, is_bound)
+    return ExportResult(head + stream.getvalue(), deviation, curves.remarks, is_bound)
 
 
 class _ReportingStream(io.StringIO):
@@ -145,10 +145,10 @@ def _add_spline(drawing: Drawing, curve: ExportedCurve, parts: list[Beziers], la
     spline.knots = [float(knot) for knot in knots]
 
 
-def _layer(drawing: Drawing, curve: ExportedCurve, names: Names) -> str:
+def _layer(drawing: Drawing, curve: ExportedCurve, names: UniqueNames) -> str:
     """Add a layer with the curve's name, as far as DXF allows it, and its colour."""
     base = _NOT_IN_A_LAYER.sub("_", one_line(curve.name)).strip()[:_LONGEST_LAYER] or "Curve"
-    name = names.different(base)
+    name = names.unique(base)
     layer = drawing.layers.add(name, color=WHITE)
     if curve.source.style.colour:
         digits = curve.source.style.colour
@@ -176,7 +176,7 @@ _WITH_ARCS = ("LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE")
 _END = re.compile(r"(^|\n)[ \t]*0[ \t]*\n[ \t]*EOF\s*\Z")
 
 
-def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
+def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
     """Return the curves in the model space of a DXF file.
 
     SPLINE up to degree 3 and LINE, LWPOLYLINE and POLYLINE without bulges are taken exactly; arcs,
@@ -210,7 +210,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> Imported:
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
-    found = imported(reader.paths, reader.missed).with_curves()
+    found = import_paths(reader.paths, reader.losses).with_curves()
     unit = unit_of_dxf(int(drawing.units))
     return dataclasses.replace(found, document=replace(found.document, unit=unit))
 
@@ -246,8 +246,8 @@ class _Reader:
     def __init__(self, drawing: Drawing, tolerance: float | None) -> None:
         self._drawing = drawing
         self._tolerance = tolerance
-        self.paths: list[ImportedPath | PointsAlone] = []
-        self.missed = Missed()
+        self.paths: list[ImportedPath | PathThroughPoints] = []
+        self.losses = Losses()
 
     def take(self, entity: DXFGraphic, number: int) -> None:
         """Add the paths of an entity, counted from 1."""
@@ -266,7 +266,7 @@ class _Reader:
             raise _damaged(f"Entity {number} ({kind})", problem) from problem
 
     def _miss(self, entity: DXFGraphic, outcome: str = LEFT_OUT) -> None:
-        self.missed.note(Flaw(entity.dxftype(), outcome), entity)
+        self.losses.note(Loss(entity.dxftype(), outcome), entity)
 
     def _take_spline(self, spline: Spline) -> None:
         points = np.array([tuple(point)[:2] for point in spline.control_points], dtype=float)
@@ -297,7 +297,7 @@ class _Reader:
         if not np.isfinite(distinct).all():
             raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” is not finite.")
         self._miss(spline, "with fit points alone came as the natural spline through them")
-        self.paths.append(PointsAlone(self._name(spline), self._look(spline), tuple(distinct), closed))
+        self.paths.append(PathThroughPoints(self._name(spline), self._look(spline), tuple(distinct), closed))
 
     def _name(self, entity: DXFGraphic) -> str:
         layer = str(entity.dxf.layer)

@@ -23,13 +23,13 @@ from ..errors import ExchangeError
 from ..exported_curves import Beziers, beziers_of, curves_of, measured, worst_of
 from ..options import DEFAULT, TOLERANCE, Options
 from ..svg.writer import path_data
-from . import Format, Written
+from . import ExportResult, Format
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
 
 
-def desmos_expressions(document: Document, options: Options = DEFAULT) -> Written:
+def desmos_expressions(document: Document, options: Options = DEFAULT) -> ExportResult:
     r"""Return a list of expressions to paste into Desmos, one Bézier piece a line, t from 0 to 1.
 
     Lagrange curves beyond degree 10 become cubics within the tolerance.
@@ -46,7 +46,7 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Writte
         lines += [_desmos_line(controls) for each in pieces for controls in each.control_points]
         paths += pieces
     deviation, is_bound = worst_of(paths)
-    return Written("\n".join(lines) + "\n", deviation, curves.remarks, is_bound)
+    return ExportResult("\n".join(lines) + "\n", deviation, curves.remarks, is_bound)
 
 
 def _desmos_line(controls: FloatArray) -> str:
@@ -74,7 +74,7 @@ def _desmos_number(value: float) -> str:
     return rf"\left({text}\right)" if value < 0 else text
 
 
-def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
+def svg_path_data(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return path data, the ``d`` of an SVG path, one path a paragraph; y points down there.
 
     Raises
@@ -85,10 +85,10 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> Written:
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     shapes = with_progress(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
     paths = [path_data(each, has_lines=False) for each in shapes]
-    return Written("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
+    return ExportResult("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
 
 
-def coefficients_json(document: Document, options: Options = DEFAULT) -> Written:
+def coefficients_json(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return the coefficients of every polynomial piece as JSON, lowest power of s first.
 
     On a segment from start to end, s = (t - start) / (end - start), and x = Σ x_k s^k. The coefficients
@@ -120,7 +120,7 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> Written
     }
     if not np.isfinite(worst):
         raise ExchangeError("The coefficients are beyond all numbers; export code instead.")
-    return Written(
+    return ExportResult(
         json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, curves.remarks, is_bound=False
     )
 

@@ -9,18 +9,18 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..cubics_in import Imported, ImportedPath, Look, imported, lines
-from ..errors import ExchangeError, Flaw, Missed
+from ..cubics_in import ImportedPath, ImportResult, Look, import_paths, lines
+from ..errors import ExchangeError, Loss, Losses
 from . import ContentKind, Format
 
 _SECTION = re.compile(r"^\[(\w+)(.*)\]\s*$", re.MULTILINE)
 _POINTS = re.compile(r'"points"\s*:\s*P(?:acked|ool)Vector2Array\(([^)]+)\)')
 _USED = re.compile(r'^curve = SubResource\(\s*"?(.*?)"?\s*\)', re.MULTILINE)
 _PLACED = re.compile(r"^(?:position|rotation|scale|skew|transform) = ", re.MULTILINE)
-_NOT_APPLIED = Flaw("node", "with a position, rotation or scale of its own came without that")
+_NOT_APPLIED = Loss("node", "with a position, rotation or scale of its own came without that")
 
 
-def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
+def read_curves(data: bytes, _tolerance: float | None = None) -> ImportResult:
     """Return the curves of a resource or scene, named after the nodes that use them.
 
     A curve whose last point is its first comes closed. A piece without handles is a straight line.
@@ -32,7 +32,7 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
     """
     text = data.decode("utf-8", "replace")
     sections = list(_SECTION.finditer(text))
-    found, names, missed = dict[str, FloatArray](), dict[str, str](), Missed()
+    found, names, losses = dict[str, FloatArray](), dict[str, str](), Losses()
     for head, following in zip_longest(sections, sections[1:]):
         owner = sections[0] if head[1] == "resource" else head
         body = text[head.end() : following.start() if following else None]
@@ -42,14 +42,14 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> Imported:
         if head[1] == "node" and (used := _USED.search(body)):
             name = names.setdefault(used[1], _attribute(head, "name"))
             if _PLACED.search(body):
-                missed.note(_NOT_APPLIED, head.start(), name)
+                losses.note(_NOT_APPLIED, head.start(), name)
     if not found:
         raise ExchangeError("There is no Curve2D in it. Save it, or its scene, as text (.tres, .tscn).")
     paths = [
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
         for number, (key, points) in enumerate(found.items(), start=1)
     ]
-    return imported(paths, missed).with_curves()
+    return import_paths(paths, losses).with_curves()
 
 
 def _attribute(head: re.Match[str], name: str) -> str:

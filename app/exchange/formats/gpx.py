@@ -16,9 +16,9 @@ from curvecore.arrays import FloatArray
 
 from ...document.words import count_of
 from ..errors import ExchangeError
-from ..naming import numbered
 from ..svg.xml_tree import parsed, tag_of
 from ..table.table import Table, table_of
+from ..unique_names import numbered
 from . import ContentKind, Format
 
 if TYPE_CHECKING:

@@ -15,9 +15,9 @@ from curvecore.arrays import FloatArray
 
 from ...storage.format_error import in_words, not_json
 from ..errors import ExchangeError
-from ..naming import numbered
 from ..table.columns import numbered_titles
 from ..table.table import RowProblem, Table, table_of
+from ..unique_names import numbered
 from . import ContentKind, Format
 
 _GEO = """Feature FeatureCollection GeometryCollection LineString MultiLineString Polygon MultiPolygon

@@ -33,7 +33,7 @@ from ..exported_curves import (
 )
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
 from ..units import size_in_words
-from . import Format, Written
+from . import ExportResult, Format
 
 DIGITS = Whole(
     name="digits",
@@ -65,7 +65,7 @@ _SPECIAL = {
 _CAPS = {LineCap.BUTT: "butt", LineCap.ROUND: "round", LineCap.SQUARE: "rect"}
 
 
-def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
+def latex_formula(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
 
     Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
@@ -86,7 +86,7 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> Written:
     return _file(formulas, Deviation(deviation, is_bound), curves.remarks, "amsmath")
 
 
-def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
+def tikz_picture(document: Document, options: Options = DEFAULT) -> ExportResult:
     r"""Return a ``tikzpicture`` of the curves as cubic Bézier curves; needs tikz.
 
     It is `PICTURE_SIDE` cm large; in a unit of length it has true size.
@@ -114,7 +114,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> Written:
     return _picture(lines, deviation, drawing, "tikz")
 
 
-def pgfplots_axis(document: Document, options: Options = DEFAULT) -> Written:
+def pgfplots_axis(document: Document, options: Options = DEFAULT) -> ExportResult:
     r"""Return a ``tikzpicture`` of an axis with the curves and their points; needs pgfplots.
 
     Coordinates are the document's own in full precision; pgfplots computes with about seven digits.
@@ -250,15 +250,15 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
 # Pictures
 
 
-def _picture(lines: list[str], deviation: float, drawing: Drawing, package: str) -> Written:
+def _picture(lines: list[str], deviation: float, drawing: Drawing, package: str) -> ExportResult:
     whole = ["\\begin{tikzpicture}", *lines, "\\end{tikzpicture}"]
     return _file(whole, Deviation(deviation, drawing.is_bound), drawing.left_out, package)
 
 
-def _file(lines: list[str], worst: Deviation, remarks: tuple[str, ...], package: str) -> Written:
+def _file(lines: list[str], worst: Deviation, remarks: tuple[str, ...], package: str) -> ExportResult:
     """Return lines below comments: how accurate they are, the package they need, what was left out."""
     head = [accuracy(*worst), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
-    return Written(
+    return ExportResult(
         "\n".join([*(f"% {line}" for line in head), *lines]) + "\n", worst.deviation, remarks, worst.is_bound
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .. import drawing, svg
-from ..cubics_in import Imported
+from ..cubics_in import ImportResult
 from ..options import (
     BY_DPI,
     DPI,
@@ -29,7 +29,7 @@ _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
 _IN_PIXELS = (BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:])
 
 
-def read(data: bytes, tolerance: float | None) -> Imported:
+def read(data: bytes, tolerance: float | None) -> ImportResult:
     """Return the curves of a drawing, above the x axis; see `svg.reader.read_svg_above`."""
     return svg.reader.read_svg_above(data, tolerance)
 

@@ -26,15 +26,15 @@ from curvecore.bezier.control_points import chebyshev_samples
 from ...document.model import Document
 from ...families import QUINTIC_HERMITE
 from ...view_model.curve.curve_view import ParametricCurve
-from ..cubics_in import Imported, ImportedPath, Look, imported
-from ..errors import ExchangeError, Flaw, Missed
+from ..cubics_in import ImportedPath, ImportResult, Look, import_paths
+from ..errors import ExchangeError, Loss, Losses
 from ..exported_curves import ExportedCurve, bezier_values, cell_of_number, curves_of, tolerance_for
-from ..naming import numbered
 from ..options import DEFAULT, TOLERANCE, Options
 from ..table.columns import AFTER, ROLES, mapping_of
 from ..table.table import RowProblem, Table, TextLayout, table_of
 from ..table.text import preview_table, read_table
-from . import ContentKind, Format, Written
+from ..unique_names import numbered
+from . import ContentKind, ExportResult, Format
 from .json_tables import is_object, json_in
 
 # PathPlanner
@@ -61,7 +61,7 @@ class _Path(msgspec.Struct, rename="camel"):
     markers: list[Any] = []  # until 2023
 
 
-def read_pathplanner(data: bytes, _tolerance: float | None = None) -> Imported:
+def read_pathplanner(data: bytes, _tolerance: float | None = None) -> ImportResult:
     """Return the curve of a path, the same but for rounding.
 
     Raises
@@ -69,7 +69,7 @@ def read_pathplanner(data: bytes, _tolerance: float | None = None) -> Imported:
     ExchangeError
         With the place of what is missing, or no number.
     """
-    path, missed = json_in(data, _Path), Missed()
+    path, losses = json_in(data, _Path), Losses()
     sides = ((0, "anchor"), (0, "next_control"), (1, "prev_control"), (1, "anchor"))
     starts = range(len(path.waypoints) - 1)
     pieces = [[_place(path.waypoints, start + ahead, name) for ahead, name in sides] for start in starts]
@@ -77,8 +77,8 @@ def read_pathplanner(data: bytes, _tolerance: float | None = None) -> Imported:
         raise ExchangeError("A path needs two waypoints.")
     for name in path.__struct_fields__[1:]:
         for number, _lost in enumerate(getattr(path, name)):
-            missed.note(Flaw(name.removesuffix("s").replace("_", " ")), number)
-    return imported([ImportedPath("Path", Look(), np.array(pieces), closed=False)], missed).with_curves()
+            losses.note(Loss(name.removesuffix("s").replace("_", " ")), number)
+    return import_paths([ImportedPath("Path", Look(), np.array(pieces), closed=False)], losses).with_curves()
 
 
 def _place(waypoints: list[_Waypoint], index: int, name: str) -> tuple[float, float]:
@@ -148,7 +148,7 @@ def read_pathweaver(data: bytes) -> Table:
     )
 
 
-def path_table(document: Document, options: Options = DEFAULT) -> Written:
+def path_table(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return the first visible curve as a path of PathWeaver.
 
     The path is the curve itself where that is a quintic Hermite curve with even parameters and without
@@ -169,7 +169,7 @@ def path_table(document: Document, options: Options = DEFAULT) -> Written:
         else:
             remarks = (*remarks, f"“{curve.name}” was left out: a file of PathWeaver has one path.")
     is_bound = not deviation or (first.core.degree or math.inf) <= _MOST_SAMPLED
-    return Written("\n".join([_WAYPOINT_TITLES, *rows]) + "\n", deviation, remarks, is_bound)
+    return ExportResult("\n".join([_WAYPOINT_TITLES, *rows]) + "\n", deviation, remarks, is_bound)
 
 
 def _rows_of(curve: ExportedCurve, tolerance: float) -> tuple[list[str], float]:

@@ -23,9 +23,9 @@ from ...view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..errors import ExchangeError
 from ..exported_curves import cell_of_name, cell_of_number, curves_of
 from ..options import DEFAULT, TOLERANCE, OneOf, Option, Options, SomeOf, Whole
-from ..table.columns import AFTER, ROLES, WORDS, family_word, numbered_titles
+from ..table.columns import AFTER, ROLES, WORDS, family_cell, numbered_titles
 from ..table.table import MAX_COLUMNS, MAX_ROWS, Table, table_of
-from . import ContentKind, Format, Written
+from . import ContentKind, ExportResult, Format
 
 _HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
 _SHAPES = (
@@ -113,7 +113,7 @@ NPY = Format(
 # Points
 
 
-def points_table(document: Document, options: Options = DEFAULT) -> Written:
+def points_table(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return the points of all visible curves, a row each; read back, they give curves of the same shape.
 
     Tabs separate the cells of a file whose name ends in .tsv, commas those of any other.
@@ -132,14 +132,14 @@ def points_table(document: Document, options: Options = DEFAULT) -> Written:
     titles = (*ROLES, *AFTER)
     rows = []
     for curve in curves:
-        words = [cell_of_name(curve.line_name, separator), family_word(curve.source)]
+        words = [cell_of_name(curve.line_name, separator), family_cell(curve.source)]
         rows += [(words, row) for row in _rows(view_of(curve.source))]
     used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
     lines = [separator.join([*WORDS, *(titles[place] for place in used)])]
     lines += [
         separator.join([*words, *(cell_of_number(row[place]) for place in used)]) for words, row in rows
     ]
-    return Written("\n".join(lines) + "\n", 0.0, curves.remarks)
+    return ExportResult("\n".join(lines) + "\n", 0.0, curves.remarks)
 
 
 def _rows(view: CurveView) -> list[tuple[float, ...]]:
@@ -228,7 +228,7 @@ _STRAIGHT = 1e-6
 _LENGTH_ACCURACY = 1e-9
 
 
-def sampled_table(document: Document, options: Options = DEFAULT, separator: str = ",") -> Written:
+def sampled_table(document: Document, options: Options = DEFAULT, separator: str = ",") -> ExportResult:
     """Return the curves as a table; with several, the first column is the curve's name.
 
     There are equal steps of t, of the arc length, or as many samples as a polyline within the tolerance
@@ -257,7 +257,7 @@ def sampled_table(document: Document, options: Options = DEFAULT, separator: str
     if unsure:
         rows_unsure = count_of(unsure, "row")
         remarks = (*remarks, f"In {rows_unsure} rounding may change the curvature by more than a thousandth.")
-    return Written("\n".join(lines) + "\n", deviation, remarks, is_bound=False)
+    return ExportResult("\n".join(lines) + "\n", deviation, remarks, is_bound=False)
 
 
 def _samples_of(

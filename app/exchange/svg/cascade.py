@@ -17,7 +17,7 @@ import cssselect2
 import tinycss2
 from tinycss2.ast import FunctionBlock, IdentToken, StringToken
 
-from ..errors import ExchangeError, Flaw, Missed
+from ..errors import ExchangeError, Loss, Losses
 from .coordinates import NUMBER, with_unit
 from .xml_tree import tag_of
 
@@ -84,7 +84,7 @@ _FONT_SIZE = re.compile(
 """The size that a `font` says: no other part of it has a unit."""
 
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
-_RULE = Flaw("style rule", "not followed")
+_RULE = Loss("style rule", "not followed")
 _HARMLESS = ("font-face", "charset", "namespace", "keyframes")
 
 _Declared = tuple[str, str, bool]
@@ -100,8 +100,8 @@ class Cascade:
         Takes note of the rules that are not followed.
     """
 
-    def __init__(self, root: ET.Element, missed: Missed) -> None:
-        self._missed = missed
+    def __init__(self, root: ET.Element, losses: Losses) -> None:
+        self._missed = losses
         self._matcher = cssselect2.Matcher()
         self._selectors = 0
         for element in root.iter():

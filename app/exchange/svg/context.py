@@ -12,8 +12,8 @@ from curvecore.arrays import FloatArray
 
 from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
-from ..errors import ExchangeError, Flaw
-from ..naming import Names
+from ..errors import ExchangeError, Loss
+from ..unique_names import UniqueNames
 from .coordinates import Box, Viewport, moved
 from .shapes import SHAPES, Subpath, outline_of
 from .xml_tree import Elements, tag_of
@@ -36,7 +36,7 @@ class Group:
 
 
 @dataclass(frozen=True, eq=False)
-class Drawn:
+class DrawnPath:
     """A path as it is drawn.
 
     Attributes
@@ -54,18 +54,18 @@ class Drawn:
     groups: tuple[Group, ...]
 
 
-def is_seen(drawn: Drawn) -> bool:
+def is_seen(drawn: DrawnPath) -> bool:
     """Whether a path has a paint."""
     style = drawn.path.look.style
     return style.has_stroke or style.has_fill
 
 
-def with_line(drawn: Drawn) -> Drawn:
+def with_line(drawn: DrawnPath) -> DrawnPath:
     """Return a shape without any paint as a line."""
     return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))
 
 
-def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
+def _held(drawn: Sequence[DrawnPath]) -> dict[Group, set[int]]:
     """Return which elements are in each group."""
     held: dict[Group, set[int]] = {}
     for each in drawn:
@@ -74,7 +74,7 @@ def _held(drawn: Sequence[Drawn]) -> dict[Group, set[int]]:
     return held
 
 
-def settled(drawn: Sequence[Drawn]) -> list[ImportedPath]:
+def settled(drawn: Sequence[DrawnPath]) -> list[ImportedPath]:
     """Return paths with the names of their groups, another one for each.
 
     A group without a name, around a single shape, is none.
@@ -91,25 +91,25 @@ class _Given:
     def __init__(self) -> None:
         self._of_group: dict[Group, str] = {}
         self._of_shape: dict[int, str] = {}
-        self._groups, self._shapes = Names(), Names()
+        self._groups, self._shapes = UniqueNames(), UniqueNames()
 
-    def given(self, drawn: Drawn, groups: Sequence[Group]) -> ImportedPath:
+    def given(self, drawn: DrawnPath, groups: Sequence[Group]) -> ImportedPath:
         """Return a path with names of its groups, and one of its shape, that no others have."""
         chain = self._chain(groups)
         look = replace(drawn.path.look, shape=self._shape(drawn), groups=chain)
         return replace(drawn.path, look=look)
 
-    def _shape(self, drawn: Drawn) -> str:
+    def _shape(self, drawn: DrawnPath) -> str:
         wanted = drawn.path.look.shape
         if wanted and drawn.element not in self._of_shape:
-            self._of_shape[drawn.element] = self._shapes.different(wanted)
+            self._of_shape[drawn.element] = self._shapes.unique(wanted)
         return self._of_shape.get(drawn.element, "")
 
     def _chain(self, groups: Sequence[Group]) -> tuple[str, ...]:
         """Return the names of groups within each other."""
         for group in groups:
             if group not in self._of_group:
-                self._of_group[group] = self._groups.different(group.name or "Group")
+                self._of_group[group] = self._groups.unique(group.name or "Group")
         return tuple(self._of_group[group] for group in groups)
 
 
@@ -121,7 +121,7 @@ _DRAWS = (*SHAPES, "use", "g", "text", "image")
 
 
 @dataclass(frozen=True, eq=False)
-class Window:
+class ClipBox:
     """A box beyond which nothing is shown.
 
     Attributes
@@ -139,7 +139,7 @@ class Window:
     box: Box
     matrix: FloatArray
     element: ET.Element
-    flaw: Flaw
+    loss: Loss
 
     def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
         """Whether points (n, 2) of the document, and what is in reach of them, lie in it.

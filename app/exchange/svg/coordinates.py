@@ -338,7 +338,7 @@ _ROUNDING = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
-class Sheet:
+class Page:
     """Map of the user units of a file to those of a document.
 
     Attributes
@@ -370,7 +370,7 @@ class Sheet:
         return (*(Guide(Axis.X, x) for x in across), *(Guide(Axis.Y, y) for y in up))
 
 
-def sheet_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) -> Sheet:
+def page_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) -> Page:
     """Return the sheet of a file whose root declares a font size; a nominal size means nothing."""
     em = Viewport().with_font(font_size).em
     fonts = Viewport(em=em, rem=em)
@@ -378,17 +378,17 @@ def sheet_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False)
     size = None if is_nominal else _size(root, box, em)
     if size is None:
         viewport = fonts.sized(*box[2:]) if box else fonts
-        return Sheet("", _scaling(1.0, 1.0), viewport, frame=_frame(box) if box else None)
+        return Page("", _scaling(1.0, 1.0), viewport, frame=_frame(box) if box else None)
     width, height, unit = size
     pixel = MILLIMETRES["px"] / MILLIMETRES[unit]
     place = (0.0, 0.0, width, height)
     if box is None:
         viewport = fonts.sized(width / pixel, height / pixel)
-        return Sheet(unit, _scaling(pixel, pixel), viewport, pixel, _frame(place))
+        return Page(unit, _scaling(pixel, pixel), viewport, pixel, _frame(place))
     fit = fitted_box(box, place, root.get("preserveAspectRatio", ""))
     across, down = (_snapped(fit[axis, axis]) for axis in (0, 1))
     frame = _frame((-fit[0, 2], -fit[1, 2], width, height))
-    return Sheet(unit, _scaling(across, down), fonts.sized(*box[2:]), pixel, frame)
+    return Page(unit, _scaling(across, down), fonts.sized(*box[2:]), pixel, frame)
 
 
 def _size(root: ET.Element, box: Box | None, em: float) -> tuple[float, float, str] | None:

@@ -15,7 +15,7 @@ from ...tasks.progress import Report, silent
 from .. import svg
 
 if TYPE_CHECKING:
-    from ..cubics_in import Imported
+    from ..cubics_in import ImportResult
 
 _ELEMENTS = "svg|g|path|rect|circle|ellipse|line|polyline|polygon|use|symbol|defs"
 _ROOT = re.compile(r"<(?:[\w-]+:)?svg[\s/>]")
@@ -73,7 +73,7 @@ def _declared(text: str) -> str:
     return text[:end] + missing + text[end:]
 
 
-def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
+def read_fragment(fragment: Fragment, report: Report = silent) -> ImportResult:
     """Return the curves of a fragment, in a unit; path data alone become lines in ink, without a unit.
 
     Raises
@@ -84,9 +84,9 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> Imported:
     report(0.0, "Reading")
     reader = svg.reader.read_svg
     if len(fragment.data) <= SMALL:
-        found = exchange.child.at_once(reader, fragment.data)
+        found = exchange.reader_process.read_in_this_process(reader, fragment.data)
     else:
-        found = exchange.child.limited(reader, fragment.data, None, report=report)
+        found = exchange.reader_process.read_in_process(reader, fragment.data, None, report=report)
     found = found.with_curves()
     if not fragment.is_bare:
         is_ours = svg.own_files.MARK.encode() in fragment.data

@@ -21,7 +21,7 @@ _INKS = (styles.INK.ink, styles.DARK.ink)
 _ROUNDING = 1e-9
 
 
-class OurOwn:
+class OwnFile:
     """Whether a file is one of our own, and what that means.
 
     Attributes

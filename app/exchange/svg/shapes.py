@@ -273,9 +273,9 @@ def _drawn(data: str, pen: _Pen) -> int | None:
     """Draw path data up to the first error, and return its place; None where there is none."""
     # Of the same length, for the places of errors.
     data = _BARE_POINT.sub(r"\1 ", data)
-    flaw, reader = _PASSED_OVER.search(data), _Reader()
+    loss, reader = _PASSED_OVER.search(data), _Reader()
     try:
-        reader.parse(pen, data[: flaw.start(flaw.lastindex or 0)] if flaw else data)
+        reader.parse(pen, data[: loss.start(loss.lastindex or 0)] if loss else data)
     except ExchangeError:
         return int(reader.pos) - len(data[reader.end_before : reader.pos].lstrip(_SEPARATORS))
     except ValueError:
@@ -283,7 +283,7 @@ def _drawn(data: str, pen: _Pen) -> int | None:
         if reader.command in ("Z", "z"):
             pen.closed()
         return int(reader.pos)
-    return None if flaw is None and reader.pos == len(data) else int(reader.pos)
+    return None if loss is None and reader.pos == len(data) else int(reader.pos)
 
 
 def _error_at(place: int | None, data: str) -> str:

@@ -20,7 +20,7 @@ from tinycss2.color4 import parse_color
 
 from ...document.limits import MAX_MAGNITUDE
 from ...document.style import LARGEST_DASHES, FillRule, LineCap, LineJoin, Style
-from ..errors import LEFT_OUT, ExchangeError, Flaw
+from ..errors import LEFT_OUT, ExchangeError, Loss
 from .cascade import INHERITED
 from .coordinates import Viewport
 from .xml_tree import Elements, tag_of
@@ -29,10 +29,10 @@ _GLOBAL = ("inherit", "unset", "revert", "revert-layer")
 _PAINTS = ("fill", "stroke")
 _LENGTHS = ("stroke-width", "stroke-dasharray", "stroke-dashoffset")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
-_COVERED = Flaw("paint order", "not applied")
-_TRANSPARENT = Flaw("shape", "came with the opacity on fill and stroke separately")
-_UNKNOWN_WIDTH = Flaw("stroke", "of unknown width came with a width of 1")
-_MARKED = Flaw("shape", "came without markers")
+_COVERED = Loss("paint order", "not applied")
+_TRANSPARENT = Loss("shape", "came with the opacity on fill and stroke separately")
+_UNKNOWN_WIDTH = Loss("stroke", "of unknown width came with a width of 1")
+_MARKED = Loss("shape", "came without markers")
 _Kind = TypeVar("_Kind", bound=Enum)
 
 
@@ -92,7 +92,7 @@ class Properties:
 
 def style_of(
     properties: Properties, paints: Paints, viewport: Viewport, scale: float
-) -> tuple[Style, tuple[Flaw, ...]]:
+) -> tuple[Style, tuple[Loss, ...]]:
     """Return the style of a shape whose lengths are scaled so, and what of it is lost.
 
     Raises
@@ -107,16 +107,16 @@ def style_of(
     width = (1.0 if user_width is None else user_width) * scale
     if not 0 < width <= MAX_MAGNITUDE:
         stroke = Paint("none")
-    flaws = [each.flaw for each in (fill, stroke) if each.flaw is not None]
+    losses = [each.loss for each in (fill, stroke) if each.loss is not None]
     if user_width is None and stroke.colour != "none":
-        flaws.append(_UNKNOWN_WIDTH)
+        losses.append(_UNKNOWN_WIDTH)
     if any(values[name].lower() != "none" for name in _MARKERS):
-        flaws.append(_MARKED)
+        losses.append(_MARKED)
     is_both = "none" not in (fill.colour, stroke.colour)
     if is_both and _has_fill_above(values["paint-order"]):
-        flaws.append(_COVERED)
+        losses.append(_COVERED)
     if is_both and properties.opacity < 1:
-        flaws.append(_TRANSPARENT)
+        losses.append(_TRANSPARENT)
     style = Style(
         stroke=stroke.colour,
         fill=fill.colour,
@@ -124,8 +124,8 @@ def style_of(
         fill_opacity=_opacity(fill, properties, "fill-opacity"),
     )
     if stroke.colour == "none":
-        return style, tuple(flaws)
-    return _with_stroke(style, properties, stroke, width, scale, viewport), tuple(flaws)
+        return style, tuple(losses)
+    return _with_stroke(style, properties, stroke, width, scale, viewport), tuple(losses)
 
 
 def _with_stroke(
@@ -226,11 +226,11 @@ class Paint:
 
     colour: str
     opacity: float = 1.0
-    flaw: Flaw | None = None
+    loss: Loss | None = None
 
 
 NONE = Paint("none")
-_CONTEXT = Paint("none", flaw=Flaw("context paint"))
+_CONTEXT = Paint("none", loss=Loss("context paint"))
 
 
 @lru_cache(maxsize=4096)
@@ -322,7 +322,7 @@ def share_of(text: str, default: float = 1.0) -> float:
 def _instead(paint: Paint, noun: str) -> Paint:
     """Return a paint that stands for one of another kind."""
     outcome = "came as one colour" if paint.colour != "none" else LEFT_OUT
-    return Paint(paint.colour, paint.opacity, Flaw(noun, outcome))
+    return Paint(paint.colour, paint.opacity, Loss(noun, outcome))
 
 
 @dataclass(frozen=True)

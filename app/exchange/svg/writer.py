@@ -25,9 +25,9 @@ from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, tri
 from ..drawing.outlines import Frame, Outline
 from ..drawing.styles import PictureStyle
 from ..exported_curves import stated
-from ..formats import Written
-from ..naming import Names
+from ..formats import ExportResult
 from ..options import DEFAULT, Options
+from ..unique_names import UniqueNames
 from ..units import in_unit, shifted
 from .own_files import MARK, NO_CURVES
 from .xml_tree import INKSCAPE_SPACE, SODIPODI_SPACE
@@ -40,7 +40,7 @@ _CSS_UNITS = ("mm", "cm", "in", "pt", "pc", "px")
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
 
-def svg_of(document: Document, options: Options = DEFAULT) -> Written:
+def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return a document as SVG.
 
     Coordinates are the document's own with y negated, in full precision but for noise (see `number`); of a
@@ -62,7 +62,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> Written:
         drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
     curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
     text = _text(drawing, curves, style, options)
-    return Written(text, drawing.deviation, drawing.left_out, drawing.is_bound)
+    return ExportResult(text, drawing.deviation, drawing.left_out, drawing.is_bound)
 
 
 def picture_of(
@@ -135,10 +135,10 @@ def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[
 
 def accuracy_of(drawing: Drawing) -> str:
     """Return a sentence with the largest deviation of the drawing from the true curves."""
-    missed = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
+    losses = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
     return (
         f"{MARK}: {stated(drawing.deviation, drawing.is_bound)} "
-        f"(tolerance {drawing.tolerance:g}{missed}), in the unit of the document."
+        f"(tolerance {drawing.tolerance:g}{losses}), in the unit of the document."
     )
 
 
@@ -189,7 +189,7 @@ def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     )
 
 
-def svg_for_clipboard(document: Document, report: Report = silent) -> Written:
+def svg_for_clipboard(document: Document, report: Report = silent) -> ExportResult:
     """Return a document as SVG whose coordinates are pixels; without a unit of length, one is a pixel.
 
     Inkscape 1.2 pastes the coordinates as they are, whatever the view box.
@@ -228,7 +228,7 @@ class Tree:
     def __init__(self, style: PictureStyle, usual_width: float) -> None:
         self._style, self._usual_width = style, usual_width
         self._open: tuple[str, ...] = ()
-        self._ids = Names(NO_CURVES, between="_")
+        self._ids = UniqueNames(NO_CURVES, between="_")
         self.lines: list[str] = []
 
     def add(self, shape: tuple[Outline, ...]) -> None:
@@ -261,7 +261,7 @@ class Tree:
 
     def _called(self, name: str) -> str:
         """Return an id of its own and, where the name is another word, that as Inkscape's label."""
-        own = self._ids.different(_as_id(name))
+        own = self._ids.unique(_as_id(name))
         return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
 
 

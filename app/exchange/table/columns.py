@@ -250,7 +250,7 @@ def _column(text: str, titles: Sequence[str]) -> int:
 _CLOSED = "closed"
 
 
-class FamilyWord(NamedTuple):
+class FamilyCell(NamedTuple):
     """A cell's words about a curve.
 
     Attributes
@@ -264,7 +264,7 @@ class FamilyWord(NamedTuple):
     settings: ChosenSettings = NO_SETTINGS
 
 
-def family_word(curve: Curve) -> str:
+def family_cell(curve: Curve) -> str:
     """Return the cell for a curve: closed hermite, or floater_hormann degree=5."""
     words = [_CLOSED] if curve.is_closed else []
     return " ".join(
@@ -272,7 +272,7 @@ def family_word(curve: Curve) -> str:
     )
 
 
-def read_family_word(text: str) -> FamilyWord:
+def read_family_cell(text: str) -> FamilyCell:
     """Return what a cell says.
 
     Raises
@@ -287,7 +287,7 @@ def read_family_word(text: str) -> FamilyWord:
     if family is None:
         raise ValueError(f"one of {', '.join(map(str, FAMILIES))}")
     chosen = dict(_read_setting(family, pair) for pair in pairs)
-    return FamilyWord(family, closed, family.settings.without_defaults(chosen))
+    return FamilyCell(family, closed, family.settings.without_defaults(chosen))
 
 
 def _read_setting(family: Family, pair: str) -> tuple[str, SettingValue]:

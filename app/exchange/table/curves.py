@@ -17,12 +17,12 @@ from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
 from ...storage.format_error import FormatError
 from ...storage.validation import validate
 from ...tasks.progress import Report, part, silent
-from ..cubics_in import Imported
+from ..cubics_in import ImportResult
 from ..errors import ExchangeError
-from ..naming import numbered
-from .columns import AFTER, ROLES, ColumnMapping, FamilyWord, read_family_word
+from ..unique_names import numbered
+from .columns import AFTER, ROLES, ColumnMapping, FamilyCell, read_family_cell
 from .table import MissingNumber, RowProblem, Table
-from .thinning import Thinning, thinned
+from .thinning import Thinning, thin_out
 
 MOST_CURVES = 1_000
 
@@ -31,7 +31,7 @@ Group = tuple[str, IntArray]
 """The name of a curve and the places of its rows."""
 
 
-class Missing(NamedEnum):
+class MissingRows(NamedEnum):
     """Treatment of rows without a number for t, x or y."""
 
     REFUSE = "refuse", "Refuse them"
@@ -73,12 +73,12 @@ class TableOptions:
     name: str = "Table"
     thin: float | None = None
     thinning: Thinning = Thinning.CURVE
-    missing: Missing = Missing.REFUSE
+    missing: MissingRows = MissingRows.REFUSE
 
 
 def document_of_table(
     table: Table, mapping: ColumnMapping, options: TableOptions, *, report: Report = silent
-) -> Imported:
+) -> ImportResult:
     """Return the curves through the rows of a table, how far they are from them, and what there is to say.
 
     There is one curve, or one for each name in the column of names, and one for each block of rows. Where
@@ -106,11 +106,11 @@ def document_of_table(
             word = _word_of(table, mapping, rows, options)
             curves.append(_full_curve(title, own, word, away))
         else:
-            kept = thinned(own.points, own.t, options.thin, options.thinning, report=away)
+            kept = thin_out(own.points, own.t, options.thin, options.thinning, report=away)
             curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
             deviation = max(deviation, kept.deviation)
     remarks = _on_repeats(repeats, first_repeat, are_kept="t" in columns)
-    return Imported(_checked(curves), deviation, remarks)
+    return ImportResult(_checked(curves), deviation, remarks)
 
 
 def _columns_of(table: Table, mapping: ColumnMapping) -> dict[str, int]:
@@ -138,17 +138,17 @@ def _groups(table: Table, mapping: ColumnMapping, name: str) -> list[Group]:
 
 
 def _without_missing(
-    table: Table, columns: dict[str, int], groups: list[Group], missing: Missing
+    table: Table, columns: dict[str, int], groups: list[Group], missing: MissingRows
 ) -> list[Group]:
     """Return the groups without rows that lack t, x or y; split there if asked."""
-    if missing is Missing.REFUSE:
+    if missing is MissingRows.REFUSE:
         return groups
     needed = [column for role, column in columns.items() if role in ("t", "x", "y")]
     is_whole = np.asarray(np.isfinite(table.values[:, needed]).all(axis=1))
     result: list[Group] = []
     for title, rows in groups:
         kept = np.flatnonzero(is_whole[rows])
-        ends = np.flatnonzero(np.diff(kept) > 1) + 1 if missing is Missing.SPLIT else kept[:0]
+        ends = np.flatnonzero(np.diff(kept) > 1) + 1 if missing is MissingRows.SPLIT else kept[:0]
         # What is left of a block may be a single row, which is no curve.
         result += [(title, rows[part]) for part in np.split(kept, ends) if len(part) > 1]
     if not result:
@@ -164,13 +164,13 @@ def _numbered(groups: list[Group]) -> list[Group]:
     return [(title, rows) for title, (_, rows) in zip(titles, groups, strict=True)]
 
 
-def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: TableOptions) -> FamilyWord:
+def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: TableOptions) -> FamilyCell:
     """Return what a table says of the family of the curve through some rows."""
     if mapping.family is None or mapping.family not in table.words:
-        return FamilyWord(default.family, settings=default.settings)
+        return FamilyCell(default.family, settings=default.settings)
     first = int(rows[0])
     try:
-        return read_family_word(table.words[mapping.family][first])
+        return read_family_cell(table.words[mapping.family][first])
     except ValueError as problem:
         raise RowProblem(f" must be {problem}.", table.line_of(first), mapping.family + 1) from None
 
@@ -274,7 +274,7 @@ class _Rows:
         return [None if x != x else (x, y) for x, y in values.tolist()]  # noqa: PLR0124 - NaN
 
 
-def _full_curve(name: str, own: _Rows, word: FamilyWord, report: Report) -> Curve:
+def _full_curve(name: str, own: _Rows, word: FamilyCell, report: Report) -> Curve:
     times = own.t
     points = tuple(_points(own, word.family, report))
     return Curve(

@@ -15,13 +15,13 @@ import numpy as np
 from ...document.model import Document
 from ...families import HERMITE, Family
 from ...tasks.progress import Report, part, silent
-from ..cubics_in import Imported
+from ..cubics_in import ImportResult
 from ..errors import ExchangeError
 from .columns import ColumnMapping, mapping_of, words_on
-from .curves import Missing, TableOptions, document_of_table
+from .curves import MissingRows, TableOptions, document_of_table
 from .table import MissingNumber, Preview, RowProblem, Table, TextLayout, cells_at, preview_of
 from .text import cells_of_row, plain_utf_8, preview_table, read_table
-from .thinning import MOST_KEPT, Thinning, TooManyLeftError
+from .thinning import MOST_KEPT, Thinning, TooManyPointsError
 
 if TYPE_CHECKING:
     from ..files import ImportOptions
@@ -64,7 +64,7 @@ class TableSource:
         self,
         layout: TextLayout,
         mapping: ColumnMapping,
-        missing: Missing = Missing.REFUSE,
+        missing: MissingRows = MissingRows.REFUSE,
         report: Report = silent,
     ) -> Table:
         """Return the numbers in the columns of a mapping.
@@ -76,7 +76,7 @@ class TableSource:
         """
         if not self._is_text:
             return self._all()
-        allows_missing = missing is not Missing.REFUSE
+        allows_missing = missing is not MissingRows.REFUSE
         known = self._read
         if known is not None and known[:3] == (layout, mapping, allows_missing):
             return known[3]
@@ -99,9 +99,9 @@ class TableSource:
         return self._whole
 
 
-def import_table(name: str, source: TableSource, options: ImportOptions, report: Report) -> Imported:
+def import_table(name: str, source: TableSource, options: ImportOptions, report: Report) -> ImportResult:
     """Return what a table holds, whose file has that `name` without its ending."""
-    preview, missing = source.preview(), Missing(options.missing)
+    preview, missing = source.preview(), MissingRows(options.missing)
     mapping = mapping_of(options.columns, preview.titles) if options.columns else preview.certain_mapping()
     try:
         table = source.table(preview.layout, mapping, missing, part(report, 0.0, 0.5))
@@ -169,7 +169,7 @@ class TableChoice:
     thinning: Thinning | None = None
     tolerance: float | None = None
     name: str = "Table"
-    missing: Missing = Missing.REFUSE
+    missing: MissingRows = MissingRows.REFUSE
 
 
 @dataclass(frozen=True)
@@ -261,7 +261,7 @@ def _made(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
                 ),
                 report=report,
             )
-        except TooManyLeftError:
+        except TooManyPointsError:
             if choice.tolerance is not None:
                 raise
             tolerance = float(f"{2 * tolerance:.0e}")

@@ -22,7 +22,7 @@ _ROUNDS = 60
 _DEEPEST = 1_000
 
 
-class TooManyLeftError(ExchangeError):
+class TooManyPointsError(ExchangeError):
     """The tolerance is so small that hardly anything is thinned out."""
 
 
@@ -34,7 +34,7 @@ class Thinning(NamedEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Thinned:
+class ThinnedPoints:
     """Points that were kept.
 
     Attributes
@@ -52,14 +52,14 @@ class Thinned:
     deviation: float
 
 
-def thinned(
+def thin_out(
     points: FloatArray,
     parameters: FloatArray | None,
     tolerance: float,
     thinning: Thinning = Thinning.CURVE,
     *,
     report: Report = silent,
-) -> Thinned:
+) -> ThinnedPoints:
     """Return few of the points, such that the natural spline or the polyline through them is near all.
 
     Starts with few points and adds the farthest of every segment that is too far away, until none is. For
@@ -94,7 +94,7 @@ def thinned(
         raise ExchangeError("All points coincide; there is no curve through them.")
     points = points[distinct]
     kept = _kept(points, t, tolerance, thinning is Thinning.CURVE, report)
-    return Thinned(distinct[kept], t[kept], float(_distances(points, t, kept).max()))
+    return ThinnedPoints(distinct[kept], t[kept], float(_distances(points, t, kept).max()))
 
 
 def _kept(points: FloatArray, t: FloatArray, tolerance: float, is_curve: bool, report: Report) -> IntArray:
@@ -111,7 +111,7 @@ def _kept(points: FloatArray, t: FloatArray, tolerance: float, is_curve: bool, r
         kept = np.union1d(kept, _farthest(distance, kept, tolerance))
         if len(kept) > MOST_KEPT:
             break
-    raise TooManyLeftError(
+    raise TooManyPointsError(
         f"More than {MOST_KEPT} points would be left; allow a larger distance than {tolerance:g}."
     )
 

@@ -12,7 +12,7 @@ from ... import exchange
 from ...document.groups import tidy_shapes
 from ...document.model import Document
 from ...exchange.errors import ExchangeError
-from ...exchange.formats import Written
+from ...exchange.formats import ExportResult
 from ...qt.overrides import SafeOverrides
 from ...storage.format import encode
 from ...workbench.clipboard import SVG
@@ -75,7 +75,7 @@ class ClipboardContent(SafeOverrides, QMimeData):
             return None
 
 
-def _svg(document: Document) -> Written:
+def _svg(document: Document) -> ExportResult:
     return exchange.svg_for_clipboard(document)
 
 

@@ -42,7 +42,7 @@ from ...workbench.context import WindowContext
 from .clipboard_content import ClipboardContent
 
 if TYPE_CHECKING:
-    from ...exchange.cubics_in import Imported
+    from ...exchange.cubics_in import ImportResult
 
 _NO_CURVE = "A picture is no curve: File › Reference Image shows one to trace."
 _MANY_POINTS = 200
@@ -124,16 +124,16 @@ class PasteCommands:
     # Curves
 
     def _bring(
-        self, read: Callable[[Report], Imported], place: Vector | None, points: int = _MANY_POINTS
+        self, read: Callable[[Report], ImportResult], place: Vector | None, points: int = _MANY_POINTS
     ) -> None:
         """Add what is read beside the window to the document that is open; few `points` at once."""
         beginning, target = self._session.files.beginning, self._target(place)
 
-        def work(report: Report) -> tuple[Imported, Arrival]:
+        def work(report: Report) -> tuple[ImportResult, Arrival]:
             found = read(part(report, 0.0, 0.5))
             return found, _filled(target, found, lambda share: report(0.5 + share / 2, "Computing curves"))
 
-        def done(made: tuple[Imported, Arrival]) -> None:
+        def done(made: tuple[ImportResult, Arrival]) -> None:
             found, arrival = made
             now = replace(self._target(place), pixel=target.pixel)
             if self._session.files.beginning is not beginning:
@@ -211,12 +211,12 @@ class PasteCommands:
             self._context.actions["fitView"].trigger()
 
 
-def _known(found: Decoded, _report: Report) -> Imported:
+def _known(found: Decoded, _report: Report) -> ImportResult:
     remarks = (found.left_out.said_of("What was copied"),) if found.left_out else ()
-    return exchange.cubics_in.Imported(found.document, remarks=remarks)
+    return exchange.cubics_in.ImportResult(found.document, remarks=remarks)
 
 
-def _filled(target: Target, found: Imported, told: Callable[[float], object] | None = None) -> Arrival:
+def _filled(target: Target, found: ImportResult, told: Callable[[float], object] | None = None) -> Arrival:
     """Return the target with what was read, in the unit of the document."""
     sized = exchange.units.in_unit(found.document, target.document.unit)
     return target.filled(sized.curves, told)

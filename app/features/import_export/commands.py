@@ -28,7 +28,7 @@ from .export_commands import CopyCommands, ExportCommands
 from .import_series import ImportSeries
 
 if TYPE_CHECKING:
-    from ...exchange.cubics_in import Imported
+    from ...exchange.cubics_in import ImportResult
     from ...exchange.table.source import PreparedTable, TableSource
     from ...exchange.table.table import Preview
     from ...view_model.paste import Arrival
@@ -89,7 +89,7 @@ class ImportCommands:
         self._series.skip_rest()
 
     def _begin(self, path: Path) -> None:
-        def work(report: Report) -> Imported | _OpenTable:
+        def work(report: Report) -> ImportResult | _OpenTable:
             report(0.0, "Reading")
             file = exchange.files.foreign_file(path)
             if file.form.kind is not ContentKind.TABLE:
@@ -97,7 +97,7 @@ class ImportCommands:
             source = table.source.TableSource(file.data, file.form.read)
             return _OpenTable(source, source.preview())
 
-        def done(found: Imported | _OpenTable) -> None:
+        def done(found: ImportResult | _OpenTable) -> None:
             if self._meant_for != self._documents:
                 self._give_up()
                 return
@@ -147,7 +147,7 @@ class ImportCommands:
         self._series.changed = dialog.foot.show_turn
         dialog.bring_up()
 
-    def _ask_about(self, path: Path, found: Imported | _OpenTable) -> None:
+    def _ask_about(self, path: Path, found: ImportResult | _OpenTable) -> None:
         if path == self._opened and not isinstance(found, _OpenTable) and self._is_told(path, found):
             self._take_in(path, found, True)
             return
@@ -166,7 +166,7 @@ class ImportCommands:
         dialog.chosen.connect(partial(self._take_in, path))
         self._ask(dialog)
 
-    def _is_told(self, path: Path, found: Imported) -> bool:
+    def _is_told(self, path: Path, found: ImportResult) -> bool:
         """Whether there is nothing to be told of a file before it is seen."""
         return not found.remarks or self._knows(path)
 
@@ -174,7 +174,7 @@ class ImportCommands:
         """Whether a file was opened or saved here lately: nobody needs to be shown what it is."""
         return path.absolute() in self._preferences.recent_files
 
-    def _take_in(self, path: Path, taken: Imported | PreparedTable, anew: bool) -> None:
+    def _take_in(self, path: Path, taken: ImportResult | PreparedTable, anew: bool) -> None:
         """Begin with the curves or add them, and go on with the next file; many are computed beside."""
         files, session, intake = self._context.files, self._session, import_export.intake
         assert taken.document is not None
@@ -212,19 +212,19 @@ class ImportCommands:
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
-    def _goes_elsewhere(self, path: Path, taken: Imported | PreparedTable) -> bool:
+    def _goes_elsewhere(self, path: Path, taken: ImportResult | PreparedTable) -> bool:
         """Let another window begin with what was read, where one is meant for it; return whether it does."""
         other = self._context.files.elsewhere()
         if other is not None:
             other.take_opened(path, taken)
         return other is not None
 
-    def _words_about_lost(self, path: Path, taken: Imported | PreparedTable) -> str:
+    def _words_about_lost(self, path: Path, taken: ImportResult | PreparedTable) -> str:
         """Return what did not come of a file that is opened without a dialog."""
         is_asked = path != self._opened or not self._knows(path)
         return "" if is_asked else "".join(f"{remark} " for remark in taken.remarks)
 
-    def _take_opened(self, path: Path, taken: Imported | PreparedTable) -> None:
+    def _take_opened(self, path: Path, taken: ImportResult | PreparedTable) -> None:
         """Begin with what another window has read and was asked about."""
         self._meant_for, self._opened = self._documents, path
         self._take_in(path, taken, True)

@@ -16,7 +16,7 @@ from ...actions.menus import EDIT_COPY_AS, FILE_EXCHANGE
 from ...actions.needs import Need
 from ...document.model import Document
 from ...document.several_curves import alone, named
-from ...exchange.formats import Written, with_ending
+from ...exchange.formats import ExportResult, with_ending
 from ...storage.files import StorageError
 from ...tasks.progress import Report, part
 from ...workbench.clipboard import SVG, put_on_clipboard
@@ -25,7 +25,7 @@ from ...workbench.document_files import file_stem, own_name
 from .. import import_export
 
 if TYPE_CHECKING:
-    from ...exchange.choice import ExportChoice
+    from ...exchange.export_choice import ExportChoice
     from ...exchange.options import Options
     from .export_dialog import ExportDialog
 
@@ -56,7 +56,7 @@ class ExportCommands:
 
     def _usual_choice(self) -> ExportChoice:
         """Return the choice of this document; else that of any, and what is chosen if anything is."""
-        remembered, session = exchange.choice, self._session
+        remembered, session = exchange.export_choice, self._session
         if of_document := remembered.choice_of(session.files.last_export):
             return of_document
         usual = remembered.choice_from(self._preferences.export_choice)
@@ -88,8 +88,8 @@ class ExportCommands:
 
     def _ask_where(self, choice: ExportChoice) -> None:
         session, last = self._session, self._session.files.last_export
-        self._preferences.export_choice = exchange.choice.text_of(choice)
-        known = exchange.choice.known_name(choice, session.document, session.selected.marked, last)
+        self._preferences.export_choice = exchange.export_choice.text_of(choice)
+        known = exchange.export_choice.known_name(choice, session.document, session.selected.marked, last)
         usual = own_name(known or file_stem(session)) + choice.ending
         kind = f"{choice.format.title} (*{choice.ending})"
         start = str(self._preferences.last_folder / usual)
@@ -102,8 +102,8 @@ class ExportCommands:
             there = StorageError("It is there already; choose it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        session.files.note_export(exchange.choice.note_of(choice, path.name, last))
-        order = choice.order(
+        session.files.note_export(exchange.export_choice.note_of(choice, path.name, last))
+        order = choice.request(
             session.document,
             session.active_index,
             session.selected.marked,
@@ -116,14 +116,14 @@ class ExportCommands:
         document = document or self._session.document
         options = options or exchange.options.Options(unit=document.unit)
 
-        def work(report: Report) -> Written:
+        def work(report: Report) -> ExportResult:
             return exchange.files.export(document, path, options.reporting(report))
 
         self._work.start(
             f"Writing {path.name}", work, lambda written: self._say_written(path, written), path, "written"
         )
 
-    def _say_written(self, path: Path, written: Written) -> None:
+    def _say_written(self, path: Path, written: ExportResult) -> None:
         self._preferences.last_folder = path.parent
         self._session.say(f"Wrote {path.name}, {written.words}.")
         self._work.warn_of(written.remarks)
@@ -146,7 +146,7 @@ class CopyCommands:
     def _copy_svg(self) -> None:
         """Copy the chosen curves, or else all, as SVG: for drawing programs, and as text."""
 
-        def put(written: Written, what: str) -> None:
+        def put(written: ExportResult, what: str) -> None:
             data = QMimeData()
             data.setData(SVG, written.data)
             data.setText(written.text)
@@ -154,7 +154,7 @@ class CopyCommands:
             self._session.say(f"Copied {what} as SVG.")
             self._context.work.warn_of(written.remarks)
 
-        def work(document: Document, report: Report) -> Written:
+        def work(document: Document, report: Report) -> ExportResult:
             return exchange.svg_for_clipboard(document, report)
 
         self._start("Writing SVG", "The SVG", work, put)
@@ -184,14 +184,14 @@ class CopyCommands:
     def _copy_path_data(self) -> None:
         """Copy the chosen curves, or else all, as the path data of an SVG."""
 
-        def put(written: Written, what: str) -> None:
+        def put(written: ExportResult, what: str) -> None:
             data = QMimeData()
             data.setText(written.text)
             put_on_clipboard(data)
             self._session.say(f"Copied {what} as SVG path data.")
             self._context.work.warn_of(written.remarks)
 
-        def work(document: Document, report: Report) -> Written:
+        def work(document: Document, report: Report) -> ExportResult:
             return exchange.svg_path_data(document, exchange.options.Options(report=report))
 
         self._start("Writing path data", "The path data", work, put)

@@ -16,8 +16,8 @@ from ...appearance.theme import DARK, LIGHT, mix
 from ...document.expression import ExpressionError, parse_number
 from ...document.lengths import known_unit
 from ...document.model import Document
-from ...exchange.choice import ExportChoice, chosen, offered_options
 from ...exchange.errors import ExchangeError
+from ...exchange.export_choice import ExportChoice, chosen, offered_options
 from ...exchange.formats import FORMATS
 from ...exchange.options import (
     DARK_PAPER,
@@ -96,7 +96,7 @@ class ExportDialog(WorkDialog):
         *,
         with_estimates: bool = False,
     ) -> None:
-        """Show what this document would look like; for the others see `ExportChoice.order`."""
+        """Show what this document would look like; for the others see `ExportChoice.request`."""
         self._document, self._active, self._chosen = document, active, chosen
         self._with_estimates = with_estimates
         self.form.show_document(document, has_chosen=bool(chosen))
@@ -127,7 +127,7 @@ class ExportDialog(WorkDialog):
             return  # that has been said
         preview = choice.format.preview
         assert preview is not None
-        order = choice.order(document, active, self._chosen, with_estimates=self._with_estimates)
+        order = choice.request(document, active, self._chosen, with_estimates=self._with_estimates)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
         def draw(_report: Report) -> PicturePreview:
@@ -249,7 +249,7 @@ class ExportForm(QWidget):
         assert isinstance(field.widget, QComboBox)
         model = field.widget.model()
         assert isinstance(model, QStandardItemModel)
-        model.item(list(Extent).index(Extent.CHOSEN)).setEnabled(has_chosen)
+        model.item(list(Extent).index(Extent.SELECTED)).setEnabled(has_chosen)
         field.show(self._shown[EXTENT] if has_chosen else Extent.ALL)
 
     def _show_rows(self, choice: ExportChoice) -> None:

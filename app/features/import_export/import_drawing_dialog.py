@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTree
 from ...document.groups import counted_shapes, shapes
 from ...document.model import Curve, Document
 from ...document.words import count_of, distance_words
-from ...exchange.cubics_in import Imported
+from ...exchange.cubics_in import ImportResult
 from ...exchange.drawing.image import png_preview
 from ...exchange.drawing.styles import DARK, LIGHT
 from ...exchange.errors import ExchangeError
@@ -61,7 +61,7 @@ class ImportDrawingDialog(WorkDialog):
     Signals
     -------
     chosen
-        The person wants it: what is `Imported`, and whether it is to become a new document.
+        The person wants it: an `ImportResult`, and whether it is to become a new document.
     """
 
     chosen = Signal(object, bool)
@@ -70,7 +70,7 @@ class ImportDrawingDialog(WorkDialog):
         self,
         verb: Verb,
         name: str,
-        found: Imported,
+        found: ImportResult,
         rest: Callable[[bool], str],
         parent: QWidget | None = None,
     ) -> None:
@@ -139,7 +139,7 @@ class ImportDrawingDialog(WorkDialog):
         self.chosen.emit(self._found.only(self._taken()), self._is_anew)
 
 
-def _summary(found: Imported, taken: Imported) -> str:
+def _summary(found: ImportResult, taken: ImportResult) -> str:
     """Return what is taken of a drawing."""
     if not taken.has_curves:
         return "No curve."
@@ -151,7 +151,7 @@ def _summary(found: Imported, taken: Imported) -> str:
     return f"{some} with {count_of(points, 'point')}, {exact}."
 
 
-def _remarks(found: Imported) -> str:
+def _remarks(found: ImportResult) -> str:
     lines = list(found.remarks[:_MOST_REMARKS])
     more = len(found.remarks) - len(lines)
     return "\n".join([*lines, *([f"… and {more} more."] if more else [])])

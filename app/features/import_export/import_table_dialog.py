@@ -25,7 +25,7 @@ from ...appearance.theme import mix, theme_of
 from ...document.expression import ExpressionError, parse_number
 from ...document.words import count_of, distance_words, number
 from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
-from ...exchange.table.curves import Missing
+from ...exchange.table.curves import MissingRows
 from ...exchange.table.source import (
     MANY_ROWS,
     MOST_POINTS,
@@ -134,7 +134,7 @@ class ImportTableDialog(WorkDialog):
             "tableMissing",
             "Rows without numbers",
             "What becomes of rows without numbers",
-            (each.label for each in Missing),
+            (each.label for each in MissingRows),
         )
         label = Label("Rows without numbers", name="tableMissingLabel")
         label.setBuddy(self.missing_box)
@@ -254,7 +254,7 @@ class ImportTableDialog(WorkDialog):
             self._show(PreparedTable(problem="Say which columns are x and y."))
             return
         family = FAMILIES[self.family_box.currentIndex()]
-        missing = list(Missing)[self.missing_box.currentIndex()]
+        missing = list(MissingRows)[self.missing_box.currentIndex()]
         choice = TableChoice(
             self._layout_now, mapping, family, thinning, self._tolerance, self._stem, missing
         )

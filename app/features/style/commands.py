@@ -38,7 +38,7 @@ from ...workbench.form_edits import SliderGesture
 from .. import style
 
 if TYPE_CHECKING:
-    from ...exchange.cubics_in import Imported
+    from ...exchange.cubics_in import ImportResult
     from .panel import StylePanel
 
 
@@ -305,7 +305,7 @@ class StyleClipboardCommands:
         else:
             self._session.refuse(_NOTHING_TO_PASTE)
 
-    def _give_first(self, drawing: Imported) -> None:
+    def _give_first(self, drawing: ImportResult) -> None:
         """Give the style of the first element of a drawing, in the unit of the document."""
         unit = self._session.document.unit
         self._give(exchange.units.in_unit(drawing.document, unit).curves[0].style)

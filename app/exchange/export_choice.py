@@ -56,7 +56,7 @@ class ExportChoice:
 
     def of_chosen(self) -> ExportChoice:
         """Return the same for the chosen curves alone."""
-        return ExportChoice(self.ending, {**self.values, EXTENT.name: Extent.CHOSEN})
+        return ExportChoice(self.ending, {**self.values, EXTENT.name: Extent.SELECTED})
 
     def shown(self, unit: str = "") -> tuple[Option[Any], ...]:
         """Return the options of the format that matter with these values, in a document of that unit."""
@@ -66,9 +66,9 @@ class ExportChoice:
         hidden = self.format.hidden(values)
         return tuple(each for each in options if each not in hidden)
 
-    def order(
+    def request(
         self, document: Document, active: int, chosen: Collection[int] = (), *, with_estimates: bool = False
-    ) -> Order:
+    ) -> ExportRequest:
         """Return what is to be written of a document.
 
         Parameters
@@ -98,12 +98,12 @@ class ExportChoice:
             with_estimates=with_estimates,
             unit=unit,
             own=values,
-            from_corner=self[EXTENT] is Extent.CHOSEN,
+            from_corner=self[EXTENT] is Extent.SELECTED,
         )
-        return Order(part, options)
+        return ExportRequest(part, options)
 
 
-class Order(NamedTuple):
+class ExportRequest(NamedTuple):
     """A document to be written, with the options of its writer."""
 
     document: Document
@@ -114,7 +114,7 @@ def _part_of(
     document: Document, extent: Extent, active: int, chosen: Collection[int]
 ) -> tuple[Document, int]:
     """Return what of a document is meant, and where in it the active curve is."""
-    if extent is Extent.CHOSEN:
+    if extent is Extent.SELECTED:
         places = sorted(whole_shapes(document, chosen or (active,)))
         return alone(document, places), places.index(active) if active in places else 0
     return document, active
@@ -142,14 +142,14 @@ def choice_of(export: Export) -> ExportChoice | None:
 
 def known_name(choice: ExportChoice, document: Document, chosen: Collection[int], last: Export) -> str:
     """Return what is exported is called, without ending, or was the last time; empty for neither."""
-    if choice[EXTENT] is Extent.CHOSEN:
+    if choice[EXTENT] is Extent.SELECTED:
         return name_of(document, whole_shapes(document, chosen)) or ""
     return last.name.removesuffix(last.ending) if last.ending == choice.ending else ""
 
 
 def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
     """Return what a document remembers of an export to a file; what a part was called says nothing of it."""
-    if choice[EXTENT] is Extent.CHOSEN:
+    if choice[EXTENT] is Extent.SELECTED:
         name = last.name if last.ending == choice.ending else ""
     values = sorted(choice.values.items())
     options = tuple((key, msgspec.json.encode(value).decode()) for key, value in values)

@@ -21,9 +21,20 @@ from ..storage.coding import decode_hook
 from ..tasks.processor_limit import longest_wait, was_overdue
 from ..tasks.progress import Report, silent
 from . import READER_PROCESS
-from .cubics_in import Imported
+from .cubics_in import ImportResult
 from .errors import ExchangeError
-from .reading import ANSWER, MEMORY, NO_MEMORY, QUESTION, SECONDS, Answer, Reader, Request, answer_to, main
+from .reader_main import (
+    ANSWER,
+    MEMORY,
+    NO_MEMORY,
+    QUESTION,
+    SECONDS,
+    Answer,
+    Reader,
+    Request,
+    answer_to,
+    main,
+)
 
 SMALL = 2**16
 SECONDS_PER_MB = 120.0
@@ -96,7 +107,7 @@ class ReaderProcess:
         seconds: float | None = None,
         memory: int = MEMORY,
         report: Report = silent,
-    ) -> Imported:
+    ) -> ImportResult:
         """Return what a reader makes of the content of a file.
 
         Parameters
@@ -179,7 +190,7 @@ class ReaderProcess:
         return answer
 
 
-def limited(
+def read_in_process(
     reader: Reader,
     data: bytes,
     tolerance: float | None,
@@ -187,7 +198,7 @@ def limited(
     seconds: float | None = None,
     memory: int = MEMORY,
     report: Report = silent,
-) -> Imported:
+) -> ImportResult:
     """Return what a reader makes of the content of a file, in a process of its own.
 
     See `ReaderProcess.read` for the parameters and errors.
@@ -196,18 +207,18 @@ def limited(
         return process.read(reader, data, tolerance, seconds=seconds, memory=memory, report=report)
 
 
-def at_once(reader: Reader, data: bytes) -> Imported:
+def read_in_this_process(reader: Reader, data: bytes) -> ImportResult:
     """Return what a reader makes of a content so small that it needs no process of its own.
 
     Raises
     ------
     ExchangeError
-        As `limited`, but for the limits.
+        As `read_in_process`, but for the limits.
     """
     return _result_of(answer_to(Request(reader.__module__, reader.__name__, None, data)))
 
 
-def _result_of(answer: Answer) -> Imported:
+def _result_of(answer: Answer) -> ImportResult:
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result

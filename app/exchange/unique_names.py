@@ -7,14 +7,14 @@ from collections.abc import Sequence
 from typing import Protocol
 
 
-class Taken(Protocol):
+class NameContainer(Protocol):
     """Collection of names that are taken."""
 
     def __contains__(self, name: str, /) -> bool:
         """Return whether a name is taken."""
 
 
-class Names:
+class UniqueNames:
     """Source of names, each given once; where many begin alike, the next number is known and not searched.
 
     Parameters
@@ -25,12 +25,12 @@ class Names:
         Between a name and its number.
     """
 
-    def __init__(self, taken: Taken = (), between: str = " ") -> None:
+    def __init__(self, taken: NameContainer = (), between: str = " ") -> None:
         self._taken, self._between = taken, between
         self._given: set[str] = set()
         self._next: dict[str, int] = {}
 
-    def different(self, base: str) -> str:
+    def unique(self, base: str) -> str:
         """Return the base, or the base with the least number from 2 on that makes a new name."""
         name, number = base, self._next.get(base, 2)
         while name in self._given or name in self._taken:

@@ -1,6 +1,6 @@
 """Reading of drawings in the child process, where limits are set; what it imports, each start pays for.
 
-See ``child`` for the process that asks.
+See ``reader_process`` for the process that asks.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..storage.coding import encode_hook
 from ..storage.format_error import FormatError
 from ..storage.validation import validate
 from ..tasks.processor_limit import limit_processor_time
-from .cubics_in import Imported
+from .cubics_in import ImportResult
 from .errors import ExchangeError
 
 if sys.platform == "linux":
@@ -27,7 +27,7 @@ if sys.platform == "linux":
 SECONDS = 10.0
 """Processor time, in seconds, that reading a file of up to `SMALL` bytes may take."""
 
-Reader = Callable[[bytes, float | None], Imported]
+Reader = Callable[[bytes, float | None], ImportResult]
 """Function of the content of a file and a tolerance."""
 
 MEMORY = 400 * 2**20
@@ -54,7 +54,7 @@ class Request(msgspec.Struct):
 class Answer(msgspec.Struct):
     """Message of the child: a result or a problem."""
 
-    result: Imported | None = None
+    result: ImportResult | None = None
     problem: str = ""
 
 
