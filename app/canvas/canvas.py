@@ -138,7 +138,7 @@ class Canvas(ToolPlot):
 
     def _mark_rulers(self) -> None:
         """Mark the pointer and what is selected on the rulers."""
-        if self.rulers.are_shown:
+        if self.rulers.are_visible:
             box = self.tools.box.rectangle
             extent = Extent(box.low, box.high) if box is not None else None
             self.rulers.show(self._pointer.pixel if self._pointer is not None else None, extent)

@@ -183,13 +183,13 @@ class GuidesLayer(Layer):
         self.highlighted: int | None = None
         self._unit = ""
         self._halo = Halo()
-        self.set_shown(False)
+        self.set_enabled(False)
 
     def render(self, guides: tuple[Guide, ...], unit: str) -> None:
         """Draw these guides from the next paint on; `unit` is the unit of their positions."""
         if (guides, unit) != (self.guides, self._unit):
             self.guides, self._unit = guides, unit
-            self.set_shown(bool(guides))
+            self.set_enabled(bool(guides))
             self.update()
 
     @property

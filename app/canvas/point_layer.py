@@ -20,7 +20,7 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Mark
-from ..plotting.text import OccupiedRoom, number_place, write_in_corner
+from ..plotting.text import OccupiedRoom, number_position, write_in_corner
 from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
@@ -309,9 +309,9 @@ class PointLayer(Layer):
             glyphs = self._ink.glyphs_of(text, painter)
             size = glyphs.size
             beyond = max(size.width() / 2 - half, 0.0)
-            centre: QPointF | None = number_place(pixels, index, away, beyond)
+            centre: QPointF | None = number_position(pixels, index, away, beyond)
             if self.weights is not None and centre is not None:
-                further = number_place(pixels, index, away + size.height(), beyond)
+                further = number_position(pixels, index, away + size.height(), beyond)
                 aside = QPointF(size.width(), 0.0)
                 centre = occupied.reserve((centre, further, centre - aside, centre + aside), QSizeF(size))
             if centre is not None:

@@ -117,7 +117,7 @@ class CanvasScene:
         """Show all curves of the document: the active one if it is edited, the selected and edited ones."""
         self.views, self.is_editing = views, active is not None
         for layer in (self.curve, self.points, self.polygon):
-            layer.set_shown(self.is_editing)
+            layer.set_enabled(self.is_editing)
         self.curves.render(views, active, selected, edited)
         self.other_points.render(views, sorted(edited - {active}))
         self._show_marks_now()

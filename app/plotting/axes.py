@@ -24,22 +24,22 @@ from .ticks import LabelRoom, Stretch, Ticks, choose_ticks, nice_step, with_mark
 
 _WIDTH = 46
 _TICK, _MARK = 5.0, 3.5
-"""Pixels of a tick that has a number, and of one that has none."""
+"""Length in pixels of a tick with a number, and of one without."""
 
 _GAP = 4.0
 """Pixels between a tick and its number."""
 
-_LEAST_ACROSS, _LEAST_UPRIGHT = 70.0, 30.0
-"""Pixels between two numbers, at least, where nobody has said how far apart they stand."""
+_LEAST_ALONG_X, _LEAST_ALONG_Y = 70.0, 30.0
+"""Smallest distance in pixels of two numbers, where none was set."""
 
-_BETWEEN_ACROSS, _BETWEEN_UPRIGHT = 10.0, 2.0
-"""Pixels that stay free between two numbers."""
+_BETWEEN_ALONG_X, _BETWEEN_ALONG_Y = 10.0, 2.0
+"""Free pixels between two numbers."""
 
 _PARTS = 5
-"""Ticks from one number to the next, where nobody has said how far apart they stand."""
+"""Ticks from one number to the next, where no distances were set."""
 
 _MARGIN, _FOOT = 1, 6
-"""Pixels around all of it, and beyond the numbers along x."""
+"""Pixels around the axes, and below the numbers along x."""
 
 _ONE_LINE = Qt.TextFlag.TextSingleLine | Qt.TextFlag.TextDontClip
 _IN_THE_MIDDLE = int(_ONE_LINE | Qt.AlignmentFlag.AlignCenter)
@@ -47,14 +47,14 @@ _AT_THE_RIGHT = int(_ONE_LINE | Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.A
 
 
 class Axis:
-    """One axis: its numbers and ticks, found for the part that is seen.
+    """One axis: its numbers and ticks for the visible part.
 
     Attributes
     ----------
     font
-        That of the numbers.
+        Font of the numbers.
     is_ruler
-        Whether it has finer ticks, on a ground of its own.
+        Whether the axis has finer ticks, on a background of its own.
     """
 
     def __init__(self, changed: Callable[[], object], *, is_upright: bool) -> None:
@@ -63,26 +63,26 @@ class Axis:
         self.set_font(QFont(), 1.0)
         self._factor = 1.0
         self._least = -math.inf
-        # Distances of ticks and numbers, None for such as suit the zoom; or all that is shown.
+        # Distances of ticks and numbers, None to suit the zoom; or all ticks, as given.
         self._distances: tuple[float, float] | None = None
         self._given: Ticks | None = None
-        self._found: tuple[object, Ticks] = (None, Ticks(()))
+        self._cached: tuple[object, Ticks] = (None, Ticks(()))
 
-    # What is wanted
+    # Settings
 
     def set_ticks(self, ticks: Sequence[tuple[float, str]]) -> None:
-        """Show these ticks with their words, and no others."""
+        """Show these ticks with their labels, and no others."""
         self._given = Ticks(tuple(ticks))
         self._changed()
 
     def set_distances(self, tick: float, number: float) -> None:
-        """Put ticks so far apart, and numbers too where there is room; a number stands at a tick."""
+        """Set the distances of ticks and, where there is room, of numbers, which stand at ticks."""
         if self._distances != (tick, number):
             self._distances = (tick, number)
             self._changed()
 
     def set_least(self, least: float) -> None:
-        """Show no ticks below this: what is drawn there is no part of the plot."""
+        """Show no ticks below this value: the area below is no part of the plot."""
         if least != self._least:
             self._least = least
             self._changed()
@@ -93,14 +93,14 @@ class Axis:
         self._changed()
 
     def set_font(self, font: QFont, scale: float) -> None:
-        """Write in this font, which is enlarged by `scale`."""
+        """Use this font, which is enlarged by `scale` already."""
         self.font, self._scale, self._metrics = font, scale, QFontMetricsF(font)
 
-    # What is shown
+    # Ticks
 
     @property
     def thickness(self) -> float:
-        """Pixels that it takes across.
+        """Width of the axis in pixels, or its height.
 
         The left axes of all plots have one width: they stay aligned, and nothing jumps when numbers grow.
         """
@@ -109,57 +109,59 @@ class Axis:
         return math.ceil(self._metrics.height()) + _TICK + _GAP + _FOOT
 
     def ticks(self, low: float, high: float, size: float) -> Ticks:
-        """Return the ticks from `low` to `high`, on so many pixels."""
+        """Return the ticks from `low` to `high`, on `size` pixels."""
         if self._given is not None:
             return self._given
-        asked = (low, high, size, self._distances, self._factor, self._scale, self.is_ruler)
-        if self._found[0] != asked:
-            self._found = (asked, self._find(Stretch(low, high, size, self._factor)))
-        return self._found[1]
+        key = (low, high, size, self._distances, self._factor, self._scale, self.is_ruler)
+        if self._cached[0] != key:
+            self._cached = (key, self._find(Stretch(low, high, size, self._factor)))
+        return self._cached[1]
 
     def ticks_in(self, pixel_map: PixelMap) -> Ticks:
-        """Return the ticks of the part that a map shows."""
+        """Return the ticks of the visible part."""
         x_min, y_min, x_max, y_max = pixel_map.box
         if self._is_upright:
             least = max(y_min, self._least) if self._least < y_max else y_min
             return self.ticks(least, y_max, pixel_map.height * (y_max - least) / (y_max - y_min))
         return self.ticks(x_min, x_max, pixel_map.width)
 
-    def _find(self, seen: Stretch) -> Ticks:
-        least = (_LEAST_UPRIGHT if self._is_upright else _LEAST_ACROSS) * self._scale
-        own = nice_step(least / seen.scale * self._factor) / self._factor
-        tick, wanted = self._distances or (own / _PARTS, own)
-        return with_marks(choose_ticks(seen, tick, wanted, self._room()), seen, tick, finer=self.is_ruler)
+    def _find(self, visible: Stretch) -> Ticks:
+        least = (_LEAST_ALONG_Y if self._is_upright else _LEAST_ALONG_X) * self._scale
+        suited = nice_step(least / visible.scale * self._factor) / self._factor
+        tick, number_distance = self._distances or (suited / _PARTS, suited)
+        return with_marks(
+            choose_ticks(visible, tick, number_distance, self._room()), visible, tick, finer=self.is_ruler
+        )
 
     def _room(self) -> LabelRoom:
         wide, high = self._metrics.horizontalAdvance, self._metrics.height()
         if self._is_upright:
-            return LabelRoom(lambda _text: high, wide, _BETWEEN_UPRIGHT, self._strip, high / 4, high / 4)
-        return LabelRoom(wide, lambda _text: high, _BETWEEN_ACROSS, self._strip, _WIDTH / 2, _MARGIN)
+            return LabelRoom(lambda _text: high, wide, _BETWEEN_ALONG_Y, self._strip, high / 4, high / 4)
+        return LabelRoom(wide, lambda _text: high, _BETWEEN_ALONG_X, self._strip, _WIDTH / 2, _MARGIN)
 
     @property
     def _strip(self) -> float:
-        """Pixels that a number may take across."""
+        """Pixels for a number, across the axis."""
         return self.thickness - _TICK - _GAP
 
 
 class Side:
-    """The side of the plot area where an axis is painted: pixels along it, and away from the area."""
+    """The side of the plot area at which an axis is painted: pixels along it, and away from the area."""
 
     def __init__(self, axis: Axis, pixel_map: PixelMap, *, is_upright: bool, is_above: bool) -> None:
-        self.axis, self._shown, self._is_upright = axis, pixel_map, is_upright
-        # From where ticks go out, and in which direction.
+        self.axis, self._pixel_map, self._is_upright = axis, pixel_map, is_upright
+        # The edge at which ticks begin, and their direction.
         self._edge = 0.0 if is_upright or is_above else pixel_map.height
         self._out = -1.0 if is_upright or is_above else 1.0
 
     @property
     def length(self) -> float:
-        """Pixels along it."""
-        return self._shown.height if self._is_upright else self._shown.width
+        """Length of the side in pixels."""
+        return self._pixel_map.height if self._is_upright else self._pixel_map.width
 
-    def at(self, place: float) -> float:
-        """Return the pixel along it of a place of the plane."""
-        return self._shown.point(place, place)[1 if self._is_upright else 0]
+    def at(self, coordinate: float) -> float:
+        """Return the pixel along the side of a coordinate of the plane."""
+        return self._pixel_map.point(coordinate, coordinate)[1 if self._is_upright else 0]
 
     def point(self, along: float, away: float) -> QPointF:
         """Return a pixel of the plot area."""
@@ -167,16 +169,16 @@ class Side:
         return QPointF(across, along) if self._is_upright else QPointF(along, across)
 
     def box(self, first: float, last: float, near: float, far: float) -> QRectF:
-        """Return the box between two pixels along it and two distances from the area."""
+        """Return the box between two pixels along the side and two distances from the area."""
         return QRectF(self.point(first, near), self.point(last, far)).normalized()
 
     def paint(self, painter: QPainter, theme: Theme) -> None:
-        """Paint the ground, the line, the ticks and the numbers."""
+        """Paint the background, the line, the ticks and the numbers."""
         axis = self.axis
-        ticks = axis.ticks_in(self._shown)
+        ticks = axis.ticks_in(self._pixel_map)
         if axis.is_ruler:
             painter.fillRect(self.box(0, self.length, 0, axis.thickness), theme.surface)
-        numbers = [(round(self.at(place)), text) for place, text in ticks.labels]
+        numbers = [(round(self.at(coordinate)), text) for coordinate, text in ticks.labels]
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.ghost if axis.is_ruler else theme.grid_coarse)
         bars = Bars()
@@ -189,9 +191,11 @@ class Side:
             self._write(painter, along, text, metrics)
 
     def _bars_of(self, marks: Sequence[tuple[float, float]], numbered: Sequence[int]) -> FloatArray:
-        """Return `marks` (place of the plane and size each), ticks at `numbered` pixels, and the line."""
-        places, sizes = np.array(marks, dtype=float).reshape(-1, 2).T
-        along = np.round(self._shown.y(places) if self._is_upright else self._shown.x(places))
+        """Return bars for `marks` (coordinate, size), for ticks at `numbered` pixels, and for the line."""
+        coordinates, sizes = np.array(marks, dtype=float).reshape(-1, 2).T
+        along = np.round(
+            self._pixel_map.y(coordinates) if self._is_upright else self._pixel_map.x(coordinates)
+        )
         along = np.concatenate([along, numbered, [0.0]])
         away = np.concatenate([_MARK * sizes, np.full(len(numbered), _TICK), [1.0]])
         ones = np.ones_like(away)
@@ -202,7 +206,7 @@ class Side:
         return np.column_stack([along, edge, ones, away])
 
     def _write(self, painter: QPainter, along: float, text: str, metrics: QFontMetrics) -> None:
-        """Write a number beside its tick; where there is too little room for it, pressed together."""
+        """Write a number beside its tick, squeezed where there is too little room."""
         half = metrics.height() / 2
         if not self._is_upright:
             away = _TICK + _GAP / 2
@@ -228,18 +232,18 @@ class Axes:
     Attributes
     ----------
     frame
-        Holds the view box, and leaves room for them.
+        Holds the view box, with room for the axes.
     are_rulers
-        Whether they are rulers.
+        Whether the axes are rulers.
     """
 
     def __init__(self, box: pg.ViewBox, changed: Callable[[], object]) -> None:
         self._by_side = {side: Axis(changed, is_upright=side == "left") for side in ("left", "bottom")}
         self._theme = LIGHT
         self.are_rulers = False
-        # The sides, and what they were found for: under a drag they stay.
+        # The sides, and the map and kind of axes that they depend on: they stay during a drag.
         self._sides: tuple[Side, ...] = ()
-        self._sides_of: tuple[PixelMap | None, bool] = (None, False)
+        self._sides_key: tuple[PixelMap | None, bool] = (None, False)
         self.frame = QGraphicsWidget()
         self._grid = QGraphicsGridLayout(self.frame)
         self._grid.setSpacing(0)
@@ -250,7 +254,7 @@ class Axes:
         return self._by_side[side]
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self._theme = theme
 
     def set_scale(self, font: QFont, scale: float) -> None:
@@ -261,11 +265,11 @@ class Axes:
             axis.set_font(small, scale)
         self._lay_out()
 
-    def set_rulers(self, shown: bool) -> None:
-        """Show them as rulers, or as plain axes."""
-        self.are_rulers = shown
+    def set_rulers(self, are_rulers: bool) -> None:
+        """Show the axes as rulers, or as plain axes."""
+        self.are_rulers = are_rulers
         for axis in self._by_side.values():
-            axis.is_ruler = shown
+            axis.is_ruler = are_rulers
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -275,9 +279,9 @@ class Axes:
         self._grid.activate()
 
     def sides(self, pixel_map: PixelMap) -> tuple[Side, ...]:
-        """Return the sides of the plot area where the axis along x and the one along y are painted."""
-        if self._sides_of[0] is not pixel_map or self._sides_of[1] is not self.are_rulers:
-            self._sides_of = (pixel_map, self.are_rulers)
+        """Return the sides of the plot area for the axis along x and the axis along y."""
+        if self._sides_key[0] is not pixel_map or self._sides_key[1] is not self.are_rulers:
+            self._sides_key = (pixel_map, self.are_rulers)
             self._sides = (
                 Side(self["bottom"], pixel_map, is_upright=False, is_above=self.are_rulers),
                 Side(self["left"], pixel_map, is_upright=True, is_above=False),
@@ -285,7 +289,7 @@ class Axes:
         return self._sides
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Paint both, in pixels of the plot area."""
+        """Paint both axes, in pixels of the plot area."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         if self.are_rulers:
             left, above = self["left"].thickness + _MARGIN, self["bottom"].thickness + _MARGIN
@@ -296,7 +300,7 @@ class Axes:
             self._write_offset(painter, pixel_map, offset)
 
     def _write_offset(self, painter: QPainter, pixel_map: PixelMap, text: str) -> None:
-        """Write what the numbers along x leave out where both axes meet; numbers there give way."""
+        """Write the offset of the numbers along x where both axes meet, over any number there."""
         across, left = self["bottom"].thickness, self["left"].thickness
         metrics = painter.fontMetrics()
         top = -across if self.are_rulers else pixel_map.height + 1
@@ -307,13 +311,13 @@ class Axes:
 
 
 _POINTER_MARK = 6.0
-"""Pixels from the plot area to the far end of the pointer's mark."""
+"""Length in pixels of the mark of the pointer."""
 
 _REACH = math.ceil(_POINTER_MARK) + 2
-"""Pixels beside the plot area that marks take, along both sides and where these meet."""
+"""Pixels beside the plot area that marks occupy, along both sides and at their corner."""
 
 _INSIDE = 2
-"""Pixels of the plot area that they touch."""
+"""Pixels of the plot area that marks touch."""
 
 _BAND = 4.0
 _BAND_SHARE = 0.45
@@ -334,81 +338,81 @@ class Rulers:
     pointer
         The pixel of the plot area under the pointer, None while it is elsewhere.
     extent
-        That of what is selected, None for nothing.
+        Extent of the selection, None without one.
 
     Parameters
     ----------
     is_due
-        Tells whether the spread is painted anew in any case.
+        Returns whether a paint of the spread is requested already.
     """
 
     def __init__(self, viewport: QWidget, axes: Axes, camera: Camera, is_due: Callable[[], bool]) -> None:
         self._viewport, self._axes, self._camera, self._is_due = viewport, axes, camera, is_due
         self.pointer: tuple[float, float] | None = None
         self.extent: Extent | None = None
-        # The colour of bands, and the theme that it is of.
+        # The colour of bands, and its theme.
         self._band: tuple[QColor, Theme | None] = (QColor(), None)
-        # The marks of the pointer on both rulers, and the theme that they are of.
-        self._marks, self._marks_of = Sprites[int](partial(_paint_mark, LIGHT), _POINTER_MARK), LIGHT
-        # The plot area with the marks beside it, and the area that it was found for.
-        self._spread, self._spread_of = QRect(), QRect()
+        # The marks of the pointer on both rulers, and their theme.
+        self._marks, self._marks_theme = Sprites[int](partial(_paint_mark, LIGHT), _POINTER_MARK), LIGHT
+        # The plot area with the marks beside it, and the area for which it was computed.
+        self._spread, self._spread_area = QRect(), QRect()
 
     @property
-    def are_shown(self) -> bool:
+    def are_visible(self) -> bool:
         """Whether the axes are rulers."""
         return self._axes.are_rulers
 
     @property
     def thickness(self) -> float:
-        """Pixels that the upper one takes of the height; 0 while there is none."""
-        return self._camera.origin.y() if self.are_shown else 0.0
+        """Height of the upper ruler in pixels; 0 without rulers."""
+        return self._camera.origin.y() if self.are_visible else 0.0
 
     @property
     def spread(self) -> QRect:
-        """The plot area, with what the marks take beside it: one rectangle, which Qt clips to quickly."""
+        """The plot area with the marks beside it: one rectangle, to which Qt clips quickly."""
         area = self._camera.area
         if not self._axes.are_rulers:
             return area
-        if area is not self._spread_of:
+        if area is not self._spread_area:
             corner = self._camera.origin.toPoint() - QPoint(_REACH, _REACH)
-            self._spread, self._spread_of = QRect(corner, self._viewport.rect().bottomRight()), area
+            self._spread, self._spread_area = QRect(corner, self._viewport.rect().bottomRight()), area
         return self._spread
 
     def show(self, pointer: tuple[float, float] | None, extent: Extent | None) -> None:
-        """Mark these from the next paint on."""
+        """Mark the pointer and the extent from the next paint on."""
         if (pointer, extent) == (self.pointer, self.extent):
             return
         self.pointer, self.extent = pointer, extent
-        if self.are_shown and not self._is_due():
+        if self.are_visible and not self._is_due():
             spread = self.spread
             self._viewport.update(spread.x(), spread.y(), spread.width(), _REACH + _INSIDE)
             self._viewport.update(spread.x(), spread.y(), _REACH + _INSIDE, spread.height())
 
     def axis_at(self, pixel: tuple[float, float]) -> int | None:
-        """Return the ruler at a pixel of the plot area: 0 for that of x, 1 for that of y, None elsewhere."""
-        shown, (x, y) = self._camera.pixel_map, pixel
-        if not self.are_shown:
+        """Return the axis of the ruler at a pixel of the plot area: 0 for x, 1 for y, None elsewhere."""
+        pixel_map, (x, y) = self._camera.pixel_map, pixel
+        if not self.are_visible:
             return None
-        if y < 0 <= x <= shown.width:
+        if y < 0 <= x <= pixel_map.width:
             return 0
-        return 1 if x < 0 <= y <= shown.height else None
+        return 1 if x < 0 <= y <= pixel_map.height else None
 
     def paint(self, painter: QPainter, pixel_map: PixelMap, theme: Theme) -> None:
         """Paint the marks, in pixels of the plot area."""
-        if not self.are_shown:
+        if not self.are_visible:
             return
         sides = self._axes.sides(pixel_map)
         if self.extent is not None:
             self._paint_bands(painter, sides, self.extent, theme)
         if self.pointer is not None:
-            if self._marks_of is not theme:
-                self._marks, self._marks_of = Sprites(partial(_paint_mark, theme), _POINTER_MARK), theme
+            if self._marks_theme is not theme:
+                self._marks, self._marks_theme = Sprites(partial(_paint_mark, theme), _POINTER_MARK), theme
             x, y = self.pointer
             marks = [(0, x, 0.0)] * (0 <= x <= pixel_map.width) + [(1, 0.0, y)] * (0 <= y <= pixel_map.height)
             self._marks.draw(painter, marks)
 
     def _paint_bands(self, painter: QPainter, sides: Sequence[Side], extent: Extent, theme: Theme) -> None:
-        """Paint how far the selection reaches, with a line at each end of it."""
+        """Paint the extent of the selection, with a line at each end."""
         if self._band[1] is not theme:
             colour = QColor(theme.accent)
             colour.setAlphaF(_BAND_SHARE)
@@ -424,7 +428,7 @@ class Rulers:
 
 
 def _paint_mark(theme: Theme, painter: QPainter, axis: int) -> None:
-    """Draw a triangle beside the plot area that points at the drawing: above it for x, left of it for y."""
+    """Draw a triangle that points at the drawing: above it for x, left of it for y."""
     half = 0.7 * _POINTER_MARK
     corners = [(0.0, 0.0), (-half, -_POINTER_MARK), (half, -_POINTER_MARK)]
     painter.setPen(theme.surface)

@@ -18,8 +18,8 @@ class ViewBox(SafeOverrides, pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has
     Attributes
     ----------
     resized
-        Called when it has another size, before it suits its ranges to that: what is set here is all that
-        anybody hears of.
+        Called after a resize, before pyqtgraph adapts the ranges: a range that is set here is the only one
+        that is signalled.
     """
 
     resized: Callable[[], object] | None = None
@@ -34,32 +34,32 @@ class ViewBox(SafeOverrides, pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has
 
 
 _INSET = 2
-"""Pixels by which layers stay inside the plot area: what is nearer to its edge belongs to the axes."""
+"""Pixels by which layers stay inside the plot area: the edge belongs to the axes."""
 
 _LEAST_SPAN = 1e-9
 
 GREATEST_SPAN = 1e13
-"""Longest range of an axis: pyqtgraph shrinks a longer one about its middle, wherever that lies."""
+"""Longest range of an axis: pyqtgraph shrinks a longer one about its middle."""
 
 
 class Camera(QObject):
-    """Part of the plane that is seen: it zooms and pans, and maps the plane to pixels.
+    """Visible part of the plane: zooms and pans, and maps the plane to pixels.
 
     Attributes
     ----------
     area
-        The part of the viewport that layers paint on, as it was found when it was last painted.
+        The part of the viewport on which layers paint, as of the last paint.
     resized
-        Says what is shown when the plot area has another size; else it is the same part as far as that goes.
+        Called when the plot area has another size, to set the visible part; without it pyqtgraph decides.
 
     Signals
     -------
     changed
         Another part of the plane is visible.
     steered
-        The person has zoomed or panned.
+        The user has zoomed or panned.
     moved
-        Another part has been chosen to be seen.
+        Another part has been set by the program or the user.
 
     Parameters
     ----------
@@ -94,13 +94,13 @@ class Camera(QObject):
         self.changed.emit()
 
     def follow_area(self) -> None:
-        """Show what is to be shown, for the plot area has another size or another place."""
+        """Adapt to another size or position of the plot area."""
         self._map = self._origin = None
         if self.resized is not None:
             self.resized()
 
     def reset_origin(self) -> None:
-        """Find out anew where the plot area lies; the widget has another size."""
+        """Forget the origin of the plot area after a resize."""
         self._origin = None
 
     # Plane and pixels
@@ -116,10 +116,10 @@ class Camera(QObject):
 
     @property
     def origin(self) -> QPointF:
-        """The place in the viewport where the plot area begins."""
+        """The pixel of the viewport at which the plot area begins."""
         if self._origin is None:
             box = self._box
-            # The scene has the pixels of the viewport, and the view's own map is behind while it is resized.
+            # The scene has the pixels of the viewport; the view's own map is outdated during a resize.
             self._origin = QPointF(box.mapToScene(QPointF(0, 0)))
             rect = box.rect().translated(self._origin)
             self.area = rect.adjusted(_INSET, _INSET, -_INSET, -_INSET).toAlignedRect()
@@ -144,26 +144,29 @@ class Camera(QObject):
         return 1.0 / self.pixel_map.sx
 
     def centre(self) -> QPointF:
-        """Return the middle of the plot area in viewport pixels, where the zoom actions zoom."""
-        shown = self.pixel_map
-        return self.origin + QPointF(shown.width / 2, shown.height / 2)
+        """Return the middle of the plot area in viewport pixels, the centre of the zoom actions."""
+        pixel_map = self.pixel_map
+        return self.origin + QPointF(pixel_map.width / 2, pixel_map.height / 2)
 
-    # What is seen
+    # Zoom and pan
 
     def show_box(self, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
         """Show this part of the plane."""
         self.moved.emit()
         self._box.setRange(xRange=x_range, yRange=y_range, padding=0)
 
-    def keep(self, seen: PixelMap, moved: tuple[float, float]) -> None:
-        """Show the plane as it was `seen`, on the same pixels, though the plot area has `moved` by some."""
+    def keep(self, pixel_map: PixelMap, moved: tuple[float, float]) -> None:
+        """Show the plane as in `pixel_map`, on the same pixels, though the plot area has `moved`."""
         rect = self._box.rect()
-        left, top = seen.plane(*moved)
-        right, bottom = left + max(rect.width(), 1.0) / seen.sx, top - max(rect.height(), 1.0) / seen.sy
+        left, top = pixel_map.plane(*moved)
+        right, bottom = (
+            left + max(rect.width(), 1.0) / pixel_map.sx,
+            top - max(rect.height(), 1.0) / pixel_map.sy,
+        )
         self._box.setRange(xRange=(left, right), yRange=(bottom, top), padding=0)
 
     def zoom(self, factor: float, pixel: QPointF) -> None:
-        """Zoom in by `factor` (out where it is below one), keeping what lies under the pixel there."""
+        """Zoom in by `factor` (out if it is below 1) about a pixel."""
         self.steered.emit()
         x, y = self.to_plane(pixel)
         x_min, y_min, x_max, y_max = self.pixel_map.box
@@ -177,23 +180,23 @@ class Camera(QObject):
     def pan(self, dx: float, dy: float) -> None:
         """Move the drawing by pixels."""
         self.steered.emit()
-        shown = self.pixel_map
-        x_min, y_min, x_max, y_max = shown.box
-        by_x, by_y = -dx / shown.sx, dy / shown.sy
+        pixel_map = self.pixel_map
+        x_min, y_min, x_max, y_max = pixel_map.box
+        by_x, by_y = -dx / pixel_map.sx, dy / pixel_map.sy
         self.show_box((x_min + by_x, x_max + by_x), (y_min + by_y, y_max + by_y))
 
 
 class CameraOverT(Camera):
-    """The camera of a plot over t: it zooms and pans along t alone.
+    """The camera of a plot over t: zooms and pans along t only.
 
     Signals
     -------
-    range_asked
-        The person wants to see another part of t: (start, end). A camera that is `led` leaves it at that: who
-        shares its axis decides, and says so by `show_t`.
+    range_requested
+        The user has zoomed or panned to (start, end). A camera that is `led` waits for the owner of the
+        shared axis, who calls `show_t`.
     """
 
-    range_asked = Signal(float, float)
+    range_requested = Signal(float, float)
 
     def __init__(self, view: pg.GraphicsView, box: ViewBox) -> None:
         super().__init__(view, box)
@@ -209,8 +212,8 @@ class CameraOverT(Camera):
         """Show this part of t."""
         self._box.setXRange(start, end, padding=0)
 
-    def _ask(self, start: float, end: float) -> None:
-        self.range_asked.emit(start, end)
+    def _request(self, start: float, end: float) -> None:
+        self.range_requested.emit(start, end)
         if not self.led:
             self.show_t(start, end)
 
@@ -218,20 +221,20 @@ class CameraOverT(Camera):
         """Zoom along t."""
         t, _ = self.to_plane(pixel)
         start, end = self.t_range
-        self._ask(t + (start - t) / factor, t + (end - t) / factor)
+        self._request(t + (start - t) / factor, t + (end - t) / factor)
 
     def pan(self, dx: float, dy: float) -> None:
         """Move along t."""
         start, end = self.t_range
         by = -dx / self.pixel_map.sx
-        self._ask(start + by, end + by)
+        self._request(start + by, end + by)
 
 
 class FixedCamera(Camera):
-    """The camera of a plot that shows all there is."""
+    """The camera of a plot that always shows everything."""
 
     def zoom(self, factor: float, pixel: QPointF) -> None:
-        """Stay: everything is in sight."""
+        """Do nothing: everything is visible."""
 
     def pan(self, dx: float, dy: float) -> None:
-        """Stay: everything is in sight."""
+        """Do nothing: everything is visible."""

@@ -20,7 +20,7 @@ from .pixel_map import PixelMap
 
 
 class _Batch:
-    """Many shapes of some numbers each, drawn in one call."""
+    """Many shapes, each of several numbers, drawn in one call."""
 
     def __init__(
         self,
@@ -29,7 +29,7 @@ class _Batch:
         numbers: int = 4,
     ) -> None:
         self._shapes, self._draw = pg.Qt.internals.PrimitiveArray(shape, numbers), draw
-        # The room for shapes, and the first of them as Qt takes it: both stay until there must be more room.
+        # The array of shapes, and its first shape as a pointer for Qt: both stay until the array grows.
         self._room: FloatArray = self._shapes.ndarray()
         self._first, self._count = None, 0
 
@@ -50,7 +50,7 @@ class _Batch:
         return self._room[:count]
 
     def draw(self, painter: QPainter, *drawn_with: QPixmap) -> None:
-        """Draw them with the painter's pen and brush; pictures, out of a sheet of them."""
+        """Draw the shapes with the painter's pen and brush, or as parts of a sheet of pictures."""
         if self._count:
             self._draw(painter, self._first, self._count, *drawn_with)
 
@@ -70,7 +70,7 @@ class Points(_Batch):
 
 
 class Bars(_Batch):
-    """Many rectangles x, y, width, height: of lines on whole pixels the quickest way."""
+    """Many rectangles x, y, width, height: the fastest way to draw lines on whole pixels."""
 
     def __init__(self) -> None:
         super().__init__(QRectF, QPainter.drawRects)
@@ -84,14 +84,14 @@ class Fragments(_Batch):
 
 
 _NEIGHBOURS, _REACH = 2, 1.0
-"""Neighbours on either side of a stroke that must lie within so many pixels: nothing is seen between them."""
+"""Neighbours on either side of a segment, and the pixels within which they hide the gaps between them."""
 
 _LINES, _CROSSINGS = 24, 60_000
-"""Lines across the area at which neighbours are sought; crossings of lines and strokes, at most."""
+"""Lines across the area at which neighbours are searched, and the largest number of crossings."""
 
 
 class Crowd:
-    """Separate segments in two calls: those at an edge of what they fill are smoothed, which takes longer."""
+    """Separate segments that fill an area: those at its edge are drawn smoothly, the others without."""
 
     def __init__(self) -> None:
         self._inner, self._edges = Segments(), Segments()
@@ -106,7 +106,7 @@ class Crowd:
         self._edges.fill(segments[~inner])
 
     def draw(self, painter: QPainter) -> None:
-        """Draw with the painter's pen, but with blunt ends: with others each would be made a path."""
+        """Draw with the painter's pen, but with flat caps: with others Qt makes each segment a path."""
         if not len(self):
             return
         pen, hints = painter.pen(), painter.renderHints()
@@ -121,7 +121,7 @@ class Crowd:
 
 
 def covered(segments: FloatArray, width: float, height: float) -> BoolArray:
-    """Return which of segments (m, 4) lie between others, as far as lines across the area show."""
+    """Return which of segments (m, 4) have neighbours on both sides, judged along lines across the area."""
     is_steep = np.abs(segments[:, 3] - segments[:, 1]) >= np.abs(segments[:, 2] - segments[:, 0])
     result = np.zeros(len(segments), dtype=np.bool_)
     result[is_steep] = _have_neighbours(segments[is_steep], height)
@@ -130,7 +130,7 @@ def covered(segments: FloatArray, width: float, height: float) -> BoolArray:
 
 
 def _have_neighbours(segments: FloatArray, height: float) -> BoolArray:
-    """Return which steep segments have neighbours left and right wherever level lines cross them."""
+    """Return which steep segments have neighbours left and right wherever horizontal lines cross them."""
     if not len(segments):
         return np.zeros(0, dtype=np.bool_)
     lines = min(_LINES, _CROSSINGS // len(segments))
@@ -153,15 +153,15 @@ _PIECE = 24
 """Segments in one piece of a stroke."""
 
 _CROWD_FROM = 400
-"""Segments among which a stroke may be a crowd."""
+"""Number of segments from which a stroke may be a crowd."""
 
 _CROWDED = 50_000.0
-"""Pixels of line that are a crowd: where they fill the area, one joint cannot be told from the next."""
+"""Length in pixels from which a stroke is a crowd, in which no single joint is visible."""
 
 _FAR = 1e5
 
 MARGIN = 50.0
-"""Pixels beyond the area to which lines are cut, so that no cap or joint shows at the edge."""
+"""Pixels beyond the area at which lines are cut, so that no cap or joint shows at the edge."""
 
 
 def visible_segments(points: FloatArray, width: float, height: float) -> FloatArray:
@@ -173,7 +173,7 @@ def visible_segments(points: FloatArray, width: float, height: float) -> FloatAr
 
 
 def cut_segments(segments: FloatArray, width: float, height: float, margin: float = MARGIN) -> FloatArray:
-    """Cut segments (m, 4) = x1, y1, x2, y2 in pixels to what lies near the visible area, as above."""
+    """Cut segments (m, 4) = x1, y1, x2, y2 in pixels to the visible area and a margin."""
     starts, ends = segments[:, :2], segments[:, 2:]
     low, high = np.minimum(starts, ends), np.maximum(starts, ends)
     limit = np.array([width + margin, height + margin])
@@ -181,20 +181,20 @@ def cut_segments(segments: FloatArray, width: float, height: float, margin: floa
     segments = segments[near]
     is_long = np.any((segments < -margin) | (segments > np.tile(limit, 2)), axis=1)
     if is_long.any():
-        kept = np.ones(len(segments), dtype=bool)
-        segments[is_long], kept[is_long] = _clipped(segments[is_long], -margin, limit)
-        segments = segments[kept]
+        is_visible = np.ones(len(segments), dtype=bool)
+        segments[is_long], is_visible[is_long] = _clipped(segments[is_long], -margin, limit)
+        segments = segments[is_visible]
     return segments
 
 
 def _clipped(segments: FloatArray, low: float, limit: FloatArray) -> tuple[FloatArray, BoolArray]:
-    """Cut segments (m, 4) to the box from `low` to `limit`, and tell which of them meet it.
+    """Cut segments (m, 4) to the box from `low` to `limit`; return also which of them meet it.
 
-    Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22, from the end that is nearer: seen from one
-    at 1e20 pixels, all that lies in the box is at one place.
+    Liang and Barsky, ACM Transactions on Graphics 3 (1984) 1–22, from the nearer end: seen from 1e20
+    pixels, all of the box is at one position.
     """
-    comes = np.abs(segments[:, :2]).max(axis=1) > np.abs(segments[:, 2:]).max(axis=1)
-    segments = np.where(comes[:, None], _turned(segments), segments)
+    is_reversed = np.abs(segments[:, :2]).max(axis=1) > np.abs(segments[:, 2:]).max(axis=1)
+    segments = np.where(is_reversed[:, None], _turned(segments), segments)
     start, end = segments[:, :2], segments[:, 2:]
     # Halved, because the difference of two huge numbers must not overflow.
     half = end / 2 - start / 2
@@ -209,13 +209,13 @@ def _clipped(segments: FloatArray, low: float, limit: FloatArray) -> tuple[Float
     last = np.clip(leave.min(axis=1), 0.0, 1.0)
     meets = enter.max(axis=1) <= np.minimum(leave.min(axis=1), 1.0)
     cut = np.hstack([start + 2 * first[:, None] * half, start + 2 * last[:, None] * half])
-    # Rounding at 1e300 may leave the box; what is left of it must not.
+    # Rounding at 1e300 may leave the box; the result must not.
     cut = np.clip(cut, low, np.tile(limit, 2))
-    return np.where(comes[:, None], _turned(cut), cut), meets & (leave.min(axis=1) >= 0)
+    return np.where(is_reversed[:, None], _turned(cut), cut), meets & (leave.min(axis=1) >= 0)
 
 
 def _turned(segments: FloatArray) -> FloatArray:
-    """Return segments (m, 4) from their ends to their starts."""
+    """Return segments (m, 4) with starts and ends exchanged."""
     return np.roll(segments, 2, axis=1)
 
 
@@ -234,25 +234,25 @@ class Stroke:
     Parameters
     ----------
     margin
-        Pixels beyond the area to which it is cut; one cut farther away is so wide that its joints are seen,
-        and is never drawn as a crowd.
+        Pixels beyond the area at which the line is cut. Wide lines, with joints that are visible, are cut
+        farther away and are never drawn as a crowd.
     """
 
     def __init__(self, margin: float = MARGIN) -> None:
         self._margin = margin
         self._pieces: list[QPolygonF] = []
         self._crowd, self._is_crowd = Crowd(), False
-        self._made: dict[int, tuple[QPolygonF, FloatArray]] = {}
-        self._shown: tuple[FloatArray | None, PixelMap | None] = (None, None)
+        self._polygons: dict[int, tuple[QPolygonF, FloatArray]] = {}
+        self._source: tuple[FloatArray | None, PixelMap | None] = (None, None)
 
     def show(self, points: FloatArray, pixel_map: PixelMap) -> None:
-        """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
-        if self._shown[0] is not points or self._shown[1] is not pixel_map:
-            self._shown = (points, pixel_map)
+        """Take a polyline (k, 2) of the plane, unless it is the same array in the same map as before."""
+        if self._source[0] is not points or self._source[1] is not pixel_map:
+            self._source = (points, pixel_map)
             self.fill(pixel_map.points(points), pixel_map.width, pixel_map.height)
 
     def fill(self, points: FloatArray, width: float, height: float) -> None:
-        """Take the polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
+        """Take the polyline (k, 2) in pixels; only its part near the area is drawn."""
         runs, crowd = _near(points, width, height, self._margin)
         if self._is_crowd or len(crowd):
             self._is_crowd = bool(len(crowd))
@@ -261,13 +261,13 @@ class Stroke:
         self._pieces = [self._polygon(number, piece) for number, piece in enumerate(pieces)]
 
     def _polygon(self, number: int, vertices: FloatArray) -> QPolygonF:
-        """Return a polygon; filling one that was made before takes a third of the time of making one."""
-        made = self._made.get(number)
-        if made is None or len(made[1]) != len(vertices):
+        """Return a polygon; filling a cached one takes a third of the time of making one."""
+        cached = self._polygons.get(number)
+        if cached is None or len(cached[1]) != len(vertices):
             fresh: QPolygonF = pg.functions.create_qpolygonf(len(vertices))
-            made = self._made[number] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
-        made[1][:] = vertices
-        return made[0]
+            cached = self._polygons[number] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
+        cached[1][:] = vertices
+        return cached[0]
 
     def draw(self, painter: QPainter) -> None:
         """Draw with the painter's pen."""
@@ -283,7 +283,7 @@ _NO_SEGMENTS = np.empty((0, 4))
 def _near(
     points: FloatArray, width: float, height: float, margin: float
 ) -> tuple[list[FloatArray], FloatArray]:
-    """Return what lies near the area: vertices (k, 2) from end to end, or the segments (m, 4) of a crowd."""
+    """Return the part near the area: runs of vertices (k, 2), or the segments (m, 4) of a crowd."""
     if len(points) < 2:
         return [], _NO_SEGMENTS
     limit = np.array([width + margin, height + margin])
@@ -297,12 +297,12 @@ def _near(
 
 
 def is_crowd(segments: FloatArray) -> bool:
-    """Whether so many segments (m, 4), in pixels, fill the area that no joint can be told."""
+    """Whether segments (m, 4) in pixels fill the area so densely that no joint is visible."""
     return len(segments) > _CROWD_FROM and _length(segments) > _CROWDED
 
 
 def _length(segments: FloatArray) -> float:
-    """Return the length of all segments (m, 4) together."""
+    """Return the total length of segments (m, 4)."""
     return float(np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1]).sum())
 
 
@@ -315,18 +315,18 @@ def runs_of(segments: FloatArray) -> list[FloatArray]:
 
 
 def thinned(points: FloatArray, tolerance: float) -> FloatArray:
-    """Leave out every other vertex of a polyline (k, 2) that is so close to the middle of its neighbours."""
+    """Remove every second vertex of a polyline (k, 2) that is close to the middle of its neighbours."""
     off = np.abs(points[1:-1:2] - 0.5 * (points[:-2:2] + points[2::2]))
-    kept = np.ones(len(points), dtype=bool)
-    kept[1:-1:2] = np.maximum(off[:, 0], off[:, 1]) > tolerance
-    return points[kept]
+    is_kept = np.ones(len(points), dtype=bool)
+    is_kept[1:-1:2] = np.maximum(off[:, 0], off[:, 1]) > tolerance
+    return points[is_kept]
 
 
 def draw_segments(painter: QPainter, segments: FloatArray, pixel_map: PixelMap) -> None:
-    """Draw what lies near the area of segments (m, 4) in pixels, with the painter's pen."""
-    drawn = Segments()
-    drawn.fill(cut_segments(segments, pixel_map.width, pixel_map.height))
-    drawn.draw(painter)
+    """Draw the part of segments (m, 4) in pixels near the area, with the painter's pen."""
+    batch = Segments()
+    batch.fill(cut_segments(segments, pixel_map.width, pixel_map.height))
+    batch.draw(painter)
 
 
 def polygon(x: FloatArray, y: FloatArray) -> QPolygonF:
@@ -341,13 +341,13 @@ def polygon(x: FloatArray, y: FloatArray) -> QPolygonF:
 
 
 _FARTHEST = 1e150
-"""Pixels beyond which a vertex is drawn nearer, so that no difference of two overflows."""
+"""Pixels to which vertices are limited, so that no difference of two overflows."""
 
 
 def ring_within(points: FloatArray, width: float, height: float, margin: float) -> FloatArray:
     """Return the part of a closed polyline (k, 2) in pixels that lies within an area and a margin around it.
 
-    What lies outside is led along the edges, so that inside everything is wound about as often as before:
+    Parts outside run along the edges, so that the winding numbers inside stay the same:
     Sutherland and Hodgman, Communications of the ACM 17 (1974) 32–42.
     """
     low, high = -margin, (width + margin, height + margin)
@@ -373,7 +373,7 @@ def _beyond(ring: FloatArray, axis: int, limit: float, sign: float) -> FloatArra
     share = distance[crosses] / (distance[crosses] - after[crosses])
     cut = ring[crosses] + share[:, None] * (following[crosses] - ring[crosses])
     cut[:, axis] = limit
-    # Each vertex that is kept, and after it the place where the edge from it crosses the limit.
+    # Each vertex inside, followed by the crossing of the edge after it with the limit.
     count = is_inside.astype(np.intp) + crosses
     ends = np.cumsum(count)
     result = np.empty((int(ends[-1]), 2))
@@ -383,13 +383,18 @@ def _beyond(ring: FloatArray, axis: int, limit: float, sign: float) -> FloatArra
 
 
 class AreaFill:
-    """Filling of areas one after the other, in a picture that is kept for the next frame."""
+    """A translucent area, filled without waiting for Qt's threads.
+
+    Qt hands translucent spans to a pool of threads and waits for them, which takes ten times as long when
+    the machine is busy. It fills opaque spans at once: so the area is painted opaque into a picture, which is
+    laid over the drawing and reused in the next frame.
+    """
 
     def __init__(self) -> None:
         self._picture = QImage()
 
     def fill(self, painter: QPainter, path: QPainterPath, colour: QColor, room: QRectF) -> None:
-        """Fill what lies of `path` in `room` (pixels of the painter)."""
+        """Fill the part of `path` inside `room` (pixels of the painter)."""
         box = path.controlPointRect().adjusted(-1, -1, 1, 1).intersected(room).toAlignedRect()
         if box.isEmpty():
             return
@@ -409,7 +414,7 @@ class AreaFill:
         painter.setOpacity(before)
 
     def _prepare(self, size: QRect, ratio: float) -> None:
-        """Have an empty picture of at least this size."""
+        """Prepare an empty picture of at least this size."""
         if self._picture.width() < size.width() or self._picture.height() < size.height():
             self._picture = QImage(size.size(), QImage.Format.Format_ARGB32_Premultiplied)
         self._picture.setDevicePixelRatio(ratio)

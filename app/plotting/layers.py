@@ -29,14 +29,15 @@ class HasLayers(Protocol):
 class Layer:
     """One layer of a plot, in its theme and scale; it paints smoothly, in pixels of the plot area.
 
-    A subclass has a `paint` of its own, or a function is given.
+    A subclass overrides `paint`, or a function is given. After a change of its values it calls `update`; the
+    next paint of the plot then draws all layers from the lowest `z` to the highest.
 
     Attributes
     ----------
     z
-        Higher is nearer to the eye.
+        Layers with a higher z are painted over those with a lower one.
     is_still
-        Whether it lies below all others, and is painted only when it or the view has changed.
+        Whether the layer lies below all others and is painted only when it or the view has changed.
     """
 
     z = 0.0
@@ -47,7 +48,7 @@ class Layer:
         self._paint = paint
         if z is not None:
             self.z = z
-        self.is_visible = self.is_shown = True
+        self.is_visible = self.is_enabled = True
         self._opacity = 1.0
         self._stack.add(self)
 
@@ -67,84 +68,84 @@ class Layer:
         return self._stack.fonts
 
     def update(self) -> None:
-        """Have it painted anew."""
+        """Request a paint."""
         self._stack.update(self)
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide it."""
+        """Show or hide the layer, by its own decision."""
         if visible != self.is_visible:
             self.is_visible = visible
             self._stack.update(self)
 
-    def set_shown(self, shown: bool) -> None:
-        """Show it, as far as it is visible of its own accord, or withhold it."""
-        if shown != self.is_shown:
-            self.is_shown = shown
+    def set_enabled(self, enabled: bool) -> None:
+        """Let the layer show if it is visible, or hide it, by the decision of its owner."""
+        if enabled != self.is_enabled:
+            self.is_enabled = enabled
             self._stack.update(self)
 
     def set_opacity(self, opacity: float) -> None:
-        """Paint it with this opacity, from 0 to 1, from the next paint on."""
+        """Paint with this opacity, from 0 to 1, from the next paint on."""
         if opacity != self._opacity:
             self._opacity = opacity
             self._stack.update(self)
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Paint what the layer shows."""
+        """Paint the layer."""
         if self._paint is not None:
             self._paint(painter, pixel_map)
 
     def draw(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        """Paint; the painter is as before when it is done: opaque and smooth."""
+        """Paint the layer, and restore the painter."""
         painter.save()
         try:
             if self._opacity < 1.0:
                 painter.setOpacity(self._opacity)
             self.paint(painter, pixel_map)
         except Exception as problem:
-            # The layers above are painted all the same.
+            # A failure must not keep the layers above from being painted.
             report(problem)
         finally:
             painter.restore()
 
 
 class LayerStack:
-    """The layers of one plot, from the lowest to the one nearest to the eye.
+    """The layers of one plot, from the lowest to the highest.
 
     Attributes
     ----------
     theme, scale, fonts
-        Those of all that is drawn.
+        Theme, size of lines and fonts of all layers.
     is_due
-        Whether Qt has been told to paint them all anew.
+        Whether a paint of all layers has been requested.
 
     Parameters
     ----------
     area
-        Tells which part of the viewport they paint on.
+        Returns the part of the viewport on which layers paint.
     spread
-        Tells which part is painted anew with them: that, and what is marked beside it.
+        Returns the part that is repainted with them: the area and the marks on rulers beside it.
     beside
-        Paints what lies beside that, and is still.
+        Paints the axes beside the area, which are still.
     """
 
     def __init__(
         self, viewport: QWidget, area: Callable[[], QRect], spread: Callable[[], QRect], beside: Painting
     ) -> None:
         self._viewport, self._area, self._spread, self._paint_beside = viewport, area, spread, beside
-        # Told once: several layers change at every move.
+        # Requested once a frame, though several layers change at every move.
         self.is_due = False
         self._layers: list[Layer] = []
         self._ground: QPixmap | None = None
         self.theme, self.scale, self.fonts = LIGHT, 1.0, Sizes(viewport.font())
 
     def add(self, layer: Layer) -> None:
-        """Add a layer; of those of one height the later one is nearer to the eye."""
+        """Add a layer; of layers with the same z the later one is on top."""
         self._layers.append(layer)
-        self._layers.sort(key=lambda each: (not each.is_still, each.z))
+        self._layers.sort(key=lambda other: (not other.is_still, other.z))
         self.update(layer)
 
     def update(self, layer: Layer) -> None:
-        """Have the plot area painted anew, in which `layer` is another one now."""
+        """Request a paint of the plot area because `layer` has changed."""
         if layer.is_still:
             self._ground = None
         if not self.is_due:
@@ -152,11 +153,11 @@ class LayerStack:
             self._viewport.update(self._spread())
 
     def reset_ground(self) -> None:
-        """Have the layers that are still painted anew as well."""
+        """Repaint the still layers with the next paint."""
         self._ground = None
 
     def paint_ground(self, painter: QPainter, pixel_map: PixelMap, origin: QPointF, region: QRegion) -> None:
-        """Paint what is still, and what lies beside the plot area, which begins at `origin`.
+        """Paint the still layers and the axes; the plot area begins at `origin`.
 
         Only in `region` of the viewport: clipped to several rectangles, Qt takes long for the whole picture.
         """
@@ -188,11 +189,11 @@ class LayerStack:
     def _paint_layers(self, painter: QPainter, pixel_map: PixelMap, *, still: bool) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for layer in self._layers:
-            if layer.is_visible and layer.is_shown and layer.is_still is still:
+            if layer.is_visible and layer.is_enabled and layer.is_still is still:
                 layer.draw(painter, pixel_map)
 
     def _make_ground(self, ratio: float, pixel_map: PixelMap, origin: QPointF) -> QPixmap:
-        """Return the paper, the axes and the layers that are still: one picture for the frames of a drag."""
+        """Return the paper, the axes and the still layers: one picture for all frames of a drag."""
         ground = QPixmap((QSizeF(self._viewport.size()) * ratio).toSize())
         ground.setDevicePixelRatio(ratio)
         ground.fill(self.theme.paper)
@@ -204,5 +205,5 @@ class LayerStack:
 
 def rectangles_of(region: QRegion) -> Iterator[QRect]:
     """Yield the rectangles that make up a region."""
-    # PySide6's stubs do not know that it can be gone through.
+    # PySide6's stubs do not know that a region is iterable.
     yield from cast("Iterable[QRect]", region)

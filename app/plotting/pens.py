@@ -19,9 +19,9 @@ from .stamps import transparent
 
 
 def dashed(segments: FloatArray, pattern: Sequence[float]) -> FloatArray:
-    """Return what remains of segments (m, 4), drawn one after the other with a pattern of pixels.
+    """Return the dashes of segments (m, 4), drawn one after the other with a pattern of pixels.
 
-    `pattern` has the lengths of a dash, a gap, a dash and so on; empty, everything remains.
+    `pattern` has the lengths of a dash, a gap, a dash and so on; if empty, the lines are solid.
     """
     if not pattern or not len(segments):
         return segments
@@ -29,8 +29,8 @@ def dashed(segments: FloatArray, pattern: Sequence[float]) -> FloatArray:
     ends = np.cumsum(np.hypot(along[:, 0], along[:, 1]))
     total = float(ends[-1])
     stops = np.cumsum(pattern)
-    turns = np.arange(np.ceil(total / stops[-1]) + 1)[:, None] * stops[-1]
-    switches = (turns + stops).ravel()
+    periods = np.arange(np.ceil(total / stops[-1]) + 1)[:, None] * stops[-1]
+    switches = (periods + stops).ravel()
     cuts = np.unique(np.concatenate([[0.0], ends, switches[switches < total]]))
     middle = (cuts[:-1] + cuts[1:]) / 2
     # Pieces between an even and an odd switch are dashes.
@@ -47,11 +47,11 @@ def dashed(segments: FloatArray, pattern: Sequence[float]) -> FloatArray:
 
 
 SIGN = QSize(30, 14)
-"""Size of a sign in pixels."""
+"""Size of a sign in a legend, in pixels."""
 
 
 def colour_of(style: LineStyle, theme: Theme, strength: float = 1.0) -> QColor:
-    """Return the colour of a line style under a theme; below a strength of 1 mixed with the paper."""
+    """Return the colour of a line style in a theme, mixed with the paper for a strength below 1."""
     named = style.colour.startswith("#")
     colour = line_colour(style.colour, theme) if named else QColor(getattr(theme, style.colour))
     if strength < 1.0:
@@ -66,7 +66,7 @@ def pen_of(style: LineStyle, theme: Theme, scale: float = 1.0, strength: float =
 
 
 def with_dashes(pen: QPen, dashes: Dashes) -> QPen:
-    """Return a pen with dashes, for short lines and for those that are one polyline."""
+    """Return a pen with dashes, for short lines and single polylines."""
     pen = QPen(pen)
     if dashes:
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
@@ -77,7 +77,7 @@ def with_dashes(pen: QPen, dashes: Dashes) -> QPen:
 def line_in_pixels(
     pixels: FloatArray, dashes: Dashes, width: float, pixel_map: PixelMap
 ) -> Stroke | Segments:
-    """Return what is to be drawn of a polyline (k, 2) in pixels with a pen of some width.
+    """Return a drawable of a polyline (k, 2) in pixels for a pen of some width.
 
     Dashes run on over the vertices.
     """
@@ -87,12 +87,12 @@ def line_in_pixels(
         return stroke
     # A pen's square caps make every dash longer by its width, and the gap shorter.
     pattern = [
-        width * (max(length - 1.0, 0.1) if place % 2 == 0 else length + 1.0)
-        for place, length in enumerate(dashes)
+        width * (max(length - 1.0, 0.1) if index % 2 == 0 else length + 1.0)
+        for index, length in enumerate(dashes)
     ]
-    drawn = Segments()
-    drawn.fill(dashed(visible_segments(pixels, pixel_map.width, pixel_map.height), pattern))
-    return drawn
+    segments = Segments()
+    segments.fill(dashed(visible_segments(pixels, pixel_map.width, pixel_map.height), pattern))
+    return segments
 
 
 def draw_line(painter: QPainter, pixels: FloatArray, dashes: Dashes, pixel_map: PixelMap) -> None:

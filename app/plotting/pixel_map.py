@@ -42,12 +42,12 @@ class PixelMap(msgspec.Struct, frozen=True, dict=True):
         Raises
         ------
         ValueError
-            If a range is empty: there is no map then.
+            If a range is empty.
         """
         for start, end in (x_range, y_range):
             if not start < end:
                 raise ValueError(f"a range from {start!r} to {end!r} shows nothing")
-        # Fit shows what NumPy has measured; pointer positions come from here, and must be plain floats.
+        # Ranges may be NumPy numbers; pointer positions are computed from them and must be plain floats.
         left, right, lower, upper = map(float, (*x_range, *y_range))
         width, height = max(float(width), 1.0), max(float(height), 1.0)
         return cls(left, upper, width / (right - left), height / (upper - lower), width, height)
@@ -70,8 +70,8 @@ class PixelMap(msgspec.Struct, frozen=True, dict=True):
     def _rows(self, count: int) -> tuple[FloatArray, FloatArray]:
         """Return the upper left corner and the scales `count` times, (count, 2) each.
 
-        One row for all is the same, but NumPy then goes through the array two numbers at a time: four times
-        as long, in every frame of a drag.
+        One row would do, but NumPy then broadcasts two numbers at a time, which takes four times as long in
+        every frame of a drag.
         """
         corners, scales = self.__dict__.get("_known_rows", _NO_ROWS)
         if len(corners) < count:

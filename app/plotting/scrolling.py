@@ -27,54 +27,54 @@ class Panning:
 
     @property
     def is_active(self) -> bool:
-        """Whether the drawing follows the mouse."""
+        """Whether a pan is in progress."""
         return self._from is not None
 
     @property
     def owns_cursor(self) -> bool:
-        """Whether the shape of the pointer is that of panning."""
+        """Whether the pointer has the shape of panning."""
         return self._space_down or self.is_active
 
     def press(self, event: QMouseEvent) -> bool:
-        """Begin, if this press means panning; return whether it does."""
-        means_it = event.button() == Qt.MouseButton.MiddleButton or (
+        """Begin to pan if the press means that; return whether it does."""
+        pans = event.button() == Qt.MouseButton.MiddleButton or (
             event.button() == Qt.MouseButton.LeftButton and self._space_down
         )
-        if means_it and not self.is_active:
+        if pans and not self.is_active:
             self._from, self._button = event.position(), event.button()
             self._viewport.setCursor(Qt.CursorShape.ClosedHandCursor)
-        return means_it
+        return pans
 
     def move(self, event: QMouseEvent) -> bool:
-        """Let the drawing follow; return whether it does."""
+        """Move the drawing with the mouse; return whether a pan is in progress."""
         if self._from is None:
             return False
-        moved = event.position() - self._from
+        offset = event.position() - self._from
         self._from = event.position()
-        self._camera.pan(moved.x(), moved.y())
+        self._camera.pan(offset.x(), offset.y())
         return True
 
     def release(self, event: QMouseEvent) -> bool:
-        """End, if the button that began it is let go; return whether it is."""
+        """End the pan if its button is released; return whether it is."""
         ends = self.is_active and event.button() == self._button
         if ends:
             self.stop()
         return ends
 
     def stop(self) -> None:
-        """End, if it is going on."""
+        """End the pan, if one is in progress."""
         if self.is_active:
             self._from = None
             self._show_cursor()
 
     def hear_key(self, event: QKeyEvent, *, down: bool) -> None:
-        """Note whether Space is down."""
+        """Record whether Space is down."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self._space_down = down
             self._show_cursor()
 
     def reset_key(self) -> None:
-        """Count Space as released: in another window its release is never heard of."""
+        """Count Space as released: its release in another window is not reported."""
         self._space_down = False
 
     def _show_cursor(self) -> None:
@@ -89,7 +89,7 @@ _NOTCH = 120.0
 """`QWheelEvent.angleDelta` of one notch."""
 
 _PAN_STEP = 60.0
-"""Pixels of one notch, or of as much of a trackpad that does not count in pixels."""
+"""Pixels of one notch of the wheel, or of a trackpad that does not report pixels."""
 
 _SHIFT, _CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
@@ -97,9 +97,8 @@ _SHIFT, _CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlMo
 class Scrolling:
     """Panning and zooming of a plot by wheel and trackpad.
 
-    Which of the two it was is told by the phases of the event, and where the system sends none (X11) by the
-    device. `QWheelEvent.pixelDelta` tells nothing: X11 sets it for some wheels, and not for libinput's
-    trackpads.
+    The phases of an event distinguish the two, or the device where the system sends no phases (X11).
+    `QWheelEvent.pixelDelta` does not: X11 sets it for some wheels, and not for libinput's trackpads.
     """
 
     def __init__(self, camera: Camera, viewport: QWidget) -> None:
@@ -108,27 +107,27 @@ class Scrolling:
 
     def wheel(self, event: QWheelEvent) -> None:
         """Pan or zoom by a wheel event."""
-        # What comes after the fingers have left goes on with what they began, whatever is held now.
+        # Momentum after the fingers have left goes on with their gesture, whatever keys are held now.
         if event.phase() != Qt.ScrollPhase.ScrollMomentum:
-            self._zooms = _zooms(event)
+            self._zooms = _means_zoom(event)
         if self._zooms:
             notches = event.angleDelta().y() / _NOTCH
             if notches:
                 self._camera.zoom(ZOOM_STEP**notches, event.position())
             return
-        moved = _moved(event)
-        if not moved.isNull():
-            self._camera.pan(moved.x(), moved.y())
+        offset = _pan_offset(event)
+        if not offset.isNull():
+            self._camera.pan(offset.x(), offset.y())
 
     def pinch(self, event: QNativeGestureEvent) -> bool:
-        """Zoom by two fingers that move apart or together; return whether the gesture is that."""
+        """Zoom by a pinch; return whether the gesture is one."""
         if event.gestureType() != Qt.NativeGestureType.ZoomNativeGesture:
             return False
-        place = QPointF(self._viewport.mapFromGlobal(event.globalPosition()))
-        # Each event tells by how much of itself the picture grows.
+        centre = QPointF(self._viewport.mapFromGlobal(event.globalPosition()))
+        # Each event reports the relative growth.
         factor = 1.0 + event.value()
         if factor > 0:
-            self._camera.zoom(factor, place)
+            self._camera.zoom(factor, centre)
         return True
 
 
@@ -138,101 +137,103 @@ def _is_trackpad(event: QWheelEvent) -> bool:
     return is_pad or event.phase() != Qt.ScrollPhase.NoScrollPhase
 
 
-def _zooms(event: QWheelEvent) -> bool:
-    """Whether an event means zooming: Ctrl does, and a wheel that is turned forth or back on its own."""
-    held, turned = event.modifiers(), event.angleDelta()
-    if held & _CTRL:
+def _means_zoom(event: QWheelEvent) -> bool:
+    """Whether an event means zooming: with Ctrl, or a vertical turn of a wheel without Shift."""
+    keys, turned = event.modifiers(), event.angleDelta()
+    if keys & _CTRL:
         return True
-    return not (_is_trackpad(event) or held & _SHIFT or abs(turned.x()) > abs(turned.y()))
+    return not (_is_trackpad(event) or keys & _SHIFT or abs(turned.x()) > abs(turned.y()))
 
 
-def _moved(event: QWheelEvent) -> QPointF:
-    """Return by how many pixels the drawing is moved."""
+def _pan_offset(event: QWheelEvent) -> QPointF:
+    """Return the pixels by which the drawing is panned."""
     pixels = QPointF(event.pixelDelta())
     if not _is_trackpad(event) or pixels.isNull():
         pixels = QPointF(event.angleDelta()) * (_PAN_STEP / _NOTCH)
     if event.modifiers() & _SHIFT:
-        # Some systems turn it sideways themselves.
+        # Some systems exchange x and y themselves.
         pixels = QPointF(pixels.x() or pixels.y(), 0.0)
     return pixels
 
 
 _ZONE = 10.0
-"""Pixels inside the edge from which on it scrolls: beyond the edge of a screen no mouse can go."""
+"""Pixels inside the edge at which scrolling begins: no mouse leaves the edge of the screen."""
 
 _TICK_MS = 16
 _LEAST, _GAIN, _MOST = 1.5, 0.15, 30.0
-"""Pixels of a tick: at least, more for every pixel further out, at most."""
+"""Pixels of a tick: the least, the gain for every pixel further out, the most."""
 
 
 class EdgeScroll(QObject):
-    """Moves the view of a plot towards a pointer at its edge, the faster the further out it is.
+    """Scrolling towards a pointer at the edge of a plot, the faster the further out it is.
 
     A press near the edge scrolls nothing until the pointer has moved outwards from there.
 
     Parameters
     ----------
     camera
-        The camera that it moves.
+        The camera of the plot.
     scrolled
-        Called after each move: what is dragged is somewhere else now.
+        Called after each move: the point under the pointer is another one now.
     """
 
     def __init__(self, camera: Camera, scrolled: Callable[[], None]) -> None:
         super().__init__(camera)
         self._camera, self._scrolled = camera, scrolled
-        self._at_press = self._way = (0.0, 0.0)
+        self._at_press = self._offset = (0.0, 0.0)
         self._timer = QTimer(self, interval=_TICK_MS)
         self._timer.timeout.connect(self._scroll)
 
     def begin(self, pixel: Vector) -> None:
-        """Take note of a press at a pixel of the plot area."""
+        """Record a press at a pixel of the plot area."""
         self.stop()
         self._at_press = self._overshoot(pixel)
 
     def follow(self, pixel: Vector) -> None:
-        """Scroll from now on if the pointer is at the edge here, or no longer."""
-        shown = self._camera.pixel_map
-        is_inside = _ZONE <= pixel[0] <= shown.width - _ZONE and _ZONE <= pixel[1] <= shown.height - _ZONE
-        if is_inside and self._way == (0.0, 0.0):
+        """Start or stop to scroll, for a pointer at this pixel."""
+        pixel_map = self._camera.pixel_map
+        is_inside = (
+            _ZONE <= pixel[0] <= pixel_map.width - _ZONE and _ZONE <= pixel[1] <= pixel_map.height - _ZONE
+        )
+        if is_inside and self._offset == (0.0, 0.0):
             return
         x, y = (
             _beyond(now, before) for now, before in zip(self._overshoot(pixel), self._at_press, strict=True)
         )
-        self._way = (_step(x), _step(y))
-        if not any(self._way):
+        self._offset = (_step(x), _step(y))
+        if not any(self._offset):
             self._timer.stop()
         elif not self._timer.isActive():
             self._timer.start()
 
     def stop(self) -> None:
-        """Scroll no longer: the drag has ended."""
+        """Stop scrolling at the end of the drag."""
         self._timer.stop()
-        self._at_press = self._way = (0.0, 0.0)
+        self._at_press = self._offset = (0.0, 0.0)
 
     def _overshoot(self, pixel: Vector) -> Vector:
-        """Return how far a pixel lies in the zone at the edges or beyond: to the right and down positive."""
-        shown = self._camera.pixel_map
+        """Return the depth of a pixel in the zone at the edges: positive to the right and down."""
+        pixel_map = self._camera.pixel_map
         x, y = (
-            max(at - (size - _ZONE), 0.0) + min(at - _ZONE, 0.0)
-            for at, size in zip(pixel, (shown.width, shown.height), strict=True)
+            max(coordinate - (size - _ZONE), 0.0) + min(coordinate - _ZONE, 0.0)
+            for coordinate, size in zip(pixel, (pixel_map.width, pixel_map.height), strict=True)
         )
         return (x, y)
 
     def _scroll(self) -> None:
-        self._camera.pan(-self._way[0], -self._way[1])
+        self._camera.pan(-self._offset[0], -self._offset[1])
         self._scrolled()
 
 
 def _beyond(now: float, before: float) -> float:
-    """Return how much further out a coordinate is than it was at the press, 0 if it is not."""
+    """Return how much further out a coordinate is than at the press, or 0."""
     if before and now * before > 0 and abs(now) < abs(before) + THRESHOLD:
         return 0.0  # no drag yet
     return max(now - max(before, 0.0), 0.0) + min(now - min(before, 0.0), 0.0)
 
 
 def _step(out: float) -> float:
-    """Return by how many pixels to scroll in a tick."""
+    """Return the pixels to scroll in a tick."""
     if not out:
         return 0.0
     step = min(_LEAST + _GAIN * abs(out), _MOST)

@@ -20,7 +20,7 @@ from .pixel_map import PixelMap
 
 
 def transparent(width: float, height: float, ratio: float) -> QPixmap:
-    """Return an empty picture of a size in pixels of a plot, for a screen with `ratio` of its own to each."""
+    """Return an empty picture of a size in pixels of a plot, with `ratio` device pixels to each."""
     picture = QPixmap(math.ceil(width * ratio), math.ceil(height * ratio))
     picture.setDevicePixelRatio(ratio)
     picture.fill(Qt.GlobalColor.transparent)
@@ -28,16 +28,16 @@ def transparent(width: float, height: float, ratio: float) -> QPixmap:
 
 
 class Sheets(msgspec.Struct, frozen=True, eq=False):
-    """What was painted for one part of the plane.
+    """Pictures painted for one part of the plane.
 
     Attributes
     ----------
     sheets
-        One over the other; there are several where something else is painted between them.
-    shown
-        The part of the plane.
+        From bottom to top; there are several where moving shapes are painted between them.
+    pixel_map
+        The map of the part of the plane.
     key
-        What else it was made for: the theme, the size of lines.
+        All else that the pictures depend on: the theme, the size of lines.
     """
 
     sheets: tuple[QPixmap, ...]
@@ -45,50 +45,50 @@ class Sheets(msgspec.Struct, frozen=True, eq=False):
     key: tuple[object, ...]
 
     def draw(self, painter: QPainter, pixel_map: PixelMap, sheet: QPixmap) -> None:
-        """Draw a sheet, where it lies when this part of the plane is visible."""
+        """Draw a sheet, moved and scaled to the part of the plane that is visible."""
         if pixel_map is self.pixel_map or pixel_map == self.pixel_map:
             painter.drawPixmap(0, 0, sheet)
             return
-        place = self.place_in(pixel_map)
+        rect = self.rect_in(pixel_map)
         if (pixel_map.sx, pixel_map.sy) == (self.pixel_map.sx, self.pixel_map.sy):
-            # On whole pixels of the screen, where it is as sharp as it was, and quickly copied.
+            # On whole device pixels, where the copy is sharp and fast.
             ratio = sheet.devicePixelRatio()
-            corner = QPointF(round(place.x() * ratio) / ratio, round(place.y() * ratio) / ratio)
+            corner = QPointF(round(rect.x() * ratio) / ratio, round(rect.y() * ratio) / ratio)
             painter.drawPixmap(corner, sheet)
         else:
-            painter.drawPixmap(place, sheet, QRectF(sheet.rect()))
+            painter.drawPixmap(rect, sheet, QRectF(sheet.rect()))
 
-    def place_in(self, pixel_map: PixelMap) -> QRectF:
-        """Return where the sheets lie when another part of the plane is visible."""
+    def rect_in(self, pixel_map: PixelMap) -> QRectF:
+        """Return the rectangle of the sheets when another part of the plane is visible."""
         old = self.pixel_map
         x, y = pixel_map.point(old.x0, old.y0)
         return QRectF(x, y, old.width * pixel_map.sx / old.sx, old.height * pixel_map.sy / old.sy)
 
 
 _SHIFTS = 4
-"""A mark is kept at so many places within a pixel, along x and y: an eye cannot tell it from one drawn where
-it belongs."""
+"""Positions within a pixel, along x and y, for which a mark is cached: the eye cannot tell it from an exact
+one."""
 
 _CELLS_OF_LOOK = _SHIFTS * _SHIFTS
 
-_LOOKS = 32
-"""Looks that are kept; when there are more, all are drawn anew as they are asked for."""
+_MOST_LOOKS = 32
+"""Largest number of cached looks; with one more, the sheet begins anew."""
 
 Look = TypeVar("Look", bound=Hashable)
 
 Mark: TypeAlias = tuple[Look, float, float]
-"""A look, and the pixels x and y of its middle."""
+"""A look, and the pixels x and y of its centre."""
 
 
 class Sprites(Generic[Look]):
-    """Marks that are stamped.
+    """Marks of any looks, each painted once and then copied.
 
     Parameters
     ----------
     paint
         Draws the mark of a look around (0, 0).
     reach
-        How far marks reach, in pixels.
+        Largest reach of a mark in pixels.
     """
 
     def __init__(self, paint: Callable[[QPainter, Look], None], reach: float) -> None:
@@ -96,7 +96,7 @@ class Sprites(Generic[Look]):
         self._fragments = Fragments()
         self._sheet = QPixmap()
         self._ratio, self._side = 0.0, 0
-        # The row of the sheet that each look has.
+        # The row of each look on the sheet.
         self._rows: dict[Look, int] = {}
 
     def draw(self, painter: QPainter, marks: Iterable[Mark[Look]]) -> None:
@@ -121,10 +121,10 @@ class Sprites(Generic[Look]):
             self._fragments.draw(painter, self._sheet)
 
     def _add(self, look: Look) -> int:
-        """Draw a look on the sheet, at each place within a pixel; return its row."""
-        if not self._rows or len(self._rows) == _LOOKS:
+        """Draw a look on the sheet, at each position within a pixel; return its row."""
+        if not self._rows or len(self._rows) == _MOST_LOOKS:
             self._rows = {}
-            self._sheet = QPixmap(_CELLS_OF_LOOK * self._side, _LOOKS * self._side)
+            self._sheet = QPixmap(_CELLS_OF_LOOK * self._side, _MOST_LOOKS * self._side)
             self._sheet.fill(Qt.GlobalColor.transparent)
         row = self._rows[look] = len(self._rows)
         with QPainter(self._sheet) as painter:
@@ -141,13 +141,13 @@ class Sprites(Generic[Look]):
 
 
 _COLOURS = 256
-"""Colours that are told apart; with more points, neighbours on the ramp share one."""
+"""Largest number of colours; with more points, neighbours on the ramp share one."""
 
 _COLUMNS = 16
 
-_FEW, _PLACES = 64, 4
-"""Looks up to which each mark is kept at so many places within a pixel, along x and y: an eye cannot tell
-it from one drawn where it belongs. Of more, on whole pixels. A sheet grows up to as many."""
+_FEW_LOOKS, _FINE_SHIFTS = 64, 4
+"""Number of looks up to which marks are cached at so many positions within a pixel, along x and y; more looks
+are drawn on whole pixels. A sheet grows up to as many looks."""
 
 
 class Stamps:
@@ -158,28 +158,28 @@ class Stamps:
     shape
         Draws one mark of a given radius and form around (0, 0), with the painter's pen and brush.
     reach
-        How far a mark of radius 1 reaches.
+        Reach of a mark of radius 1.
     """
 
     def __init__(self, shape: Callable[[QPainter, float, int], None], reach: float = 1.0) -> None:
         self._shape, self._reach = shape, reach
         self._forms = np.empty(0, dtype=np.intp)
-        # The colours and forms on the sheet, in their order there, and which of them each point has.
+        # The cells of the sheet by colour and form, and the cell of each point.
         self._looks: dict[tuple[int, int], int] = {}
         self._look_of = np.empty(0, dtype=np.intp)
-        self._made_of: tuple[object, ...] = ()
-        # The sheet: what it is painted for, the size of a cell, the places within a pixel.
+        self._looks_key: tuple[object, ...] = ()
+        # The sheet: all that it depends on, the size of a cell, the positions within a pixel.
         self._sheet = QPixmap()
-        self._painted_for: tuple[object, ...] = ()
+        self._sheet_key: tuple[object, ...] = ()
         self._cell, self._finer = 0, 1
         self._fragments = Fragments()
-        # What the fragments were made for: under a drag most points stay where they are.
-        self._places, self._indices = np.empty((0, 2)), np.empty(0, dtype=np.intp)
+        # The pixels and indices of the fragments: during a drag most points stay where they are.
+        self._pixels, self._indices = np.empty((0, 2)), np.empty(0, dtype=np.intp)
 
     def draw(
         self,
         painter: QPainter,
-        places: FloatArray,
+        pixels: FloatArray,
         indices: IntArray,
         count: int,
         theme: Theme,
@@ -187,23 +187,23 @@ class Stamps:
         rim: float,
         forms: IntArray | None = None,
     ) -> None:
-        """Draw the marks of points `indices` of `count` at `places` (k, 2), in pixels, rimmed like paper.
+        """Draw the marks of points `indices` of `count` at `pixels` (k, 2), with rims of paper.
 
-        `forms` (count,) says which form each point has; they stay the same array where they do not change.
+        `forms` (count,) are the forms of the points; unchanged forms should be the same array.
         """
         ratio = painter.device().devicePixelRatioF()
         is_new = self._prepare(count, theme, radius, rim, ratio, forms)
         if is_new or not (
             (indices is self._indices or np.array_equal(indices, self._indices))
-            and places.tobytes() == self._places.tobytes()
+            and pixels.tobytes() == self._pixels.tobytes()
         ):
-            self._places, self._indices = places, indices
-            self._fill(places, indices, ratio)
+            self._pixels, self._indices = pixels, indices
+            self._fill(pixels, indices, ratio)
         self._fragments.draw(painter, self._sheet)
 
-    def _fill(self, places: FloatArray, indices: IntArray, ratio: float) -> None:
+    def _fill(self, pixels: FloatArray, indices: IntArray, ratio: float) -> None:
         finer = self._finer
-        steps = np.floor(places * (ratio * finer) + 0.5).astype(np.intp)
+        steps = np.floor(pixels * (ratio * finer) + 0.5).astype(np.intp)
         whole, within = np.divmod(steps, finer)
         cells = (self._look_of[indices] * finer + within[:, 1]) * finer + within[:, 0]
         data = self._fragments.room_for(len(indices))
@@ -218,31 +218,31 @@ class Stamps:
     def _prepare(
         self, count: int, theme: Theme, radius: float, rim: float, ratio: float, forms: IntArray | None
     ) -> bool:
-        """Have a sheet of the marks; return whether it is another one than before."""
+        """Prepare the sheet of the marks; return whether a look has changed."""
         if forms is None:
             forms = self._forms if len(self._forms) == count else np.zeros(count, dtype=np.intp)
-        wanted = (count, theme, radius, rim, ratio)
-        if wanted == self._made_of and (forms is self._forms or np.array_equal(forms, self._forms)):
+        key = (count, theme, radius, rim, ratio)
+        if key == self._looks_key and (forms is self._forms or np.array_equal(forms, self._forms)):
             return False
-        self._made_of, self._forms = wanted, forms
-        # Form by form of each colour that is there: most points look alike but for their colours.
+        self._looks_key, self._forms = key, forms
+        # Each pair of colour and form once: most points differ in colour only.
         most = int(forms.max(initial=0)) + 1
         cells, points = np.unique(cells_of(np.arange(count), count) * most + forms, return_inverse=True)
         colours = self._colours(min(count, _COLOURS), theme)
         looks = [(colours[colour], form) for colour, form in (divmod(cell, most) for cell in cells.tolist())]
-        self._look_of = np.array(self._numbers_of(looks, theme, radius, rim, ratio), dtype=np.intp)[points]
+        self._look_of = np.array(self._cells_for(looks, theme, radius, rim, ratio), dtype=np.intp)[points]
         return True
 
-    def _numbers_of(
+    def _cells_for(
         self, looks: Sequence[tuple[QColor, int]], theme: Theme, radius: float, rim: float, ratio: float
     ) -> list[int]:
-        """Return the places of looks on the sheet; those that it lacks are drawn."""
-        painted_for = (theme, radius, rim, ratio, len(looks) > _FEW)
+        """Return the cells of looks on the sheet; missing looks are drawn."""
+        sheet_key = (theme, radius, rim, ratio, len(looks) > _FEW_LOOKS)
         wanted = {(colour.rgba(), form): colour for colour, form in looks}
         most = len(self._looks.keys() | wanted.keys())
-        if painted_for != self._painted_for or most > max(_FEW, len(self._looks)):
-            self._painted_for, self._looks = painted_for, {}
-            self._finer = 1 if len(looks) > _FEW else _PLACES
+        if sheet_key != self._sheet_key or most > max(_FEW_LOOKS, len(self._looks)):
+            self._sheet_key, self._looks = sheet_key, {}
+            self._finer = 1 if len(looks) > _FEW_LOOKS else _FINE_SHIFTS
             # Even, so that whole pixels lie on whole pixels.
             self._cell = 2 * math.ceil((radius * self._reach + rim) * ratio) + 4
         new = {look: colour for look, colour in wanted.items() if look not in self._looks}
@@ -252,7 +252,7 @@ class Stamps:
         return [self._looks[colour.rgba(), form] for colour, form in looks]
 
     def _draw_on_sheet(self, new: Mapping[tuple[int, int], QColor], pen: QPen, radius: float) -> None:
-        """Make the sheet larger by `new` colours and forms."""
+        """Enlarge the sheet by `new` colours and forms."""
         finer, before = self._finer, self._sheet
         rows = -(-(len(self._looks) + len(new)) * finer * finer // _COLUMNS)
         self._sheet = QPixmap(_COLUMNS * self._cell, rows * self._cell)
@@ -285,10 +285,10 @@ class RingStamps(Stamps):
     """Marks of paper within a rim of the accent, all alike."""
 
     def draw_rings(
-        self, painter: QPainter, places: FloatArray, theme: Theme, radius: float, rim: float
+        self, painter: QPainter, pixels: FloatArray, theme: Theme, radius: float, rim: float
     ) -> None:
-        """Draw rings at `places` (k, 2), in pixels."""
-        self.draw(painter, places, np.zeros(len(places), dtype=np.intp), 1, theme, radius, rim)
+        """Draw rings at `pixels` (k, 2)."""
+        self.draw(painter, pixels, np.zeros(len(pixels), dtype=np.intp), 1, theme, radius, rim)
 
     def _colours(self, count: int, theme: Theme) -> Sequence[QColor]:
         return [theme.paper] * count
@@ -298,7 +298,7 @@ class RingStamps(Stamps):
 
 
 def cells_of(indices: IntArray, count: int) -> IntArray:
-    """Return which of at most 256 colours each point has; the lightness still alternates."""
+    """Return the index of each point's colour among at most 256, with alternating lightness."""
     if count <= _COLOURS:
         return indices
     return indices * (_COLOURS // 2) // count * 2 + indices % 2

@@ -37,12 +37,12 @@ class Sizes:
         return self.at(self._font.pointSizeF() * factor)
 
     def less(self, points: float, scale: float) -> QFont:
-        """Return the font smaller by so many points, but legible, at a scale."""
+        """Return the font smaller by some points, but legible, times a scale."""
         return self.at(max(self._font.pointSizeF() - points, _SMALLEST) * scale)
 
 
 _SMALLEST = 7.0
-"""Points below which nothing can be read from the last row."""
+"""Smallest font size in points that can be read from the last row."""
 
 
 _EDGE = 4.0
@@ -52,24 +52,24 @@ _GAP = 1.0
 
 
 def size_of(painter: QPainter, text: str, across: float = 10.0, down: float = 4.0) -> QSizeF:
-    """Return the size of a plate for text in the painter's font, so many pixels larger in all."""
+    """Return the size of a plate for text in the painter's font, with these pixels of padding in all."""
     metrics = QFontMetricsF(painter.font())
     return QSizeF(metrics.horizontalAdvance(text) + across, metrics.height() + down)
 
 
 def inside(left: float, top: float, size: QSizeF, pixel_map: PixelMap) -> QRectF:
-    """Return a box of some size near a place, moved so far that it lies in the drawing."""
+    """Return a box of some size at a position, moved so far that it lies in the drawing."""
     left = min(max(left, _EDGE), max(pixel_map.width - size.width() - _EDGE, _EDGE))
     top = min(max(top, _EDGE), max(pixel_map.height - size.height() - _EDGE, _EDGE))
     return QRectF(left, top, size.width(), size.height())
 
 
 def clear_of(others: Sequence[QRectF], plate: QRectF) -> QRectF:
-    """Return a plate moved down or up past the others that it would cover, away from the first of these."""
+    """Return a plate moved up or down past the others that it would cover, away from the first of them."""
     plate, side = QRectF(plate), 0
     while covered := [other for other in others if plate.intersects(other)]:
         side = side or (1 if plate.center().y() >= covered[0].center().y() else -1)
-        # Without a gap it may cover the same one again: its bottom is its top and its height, rounded.
+        # Without a gap, rounding might make it cover the same plate again.
         plate.moveTop(
             max(other.bottom() for other in covered) + _GAP
             if side > 0
@@ -78,20 +78,22 @@ def clear_of(others: Sequence[QRectF], plate: QRectF) -> QRectF:
     return plate
 
 
-def beyond(place: QPointF, ways: Sequence[QPointF], gap: float, size: QSizeF, pixel_map: PixelMap) -> QRectF:
-    """Return a box of some size whose nearest side is `gap` pixels from a place.
+def beyond(
+    position: QPointF, directions: Sequence[QPointF], gap: float, size: QSizeF, pixel_map: PixelMap
+) -> QRectF:
+    """Return a box of some size whose nearest side is `gap` pixels from a position.
 
-    It lies in the first of the directions `ways` in which it does not leave the drawing.
+    It lies in the first of the `directions` in which it does not leave the drawing.
     """
-    for way in ways:
-        length = math.hypot(way.x(), way.y())
-        dx, dy = (way.x() / length, way.y() / length) if length > 1 else (0.0, -1.0)
-        away = gap + abs(dx) * size.width() / 2 + abs(dy) * size.height() / 2
+    for direction in directions:
+        length = math.hypot(direction.x(), direction.y())
+        dx, dy = (direction.x() / length, direction.y() / length) if length > 1 else (0.0, -1.0)
+        distance = gap + abs(dx) * size.width() / 2 + abs(dy) * size.height() / 2
         box = QRectF(0, 0, size.width(), size.height())
-        box.moveCenter(place + QPointF(dx * away, dy * away))
+        box.moveCenter(position + QPointF(dx * distance, dy * distance))
         if box == inside(box.left(), box.top(), size, pixel_map):
             return box
-    return inside(place.x() + gap, place.y() + gap, size, pixel_map)
+    return inside(position.x() + gap, position.y() + gap, size, pixel_map)
 
 
 def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, ink: QColor) -> None:
@@ -107,20 +109,20 @@ def write_on_plate(painter: QPainter, plate: QRectF, text: str, paper: QColor, i
 
 
 def write_in_corner(painter: QPainter, text: str, paper: QColor, ink: QColor) -> None:
-    """Write text on a plate in the lower left corner of what is painted."""
+    """Write text on a plate in the lower left corner of the painted area."""
     plate = QRectF(QPointF(0, 0), size_of(painter, text))
     plate.moveBottomLeft(painter.clipBoundingRect().bottomLeft() + QPointF(6, -6))
     write_on_plate(painter, plate, text, paper, ink)
 
 
 class Halo:
-    """Words with a halo; the last ones are kept as a picture.
+    """Text with a halo; the last text is cached as a picture.
 
-    Stroking the outlines of a few letters takes a millisecond, and words stay the same for many frames.
+    Stroking the outlines of a few letters takes a millisecond, and a text stays the same for many frames.
     """
 
     def __init__(self) -> None:
-        self._made_for: tuple[object, ...] = ()
+        self._key: tuple[object, ...] = ()
         self._picture = QPixmap()
 
     def write(
@@ -128,9 +130,9 @@ class Halo:
     ) -> None:
         """Write text in the middle of a box, with `width` pixels of paper on either side of each line."""
         ratio = painter.device().devicePixelRatioF()
-        wanted = (text, painter.font().key(), paper.rgba(), ink.rgba(), width, ratio, box.size())
-        if wanted != self._made_for:
-            self._made_for = wanted
+        key = (text, painter.font().key(), paper.rgba(), ink.rgba(), width, ratio, box.size())
+        if key != self._key:
+            self._key = key
             size = box.adjusted(-width, -width, width, width).size()
             self._picture = with_halo(painter, size, text, paper, ink, width)
         # On whole pixels, where letters are sharp.
@@ -140,7 +142,7 @@ class Halo:
 def with_halo(
     painter: QPainter, size: QSizeF, text: str, paper: QColor, ink: QColor, width: float
 ) -> QPixmap:
-    """Return a picture, as the painter would draw it, of text with a halo in the middle of a size."""
+    """Return a picture of text with a halo, in the painter's font and for its device."""
     across, down = size.width(), size.height()
     picture = transparent(across, down, painter.device().devicePixelRatioF())
     metrics = QFontMetricsF(painter.font())
@@ -163,17 +165,17 @@ def with_halo(
 
 
 _CORNERS = ((1, 1), (-1, 1), (1, -1), (-1, -1))
-"""Right and below first; of corners that are as good as each other the first is taken, so that words rest."""
+"""Right and below first: of equally good corners the first is used, so that labels stay where they are."""
 
 _NEAR = 200.0
-"""Pixels around a point within which its words may lie."""
+"""Pixels around a point within which its label may lie."""
 
 _COVERED_WORDS, _CUT_OFF = 200.0, 1000.0
-"""Cost of words over other words, and of words beyond the edge, in pixels of curve covered."""
+"""Cost of a label over another label, and beyond the edge, in pixels of covered curve."""
 
 
 class Surroundings(msgspec.Struct, frozen=True, eq=False):
-    """Surroundings to keep free, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other words."""
+    """Surroundings to keep free, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other labels."""
 
     segments: FloatArray
     words: Sequence[QRectF] = ()
@@ -185,74 +187,76 @@ NOTHING = Surroundings(np.empty((0, 4)))
 def segments_near(points: FloatArray, pixel: Vector, pixel_map: PixelMap) -> FloatArray:
     """Return the segments (k, 4) in pixels of a polyline of the plane that come near a pixel."""
     (x, y), reach = pixel_map.plane(*pixel), (_NEAR / pixel_map.sx, _NEAR / pixel_map.sy)
-    here = np.array([x, y])
+    centre = np.array([x, y])
     starts, ends = points[:-1], points[1:]
     is_near = np.all(
-        (np.minimum(starts, ends) < here + reach) & (np.maximum(starts, ends) > here - reach), axis=1
+        (np.minimum(starts, ends) < centre + reach) & (np.maximum(starts, ends) > centre - reach), axis=1
     )
     return np.hstack([pixel_map.points(starts[is_near]), pixel_map.points(ends[is_near])])
 
 
 def number_box(centre: QPointF, length: int, scale: float) -> QRectF:
-    """Return the room that a number of so many characters takes."""
+    """Return the box of a number of some characters."""
     box = QRectF(0, 0, (7 * length + 4) * scale, 15 * scale)
     box.moveCenter(centre)
     return box
 
 
 def free_corner(
-    place: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, pixel_map: PixelMap
+    position: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, pixel_map: PixelMap
 ) -> QRectF:
-    """Return a box of some size on the corner of `place` where it covers least of what is around.
+    """Return a box of some size at the corner of `position` where it covers least of its surroundings.
 
     Parameters
     ----------
     gap
         Pixels to the right or left, and above or below, that stay free.
     """
-    boxes = [_on_corner(place, size, gap, *corner) for corner in _CORNERS]
+    boxes = [_box_at_corner(position, size, gap, *corner) for corner in _CORNERS]
     covered = covered_lengths(around.segments, boxes).tolist()
     for index, box in enumerate(boxes):
-        covered[index] += _COVERED_WORDS * sum(box.intersects(each) for each in around.words)
+        covered[index] += _COVERED_WORDS * sum(box.intersects(word) for word in around.words)
         if box != inside(box.left(), box.top(), size, pixel_map):
             covered[index] += _CUT_OFF
     best = boxes[covered.index(min(covered))]
     return inside(best.left(), best.top(), size, pixel_map)
 
 
-def _on_corner(place: QPointF, size: QSizeF, gap: tuple[float, float], right: int, down: int) -> QRectF:
-    centre = place + QPointF(right * (gap[0] + size.width() / 2), down * (gap[1] + size.height() / 2))
+def _box_at_corner(
+    position: QPointF, size: QSizeF, gap: tuple[float, float], right: int, down: int
+) -> QRectF:
+    centre = position + QPointF(right * (gap[0] + size.width() / 2), down * (gap[1] + size.height() / 2))
     box = QRectF(0, 0, size.width(), size.height())
     box.moveCenter(centre)
     return box
 
 
 def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> FloatArray:
-    """Return how many pixels of segments (k, 4) each of the boxes covers, (len(boxes),)."""
+    """Return the length of the segments (k, 4) inside each box, (len(boxes),), in pixels."""
     low = np.array([(box.left(), box.top()) for box in boxes])[:, None]
     high = np.array([(box.right(), box.bottom()) for box in boxes])[:, None]
-    start, way = segments[:, :2], segments[:, 2:] - segments[:, :2]
-    # Along an axis a segment is parallel to two sides: it enters and leaves there as far away as can be.
-    slope = np.where(way == 0, 1e-12, way)
+    start, offset = segments[:, :2], segments[:, 2:] - segments[:, :2]
+    # A segment along an axis is parallel to two sides, and meets them far away instead of at infinity.
+    slope = np.where(offset == 0, 1e-12, offset)
     to_low, to_high = (low - start) / slope, (high - start) / slope
     enter = np.minimum(to_low, to_high).max(axis=2).clip(0.0, 1.0)
     leave = np.maximum(to_low, to_high).min(axis=2).clip(0.0, 1.0)
-    lengths: FloatArray = np.maximum(leave - enter, 0.0) @ np.hypot(way[:, 0], way[:, 1])
+    lengths: FloatArray = np.maximum(leave - enter, 0.0) @ np.hypot(offset[:, 0], offset[:, 1])
     return lengths
 
 
-def number_place(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
-    """Return the middle of a number: on the outer side of the bend, where the curve is not."""
+def number_position(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
+    """Return the centre of the number of a point: on the outer side of the bend, clear of the curve."""
     last = len(pixels) - 1
-    around = [complex(*place) for place in pixels[max(index - 1, 0) : index + 2].tolist()]
+    around = [complex(*pixel) for pixel in pixels[max(index - 1, 0) : index + 2].tolist()]
     before, here, after = around[0], around[min(index, 1)], around[-1]
     outward = here - (before + after) / 2
     if 0 < index < last and abs(outward) > 2:
         outward /= abs(outward)
     else:
         outward = _beside(after - before)
-    place = here + distance * outward
-    return QPointF(place.real + beyond * outward.real, place.imag)
+    centre = here + distance * outward
+    return QPointF(centre.real + beyond * outward.real, centre.imag)
 
 
 def _beside(direction: complex) -> complex:
@@ -264,13 +268,13 @@ def _beside(direction: complex) -> complex:
 
 
 class OccupiedRoom:
-    """Room that numbers take already."""
+    """Boxes that labels occupy already."""
 
     def __init__(self) -> None:
         self._boxes: list[QRectF] = []
 
     def reserve(self, centres: Iterable[QPointF], size: QSizeF) -> QPointF | None:
-        """Take the first of some places that is free, and return its middle; None where none is."""
+        """Occupy the first free one of some centres and return it; None where none is free."""
         for centre in centres:
             box = QRectF(QPointF(), size)
             box.moveCenter(centre)

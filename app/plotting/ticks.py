@@ -11,21 +11,21 @@ import msgspec
 from ..document.words import number
 
 LEAST_LABELS = 2
-"""Numbers that an axis has at least: one alone tells no scale."""
+"""Smallest number of labels of an axis: one alone gives no scale."""
 
 _MOST_DIGITS = 15
 _USUAL_DIGITS = 7
 
 _LEAST_MARK_GAP = 5.0
-"""Pixels between two ticks without a number, at least."""
+"""Smallest distance in pixels of two ticks without numbers."""
 
 _MOST_TICKS = 2000
 
 _FACTORS = tuple(factor * 10.0**power for power in range(-4, 13) for factor in (1, 2, 5))
-"""Distances of numbers in terms of that of the ticks: with these, each number stands at a tick or between."""
+"""Distances of numbers in units of the distance of ticks."""
 
-_SQUEEZED = 0.8
-"""Share of its width to which a number may be pressed together before a part of it stands elsewhere."""
+_SQUEEZE = 0.8
+"""Share of its width to which a number may be squeezed before an offset is split off."""
 
 
 T = TypeVar("T", str, float)
@@ -37,11 +37,11 @@ class Ticks(msgspec.Struct, frozen=True):
     Attributes
     ----------
     labels
-        Places with their numbers, ascending.
+        Values with their numbers, ascending.
     marks
-        Places of further ticks, each with its size as a share of the usual.
+        Values of further ticks, each with its size relative to the usual one.
     offset
-        What has to be added to all numbers, such as "1700000000 +"; empty for nothing.
+        Offset of all numbers, such as "1700000000 +"; empty for none.
     step
         The distance of the numbers, 0 where they were given.
     """
@@ -58,13 +58,13 @@ class LabelRoom(msgspec.Struct, frozen=True):
     Attributes
     ----------
     along, across
-        How much a number takes along the axis, and across it.
+        Return the size of a number along the axis, and across it.
     gap
-        Between two of them.
+        Free pixels between two numbers.
     strip
-        How much there is across.
+        Available pixels across the axis.
     before, after
-        How far a number may reach beyond the beginning and the end of the axis.
+        Pixels by which a number may extend beyond the beginning and the end of the axis.
     """
 
     along: Callable[[str], float]
@@ -76,7 +76,7 @@ class LabelRoom(msgspec.Struct, frozen=True):
 
 
 class Stretch(msgspec.Struct, frozen=True):
-    """Part of an axis that is seen: from `low` to `high`, on `size` pixels; numbers are times `factor`."""
+    """Visible part of an axis: from `low` to `high`, on `size` pixels; numbers are values times `factor`."""
 
     low: float
     high: float
@@ -89,113 +89,113 @@ class Stretch(msgspec.Struct, frozen=True):
         return self.size / (self.high - self.low)
 
     def multiples(self, step: float) -> list[float]:
-        """Return the multiples of `step` in sight; none where there are more than anybody could see."""
+        """Return the visible multiples of `step`; none where they are far too many."""
         first, last = self.low / step, self.high / step
         if not last - first < _MOST_TICKS:
             return []
-        # A multiple at the very edge may be off by a rounding.
+        # Rounding may move a multiple at the very edge outside.
         slack = 1e-9 * max(last - first, 1.0)
-        places = (count * step for count in range(math.ceil(first - slack), math.floor(last + slack) + 1))
-        return sorted(set(places))
+        multiples = (count * step for count in range(math.ceil(first - slack), math.floor(last + slack) + 1))
+        return sorted(set(multiples))
 
 
 def nice_step(needed: float) -> float:
     """Return the least of 1, 2, 5, 10, … times a power of ten that is at least `needed`."""
     power = math.floor(math.log10(needed))
     digit = next(digit for digit in (1, 2, 5, 10) if digit * 10.0**power >= needed * (1 - 1e-12))
-    # As the decimal number that is meant: 0.2, not 2 · 0.1 in binary.
+    # As the decimal number: 0.2, not 2 · 0.1 in binary.
     return float(f"{digit}e{power}")
 
 
 def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[str]:
-    """Return the numbers at ticks `spacing` apart, times `scale`: as many digits as tell them apart."""
-    # A multiple of the spacing that should be zero may be off by a rounding.
+    """Return the numbers at ticks `spacing` apart, times `scale`, with enough digits to differ."""
+    # Rounding may turn a multiple that should be zero into a tiny number.
     exact = [round(value / spacing) * spacing * scale for value in values]
     largest = max((abs(value / spacing) for value in values), default=1.0)
     digits = min(max(_USUAL_DIGITS, math.ceil(math.log10(max(largest, 1.0))) + 1), _MOST_DIGITS)
     return [number(value, digits) for value in exact]
 
 
-def choose_ticks(seen: Stretch, tick: float, wanted: float, room: LabelRoom) -> Ticks:
-    """Return the ticks of an axis, with two numbers at least that do not overlap.
+def choose_ticks(visible: Stretch, tick: float, number_distance: float, room: LabelRoom) -> Ticks:
+    """Return the ticks of an axis, with at least two numbers that do not overlap.
 
     Parameters
     ----------
     tick
         The distance of the ticks.
-    wanted
-        The distance of the numbers, where there is room: one of `tick` times 1, 2, 5, 10, ….
+    number_distance
+        The distance of the numbers, where there is room: `tick` times 1, 2, 5, 10, ….
     """
     best: Ticks | None = None
-    # What is asked again where numbers may be squeezed.
-    known: dict[tuple[float, float], Ticks] = {}
-    least = (room.gap + min(map(room.along, "0123456789"))) / seen.scale
-    for offset, squeezed in ((0.0, 1.0), (0.0, _SQUEEZED), (_offset(seen), 1.0), (0.0, 0.0)):
-        for step in _steps(tick, wanted):
-            if best is not None and step < min(wanted, least):
-                # From here on they are ever denser.
+    # The same steps are tried again with squeezed numbers.
+    cache: dict[tuple[float, float], Ticks] = {}
+    least = (room.gap + min(map(room.along, "0123456789"))) / visible.scale
+    for offset, squeezed in ((0.0, 1.0), (0.0, _SQUEEZE), (_offset(visible), 1.0), (0.0, 0.0)):
+        for step in _steps(tick, number_distance):
+            if best is not None and step < min(number_distance, least):
+                # Further steps are denser still.
                 break
-            found = known.get((offset, step)) or _labels_at(seen, step, offset, room)
-            known[offset, step] = found
-            if len(found.labels) < LEAST_LABELS:
-                if step >= wanted:
+            ticks = cache.get((offset, step)) or _labels_at(visible, step, offset, room)
+            cache[offset, step] = ticks
+            if len(ticks.labels) < LEAST_LABELS:
+                if step >= number_distance:
                     continue
-                if step * seen.scale < room.gap:
+                if step * visible.scale < room.gap:
                     break
                 continue
-            if _fits(found, seen, room, squeezed):
-                return found
-            best = best or found
-    return best or _labels_at(seen, tick, 0.0, room)
+            if _fits(ticks, visible, room, squeezed):
+                return ticks
+            best = best or ticks
+    return best or _labels_at(visible, tick, 0.0, room)
 
 
-def with_marks(ticks: Ticks, seen: Stretch, tick: float, *, finer: bool) -> Ticks:
-    """Return the ticks with those between the numbers; on a ruler with `finer` ones where there is room."""
-    sizes = dict.fromkeys(seen.multiples(tick), 1.0) if _has_room(seen, tick) else {}
+def with_marks(ticks: Ticks, visible: Stretch, tick: float, *, finer: bool) -> Ticks:
+    """Return the ticks with marks between the numbers, with `finer` ones on a ruler where there is room."""
+    sizes = dict.fromkeys(visible.multiples(tick), 1.0) if _has_room(visible, tick) else {}
     if finer:
-        share = next((share for share in (0.1, 0.2, 0.5) if _has_room(seen, share * tick)), None)
-        for place in seen.multiples(share * tick) if share else ():
-            sizes.setdefault(place, 0.5)
+        share = next((share for share in (0.1, 0.2, 0.5) if _has_room(visible, share * tick)), None)
+        for value in visible.multiples(share * tick) if share else ():
+            sizes.setdefault(value, 0.5)
     return msgspec.structs.replace(ticks, marks=tuple(sorted(sizes.items())))
 
 
-def _has_room(seen: Stretch, step: float) -> bool:
-    return step * seen.scale >= _LEAST_MARK_GAP
+def _has_room(visible: Stretch, step: float) -> bool:
+    return step * visible.scale >= _LEAST_MARK_GAP
 
 
-def _steps(tick: float, wanted: float) -> Iterator[float]:
-    """Yield distances of numbers: the wanted one, then larger ones, then smaller ones."""
+def _steps(tick: float, number_distance: float) -> Iterator[float]:
+    """Yield distances of numbers: the preferred one, then larger ones, then smaller ones."""
     steps = [factor * tick for factor in _FACTORS]
-    start = min(range(len(steps)), key=lambda place: abs(math.log(steps[place] / wanted)))
+    start = min(range(len(steps)), key=lambda index: abs(math.log(steps[index] / number_distance)))
     yield from steps[start:]
     yield from reversed(steps[:start])
 
 
-def _labels_at(seen: Stretch, step: float, offset: float, room: LabelRoom) -> Ticks:
-    """Return numbers `step` apart, as far as they are not cut off at the ends."""
-    places = seen.multiples(step)
-    words = tick_labels([place - offset for place in places], seen.factor, step)
+def _labels_at(visible: Stretch, step: float, offset: float, room: LabelRoom) -> Ticks:
+    """Return numbers `step` apart, without those that would be cut off at the ends."""
+    values = visible.multiples(step)
+    texts = tick_labels([value - offset for value in values], visible.factor, step)
     labels = []
-    for place, text in zip(places, words, strict=True):
-        half, at = room.along(text) / 2, (place - seen.low) * seen.scale
-        if -room.before <= at - half and at + half <= seen.size + room.after:
-            labels.append((place, text))
-    said = f"{number(offset * seen.factor, _MOST_DIGITS)} +" if offset else ""
-    return Ticks(tuple(labels), offset=said, step=step)
+    for value, text in zip(values, texts, strict=True):
+        half, pixel = room.along(text) / 2, (value - visible.low) * visible.scale
+        if -room.before <= pixel - half and pixel + half <= visible.size + room.after:
+            labels.append((value, text))
+    offset_text = f"{number(offset * visible.factor, _MOST_DIGITS)} +" if offset else ""
+    return Ticks(tuple(labels), offset=offset_text, step=step)
 
 
-def _fits(found: Ticks, seen: Stretch, room: LabelRoom, squeezed: float) -> bool:
-    texts = [text for _, text in found.labels]
+def _fits(ticks: Ticks, visible: Stretch, room: LabelRoom, squeezed: float) -> bool:
+    texts = [text for _, text in ticks.labels]
     if len(set(texts)) < len(texts):
         return False
     return (
-        max(map(room.along, texts)) + room.gap <= found.step * seen.scale
+        max(map(room.along, texts)) + room.gap <= ticks.step * visible.scale
         and max(map(room.across, texts)) * squeezed <= room.strip
     )
 
 
-def _offset(seen: Stretch) -> float:
-    """Return what all numbers in sight have in common: a multiple of a power of ten; 0 for nothing."""
-    power = 10.0 ** math.ceil(math.log10(seen.high - seen.low))
-    common = math.floor(seen.low / power) * power
-    return common if common > 0 else math.ceil(seen.high / power) * power if seen.high < 0 else 0.0
+def _offset(visible: Stretch) -> float:
+    """Return the offset that the visible numbers share, a multiple of a power of ten; 0 for none."""
+    power = 10.0 ** math.ceil(math.log10(visible.high - visible.low))
+    common = math.floor(visible.low / power) * power
+    return common if common > 0 else math.ceil(visible.high / power) * power if visible.high < 0 else 0.0

@@ -19,7 +19,7 @@ from .pixel_map import PixelMap
 _ComplexArray = NDArray[np.complex128]
 
 _OVERLAP = 0.4
-"""Pixels by which both segments reach beyond a joint: less leaves a notch, more a bead at the line's edge."""
+"""Pixels by which both segments extend beyond a joint: less leaves a notch, more a bead at the edge."""
 
 
 class WideLine:
@@ -28,17 +28,17 @@ class WideLine:
     def __init__(self) -> None:
         self._segments = Segments()
         self._crowd: Crowd | None = None
-        self._shown: tuple[FloatArray | None, PixelMap | None, float] = (None, None, 0.0)
+        self._source: tuple[FloatArray | None, PixelMap | None, float] = (None, None, 0.0)
 
     def show(self, points: FloatArray, pixel_map: PixelMap, width: float) -> None:
-        """Take a polyline (k, 2) of the plane, unless it is the very one that was shown so before."""
-        if self._shown[0] is points and self._shown[1] is pixel_map and self._shown[2] == width:
+        """Take a polyline (k, 2) of the plane, unless it is the same array, map and width as before."""
+        if self._source[0] is points and self._source[1] is pixel_map and self._source[2] == width:
             return
-        self._shown = (points, pixel_map, width)
+        self._source = (points, pixel_map, width)
         self.fill(pixel_map.points(points), pixel_map, width)
 
     def fill(self, pixels: FloatArray, pixel_map: PixelMap, width: float) -> None:
-        """Take a polyline (k, 2) in pixels, of which only what lies near the area will be drawn."""
+        """Take a polyline (k, 2) in pixels; only its part near the area is drawn."""
         self._crowd = None
         segments = self._segments.room_for(max(len(pixels) - 1, 0))
         segments[:, :2], segments[:, 2:] = pixels[:-1], pixels[1:]
@@ -55,7 +55,7 @@ class WideLine:
             self._join(segments, width)
 
     def _join(self, segments: FloatArray, width: float) -> None:
-        """Make segments (m, 4) one line."""
+        """Join segments (m, 4) to one line."""
         steps, cosines = overlap(segments)
         reach_to_corners(segments, steps, cosines, width)
 
@@ -69,7 +69,7 @@ class RoundLine(WideLine):
 
     def __init__(self) -> None:
         super().__init__()
-        # Its ends, and the corners at which the sides of segments that overlap do not meet.
+        # The ends, and the corners at which the sides of overlapping segments do not meet.
         self._discs = Points()
 
     def _join(self, segments: FloatArray, width: float) -> None:
@@ -96,25 +96,25 @@ class RoundLine(WideLine):
 
 
 def _are_near(pixels: FloatArray, pixel_map: PixelMap) -> bool:
-    """Whether no pixel lies further away than a square around the area reaches: Qt clips those well."""
-    # Both columns at once: apart, NumPy takes three times as long, in every frame of a drag.
+    """Whether all pixels lie in a square around the area: Qt clips those well."""
+    # Both columns at once: separately, NumPy takes three times as long in every frame of a drag.
     low, high = np.minimum.reduce(pixels, axis=None), np.maximum.reduce(pixels, axis=None)
     return bool(low >= -MARGIN and high <= max(pixel_map.width, pixel_map.height) + MARGIN)
 
 
 def overlap(segments: FloatArray) -> tuple[_ComplexArray, FloatArray]:
-    """Make segments (m, 4) longer at both ends, so that no joint of a smooth line is seen.
+    """Extend segments (m, 4) at both ends, so that no joint of a smooth line is visible.
 
     Returns
     -------
     steps, cosines
-        How far each segment now reaches beyond its end, as complex numbers (m,); the cosines of the turns
-        from one to the next, (m − 1,).
+        The extension of each segment as a complex number, (m,); the cosines of the turns from one segment to
+        the next, (m − 1,).
     """
-    # As complex numbers, whose size and turn NumPy finds in one step each.
+    # As complex numbers, whose sizes and turns NumPy computes in one step each.
     starts, ends = segments.view(np.complex128).T
     steps = ends - starts
-    # One without a length has no direction to reach in.
+    # A segment without length has no direction.
     steps *= _OVERLAP / np.maximum(np.abs(steps), 1e-9)
     starts -= steps
     ends += steps
@@ -122,21 +122,21 @@ def overlap(segments: FloatArray) -> tuple[_ComplexArray, FloatArray]:
 
 
 def _least_cosine(width: float) -> float:
-    """Return the cosine of the sharpest turn at which the sides of segments that overlap still meet.
+    """Return the cosine of the sharpest turn at which the sides of overlapping segments still meet.
 
-    By a turn of θ they meet half the width times tan θ/2 beyond the joint.
+    At a turn of θ they meet half the width times tan θ/2 beyond the joint.
     """
     share = (2 * _OVERLAP / width) ** 2
     return (1 - share) / (1 + share)
 
 
 def _have_corners(cosines: FloatArray, width: float) -> bool:
-    """Whether a line `width` wide has turns at which overlapping is not enough."""
+    """Whether a line of this width has turns at which the overlap is too small."""
     return len(cosines) > 0 and bool(np.minimum.reduce(cosines) < _least_cosine(width))
 
 
 def reach_to_corners(segments: FloatArray, steps: _ComplexArray, cosines: FloatArray, width: float) -> None:
-    """Make segments that overlap reach, at a sharp corner, as far as their sides meet, or half the width."""
+    """Extend overlapping segments at sharp corners to where their sides meet, at most by half the width."""
     if not _have_corners(cosines, width):
         return
     starts, ends = segments.view(np.complex128).T

@@ -431,9 +431,9 @@ def test_rulers_are_switched_to_plain_axes_and_remembered(drawing):
 def test_a_presentation_has_plain_axes(drawing):
     canvas = drawing.window.canvas
     drawing.trigger("presentation")
-    assert not canvas.rulers.are_shown
+    assert not canvas.rulers.are_visible
     drawing.trigger("presentation")
-    assert canvas.rulers.are_shown
+    assert canvas.rulers.are_visible
 
 
 def strip(editor, first, last):

@@ -565,7 +565,7 @@ def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_re
     canvas.camera.pan(30, 10)
     three.settle()
     assert layer._picture is picture
-    shown, place = canvas.pixel_map, picture.place_in(canvas.pixel_map)
+    shown, place = canvas.pixel_map, picture.rect_in(canvas.pixel_map)
     x, y = picture.pixel_map.plane(100, 50)
     assert shown.point(x, y) == pytest.approx((place.x() + 120, place.y() + 60))
     until(lambda: layer._picture is not picture)

@@ -177,7 +177,7 @@ class PlotCommands:
         context = self._context
         canvas = plots.pane.PlotCanvas(Toolbox(self._session, SCRUB))
         canvas.set_scale(context.store.state.scale)
-        canvas.camera.range_asked.connect(context.central.t_camera.show_t)
+        canvas.camera.range_requested.connect(context.central.t_camera.show_t)
         canvas.scrub_nudged.connect(self._nudge_scrub)
         canvas.pointed_at.connect(context.status_line.readouts.show_t)
         context.connect_plot(canvas)

@@ -52,7 +52,7 @@ class GuideCommands:
         return self._session.document.unit
 
     def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
-        if state.shows_rulers != self._canvas.rulers.are_shown:
+        if state.shows_rulers != self._canvas.rulers.are_visible:
             self._canvas.show_rulers(state.shows_rulers)
             self._context.central.message_bar.place()
         self._guides.set_visible(state.guides_shown)
