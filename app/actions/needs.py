@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import msgspec
 
-from ..document.selection import NONE_CHOSEN
+from ..document.selection import NONE_SELECTED
 from .state import ActionState
 
 
@@ -40,17 +40,17 @@ SOME_CURVE = Need("a curve", lambda state: not state.is_blank)
 CHOSEN = Need(
     "a curve that is chosen or edited",
     lambda state: state.has_selected_curve or state.is_blank,
-    why=lambda _state: NONE_CHOSEN,
+    why=lambda _state: NONE_SELECTED,
 )
 HIGHLIGHTED = Need(
     "a curve or a point",
     lambda state: state.has_selected_curve and not state.is_blank,
-    why=lambda state: "" if state.is_blank else NONE_CHOSEN,
+    why=lambda state: "" if state.is_blank else NONE_SELECTED,
 )
 CURVE_WITH_POINTS = Need(
     "a curve with points",
     lambda state: state.has_selected_curve and (state.point_count > 0 or state.selected_curve_count > 1),
-    why=lambda state: "" if state.has_selected_curve else NONE_CHOSEN,
+    why=lambda state: "" if state.has_selected_curve else NONE_SELECTED,
 )
 HERMITE_CURVE = Need("a Hermite curve", lambda state: state.has_derivatives)
 HERMITE_POINTS = Need(

@@ -17,10 +17,10 @@ from PySide6.QtGui import QGuiApplication
 
 from ..document.derivatives import EstimateRule
 from ..document.group_edits import are_in_groups, nodes_of
-from ..document.groups import NodeKind, shape_of, whole_nodes, whole_shapes
+from ..document.groups import NodeKind, expand_to_shapes, shape_of, whole_nodes
 from ..document.model import Document, ParametrizationKind
 from ..document.point_group import PointGroup
-from ..document.several_curves import counted, is_blank
+from ..document.several_curves import count_label, is_blank
 from ..families import Family
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
@@ -149,7 +149,7 @@ class ActionFacts:
         document, selected, active = session.document, session.selected, session.active_index
         view, group, stack = session.active_view, selected.group, session.undo_stack
         source, points, marked = view.source, selected.points, selected.marked
-        whole, shape = whole_shapes(document, marked), shape_of(document, active)
+        whole, shape = expand_to_shapes(document, marked), shape_of(document, active)
         has_derivative_points = bool(group.parts) and source.family.derivatives > 0 and view.is_current
         return ActionState(
             window=window,
@@ -201,9 +201,9 @@ def _highlighted(session: Session) -> str:
     curves = selected.highlight(whole_curves=True).curves or selected.whole
     nodes = whole_nodes(document.curves, curves)
     if len(nodes) > 1:
-        return counted(document, curves).title().replace(" And ", " and ")
+        return count_label(document, curves).title().replace(" And ", " and ")
     (node,) = nodes
-    is_contour = node.kind is NodeKind.CURVE and node.around.shape
+    is_contour = node.kind is NodeKind.CURVE and node.container.shape
     return "Contour" if is_contour else node.kind.name.title()
 
 

@@ -11,7 +11,7 @@ from PySide6.QtGui import QPainter, QPen
 from curvecore.arrays import FloatArray
 
 from ..document.model import Axis, Guide, Vector
-from ..document.plane_edits import place_words
+from ..document.plane_edits import guide_label
 from ..plotting.drawing import Bars
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
@@ -214,7 +214,7 @@ class GuidesLayer(Layer):
         nearest = len(distances) - 1 - int(np.argmin(distances[::-1]))
         if distances[nearest] > _REACH:
             return None
-        return Hit(Part.GUIDE, nearest, self.guides[nearest].beside(pixel_map.plane(*pixel)))
+        return Hit(Part.GUIDE, nearest, self.guides[nearest].nearest_position(pixel_map.plane(*pixel)))
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         """Draw the visible guides."""
@@ -245,7 +245,7 @@ class GuidesLayer(Layer):
 
     def _write(self, painter: QPainter, pixel_map: PixelMap, guide: Guide, pixel: int) -> None:
         """Write the position of the guide near its upper or left end."""
-        text = place_words(guide, self._unit)
+        text = guide_label(guide, self._unit)
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, text)
         if guide.axis is Axis.X:

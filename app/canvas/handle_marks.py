@@ -11,7 +11,7 @@ from PySide6.QtGui import QPainter
 
 from curvecore.arrays import BoolArray
 
-from ..document.constraints import line_beside
+from ..document.constraints import is_straight_beside
 from ..document.model import Curve
 from ..plotting.pixel_map import PixelMap
 from ..plotting.stamps import Mark
@@ -170,7 +170,9 @@ def _bent(curve: Curve, sides: PointSides) -> PointSides:
     if not curve.family.derivatives:
         return sides
     arms = zip(sides.indices.tolist(), sides.ahead.tolist(), strict=True)
-    is_bent = np.array([not line_beside(curve, index, ahead=ahead) for index, ahead in arms], dtype=bool)
+    is_bent = np.array(
+        [not is_straight_beside(curve, index, ahead=ahead) for index, ahead in arms], dtype=bool
+    )
     return sides if is_bent.all() else PointSides(sides.indices[is_bent], sides.ahead[is_bent])
 
 

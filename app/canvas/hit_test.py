@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.groups import shapes
+from ..document.groups import shape_ranges
 from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
 from ..plotting.pixel_map import PixelMap
@@ -356,7 +356,7 @@ class FilledAreas:
 
     def _find(self) -> None:
         curves = [view.source for view in self._views]
-        filled = [indices for indices in shapes(curves) if _is_pressed(curves[indices.start])]
+        filled = [indices for indices in shape_ranges(curves) if _is_pressed(curves[indices.start])]
         self._shapes = [indices for indices in filled if self._drawn(indices)]
         self._boxes = np.array([self._box(indices) for indices in self._shapes]).reshape(-1, 2, 2)
 
@@ -373,4 +373,4 @@ class FilledAreas:
 
 def _is_pressed(curve: Curve) -> bool:
     """Whether the shape that begins with a curve is filled, visible and unlocked."""
-    return curve.style.has_fill and curve.is_free
+    return curve.style.has_fill and curve.is_selectable

@@ -16,7 +16,7 @@ from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour
 from ..appearance.theme import mix
-from ..document.groups import shapes
+from ..document.groups import shape_ranges
 from ..document.model import Vector
 from ..plotting.drawing import Stroke
 from ..plotting.layers import Layer
@@ -504,7 +504,7 @@ class DrawnCurves:
             for index in other
             if index not in selected and views[index].source.visible and views[index].has_curve
         ]
-        all_shapes = list(shapes([view.source for view in views]))
+        all_shapes = list(shape_ranges([view.source for view in views]))
         below, shape, above = self._layered(views, all_shapes, active, selected)
         self.others.render_shapes(below, to_find)
         visible = ((index, views[index]) for index in other if views[index].source.visible)

@@ -12,7 +12,7 @@ from PySide6.QtGui import QImage
 from curvecore.arrays import FloatArray
 
 from .. import canvas
-from ..document.curve_edits import without_looks
+from ..document.curve_edits import without_appearance
 from ..document.model import ReferenceImage, Vector
 from ..document.point_group import PointGroup
 from ..plotting.drawing import cut_segments, visible_segments
@@ -160,7 +160,7 @@ class CanvasScene:
             return
         if self._plot.is_dragging or not old.is_current or not view.is_current:
             return
-        if without_looks(old.source) != without_looks(view.source):
+        if without_appearance(old.source) != without_appearance(view.source):
             self.curve.show_ghost(self._plot.pixel_map)
 
     def hold_ghost(self, held: bool) -> None:

@@ -9,8 +9,15 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import HERMITE
-from .constraints import holds, tied
-from .curve_edits import add_curve, free_name, fresh_curve, is_numbered, replace_curve, without
+from .constraints import has_parallel_velocities, tie
+from .curve_edits import (
+    add_curve,
+    has_default_name,
+    new_curve_like,
+    replace_curve,
+    unused_name,
+    without_curve,
+)
 from .limits import checked_vector
 from .model import Document, Parametrization, ParametrizationKind, Point, Vector
 from .style import Style
@@ -52,12 +59,12 @@ def _between(start: Vector, end: Vector, share: float) -> Vector:
     return (start[0] + (end[0] - start[0]) * share, start[1] + (end[1] - start[1]) * share)
 
 
-def drawn_place(document: Document, active: int) -> int:
+def drawn_index(document: Document, active: int) -> int:
     """Return the place of a curve that is drawn: in front, an empty active curve left out."""
     return len(_rest(document, active).curves)
 
 
-def with_pieces_drawn(
+def draw_closed_curve(
     document: Document, active: int, name: str, pieces: Sequence[Piece], style: Style
 ) -> Document:
     """Return the document with a closed cubic curve of pieces, each of which begins where the last one ends.
@@ -69,9 +76,9 @@ def with_pieces_drawn(
     if rest is not document:
         curve = replace(model, parametrization=Parametrization(), visible=True)
     else:
-        curve = fresh_curve(document, replace(model, style=style), Parametrization())
-    if is_numbered(curve.name):
-        curve = replace(curve, name=free_name(rest, name))
+        curve = new_curve_like(document, replace(model, style=style), Parametrization())
+    if has_default_name(curve.name):
+        curve = replace(curve, name=unused_name(rest, name))
     rule = curve.parametrization
     if rule.kind is not ParametrizationKind.CHORD_LENGTH:
         rule = Parametrization()
@@ -83,7 +90,7 @@ def with_pieces_drawn(
 def _rest(document: Document, active: int) -> Document:
     """Return the document without the active curve where that is empty: it becomes the one that is drawn."""
     curve = document.curves[active]
-    return document if curve.points or curve.locked else without(document, active)
+    return document if curve.points or curve.locked else without_curve(document, active)
 
 
 def _points(pieces: Sequence[Piece], span: float) -> tuple[Point, ...]:
@@ -108,4 +115,4 @@ def _point(position: Vector, before: Vector, after: Vector) -> Point:
     if math.dist(before, after) <= _SMOOTH * math.hypot(*after):
         return Point(x, y, velocity=after)
     corner = Point(x, y, velocity=before, corner=True, velocity_after=after)
-    return tied(corner, before, after) if holds(corner) else corner
+    return tie(corner, before, after) if has_parallel_velocities(corner) else corner

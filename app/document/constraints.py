@@ -67,22 +67,22 @@ def velocity_in(curve: Curve, segment: int) -> Vector | None:
     return v if math.dist(v, w) <= _SAME * math.hypot(*v) else None
 
 
-def is_line(curve: Curve, segment: int) -> bool:
+def is_straight(curve: Curve, segment: int) -> bool:
     """Whether a segment is straight, and run through at an even pace."""
     v = velocity_in(curve, segment)
     return v is not None and _goes_along(v, chord_of(curve, segment))
 
 
-def line_beside(curve: Curve, index: int, *, ahead: bool) -> bool:
+def is_straight_beside(curve: Curve, index: int, *, ahead: bool) -> bool:
     """Whether the segment ahead of a point, or the one behind it, is straight."""
     segment = index if ahead else index - 1
     count = len(curve.points)
     if curve.is_closed:
-        return is_line(curve, segment % count)
-    return 0 <= segment < count - 1 and is_line(curve, segment)
+        return is_straight(curve, segment % count)
+    return 0 <= segment < count - 1 and is_straight(curve, segment)
 
 
-class KeptLine(msgspec.Struct, frozen=True):
+class KeptSegment(msgspec.Struct, frozen=True):
     """A straight segment that is to stay straight.
 
     Attributes
@@ -100,7 +100,7 @@ class KeptLine(msgspec.Struct, frozen=True):
     by_start: bool
 
 
-def lines_to_keep(before: Curve, after: Curve) -> list[KeptLine]:
+def straight_segments_to_keep(before: Curve, after: Curve) -> list[KeptSegment]:
     """Return the straight segments of `before` of which one end has gone elsewhere in `after`.
 
     Not those of which both velocities have been changed, too: they are bent, or mapped with their ends.
@@ -112,12 +112,12 @@ def lines_to_keep(before: Curve, after: Curve) -> list[KeptLine]:
         if chord == chord_of(after, segment):
             continue
         was, now = _ends_in(before, segment), _ends_in(after, segment)
-        if (was[0] == now[0] or was[1] == now[1]) and is_line(before, segment):
-            kept.append(KeptLine(segment, chord, by_start=was[0] == now[0]))
+        if (was[0] == now[0] or was[1] == now[1]) and is_straight(before, segment):
+            kept.append(KeptSegment(segment, chord, by_start=was[0] == now[0]))
     return kept
 
 
-def with_lines(curve: Curve, lines: Collection[KeptLine]) -> Curve:
+def with_straight_segments(curve: Curve, lines: Collection[KeptSegment]) -> Curve:
     """Return a curve with these segments straight between where their ends are now."""
     points = list(curve.points)
     for each in lines:
@@ -173,11 +173,11 @@ none. Turning one to the other leaves some 1e-16."""
 
 def angle_between(v: Vector, w: Vector) -> float:
     """Return the angle between two vectors, 0 to π; 0 where one of them is zero and has no direction."""
-    (a, b), (c, d) = unit(v), unit(w)
+    (a, b), (c, d) = unit_vector(v), unit_vector(w)
     return 2.0 * math.atan2(math.hypot(a - c, b - d), math.hypot(a + c, b + d)) if any(v) and any(w) else 0.0
 
 
-def unit(v: Vector) -> Vector:
+def unit_vector(v: Vector) -> Vector:
     """Return the direction of a vector, zero where it has none."""
     largest = max(abs(v[0]), abs(v[1]))
     if not largest:
@@ -188,15 +188,15 @@ def unit(v: Vector) -> Vector:
     return (x / length, y / length)
 
 
-def turned(v: Vector, along: Vector) -> Vector:
+def turned_along(v: Vector, along: Vector) -> Vector:
     """Return a vector as long as `v` that goes the way of `along`; where that is zero, `v` itself."""
-    if not any(along) or unit(v) == unit(along):
+    if not any(along) or unit_vector(v) == unit_vector(along):
         return v
-    (x, y), length = unit(along), math.hypot(*v)
+    (x, y), length = unit_vector(along), math.hypot(*v)
     return (length * x, length * y)
 
 
-def holds(point: Point) -> bool:
+def has_parallel_velocities(point: Point) -> bool:
     """Whether the two velocities of a point are what a tie says: both set, and parallel."""
     before, after = point.velocity, point.velocity_after
     return (
@@ -204,45 +204,45 @@ def holds(point: Point) -> bool:
     )
 
 
-def tied(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (1.0, 1.0)) -> Point:
+def tie(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (1.0, 1.0)) -> Point:
     """Return a point whose velocities are tied: the shorter handle is turned to the longer.
 
     `h` are the lengths in t of the segments before and after it, which handles are in proportion to.
     """
     if h[0] * math.hypot(*before) < h[1] * math.hypot(*after):
-        before = turned(before, after)
+        before = turned_along(before, after)
     else:
-        after = turned(after, before)
+        after = turned_along(after, before)
     cornered = point if point.corner else point.as_corner()
     return replace(cornered, tied=True, velocity=before, velocity_after=after)
 
 
-def tied_if_parallel(point: Point) -> Point:
+def tie_if_parallel(point: Point) -> Point:
     """Return a corner whose velocities go the same way as tied: nothing turns there. Others as they are."""
-    return replace(point, tied=True) if holds(point) else untied(point)
+    return replace(point, tied=True) if has_parallel_velocities(point) else untie(point)
 
 
-def untied(point: Point) -> Point:
+def untie(point: Point) -> Point:
     """Return a point whose velocities are free of each other, themselves what they are."""
     return replace(point, tied=False, even=False) if point.tied else point
 
 
-BY_HAND = math.radians(5)
+HAND_DRAWN_ANGLE = math.radians(5)
 """Angle up to which a handle drawn by hand beside a straight line means the direction of the line."""
 
 
-def tied_to_line(curve: Curve, index: int) -> Point:
+def tied_to_straight_segment(curve: Curve, index: int) -> Point:
     """Return point `index` of a curve, tied where a handle goes on from a line beside it, or nearly so."""
     point = curve.points[index]
     before, after = point.velocity, point.velocity_after
-    if before is None or after is None or angle_between(before, after) > BY_HAND:
+    if before is None or after is None or angle_between(before, after) > HAND_DRAWN_ANGLE:
         return point
-    behind, ahead = (line_beside(curve, index, ahead=each) for each in (False, True))
+    behind, ahead = (is_straight_beside(curve, index, ahead=each) for each in (False, True))
     if behind is ahead:
         return point
     if behind:
-        return replace(point, tied=True, velocity_after=turned(after, before))
-    return replace(point, tied=True, velocity=turned(before, after))
+        return replace(point, tied=True, velocity_after=turned_along(after, before))
+    return replace(point, tied=True, velocity=turned_along(before, after))
 
 
 def with_derivative(
@@ -266,15 +266,15 @@ def with_derivative(
     if not point.tied or order > 1:
         return replace(point, **{name: vector})
     if vector is None:
-        return replace(untied(point), **{name: None})
+        return replace(untie(point), **{name: None})
     held: Vector = getattr(point, other)
     was: Vector = getattr(point, name)
-    if line_beside(curve, index, ahead=not ahead):
-        x, y = unit(held)
+    if is_straight_beside(curve, index, ahead=not ahead):
+        x, y = unit_vector(held)
         far = max(vector[0] * x + vector[1] * y, 0.0)
         vector = (far * x, far * y)
         return replace(point, **{name: vector} | ({other: _in_step(held, was, vector)} if point.even else {}))
-    other_way = _in_step(held, was, vector) if point.even else turned(held, vector)
+    other_way = _in_step(held, was, vector) if point.even else turned_along(held, vector)
     return replace(point, **{name: vector, other: other_way})
 
 
@@ -285,24 +285,24 @@ def _in_step(held: Vector, was: Vector, vector: Vector) -> Vector:
     """
     length = math.hypot(*was)
     if not length or not any(held) or not any(vector):
-        return turned(held, vector)
-    (x, y), far = unit(vector), math.hypot(*vector) * (math.hypot(*held) / length)
+        return turned_along(held, vector)
+    (x, y), far = unit_vector(vector), math.hypot(*vector) * (math.hypot(*held) / length)
     return (far * x, far * y)
 
 
-def along_lines(curve: Curve, index: int) -> Point:
+def tied_to_straight_segments(curve: Curve, index: int) -> Point:
     """Return point `index` with its tie kept, where straight segments beside it may have turned.
 
     One line gives the velocity on its other side the direction; two of different directions end the tie.
     """
     point = curve.points[index]
     if not point.tied or point.velocity is None or point.velocity_after is None:
-        return untied(point)
-    if line_beside(curve, index, ahead=True):
-        if not line_beside(curve, index, ahead=False):
-            return replace(point, velocity=turned(point.velocity, point.velocity_after))
-        return point if holds(point) else untied(point)
-    return replace(point, velocity_after=turned(point.velocity_after, point.velocity))
+        return untie(point)
+    if is_straight_beside(curve, index, ahead=True):
+        if not is_straight_beside(curve, index, ahead=False):
+            return replace(point, velocity=turned_along(point.velocity, point.velocity_after))
+        return point if has_parallel_velocities(point) else untie(point)
+    return replace(point, velocity_after=turned_along(point.velocity_after, point.velocity))
 
 
 # Handles that stay where they are
@@ -319,13 +319,13 @@ def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = (
     if not before.has_derivatives:
         return after
     spaced = _for_new_spacing(before, after, together)
-    lines = lines_to_keep(before, after) if len(before.points) == len(after.points) else ()
+    lines = straight_segments_to_keep(before, after) if len(before.points) == len(after.points) else ()
     if not lines:
         return spaced
-    straight = with_lines(spaced, lines)
+    straight = with_straight_segments(spaced, lines)
     points = list(straight.points)
     for index in {end for each in lines for end in ends_of(straight, each.segment)}:
-        points[index] = along_lines(straight, index)
+        points[index] = tied_to_straight_segments(straight, index)
     return replace(straight, points=tuple(points))
 
 
@@ -347,7 +347,7 @@ def _for_new_spacing(before: Curve, after: Curve, together: Collection[int]) -> 
             behind, ahead = growth.beside(after.points[index], index)
             factors[index] = far * behind, far * ahead
     pairs = zip(after.points, factors, strict=True)
-    return replace(after, points=tuple(stretched_beside(point, *each) for point, each in pairs))
+    return replace(after, points=tuple(rescaled_beside(point, *each) for point, each in pairs))
 
 
 def _are_alike(old: Sequence[float], new: Sequence[float]) -> bool:
@@ -412,18 +412,18 @@ def _spacings(curve: Curve, exponent: float) -> list[float]:
     return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(points)]
 
 
-def stretched_beside(point: Point, behind: float, ahead: float) -> Point:
+def rescaled_beside(point: Point, behind: float, ahead: float) -> Point:
     """Rescale derivatives for spacings that grow by these factors, those after a corner by the second."""
     behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in (behind, ahead))
     if behind == ahead:
-        return stretched(point, behind)
-    after = stretched(point, ahead)
+        return rescaled(point, behind)
+    after = rescaled(point, ahead)
     return replace(
-        stretched(point, behind), **{each.after: getattr(after, each.after) for each in DERIVATIVES}
+        rescaled(point, behind), **{each.after: getattr(after, each.after) for each in DERIVATIVES}
     )
 
 
-def stretched(point: Point, factor: float) -> Point:
+def rescaled(point: Point, factor: float) -> Point:
     """Rescale derivatives for a time that runs `factor` times as long."""
     if factor == 1:
         return point

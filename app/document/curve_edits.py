@@ -13,7 +13,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 
 from ..families import FAMILIES, Family, titles
-from .constraints import stretched
+from .constraints import rescaled
 from .derivatives import DERIVATIVES
 from .limits import EditError
 from .model import Curve, Document, Parametrization, Point, Vector
@@ -31,29 +31,29 @@ def add_curve(document: Document, index: int, curve: Curve) -> Document:
     return replace(document, curves=(*document.curves[:index], curve, *document.curves[index:]))
 
 
-def without(document: Document, curve: int) -> Document:
+def without_curve(document: Document, curve: int) -> Document:
     """Return the document without a curve, be it the last one."""
     return replace(document, curves=(*document.curves[:curve], *document.curves[curve + 1 :]))
 
 
-class Begun(NamedTuple):
+class NewCurve(NamedTuple):
     """A document, and the place of an empty curve in it that is drawn next."""
 
     document: Document
-    place: int
+    curve_index: int
 
 
-def begun(document: Document, active: int, fresh: Curve) -> Begun:
+def with_new_curve(document: Document, active: int, fresh: Curve) -> NewCurve:
     """Return the document with the empty curve that is drawn next.
 
     That is the active one where it is empty and free, in the style of the `fresh` one; or else that one.
     """
     model = document.curves[active]
     if model.points or model.locked:
-        return Begun(add_curve(document, len(document.curves), fresh), len(document.curves))
+        return NewCurve(add_curve(document, len(document.curves), fresh), len(document.curves))
     if model.style != fresh.style:
         document = document.with_curve(active, replace(model, style=fresh.style))
-    return Begun(document, active)
+    return NewCurve(document, active)
 
 
 def replace_curve(document: Document, curve: int, new: Curve) -> Document:
@@ -61,7 +61,7 @@ def replace_curve(document: Document, curve: int, new: Curve) -> Document:
     return set_points(document.with_curve(curve, new), curve, new.points)
 
 
-def with_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
+def replace_by_parts(document: Document, index: int, first: Curve, *others: Curve) -> Document:
     """Put curves in the place of one, one above the other."""
     document = replace_curve(document, index, first)
     for offset, curve in enumerate(others, start=1):
@@ -71,13 +71,13 @@ def with_parts(document: Document, index: int, first: Curve, *others: Curve) -> 
 
 def remove_curve(document: Document, curve: int) -> Document:
     """Remove a curve; the last one leaves an empty curve of its family behind."""
-    rest = without(document, curve).curves
+    rest = without_curve(document, curve).curves
     if not rest:
-        rest = (unstyled_model(document.curves[curve]),)
+        rest = (empty_curve_like(document.curves[curve]),)
     return replace(document, curves=rest)
 
 
-def without_last_point(document: Document, curve: int) -> Document:
+def delete_last_point(document: Document, curve: int) -> Document:
     """Delete the last point of a curve; a curve that has no other goes with it, unless it is the only one."""
     last = len(document.curves[curve].points) - 1
     if last > 0 or len(document.curves) == 1:
@@ -85,7 +85,7 @@ def without_last_point(document: Document, curve: int) -> Document:
     return remove_curve(document, curve)
 
 
-def with_each(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
+def map_curves(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
     """Return the document with some of its curves changed."""
     new = (edit(curve) if place in curves else curve for place, curve in enumerate(document.curves))
     return replace(document, curves=tuple(new))
@@ -99,39 +99,39 @@ def rename_curve(document: Document, curve: int, name: str) -> Document:
     return document.with_curve(curve, replace(document.curves[curve], name=name))
 
 
-def free_name(document: Document, word: str = "Curve") -> str:
+def unused_name(document: Document, word: str = "Curve") -> str:
     """Return a name for a new curve that no curve, shape or group has: they are listed together."""
     taken = {name for curve in document.curves for name in (curve.name, curve.shape, *curve.groups)}
     return next(name for number in count(1) if (name := f"{word} {number}") not in taken)
 
 
-def is_numbered(name: str) -> bool:
+def has_default_name(name: str) -> bool:
     """Whether a name is one that new curves get, and nobody has given it."""
     return _NUMBERED.fullmatch(name) is not None
 
 
-def free_copy_name(name: str, taken: Collection[str]) -> str:
+def unused_copy_name(name: str, taken: Collection[str]) -> str:
     """Return the name, or that of a copy, which is not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
     stem = _COPY.sub("", name)
     later = (f"{stem} copy {number}" for number in count(2))
     return next(each for each in chain((name, f"{stem} copy"), later) if each not in taken)
 
 
-def fresh_curve(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
+def new_curve_like(document: Document, model: Curve, parametrization: Parametrization) -> Curve:
     """Return an empty curve with family, rules and style of `model`, under a name free in `document`."""
-    name, settings = free_name(document), model.settings
+    name, settings = unused_name(document), model.settings
     fresh = Curve(name, model.family, parametrization, (), settings=settings, style=model.style)
     return fresh.with_rules_of(model)
 
 
-def unstyled_model(curve: Curve) -> Curve:
+def empty_curve_like(curve: Curve) -> Curve:
     """Return an empty curve of the usual style with the family and the rules of another.
 
     Parameters set by hand say nothing about other points; the interval that they span is that curve's own.
     """
     rule = curve.parametrization
     usual = Parametrization() if curve.is_manual else Parametrization(rule.kind, rule.alpha)
-    return replace(fresh_curve(Document(()), curve, usual), style=PLAIN_STYLE)
+    return replace(new_curve_like(Document(()), curve, usual), style=PLAIN_STYLE)
 
 
 def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale: float = 1.0) -> Document:
@@ -148,7 +148,7 @@ def set_closed(document: Document, curve: int, closed: bool, *, parameter_scale:
         )
     if closed and len(old.points) < old.family.least_to_close:
         raise EditError(_why_too_few(old.family))
-    points = tuple(stretched(point, parameter_scale) for point in old.points)
+    points = tuple(rescaled(point, parameter_scale) for point in old.points)
     return document.with_curve(curve, with_room_to_close(replace(old, points=points, closed=closed)))
 
 
@@ -230,15 +230,15 @@ def refuse_locked(before: Document, after: Document) -> None:
     for place, curve in enumerate(before.curves):
         if not curve.locked or (same_places and after.curves[place] is curve):
             continue
-        only_looks = same_places and without_looks(after.curves[place]) == without_looks(curve)
+        only_looks = same_places and without_appearance(after.curves[place]) == without_appearance(curve)
         # Edits hand on what they do not change: a curve elsewhere in the order is the same object.
         if not only_looks and not any(other is curve for other in after.curves):
-            names.append(curve.seen_name)
+            names.append(curve.display_name)
     if names:
-        raise EditError(locked_sentence(names))
+        raise EditError(locked_message(names))
 
 
-def locked_sentence(names: Sequence[str]) -> str:
+def locked_message(names: Sequence[str]) -> str:
     """Say that the curves with these names are locked, and what to do."""
     locked = [f"“{name}”" for name in dict.fromkeys(names)]
     if len(locked) == 1:
@@ -246,7 +246,7 @@ def locked_sentence(names: Sequence[str]) -> str:
     return f"{enumerated(locked)} are locked; unlock them in the list of curves to change them."
 
 
-def without_looks(curve: Curve) -> Curve:
+def without_appearance(curve: Curve) -> Curve:
     """Return a curve without what does not shape it."""
     return replace(
         curve,

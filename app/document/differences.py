@@ -24,7 +24,7 @@ _last: _Step = (None, None, None)
 _last_moved: tuple[Document | None, Document | None, list[Point] | None] = (None, None, None)
 
 
-def reshaped(before: Document, after: Document) -> list[int] | None:
+def reshaped_curves(before: Document, after: Document) -> list[int] | None:
     """Return which curves have other points in `after`; None where more than points is another thing.
 
     Each has as many points as before, so that all that names a curve or a point names the same one. The last
@@ -52,13 +52,13 @@ def known_curves(before: Document | None) -> tuple[set[int], dict[int, Curve]]:
     return set(map(id, curves)), dict(zip(map(id, map(_points, curves)), curves, strict=True))
 
 
-def changed_besides_points(before: Sequence[Curve], after: Sequence[Curve]) -> list[int]:
+def curves_changed_besides_points(before: Sequence[Curve], after: Sequence[Curve]) -> list[int]:
     """Return the places of as many curves as before that differ in more than where their points are."""
     places = list(compress(range(len(after)), map(is_not, after, before)))
     were, are = ([curves[place] for place in places] for curves in (before, after))
     if _all_differ_in_points(were, are):
         return []
-    return [at for at, *pair in zip(places, were, are, strict=True) if not differ_in_points(*pair)]
+    return [at for at, *pair in zip(places, were, are, strict=True) if not differ_only_in_points(*pair)]
 
 
 def _all_differ_in_points(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
@@ -67,7 +67,7 @@ def _all_differ_in_points(before: Sequence[Curve], after: Sequence[Curve]) -> bo
     return all(same_rest) and all(same_numbers)
 
 
-def differ_in_points(before: Curve, after: Curve) -> bool:
+def differ_only_in_points(before: Curve, after: Curve) -> bool:
     """Whether all but the points is the same of two curves, and how many these are."""
     same_number = len(before.points) == len(after.points)
     return same_number and all(map(is_, _besides_points(before), _besides_points(after)))
@@ -82,7 +82,7 @@ def have_only_moved(before: Iterable[Point], after: Iterable[Point]) -> bool:
 def moved_points(before: Document, after: Document) -> list[Point] | None:
     """Return the points of `after` that are elsewhere; None where more than places is another thing.
 
-    The last answer is kept, as that of `reshaped`.
+    The last answer is kept, as that of `reshaped_curves`.
     """
     global _last_moved  # noqa: PLW0603
     step = _last_moved
@@ -91,7 +91,7 @@ def moved_points(before: Document, after: Document) -> list[Point] | None:
     return step[2]
 
 
-def are_known_to_move(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
+def are_last_moved(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
     """Whether these are curves of the last step asked about, and points have moved in it and no more."""
     was, now, moved = _last_moved
     if was is None or now is None or moved is None:
@@ -100,7 +100,7 @@ def are_known_to_move(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
 
 
 def _moved_points(before: Document, after: Document) -> list[Point] | None:
-    places = reshaped(before, after)
+    places = reshaped_curves(before, after)
     if places is None:
         return None
     old, new = list[Point](), list[Point]()

@@ -31,7 +31,7 @@ def _words(document: Document, path: str) -> str:
         if field is None:
             return ""
         value = getattr(value, name)
-        label = field.words.replace("_", " ")
+        label = field.label.replace("_", " ")
         label = f"{label[0].lower()}{label[1:]}"
         if field.is_many and index and isinstance(value, tuple):
             value = value[int(index)]

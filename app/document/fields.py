@@ -30,18 +30,18 @@ class Requirement(NamedTuple):
     ----------
     is_met
         Tells of a value of the type whether it meets it.
-    words
+    text
         It, to follow "must": "be 0 or greater".
     of_all
         Whether it is one of the whole tuple, where a field holds one.
-    shown
+    displayed
         What of the value a refusal tells.
     """
 
     is_met: Callable[[Any], bool]
-    words: str
+    text: str
     of_all: bool = False
-    shown: Callable[[Any], object] = lambda value: value
+    displayed: Callable[[Any], object] = lambda value: value
 
 
 def at_least(least: float) -> Requirement:
@@ -59,14 +59,14 @@ def between(least: float, most: float) -> Requirement:
     return Requirement(lambda value: least <= value <= most, f"lie between {least:g} and {most:g}")
 
 
-def printed(most: int, words: str) -> Requirement:
+def printable(most: int, words: str) -> Requirement:
     """Return the requirement of a text on one line, of at most so many characters."""
     return Requirement(lambda text: len(text) <= most and text.isprintable(), words)
 
 
-def few(most: int, words: str) -> Requirement:
+def at_most_items(most: int, words: str) -> Requirement:
     """Return the requirement of a tuple of at most so many."""
-    return Requirement(lambda values: len(values) <= most, words, of_all=True, shown=len)
+    return Requirement(lambda values: len(values) <= most, words, of_all=True, displayed=len)
 
 
 SHARE = between(0, 1)
@@ -94,7 +94,7 @@ class Field(NamedTuple):
         Whether it is a tuple of these, and whether it may be None.
     requirements
         Of each of them, or of all.
-    words
+    label
         What people call it; its name where that is not said.
     is_length
         Whether its numbers are lengths in the plane.
@@ -107,7 +107,7 @@ class Field(NamedTuple):
     is_many: bool
     is_optional: bool
     requirements: tuple[Requirement, ...]
-    words: str
+    label: str
     is_length: bool
     default: object
 

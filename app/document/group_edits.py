@@ -12,20 +12,20 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from .curve_edits import free_copy_name, with_each
+from .curve_edits import map_curves, unused_copy_name
 from .groups import (
     OUTSIDE,
     SHARED,
     Container,
     Node,
     NodeKind,
+    common_prefix,
+    curve_tree,
+    expand_to_shapes,
     group_around,
     shape_of,
-    shared_start,
-    tree_of,
     whole_nodes,
-    whole_shapes,
-    with_values,
+    with_field_values,
 )
 from .limits import EditError
 from .model import Curve, Document
@@ -40,21 +40,21 @@ class Gathered(NamedTuple):
     ----------
     document
         The document.
-    places
+    indices
         Where they are in it.
     order
         Where each of its curves was before.
     """
 
     document: Document
-    places: range
+    indices: range
     order: tuple[int, ...]
 
 
 # Order
 
 
-def gathered(document: Document, curves: Mapping[int, Curve], at: int) -> Gathered:
+def gather(document: Document, curves: Mapping[int, Curve], at: int) -> Gathered:
     """Put `curves`, by their places now, one after the other before place `at`."""
     before = [place for place in range(at) if place not in curves]
     behind = [place for place in range(at, len(document.curves)) if place not in curves]
@@ -63,7 +63,7 @@ def gathered(document: Document, curves: Mapping[int, Curve], at: int) -> Gather
     return Gathered(replace(document, curves=new), range(len(before), len(before) + len(curves)), order)
 
 
-def moved_into(
+def move_into(
     document: Document,
     curves: Collection[int],
     at: int,
@@ -74,10 +74,10 @@ def moved_into(
 
     Of the groups that are `left` comes what is in them.
     """
-    return gathered(document, contained(document.curves, curves, container, left), at)
+    return gather(document, as_contained(document.curves, curves, container, left), at)
 
 
-def contained(
+def as_contained(
     curves: Sequence[Curve], chosen: Collection[int], container: Container, left: Collection[str] = ()
 ) -> dict[int, Curve]:
     """Return the chosen curves as they are in a shape or group, by their places; of groups `left` the parts.
@@ -95,12 +95,12 @@ def contained(
     of_shape = {name: getattr(there[0], name) for name in SHARED} if there and container.shape else {}
     found = {}
     for node in nodes:
-        for place in node.places:
+        for place in node.indices:
             own = curves[place]
-            groups = (*container.groups, *own.groups[len(node.around.groups) :])
+            groups = (*container.groups, *own.groups[len(node.container.groups) :])
             shape = "" if node.kind is NodeKind.CURVE else own.shape
             values = of_shape | {"shape": container.shape} if of_shape else {"shape": shape, "groups": groups}
-            found[place] = with_values(own, values)
+            found[place] = with_field_values(own, values)
     return found
 
 
@@ -108,22 +108,22 @@ def _holders(nodes: Iterable[Node]) -> Iterator[Node]:
     return (node for node in nodes if node.kind is not NodeKind.CURVE)
 
 
-def stepped(document: Document, curves: Collection[int], step: int) -> list[int]:
+def order_after_step(document: Document, curves: Collection[int], step: int) -> list[int]:
     """Return the order of places in which shapes and groups are one step to the front (1) or back (−1).
 
     Each goes past the next thing beside it in the group that it is in, as far as there is one.
     """
-    chosen = whole_shapes(document, curves)
-    return list(_arranged(tree_of(document.curves), chosen, partial(_a_step, step=step)))
+    chosen = expand_to_shapes(document, curves)
+    return list(_arranged(curve_tree(document.curves), chosen, partial(_a_step, step=step)))
 
 
-def at_end(document: Document, curves: Collection[int], end: int) -> list[int]:
+def order_at_end(document: Document, curves: Collection[int], end: int) -> list[int]:
     """Return the order of places in which shapes and groups are in front (1) or behind (−1) all else.
 
     Each stays in the group that it is in, and they keep their order among each other.
     """
-    chosen = whole_shapes(document, curves)
-    return list(_arranged(tree_of(document.curves), chosen, partial(_to_end, end=end)))
+    chosen = expand_to_shapes(document, curves)
+    return list(_arranged(curve_tree(document.curves), chosen, partial(_to_end, end=end)))
 
 
 _Order = list[tuple[Node, bool]]
@@ -145,31 +145,31 @@ def _arranged(
     nodes: Sequence[Node], chosen: frozenset[int], arrange: Callable[[_Order], None]
 ) -> Iterator[int]:
     """Yield the places of nodes, those that are chosen put elsewhere beside those around them."""
-    order = [(node, all(place in chosen for place in node.places)) for node in nodes]
+    order = [(node, all(place in chosen for place in node.indices)) for node in nodes]
     arrange(order)
     for node, is_chosen in order:
         if is_chosen or node.kind is not NodeKind.GROUP:
-            yield from node.places
+            yield from node.indices
         else:
-            yield from _arranged(node.parts, chosen, arrange)
+            yield from _arranged(node.children, chosen, arrange)
 
 
 # Shapes
 
 
-def combined(document: Document, curves: Collection[int], *, alternate: bool = False) -> Gathered:
+def combine(document: Document, curves: Collection[int], *, alternate: bool = False) -> Gathered:
     """Make one shape of curves, where the topmost is.
 
     It has the style of the hindmost that is filled, or else of the hindmost. `alternate` says that one of
     them lies in another and runs the same way: the even-odd rule then makes a hole of it.
     """
-    chosen = sorted(whole_shapes(document, curves))
+    chosen = sorted(expand_to_shapes(document, curves))
     if len(chosen) < 2:
         raise EditError("Choose two curves or more to combine them.")
     parts = [document.curves[place] for place in chosen]
     model = next((part for part in parts if part.style.fill != NO_PAINT), parts[0])
     style = replace(model.style, fill_rule=FillRule.EVENODD) if alternate else model.style
-    name = next((part.shape for part in parts if part.shape), "") or free_group_name(document, "Shape")
+    name = next((part.shape for part in parts if part.shape), "") or unused_group_name(document, "Shape")
     shared = {
         "style": style,
         "shape": name,
@@ -178,15 +178,15 @@ def combined(document: Document, curves: Collection[int], *, alternate: bool = F
         "locked": any(part.locked for part in parts),
     }
     new = {place: replace(document.curves[place], **shared) for place in chosen}
-    return gathered(document, new, chosen[-1] + 1)
+    return gather(document, new, chosen[-1] + 1)
 
 
-def broken_apart(document: Document, curves: Collection[int]) -> Document:
+def break_apart(document: Document, curves: Collection[int]) -> Document:
     """Make a curve of its own of each curve of the shapes."""
-    chosen = whole_shapes(document, curves)
+    chosen = expand_to_shapes(document, curves)
     if not any(document.curves[place].shape for place in chosen):
         raise EditError("Choose a shape of several curves to break it apart.")
-    return with_each(document, chosen, lambda curve: replace(curve, shape=""))
+    return map_curves(document, chosen, lambda curve: replace(curve, shape=""))
 
 
 # Groups
@@ -194,22 +194,22 @@ def broken_apart(document: Document, curves: Collection[int]) -> Document:
 
 def nodes_of(document: Document, curves: Collection[int]) -> list[Node]:
     """Return the whole groups and whole shapes that some curves are."""
-    return whole_nodes(document.curves, whole_shapes(document, curves))
+    return whole_nodes(document.curves, expand_to_shapes(document, curves))
 
 
-def grouped(document: Document, curves: Collection[int]) -> Gathered:
+def group_curves(document: Document, curves: Collection[int]) -> Gathered:
     """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them."""
-    chosen = whole_shapes(document, curves)
+    chosen = expand_to_shapes(document, curves)
     nodes, top = whole_nodes(document.curves, chosen), max(chosen)
-    around = shared_start(*(node.around.groups for node in nodes))
-    own, name = document.curves[top].groups, free_group_name(document, "Group")
+    around = common_prefix(*(node.container.groups for node in nodes))
+    own, name = document.curves[top].groups, unused_group_name(document, "Group")
     is_deeper = len(own) > len(around)
     at = group_around(document.curves, top, len(around)).stop if is_deeper else top + 1
     inside = {
         place: replace(curve, groups=(*around, name, *curve.groups[len(around) :]))
-        for place, curve in contained(document.curves, chosen, Container(around)).items()
+        for place, curve in as_contained(document.curves, chosen, Container(around)).items()
     }
-    return gathered(document, inside, at)
+    return gather(document, inside, at)
 
 
 def are_in_groups(document: Document, curves: Collection[int]) -> bool:
@@ -217,7 +217,7 @@ def are_in_groups(document: Document, curves: Collection[int]) -> bool:
     return any(document.curves[place].groups for place in curves)
 
 
-def groups_meant(document: Document, curves: Collection[int]) -> list[Node]:
+def groups_to_ungroup(document: Document, curves: Collection[int]) -> list[Node]:
     """Return the groups all of whose curves are chosen, the outermost; or else those right around curves."""
     nodes = whole_nodes(document.curves, curves)
     whole = [node for node in nodes if node.kind is NodeKind.GROUP]
@@ -231,12 +231,12 @@ def groups_meant(document: Document, curves: Collection[int]) -> list[Node]:
     return list(found.values())
 
 
-def ungrouped(document: Document, curves: Collection[int]) -> Document:
-    """Take groups apart by one level; see `groups_meant`."""
-    nodes = groups_meant(document, curves)
+def ungroup(document: Document, curves: Collection[int]) -> Document:
+    """Take groups apart by one level; see `groups_to_ungroup`."""
+    nodes = groups_to_ungroup(document, curves)
     if not nodes:
         raise EditError("Choose a group to take it apart.")
-    depths = {place: node.depth for node in nodes for place in node.places}
+    depths = {place: node.depth for node in nodes for place in node.indices}
     return replace(
         document,
         curves=tuple(
@@ -250,7 +250,7 @@ def _without_group(curve: Curve, depth: int) -> Curve:
     return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
 
 
-def pressed(document: Document, curve: int, choice: SelectionState) -> frozenset[int]:
+def pressed_curves(document: Document, curve: int, choice: SelectionState) -> frozenset[int]:
     """Return the curves that a press on one of them means: its outermost group, or else its shape.
 
     A group is entered, and what is in it meant, while a curve of it is edited, or chosen but not all of them.
@@ -267,18 +267,18 @@ def pressed(document: Document, curve: int, choice: SelectionState) -> frozenset
 # Names
 
 
-def free_group_name(document: Document, stem: str) -> str:
+def unused_group_name(document: Document, stem: str) -> str:
     """Return a name "Shape 1" that no shape and no group has."""
-    taken = names_of(document.curves)
+    taken = group_names(document.curves)
     return next(name for number in count(1) if (name := f"{stem} {number}") not in taken)
 
 
-def names_of(curves: Iterable[Curve]) -> set[str]:
+def group_names(curves: Iterable[Curve]) -> set[str]:
     """Return the names of shapes and groups."""
     return {name for curve in curves for name in (curve.shape, *curve.groups)}
 
 
-def named_anew(document: Document, node: Node, name: str) -> Document:
+def rename_node(document: Document, node: Node, name: str) -> Document:
     """Give a shape or a group another name, without the blanks around it."""
     name = name.strip()
     kind = node.kind.name.lower()
@@ -286,30 +286,30 @@ def named_anew(document: Document, node: Node, name: str) -> Document:
         raise EditError(f"A {kind} needs a name.")
     if name == node.name:
         return document
-    if name in names_of(document.curves):
+    if name in group_names(document.curves):
         raise EditError(f"“{name}” is the name of another shape or group.")
     if node.kind is NodeKind.SHAPE:
-        return with_each(document, node.places, lambda curve: replace(curve, shape=name))
+        return map_curves(document, node.indices, lambda curve: replace(curve, shape=name))
     at = node.depth
-    return with_each(
+    return map_curves(
         document,
-        node.places,
+        node.indices,
         lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
     )
 
 
-def with_own_names(
+def with_unused_group_names(
     curves: Sequence[Curve], document: Document, container: Container = OUTSIDE
 ) -> list[Curve]:
     """Return curves for a place of a document, their shapes and groups under names that none has there.
 
     That of the `container` which they come into stays.
     """
-    taken = names_of(document.curves)
+    taken = group_names(document.curves)
     fresh = {name: name for name in ("", container.shape, *container.groups)}
     for name in (each for curve in curves for each in (curve.shape, *curve.groups)):
         if name not in fresh:
-            fresh[name] = free_copy_name(name, taken)
+            fresh[name] = unused_copy_name(name, taken)
             taken.add(fresh[name])
     return [
         replace(curve, shape=fresh[curve.shape], groups=tuple(fresh[name] for name in curve.groups))

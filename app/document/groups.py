@@ -17,7 +17,7 @@ from operator import attrgetter, is_
 import msgspec
 from msgspec.structs import replace
 
-from .differences import reshaped
+from .differences import reshaped_curves
 from .model import Curve, Document
 from .words import count_of, enumerated
 
@@ -48,7 +48,7 @@ def shape_around(curves: Sequence[Curve], curve: int) -> range:
     return range(first, end)
 
 
-def shapes(curves: Sequence[Curve]) -> Iterator[range]:
+def shape_ranges(curves: Sequence[Curve]) -> Iterator[range]:
     """Yield the places of the curves of each shape, in order."""
     first = 0
     for place in range(1, len(curves) + 1):
@@ -58,13 +58,13 @@ def shapes(curves: Sequence[Curve]) -> Iterator[range]:
             first = place
 
 
-def counted_shapes(curves: Sequence[Curve]) -> str:
+def shape_count_label(curves: Sequence[Curve]) -> str:
     """Return "3 curves", or "2 shapes" where some are of several curves."""
-    shape_count = sum(1 for _ in shapes(curves)) if curves else 0
+    shape_count = sum(1 for _ in shape_ranges(curves)) if curves else 0
     return count_of(shape_count, "curve" if shape_count == len(curves) else "shape")
 
 
-def whole_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
+def expand_to_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
     """Return curves with all others of their shapes."""
     found, values = set(curves), document.curves
     whole: set[int] = set()
@@ -83,7 +83,7 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
     it is not looked for again.
     """
     if before is not None and (
-        reshaped(before, document) is not None or _look_the_same(before.curves, document.curves)
+        reshaped_curves(before, document) is not None or _look_the_same(before.curves, document.curves)
     ):
         return document
     if not any(curve.shape or curve.groups for curve in document.curves):
@@ -105,7 +105,7 @@ def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
 def _with_whole_shapes(document: Document) -> Iterator[Curve]:
     """Yield the curves, those of a shape with what its first one has, under a name that no other has."""
     used: set[str] = set()
-    for places in shapes(document.curves):
+    for places in shape_ranges(document.curves):
         parts = document.curves[places.start : places.stop]
         if not parts[0].shape and len(parts) == 1:
             yield parts[0]
@@ -114,7 +114,7 @@ def _with_whole_shapes(document: Document) -> Iterator[Curve]:
         used.add(name)
         shared = {field: getattr(parts[0], field) for field in SHARED} | {"shape": name}
         for part in parts:
-            yield with_values(part, shared)
+            yield with_field_values(part, shared)
 
 
 def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
@@ -131,15 +131,15 @@ def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
         if groups == before == curve.groups == tuple(names):
             yield curve
             continue
-        names = names[: len(shared_start(groups, before))]
+        names = names[: len(common_prefix(groups, before))]
         for name in groups[len(names) :]:
             names.append(_free(name, used))
             used.add(names[-1])
         before = groups
-        yield with_values(curve, {"groups": tuple(names)})
+        yield with_field_values(curve, {"groups": tuple(names)})
 
 
-def shared_start(*groups: tuple[str, ...]) -> tuple[str, ...]:
+def common_prefix(*groups: tuple[str, ...]) -> tuple[str, ...]:
     """Return the names that all begin with."""
     pairs = takewhile(lambda names: len(set(names)) == 1, zip(*groups, strict=False))
     return tuple(names[0] for names in pairs)
@@ -151,7 +151,7 @@ def _free(name: str, used: Collection[str]) -> str:
     return name if name not in used else next(each for each in names if each not in used)
 
 
-def with_values(curve: Curve, values: Mapping[str, object]) -> Curve:
+def with_field_values(curve: Curve, values: Mapping[str, object]) -> Curve:
     """Return the curve with these values: itself where it has them."""
     is_so = all(getattr(curve, field) == value for field, value in values.items())
     return curve if is_so else replace(curve, **values)
@@ -204,7 +204,7 @@ class Container(msgspec.Struct, frozen=True):
         return len(self.groups) + bool(self.shape)
 
     @property
-    def around(self) -> Container:
+    def parent(self) -> Container:
         """The surroundings of the innermost."""
         return Container(self.groups if self.shape else self.groups[:-1])
 
@@ -224,29 +224,29 @@ class Node(msgspec.Struct, frozen=True):
     ----------
     kind, name
         What it is, and what it is called.
-    places
+    indices
         The places of its curves in the document, one after the other.
-    around
+    container
         What it is in.
-    parts
+    children
         What is in it, in the order of the document; nothing in a curve.
     """
 
     kind: NodeKind
     name: str
-    places: range
-    around: Container = OUTSIDE
-    parts: tuple[Node, ...] = ()
+    indices: range
+    container: Container = OUTSIDE
+    children: tuple[Node, ...] = ()
 
     @property
     def depth(self) -> int:
         """The number of shapes and groups around it."""
-        return self.around.depth
+        return self.container.depth
 
     @property
-    def inside(self) -> Container:
+    def as_container(self) -> Container:
         """The surroundings of what is in it."""
-        groups = self.around.groups
+        groups = self.container.groups
         if self.kind is NodeKind.GROUP:
             return Container((*groups, self.name))
         return Container(groups, self.name)
@@ -254,14 +254,14 @@ class Node(msgspec.Struct, frozen=True):
     def walk(self) -> Iterator[Node]:
         """Yield it and all that is in it."""
         yield self
-        for part in self.parts:
+        for part in self.children:
             yield from part.walk()
 
 
 _last: tuple[Sequence[Curve], tuple[Node, ...]] = ((), ())
 
 
-def tree_of(curves: Sequence[Curve]) -> tuple[Node, ...]:
+def curve_tree(curves: Sequence[Curve]) -> tuple[Node, ...]:
     """Return the curves, shapes and groups that are in nothing else, in order.
 
     That of the last curves asked for is kept: all actions ask, at every step, what is chosen of them.
@@ -302,7 +302,7 @@ def _run_end(curves: Sequence[Curve], place: int, depth: int, stop: int) -> int:
     return end
 
 
-def counted_nodes(nodes: Sequence[Node], adjective: str = "") -> str:
+def node_count_label(nodes: Sequence[Node], adjective: str = "") -> str:
     """Return "3 curves", or "1 group and 2 curves": how many there are of each kind."""
     counts = Counter(node.kind for node in nodes)
     found = [kind for kind in reversed(NodeKind) if counts[kind]]
@@ -319,13 +319,13 @@ def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:
 
 def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], left: Collection[str] = ()) -> list[Node]:
     """Return the largest parts of the tree all of whose curves are chosen; of groups `left` their parts."""
-    return list(_wholes(tree_of(curves), frozenset(chosen), frozenset(left)))
+    return list(_wholes(curve_tree(curves), frozenset(chosen), frozenset(left)))
 
 
 def _wholes(nodes: Sequence[Node], chosen: frozenset[int], left: frozenset[str]) -> Iterator[Node]:
     for node in nodes:
         is_left = node.kind is NodeKind.GROUP and node.name in left
-        if not is_left and chosen.issuperset(node.places):
+        if not is_left and chosen.issuperset(node.indices):
             yield node
         else:
-            yield from _wholes(node.parts, chosen, left)
+            yield from _wholes(node.children, chosen, left)

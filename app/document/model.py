@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
-from .fields import LENGTH, Requirement, Value, above, at_least, between, few, printed
+from .fields import LENGTH, Requirement, Value, above, at_least, at_most_items, between, printable
 from .fields import Vector as Vector  # noqa: PLC0414 - most have it from here
 from .style import PLAIN_STYLE, Style
 from .words import NamedEnum
@@ -76,7 +76,7 @@ class ParametrizationKind(NamedEnum):
         return f"{name if rest else name.lower()}{dot}{rest}"
 
     @property
-    def asks_where_points_are(self) -> bool:
+    def depends_on_points(self) -> bool:
         """Whether the parameters change when points move."""
         return "points" in self.takes
 
@@ -169,7 +169,7 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
         return self.alpha if self.kind is ParametrizationKind.POWER else self.kind.alpha
 
 
-vectors_of: Callable[[Point], tuple[Vector | None, ...]] = attrgetter(*(name for _, name in VECTORS))
+derivatives_of: Callable[[Point], tuple[Vector | None, ...]] = attrgetter(*(name for _, name in VECTORS))
 """Returns the derivatives of a point in the order of `VECTORS`."""
 
 
@@ -189,7 +189,7 @@ class Curve(Value, frozen=True, dict=True):
     style
         Stroke and fill.
     shape
-        Name of the shape that it is a part of, or empty: see ``shapes``.
+        Name of the shape that it is a part of, or empty: see ``shape_ranges``.
     groups
         Names of the groups that it is in, the outermost first.
     visible, locked
@@ -244,7 +244,7 @@ class Curve(Value, frozen=True, dict=True):
     def has_derivatives(self) -> bool:
         """Whether the person set any; asked at every move of a drag."""
         # A vector of two numbers is true, whatever they are.
-        return any(map(any, map(vectors_of, self.points)))
+        return any(map(any, map(derivatives_of, self.points)))
 
     @property
     def rules(self) -> tuple[EstimateRule, ...]:
@@ -256,12 +256,12 @@ class Curve(Value, frozen=True, dict=True):
         return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
 
     @property
-    def seen_name(self) -> str:
+    def display_name(self) -> str:
         """The name that people see of it: that of its shape, or its own where it is alone."""
         return self.shape or self.name
 
     @property
-    def is_free(self) -> bool:
+    def is_selectable(self) -> bool:
         """Whether it is seen and not locked."""
         return self.visible and not self.locked
 
@@ -344,7 +344,7 @@ class Guide(Value, frozen=True):
     axis: Axis
     position: Length
 
-    def beside(self, place: Vector) -> Vector:
+    def nearest_position(self, place: Vector) -> Vector:
         """Return its point that is level with a place, or straight above or below it."""
         x, y = place
         return (self.position, y) if self.axis is Axis.X else (x, self.position)
@@ -363,7 +363,7 @@ _NAME = Requirement(
     lambda name: len(name) <= LONGEST_NAME and name.isprintable() and not {"/", "\\"} & {*name},
     "be the name of a file without its folder",
 )
-_OPTIONS = few(MOST_OPTIONS, f"be at most {MOST_OPTIONS}")
+_OPTIONS = at_most_items(MOST_OPTIONS, f"be at most {MOST_OPTIONS}")
 _OPTION = Requirement(
     lambda texts: all(len(text) <= LONGEST_OPTION and text.isprintable() for text in texts),
     f"be printable texts of at most {LONGEST_OPTION} characters",
@@ -383,7 +383,7 @@ class Export(Value, frozen=True):
         Options that are not at their defaults: their names, and their values as JSON.
     """
 
-    ending: Annotated[str, printed(LONGEST_NAME, "be the end of a name")] = ""
+    ending: Annotated[str, printable(LONGEST_NAME, "be the end of a name")] = ""
     name: Annotated[str, _NAME] = ""
     options: Annotated[tuple[tuple[str, str], ...], _OPTIONS, _OPTION] = ()
 
@@ -412,7 +412,7 @@ class Document(Value, frozen=True):
 
     curves: tuple[Curve, ...]
     image: ReferenceImage | None = None
-    unit: Annotated[str, printed(LONGEST_UNIT, f"be a name of at most {LONGEST_UNIT} characters")] = ""
+    unit: Annotated[str, printable(LONGEST_UNIT, f"be a name of at most {LONGEST_UNIT} characters")] = ""
     grid_spacing: Annotated[Length, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     export: Export = NEVER_EXPORTED

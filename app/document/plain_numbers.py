@@ -18,17 +18,17 @@ from typing import TypeVar
 
 from msgspec.structs import replace
 
-from .constraints import holds
+from .constraints import has_parallel_velocities
 from .differences import known_curves, moved_points
 from .fields import Field, Value, fields_of
-from .model import Curve, Document, Point, Vector, vectors_of
+from .model import Curve, Document, Point, Vector, derivatives_of
 
 Values = TypeVar("Values", bound=Value)
 
 _x, _y, _t, _corner, _tied, _even = map(attrgetter, ("x", "y", "t", "corner", "tied", "even"))
 
 
-def plain(document: Document, before: Document | None = None) -> Document:
+def with_plain_numbers(document: Document, before: Document | None = None) -> Document:
     """Return `document` with plain values alone: itself, unless there is another one in it.
 
     Only what is not the same object as in `before`, which is plain, is looked at.
@@ -101,7 +101,7 @@ def _are_plain(points: Sequence[Point]) -> bool:
     """Whether points hold plain values, asked without a call for each."""
     if not all(map(is_, chain(map(_tied, points), map(_even, points)), repeat(False))):
         return all(map(_is_plain, points))
-    vectors = [vector for vector in chain.from_iterable(map(vectors_of, points)) if vector is not None]
+    vectors = [vector for vector in chain.from_iterable(map(derivatives_of, points)) if vector is not None]
     return (
         {*map(type, map(_x, points)), *map(type, map(_y, points))} <= {float}
         and set(map(type, map(_t, points))) <= {float, NoneType}
@@ -118,9 +118,9 @@ def _is_plain(point: Point) -> bool:
         x is float is y
         and (t is float or point.t is None)
         and type(point.corner) is bool
-        and (point.tied is False or (point.tied is True and holds(point)))
+        and (point.tied is False or (point.tied is True and has_parallel_velocities(point)))
         and (point.even is False or point.even is point.tied)
-        and all(vector is None or _is_plain_vector(vector) for vector in vectors_of(point))
+        and all(vector is None or _is_plain_vector(vector) for vector in derivatives_of(point))
     )
 
 
@@ -130,7 +130,7 @@ def _is_plain_vector(vector: Vector) -> bool:
 
 def _plain_point(point: Point) -> Point:
     changed = _plain_values(point)
-    is_tied = changed.tied and holds(changed)
+    is_tied = changed.tied and has_parallel_velocities(changed)
     return replace(changed, tied=is_tied, even=is_tied and changed.even)
 
 

@@ -26,7 +26,7 @@ def set_grid_spacing(document: Document, spacing: float) -> Document:
 _DIGITS = 9
 
 
-def place_words(guide: Guide, unit: str = "") -> str:
+def guide_label(guide: Guide, unit: str = "") -> str:
     """Return where a guide lies: "x = 20 mm"."""
     position = number(guide.position, _DIGITS)
     return f"{guide.axis.value} = {position} {unit}".rstrip()
@@ -36,7 +36,7 @@ def add_guide(document: Document, axis: Axis, position: float) -> Document:
     """Draw a guide more; refused where there is one."""
     guide = Guide(axis, _checked(axis, position))
     if guide in document.guides:
-        raise AlreadySoError(f"There is a guide at {place_words(guide)} already.")
+        raise AlreadySoError(f"There is a guide at {guide_label(guide)} already.")
     return replace(document, guides=(*document.guides, guide))
 
 
@@ -110,7 +110,7 @@ def move_image(document: Document, by: Vector) -> Document:
 
 
 def step_image(document: Document, by: Vector) -> Document:
-    """Move the picture by a decimal step, as `stepping` does."""
+    """Move the picture by a decimal step, as `decimal_translation` does."""
     image = _image(document)
     return place_image(document, (decimal_sum(image.x, by[0]), decimal_sum(image.y, by[1])))
 

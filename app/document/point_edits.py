@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 import msgspec
 from msgspec.structs import replace
 
-from .constraints import stretched, with_derivative, with_handles_kept
+from .constraints import rescaled, with_derivative, with_handles_kept
 from .derivatives import DERIVATIVES, VECTORS
 from .limits import are_within, checked, checked_vector
 from .model import Curve, Document, Point, Vector
@@ -35,7 +35,7 @@ def append_point(document: Document, curve: int, point: Point, *, parameter_scal
     1/parameter_scale, an acceleration by its square, and the handles stay where the person put them.
     """
     checked_vector(point.position, "the point")
-    old = (stretched(each, parameter_scale) for each in document.curves[curve].points)
+    old = (rescaled(each, parameter_scale) for each in document.curves[curve].points)
     return _with_points(document, curve, (*old, point))
 
 
@@ -63,66 +63,64 @@ def delete_points(document: Document, curve: int, indices: Collection[int]) -> D
     kept = [point for i, point in enumerate(old.points) if i not in indices]
     if len(kept) < old.family.least_to_close and old.closed:
         document = document.with_curve(curve, replace(old, closed=False))
-    return with_points_elsewhere(document, curve, kept)
+    return with_moved_points(document, curve, kept)
 
 
 def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:
     """Put point `index` at `position`."""
     points = list(document.curves[curve].points)
-    points[index] = placed(points[index], position, f"point {index}")
-    return with_points_elsewhere(document, curve, points)
+    points[index] = moved_to(points[index], position, f"point {index}")
+    return with_moved_points(document, curve, points)
 
 
 def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
     """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
-    return with_all_shifted(document, curve, indices, moving(by))
+    return shift_points(document, curve, indices, translation(by))
 
 
-def moving(by: Vector) -> PointsChange:
+def translation(by: Vector) -> PointsChange:
     """Return what puts points elsewhere, by the vector `by`."""
     x, y = float(by[0]), float(by[1])
-    return lambda points: all_placed(points, [each.x + x for each in points], [each.y + y for each in points])
+    return lambda points: all_moved_to(
+        points, [each.x + x for each in points], [each.y + y for each in points]
+    )
 
 
 PointsChange = Callable[[Sequence[Point]], Iterable[Point]]
 """What is made of some points, one of each."""
 
 
-def with_all_shifted(
-    document: Document, curve: int, indices: Collection[int], shift: PointsChange
-) -> Document:
+def shift_points(document: Document, curve: int, indices: Collection[int], shift: PointsChange) -> Document:
     """Put the points at `indices` elsewhere, all by the same way; of a whole curve nothing else changes."""
     old = document.curves[curve]
     if len(indices) < len(old.points):
-        return with_all_changed(document, curve, indices, shift)
+        return change_points(document, curve, indices, shift)
     return document.with_curve(curve, replace(old, points=tuple(shift(old.points))))
 
 
-def with_all_changed(
-    document: Document, curve: int, indices: Collection[int], change: PointsChange
-) -> Document:
+def change_points(document: Document, curve: int, indices: Collection[int], change: PointsChange) -> Document:
     """Put what `change` makes of them in the place of the points at `indices`, which go together."""
     points = list(document.curves[curve].points)
     for index, point in zip(indices, change([points[index] for index in indices]), strict=True):
         points[index] = point
-    return with_points_elsewhere(document, curve, points, indices)
+    return with_moved_points(document, curve, points, indices)
 
 
-def placed(point: Point, position: Vector, what: str = "the point") -> Point:
+def moved_to(point: Point, position: Vector, what: str = "the point") -> Point:
     """Return a point at another position, if a document may hold that."""
     x, y = checked_vector(position, what)
     return replace(point, x=x, y=y)
 
 
-def all_placed(points: Sequence[Point], xs: Sequence[float], ys: Sequence[float]) -> list[Point]:
-    """Return points at other positions, as `placed` each: thousands at every move of a drag."""
+def all_moved_to(points: Sequence[Point], xs: Sequence[float], ys: Sequence[float]) -> list[Point]:
+    """Return points at other positions, as `moved_to` each: thousands at every move of a drag."""
     if not (are_within(xs) and are_within(ys)):
         # One of them is to be refused, or its numbers are not plain yet.
-        return [placed(*each) for each in zip(points, zip(xs, ys, strict=True), strict=True)]
+        return [moved_to(*each) for each in zip(points, zip(xs, ys, strict=True), strict=True)]
     return [replace(point, x=x, y=y) for point, x, y in zip(points, xs, ys, strict=True)]
 
 
-def with_points_elsewhere(
+def with_moved_points(
     document: Document, curve: int, points: Iterable[Point], together: Collection[int] = ()
 ) -> Document:
     """Put `points`, the same at other places or fewer, in the place of all.
@@ -175,7 +173,7 @@ def set_derivative(
 ALL_ORDERS = range(1, len(DERIVATIVES) + 1)
 
 
-def estimate_derivatives(
+def clear_derivatives(
     document: Document, curve: int, indices: Collection[int], orders: Collection[int] = ALL_ORDERS
 ) -> Document:
     """Leave the derivatives of these orders of the points at `indices` to the rules."""

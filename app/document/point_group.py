@@ -7,10 +7,10 @@ from collections.abc import Callable, Collection, Iterable
 import msgspec
 from msgspec.structs import replace
 
-from .curve_edits import locked_sentence
+from .curve_edits import locked_message
 from .limits import EditError
 from .model import Document
-from .words import count_of, points
+from .words import count_of, points_label
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]
 """An edit of some points of one curve."""
@@ -27,37 +27,37 @@ class PointGroup(msgspec.Struct, frozen=True):
         Whether whole curves are meant.
     name
         The name of the curve, shape or group where it is a single one, whole.
-    several
+    several_label
         The words for several whole ones, such as "1 group and 2 curves"; empty for "3 curves".
-    stays
+    remark
         What was meant, too, but cannot be changed: "1 locked curve stays"; empty for nothing.
     """
 
     parts: tuple[tuple[int, frozenset[int]], ...] = ()
     is_whole: bool = False
     name: str | None = None
-    several: str = ""
-    stays: str = ""
+    several_label: str = ""
+    remark: str = ""
 
     @property
-    def words(self) -> str:
+    def label(self) -> str:
         """The words "point 3", "4 points", "5 points in 2 curves", "Leaf", or "3 curves"."""
         if self.name is not None:
             return self.name or "curve"
         if self.is_whole:
-            return self.several or f"{len(self.parts)} curves"
-        return points(self.parts[0][1]) if len(self.parts) == 1 else self.counted
+            return self.several_label or f"{len(self.parts)} curves"
+        return points_label(self.parts[0][1]) if len(self.parts) == 1 else self.count_label
 
     @property
-    def counted(self) -> str:
+    def count_label(self) -> str:
         """The words "1 point", "4 points" or "5 points in 2 curves"."""
         count = count_of(self.count, "point")
         return f"{count} in {len(self.parts)} curves" if len(self.parts) > 1 else count
 
     @property
-    def quoted(self) -> str:
+    def quoted_label(self) -> str:
         """The same words within a sentence: a name in quotation marks."""
-        return f"“{self.name}”" if self.name else self.words
+        return f"“{self.name}”" if self.name else self.label
 
     @property
     def count(self) -> int:
@@ -82,20 +82,20 @@ class PointGroup(msgspec.Struct, frozen=True):
 
     def joined(self, other: PointGroup) -> PointGroup:
         """Return the points of either group."""
-        return some_points((curve, self.of(curve) | other.of(curve)) for curve in self.curves | other.curves)
+        return group_points((curve, self.of(curve) | other.of(curve)) for curve in self.curves | other.curves)
 
     def toggled(self, other: PointGroup) -> PointGroup:
         """Return the points of one group that are not in the other."""
-        return some_points((curve, self.of(curve) ^ other.of(curve)) for curve in self.curves | other.curves)
+        return group_points((curve, self.of(curve) ^ other.of(curve)) for curve in self.curves | other.curves)
 
-    def changed(self, document: Document, edit: PointsEdit) -> Document:
+    def apply(self, document: Document, edit: PointsEdit) -> Document:
         """Return `document` with `edit` done to all of it; locked curves refuse, named together."""
         self.refuse_locked(document)
         for curve, indices in self.parts:
             document = edit(document, curve, indices)
         return document
 
-    def changed_apart(self, document: Document, edit: PointsEdit) -> Document:
+    def apply_to_each(self, document: Document, edit: PointsEdit) -> Document:
         """Return `document` with `edit` done to all of it, which finds each curve alone in its document.
 
         To replace one of thousands takes long, and to do so thousands of times seconds.
@@ -108,9 +108,11 @@ class PointGroup(msgspec.Struct, frozen=True):
 
     def refuse_locked(self, document: Document) -> None:
         """Raise EditError if curves that it is of are locked."""
-        names = [document.curves[curve].seen_name for curve, _ in self.parts if document.curves[curve].locked]
+        names = [
+            document.curves[curve].display_name for curve, _ in self.parts if document.curves[curve].locked
+        ]
         if names:
-            raise EditError(locked_sentence(names))
+            raise EditError(locked_message(names))
 
 
 NO_POINTS = PointGroup()
@@ -121,7 +123,7 @@ def points_of(curve: int, indices: Collection[int]) -> PointGroup:
     return PointGroup(((curve, frozenset(indices)),))
 
 
-def some_points(parts: Iterable[tuple[int, frozenset[int]]]) -> PointGroup:
+def group_points(parts: Iterable[tuple[int, frozenset[int]]]) -> PointGroup:
     """Return points of several curves, as far as there are any; a curve may be there more than once."""
     found: dict[int, frozenset[int]] = {}
     for curve, indices in parts:

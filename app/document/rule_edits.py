@@ -11,7 +11,7 @@ from itertools import pairwise
 from msgspec.structs import replace
 
 from ..families import Family, SettingValue
-from .constraints import stretched
+from .constraints import rescaled
 from .derivatives import DERIVATIVES, EstimateRule
 from .limits import EditError, checked, not_after
 from .model import Curve, Document, ParametrizationKind, Point
@@ -126,7 +126,7 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     old_start, old_end = old.interval
     factor = (end - start) / (old_end - old_start)
     points = tuple(
-        stretched(_shifted(point, (old_start, old_end), (start, end)), factor) for point in old.points
+        rescaled(_shifted(point, (old_start, old_end), (start, end)), factor) for point in old.points
     )
     rule = replace(old.parametrization, start=start, end=end)
     result = with_room_to_close(replace(old, points=points, parametrization=rule))

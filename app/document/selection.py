@@ -10,12 +10,12 @@ import msgspec
 
 from .groups import shape_around
 from .model import Curve, Document, Point, Vector
-from .point_group import PointGroup, some_points
+from .point_group import PointGroup, group_points
 
-NONE_CHOSEN = "No curve is chosen; click one, or press Ctrl+A for all."
+NONE_SELECTED = "No curve is chosen; click one, or press Ctrl+A for all."
 """What is said to whoever wants something of a curve while none is edited and none chosen."""
 
-NONE_FREE = "Everything is hidden or locked; the list of curves shows and unlocks it."
+NONE_SELECTABLE = "Everything is hidden or locked; the list of curves shows and unlocks it."
 """What is said where all curves are asked for, and none is seen and free."""
 
 
@@ -41,19 +41,19 @@ class SelectionState(msgspec.Struct, frozen=True):
     is_editing: bool
 
 
-def free_curves(document: Document) -> frozenset[int]:
+def selectable_curves(document: Document) -> frozenset[int]:
     """Return the curves that all of them are to a person: seen, and not locked."""
-    return frozenset(place for place, curve in enumerate(document.curves) if curve.is_free)
+    return frozenset(place for place, curve in enumerate(document.curves) if curve.is_selectable)
 
 
 def followed_curves(
     selected: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
 ) -> frozenset[int]:
     """Return where selected curves are after a change, as far as they are there."""
-    return frozenset(followed_places(selected, before, after).values())
+    return frozenset(followed_indices(selected, before, after).values())
 
 
-def followed_places(
+def followed_indices(
     selected: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
 ) -> dict[int, int]:
     """Return for selected curves where each is after a change: the same value, or else in the same place.
@@ -103,12 +103,12 @@ def followed_group(
     group: PointGroup, active: int, before: Sequence[Curve], after: Sequence[Curve]
 ) -> PointGroup:
     """Return where selected points are after a change; `active` is the curve that is edited from then on."""
-    places = followed_places(group.curves, before, after)
+    places = followed_indices(group.curves, before, after)
     is_lost = active in group.curves and active not in places
     if is_lost and not any(curve is after[active] for curve in before):
         # It was changed, and others added beside it: it is still the one that is edited.
         places[active] = active
-    return some_points(
+    return group_points(
         (places[curve], followed_points(indices, before[curve].points, after[places[curve]].points))
         for curve, indices in group.parts
         if curve in places
@@ -117,7 +117,7 @@ def followed_group(
 
 def existing_points(group: PointGroup, curves: Sequence[Curve], edited: Collection[int]) -> PointGroup:
     """Return what there is of some points of curves that are edited."""
-    return some_points(
+    return group_points(
         (curve, _within(indices, len(curves[curve].points)))
         for curve, indices in group.parts
         if curve in edited
@@ -131,7 +131,7 @@ def _within(indices: frozenset[int], count: int) -> frozenset[int]:
     return frozenset(index for index in indices if 0 <= index < count)
 
 
-def followed_choice(
+def followed_selection(
     choice: SelectionState, before: Sequence[Curve], after: Sequence[Curve]
 ) -> SelectionState:
     """Return what is selected after a change: the same curves and points, where they are now.
@@ -161,17 +161,17 @@ def _are_left(edited: Collection[int], active: int, before: Sequence[Curve], aft
     if len(after) >= len(before) or not any(map(is_, before, repeat(after[active]))):
         return False
     shapes = {place for each in edited for place in shape_around(before, each)}
-    return not followed_places(shapes, before, after)
+    return not followed_indices(shapes, before, after)
 
 
 def all_points(document: Document, curves: Collection[int]) -> PointGroup:
     """Return all points of some curves."""
-    return some_points((at, frozenset(range(len(document.curves[at].points)))) for at in curves)
+    return group_points((at, frozenset(range(len(document.curves[at].points)))) for at in curves)
 
 
 def returned_points(edited: Collection[int], before: Sequence[Curve], after: Sequence[Curve]) -> PointGroup:
     """Return which points of edited curves were not there before."""
-    return some_points((curve, _returned(before[curve].points, after[curve].points)) for curve in edited)
+    return group_points((curve, _returned(before[curve].points, after[curve].points)) for curve in edited)
 
 
 def _returned(before: Sequence[Point], after: Sequence[Point]) -> frozenset[int]:

@@ -11,21 +11,21 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from .curve_edits import free_copy_name, refuse_locked, remove_curve, with_each, without
-from .group_edits import contained, with_own_names
-from .groups import OUTSIDE, Container, counted_nodes, shape_of, tidy_shapes, whole_nodes, whole_shapes
+from .curve_edits import map_curves, refuse_locked, remove_curve, unused_copy_name, without_curve
+from .group_edits import as_contained, with_unused_group_names
+from .groups import OUTSIDE, Container, expand_to_shapes, node_count_label, shape_of, tidy_shapes, whole_nodes
 from .model import Curve, Document, Vector
-from .point_edits import PointsChange, moving, with_all_shifted
+from .point_edits import PointsChange, shift_points, translation
 from .point_group import PointGroup, PointsEdit
-from .transforms import Affine, placing, stepping, transform_points
+from .transforms import Affine, decimal_translation, positions_mapped, transform_points
 from .words import count_of
 
 
-class Added(NamedTuple):
+class AddedCurves(NamedTuple):
     """A document with copies of curves added, and their places in it, in the order of the originals."""
 
     document: Document
-    places: tuple[int, ...]
+    indices: tuple[int, ...]
 
 
 def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
@@ -34,53 +34,56 @@ def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
     return PointGroup(
         tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
         is_whole=True,
-        name=(name := name_of(document, places)),
-        several="" if name is not None else counted(document, places),
+        name=(name := common_name(document, places)),
+        several_label="" if name is not None else count_label(document, places),
     )
 
 
-def changeable(document: Document, curves: Collection[int]) -> frozenset[int]:
+def unlocked_curves(document: Document, curves: Collection[int]) -> frozenset[int]:
     """Return those of some curves that are not locked; all where all are locked, for an edit to refuse."""
     meant = frozenset(curves)
     return frozenset(place for place in meant if not document.curves[place].locked) or meant
 
 
-def what_stays(document: Document, curves: Collection[int]) -> str:
-    """Return which of some curves are not `changeable`: "1 locked curve stays"; empty for none."""
-    left = frozenset(curves) - changeable(document, curves)
+def locked_remark(document: Document, curves: Collection[int]) -> str:
+    """Return which of some curves are not `unlocked_curves`: "1 locked curve stays"; empty for none."""
+    left = frozenset(curves) - unlocked_curves(document, curves)
     if not left:
         return ""
-    nodes = whole_nodes(document.curves, whole_shapes(document, left))
-    return f"{counted_nodes(nodes, 'locked ')} {'stays' if len(nodes) == 1 else 'stay'}"
+    nodes = whole_nodes(document.curves, expand_to_shapes(document, left))
+    return f"{node_count_label(nodes, 'locked ')} {'stays' if len(nodes) == 1 else 'stay'}"
 
 
-def changed_whole(document: Document, curves: Collection[int]) -> PointGroup:
-    """Return all points of those of some curves that are `changeable`; the group tells what stays."""
-    free = changeable(document, curves)
-    return replace(whole_curves(document, free), stays=what_stays(document, curves))
+def whole_unlocked_curves(document: Document, curves: Collection[int]) -> PointGroup:
+    """Return all points of those of some curves that are `unlocked_curves`; the group tells what stays."""
+    free = unlocked_curves(document, curves)
+    return replace(whole_curves(document, free), remark=locked_remark(document, curves))
 
 
 # Edits
 
 
-def moved(document: Document, group: PointGroup, by: Vector) -> Document:
+def move_group(document: Document, group: PointGroup, by: Vector) -> Document:
     """Move the points of a group; their derivatives stay."""
-    return _whole_shifted(document, group, moving(by))
+    return _whole_shifted(document, group, translation(by))
 
 
-def stepped(document: Document, group: PointGroup, by: Vector) -> Document:
-    """Move the points of a group by decimal steps; see `stepping`."""
-    return _whole_shifted(document, group, stepping(by))
+def step_group(document: Document, group: PointGroup, by: Vector) -> Document:
+    """Move the points of a group by decimal steps; see `decimal_translation`."""
+    return _whole_shifted(document, group, decimal_translation(by))
 
 
-def mapped(document: Document, group: PointGroup, by: Affine) -> Document:
+def transform_group(document: Document, group: PointGroup, by: Affine) -> Document:
     """Map the points of a group and the derivatives set there."""
     return _whole_mapped(
-        document, group, placing(by), lambda each, curve, indices: transform_points(each, curve, indices, by)
+        document,
+        group,
+        positions_mapped(by),
+        lambda each, curve, indices: transform_points(each, curve, indices, by),
     )
 
 
-def with_appearance(
+def set_appearance(
     document: Document,
     curves: Collection[int],
     *,
@@ -91,23 +94,23 @@ def with_appearance(
     """Show or hide curves, lock or free them, draw them in a colour; None leaves each as it is."""
     given = {"visible": visible, "locked": locked}
     looks = {name: value for name, value in given.items() if value is not None}
-    return with_each(
+    return map_curves(
         document,
-        whole_shapes(document, curves),
+        expand_to_shapes(document, curves),
         lambda curve: replace(
             curve, **looks, style=curve.style if colour is None else curve.style.in_colour(colour)
         ),
     )
 
 
-def all_shown(document: Document) -> Document:
+def show_all(document: Document) -> Document:
     """Show what is hidden."""
-    return with_appearance(document, range(len(document.curves)), visible=True)
+    return set_appearance(document, range(len(document.curves)), visible=True)
 
 
-def all_unlocked(document: Document) -> Document:
+def unlock_all(document: Document) -> Document:
     """Free what is locked."""
-    return with_appearance(document, range(len(document.curves)), locked=False)
+    return set_appearance(document, range(len(document.curves)), locked=False)
 
 
 def remove_curves(document: Document, curves: Collection[int]) -> Document:
@@ -119,18 +122,18 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
     return document
 
 
-def alone(document: Document, curves: Collection[int]) -> Document:
+def extract_curves(document: Document, curves: Collection[int]) -> Document:
     """Return some curves of a document in a document of their own."""
     chosen = tuple(document.curves[place] for place in sorted(curves))
     return tidy_shapes(replace(document, curves=chosen, image=None))
 
 
-def in_order(document: Document, order: Sequence[int]) -> Document:
+def reorder_curves(document: Document, order: Sequence[int]) -> Document:
     """Return the document with its curves in this order, each given by its place now."""
     return replace(document, curves=tuple(document.curves[place] for place in order))
 
 
-def place_in(document: Document, curve: Curve) -> int:
+def index_of(document: Document, curve: Curve) -> int:
     """Return the place of a curve, by identity: another one may be equal to it."""
     return next(place for place, each in enumerate(document.curves) if each is curve)
 
@@ -149,7 +152,7 @@ def active_after_removal(
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 
-def add_copies(document: Document, curves: Collection[int]) -> Added:
+def duplicate_curves(document: Document, curves: Collection[int]) -> AddedCurves:
     """Add copies of curves, in their order, as they look, visible and free.
 
     Each stays in the group of its original, in front of the last that is copied there. Copies of whole shapes
@@ -158,17 +161,17 @@ def add_copies(document: Document, curves: Collection[int]) -> Added:
     """
     copied = dict[Container, tuple[int, list[int]]]()
     for node in whole_nodes(document.curves, curves):
-        around, at = node.around, node.places.stop
+        around, at = node.container, node.indices.stop
         if around.shape:
-            around, at = around.around, shape_of(document, node.places.start).stop
+            around, at = around.parent, shape_of(document, node.indices.start).stop
         _, before = copied.get(around, (at, []))
-        copied[around] = (at, [*before, *node.places])
+        copied[around] = (at, [*before, *node.indices])
     new, places = document, dict[int, int]()
     for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
         at = place + len(places)
-        new = add_curves(new, list(contained(document.curves, originals, around).values()), at, around)
+        new = add_curves(new, list(as_contained(document.curves, originals, around).values()), at, around)
         places |= zip(originals, range(at, at + len(originals)), strict=True)
-    return Added(new, tuple(places[curve] for curve in sorted(places)))
+    return AddedCurves(new, tuple(places[curve] for curve in sorted(places)))
 
 
 def add_curves(
@@ -178,7 +181,9 @@ def add_curves(
 
     Of the shapes and groups that they are in, that which they come into keeps its name.
     """
-    own = with_own_names(renamed(curves, {curve.name for curve in document.curves}), document, container)
+    own = with_unused_group_names(
+        with_unused_names(curves, {curve.name for curve in document.curves}), document, container
+    )
     return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
 
 
@@ -189,15 +194,15 @@ def add_imported(document: Document, new: Document) -> tuple[Document, int]:
     The other's picture to trace comes along where there is none yet.
     """
     is_begun = not is_blank(document)
-    base, image = document if is_begun else without(document, 0), document.image or new.image
-    place, own = len(base.curves), with_own_names(new.curves, base)
+    base, image = document if is_begun else without_curve(document, 0), document.image or new.image
+    place, own = len(base.curves), with_unused_group_names(new.curves, base)
     document = replace(base, curves=(*base.curves, *own), image=image)
     if is_begun:
         return document, place
     return replace(document, unit=new.unit or document.unit, guides=new.guides or document.guides), 0
 
 
-def left_behind(document: Document, new: Document) -> list[str]:
+def ignored_on_import(document: Document, new: Document) -> list[str]:
     """Return what `add_imported` leaves behind of the other document beside its curves: "its grid"."""
     found = ["its picture to trace"] if new.image and document.image else []
     if is_blank(document):
@@ -215,31 +220,31 @@ def is_blank(document: Document) -> bool:
     return len(document.curves) == 1 and not document.curves[0].points
 
 
-def renamed(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
+def with_unused_names(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
     """Return the curves, visible and free, under names not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
     used, fresh = set(taken), []
     for curve in curves:
-        name = free_copy_name(curve.name, used)
+        name = unused_copy_name(curve.name, used)
         used.add(name)
         fresh.append(replace(curve, name=name, visible=True, locked=False))
     return fresh
 
 
-def named(document: Document, curves: Collection[int]) -> str:
+def name_or_count(document: Document, curves: Collection[int]) -> str:
     """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
-    name = name_of(document, curves)
-    return counted(document, curves) if name is None else name
+    name = common_name(document, curves)
+    return count_label(document, curves) if name is None else name
 
 
-def counted(document: Document, curves: Collection[int]) -> str:
+def count_label(document: Document, curves: Collection[int]) -> str:
     """Return "3 curves"; with whole shapes or groups among them, "1 shape and 2 curves"."""
     marked = [document.curves[curve] for curve in curves]
     if [each for each in marked if each.shape or each.groups]:
-        return counted_nodes(whole_nodes(document.curves, curves))
+        return node_count_label(whole_nodes(document.curves, curves))
     return count_of(len(curves), "curve")
 
 
-def name_of(document: Document, curves: Collection[int]) -> str | None:
+def common_name(document: Document, curves: Collection[int]) -> str | None:
     """Return the name of the curve, or of the shape or group that they are; None where they are several."""
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
@@ -251,10 +256,10 @@ def name_of(document: Document, curves: Collection[int]) -> str | None:
 
 
 def _whole_shifted(document: Document, group: PointGroup, shift: PointsChange) -> Document:
-    """Put the points of a group elsewhere, all by the same way; see `with_all_shifted`."""
+    """Put the points of a group elsewhere, all by the same way; see `shift_points`."""
 
     def edit(each: Document, curve: int, indices: Collection[int]) -> Document:
-        return with_all_shifted(each, curve, indices, shift)
+        return shift_points(each, curve, indices, shift)
 
     return _changed_whole(document, group, shift, edit, lambda _: True)
 
@@ -291,4 +296,4 @@ def _changed_whole(
             curve = curves[each]
             curves[each] = replace(curve, points=tuple(islice(new, len(curve.points))))
         document = replace(document, curves=tuple(curves))
-    return replace(group, parts=tuple(rest)).changed_apart(document, edit) if rest else document
+    return replace(group, parts=tuple(rest)).apply_to_each(document, edit) if rest else document

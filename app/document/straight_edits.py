@@ -7,13 +7,13 @@ from collections.abc import Collection, Sequence
 from msgspec.structs import replace
 
 from ..families import Family, titles_with_derivatives
-from .constraints import ends_of, is_line, untied
+from .constraints import ends_of, is_straight, untie
 from .limits import EditError
 from .model import Curve, Document, Point
 from .point_edits import JetValue, with_jet_values
 
 
-def why_not_straight(family: Family) -> str:
+def straight_refusal(family: Family) -> str:
     """Return why a curve of a family has no straight segments, as a sentence; empty if it can have some."""
     if family.derivatives:
         return ""
@@ -50,13 +50,13 @@ def straighten(
         If the curve is no chain of segments, has no such segment, or a velocity would be out of range.
     """
     old = document.curves[curve]
-    if reason := why_not_straight(old.family):
+    if reason := straight_refusal(old.family):
         raise EditError(reason)
     if any(not 0 <= segment < len(parameters) - 1 for segment in segments):
         raise EditError("There is no such segment.")
     points = list(old.points)
     for index in corners_of(old, segments):
-        points[index] = _cornered(old, index, segments)
+        points[index] = _as_corner(old, index, segments)
     values = [value for segment in segments for value in _along_chord(old, segment, parameters)]
     return document.with_curve(curve, with_jet_values(replace(old, points=tuple(points)), values))
 
@@ -67,11 +67,11 @@ def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
     return sorted(index for index in ends if curve.is_closed or 0 < index < len(curve.points) - 1)
 
 
-def _cornered(curve: Curve, index: int, segments: Collection[int]) -> Point:
+def _as_corner(curve: Curve, index: int, segments: Collection[int]) -> Point:
     point, behind = curve.points[index], (index - 1) % len(curve.points)
-    lines = [each in segments or is_line(curve, each) for each in (behind, index)]
+    lines = [each in segments or is_straight(curve, each) for each in (behind, index)]
     if all(lines):
-        point = untied(point)
+        point = untie(point)
     return point if point.corner else point.as_corner()
 
 

@@ -6,7 +6,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from .fields import LENGTH, SHARE, Requirement, Value, at_least, few, matching
+from .fields import LENGTH, SHARE, Requirement, Value, at_least, at_most_items, matching
 from .words import NamedEnum
 
 INK: Final = ""
@@ -25,7 +25,7 @@ USUAL_WIDTH: Final = 0.003
 """Of a line whose style does not say it, against the longer side of the picture."""
 
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
-_DASHES = few(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
+_DASHES = at_most_items(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
 _SEEN = Requirement(lambda dash: not dash or any(dash), "hold a number greater than 0", of_all=True)
 
 

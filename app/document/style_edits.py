@@ -11,21 +11,21 @@ from typing import Final
 
 from msgspec.structs import replace
 
-from .curve_edits import with_each
+from .curve_edits import map_curves
 from .fields import fields_of
-from .groups import whole_shapes
+from .groups import expand_to_shapes
 from .model import Curve, Document
 from .style import INK, NO_PAINT, Style
 
-STYLE_WORDS: Final = {field.name: field.words for field in fields_of(Style)}
+STYLE_WORDS: Final = {field.name: field.label for field in fields_of(Style)}
 """The fields of a style in words, as steps of the history name them: "Stroke width of Leaf"."""
 
 
-def with_style(document: Document, curves: Collection[int], **fields: object) -> Document:
+def set_style(document: Document, curves: Collection[int], **fields: object) -> Document:
     """Give curves other values in some fields of their styles; the rest stays each curve's own."""
-    return with_each(
+    return map_curves(
         document,
-        whole_shapes(document, curves),
+        expand_to_shapes(document, curves),
         lambda curve: replace(curve, style=replace(curve.style, **fields)),
     )
 
@@ -38,10 +38,10 @@ def colours_of(curves: Iterable[Curve]) -> list[str]:
     return [paint for paint, _ in found.most_common() if paint not in (INK, NO_PAINT)]
 
 
-def with_paints_swapped(document: Document, curves: Collection[int]) -> Document:
+def swap_paints(document: Document, curves: Collection[int]) -> Document:
     """Paint the insides of curves as their lines were, and their lines as their insides were."""
-    return with_each(
-        document, whole_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
+    return map_curves(
+        document, expand_to_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
     )
 
 

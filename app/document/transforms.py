@@ -16,11 +16,11 @@ from typing import Self
 import msgspec
 from msgspec.structs import replace
 
-from .constraints import tied
+from .constraints import tie
 from .derivatives import VECTORS
 from .limits import EditError, checked_vector
-from .model import Document, Point, Vector, vectors_of
-from .point_edits import PointsChange, all_placed, with_all_changed, with_points_elsewhere
+from .model import Document, Point, Vector, derivatives_of
+from .point_edits import PointsChange, all_moved_to, change_points, with_moved_points
 from .point_group import PointGroup
 from .words import NamedEnum
 
@@ -79,7 +79,7 @@ def scaling(x: float, y: float, centre: Vector) -> Affine:
     return Affine(x - 1.0, 0.0, 0.0, y - 1.0, centre)
 
 
-def flipping(axis: int, centre: Vector) -> Affine:
+def reflection(axis: int, centre: Vector) -> Affine:
     """Return the mirror image along x (axis 0: left and right change places) or y, about `centre`."""
     return scaling(*((-1.0, 1.0) if axis == 0 else (1.0, -1.0)), centre)
 
@@ -94,18 +94,18 @@ def rotation(degrees: float, centre: Vector) -> Affine:
     return Affine(cos - 1.0, -sin, sin, cos - 1.0, centre)
 
 
-def mirrors(by: Affine) -> bool:
+def is_mirrored(by: Affine) -> bool:
     """Whether a map makes a mirror image."""
     return (1.0 + by.xx) * (1.0 + by.yy) < by.xy * by.yx
 
 
-def turn_of(by: Affine) -> float:
+def rotation_of(by: Affine) -> float:
     """Return the degrees of the rotation nearest to a map, from −180 to 180.
 
     Of one that mirrors, of the rotation after a mirror image sideways, which is half a turn from that after
     one upside down.
     """
-    sideways = -1.0 if mirrors(by) else 1.0
+    sideways = -1.0 if is_mirrored(by) else 1.0
     xx, yx = sideways * (1.0 + by.xx), sideways * by.yx
     return round(math.degrees(math.atan2(yx - by.xy, xx + 1.0 + by.yy)), 9) + 0.0
 
@@ -114,7 +114,7 @@ LARGEST_SKEW = 89.0
 """Degrees of a skew, to either side; at 90 nothing would be left of a shape."""
 
 
-def skewing(axis: int, degrees: float, centre: Vector) -> Affine:
+def skew(axis: int, degrees: float, centre: Vector) -> Affine:
     """Return the skew along x (axis 0: what is above the centre goes right) or y (what is right goes up).
 
     Raises
@@ -130,17 +130,17 @@ def skewing(axis: int, degrees: float, centre: Vector) -> Affine:
 
 def transform_points(document: Document, curve: int, indices: Collection[int], by: Affine) -> Document:
     """Map the points at `indices` and the handles set there."""
-    return with_all_changed(document, curve, indices, lambda points: _mapped(points, by))
+    return change_points(document, curve, indices, lambda points: _mapped(points, by))
 
 
-def placing(by: Affine) -> PointsChange:
+def positions_mapped(by: Affine) -> PointsChange:
     """Return what puts points where a map takes them; the derivatives set there stay."""
-    return lambda points: all_placed(points, *by.columns(points))
+    return lambda points: all_moved_to(points, *by.columns(points))
 
 
 def _mapped(points: Sequence[Point], by: Affine) -> list[Point]:
-    placed_there = all_placed(points, *by.columns(points))
-    if not any(map(any, map(vectors_of, points))):
+    placed_there = all_moved_to(points, *by.columns(points))
+    if not any(map(any, map(derivatives_of, points))):
         return placed_there
     return [_with_vectors_mapped(point, by) for point in placed_there]
 
@@ -148,20 +148,20 @@ def _mapped(points: Sequence[Point], by: Affine) -> list[Point]:
 def _with_vectors_mapped(point: Point, by: Affine) -> Point:
     vectors = {
         name: checked_vector(by.vector(vector), "a derivative")
-        for name, vector in zip(_VECTOR_NAMES, vectors_of(point), strict=True)
+        for name, vector in zip(_VECTOR_NAMES, derivatives_of(point), strict=True)
         if vector is not None
     }
     mapped = replace(point, **vectors) if vectors else point
     if mapped.tied and mapped.velocity and mapped.velocity_after:
         # Parallel they are still, but for roundings, which many transforms would add up.
-        return tied(mapped, mapped.velocity, mapped.velocity_after)
+        return tie(mapped, mapped.velocity, mapped.velocity_after)
     return mapped
 
 
-def stepping(by: Vector) -> PointsChange:
+def decimal_translation(by: Vector) -> PointsChange:
     """Return what moves points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
     across, up = map(_decimal_step, by)
-    return lambda points: all_placed(points, across(list(map(_x, points))), up(list(map(_y, points))))
+    return lambda points: all_moved_to(points, across(list(map(_x, points))), up(list(map(_y, points))))
 
 
 def _decimal_step(by: float) -> Callable[[list[float]], list[float]]:
@@ -172,14 +172,14 @@ def _decimal_step(by: float) -> Callable[[list[float]], list[float]]:
     return lambda values: [float(Decimal(repr(value)) + step) for value in values]
 
 
-def clean_step(least: float) -> float:
+def round_step_above(least: float) -> float:
     """Return the smallest of 1, 2 and 5 times a power of ten that is not below `least`, which is positive."""
     power = math.floor(math.log10(least))
     steps = (float(f"{digit}e{power}") for digit in (1, 2, 5, 10))
     return next((step for step in steps if step >= least), float(f"2e{power + 1}"))
 
 
-def clean_step_within(most: float) -> float:
+def round_step_below(most: float) -> float:
     """Return the largest of 1, 2 and 5 times a power of ten that is not above `most`, which is positive."""
     power = math.floor(math.log10(most))
     steps = (float(f"{digit}e{power}") for digit in (5, 2, 1))
@@ -197,17 +197,17 @@ class Edge(Enum):
     ----------
     axis
         The coordinate that it fixes, 0 for x.
-    place
+    target
         Returns that coordinate from those of the points.
     """
 
     axis: int
-    place: Callable[[Sequence[float]], float]
+    target: Callable[[Sequence[float]], float]
 
-    def __new__(cls, value: str, axis: int, place: Callable[[Sequence[float]], float]) -> Self:
+    def __new__(cls, value: str, axis: int, target: Callable[[Sequence[float]], float]) -> Self:
         """Return a member, whose value is its name in sentences."""
         member = object.__new__(cls)
-        member._value_, member.axis, member.place = value, axis, place
+        member._value_, member.axis, member.target = value, axis, target
         return member
 
     LEFT = "left", 0, min
@@ -256,12 +256,12 @@ def align_points(document: Document, group: PointGroup, edge: Edge) -> Document:
     if group.count < 2:
         raise EditError("Select at least two points to align them.")
     curves, axis = document.curves, edge.axis
-    target = edge.place(
+    target = edge.target(
         [curves[curve].points[index].position[axis] for curve, indices in group.parts for index in indices]
     )
-    return group.changed(
+    return group.apply(
         document,
-        lambda each, curve, indices: with_coordinates(each, curve, dict.fromkeys(indices, target), axis),
+        lambda each, curve, indices: set_coordinates(each, curve, dict.fromkeys(indices, target), axis),
     )
 
 
@@ -279,14 +279,14 @@ def distribute_points(document: Document, group: PointGroup, axis: int) -> Docum
     values: dict[int, dict[int, float]] = {}
     for place, (_, curve, index) in enumerate(order):
         values.setdefault(curve, {})[index] = first * ((count - place) / count) + last * (place / count)
-    return group.changed(
-        document, lambda each, curve, _indices: with_coordinates(each, curve, values[curve], axis)
+    return group.apply(
+        document, lambda each, curve, _indices: set_coordinates(each, curve, values[curve], axis)
     )
 
 
-def with_coordinates(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
+def set_coordinates(document: Document, curve: int, values: dict[int, float], axis: int) -> Document:
     """Set the x (axis 0) or the y (axis 1) of some points."""
     points, name = list(document.curves[curve].points), ("x", "y")[axis]
     for index, value in values.items():
         points[index] = replace(points[index], **{name: value})
-    return with_points_elsewhere(document, curve, points, values)
+    return with_moved_points(document, curve, points, values)

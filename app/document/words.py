@@ -39,7 +39,7 @@ class NamedEnum(StrEnum):
 
 def number(value: float, digits: int = 4, mark: str = ".") -> str:
     """Return a number with at most so many significant digits, a true minus sign and a short exponent."""
-    return polished(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
+    return typographic(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
 def rounded_up(value: float, digits: int) -> float:
@@ -57,7 +57,7 @@ def digits_of_range(low: float, high: float, least: int = 6) -> int:
     return next((each for each in range(least, 17) if abs(shown(each) - apart) <= 0.01 * apart), 17)
 
 
-def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
+def distance_text(value: float, other: str, *, is_bound: bool = True) -> str:
     """Say how far something is from another thing: at most where that is certain, else about."""
     if not value:
         return "exact"
@@ -65,7 +65,7 @@ def distance_words(value: float, other: str, *, is_bound: bool = True) -> str:
     return f"{text} from {other}"
 
 
-def uncertain(value: float, error: float, shown: Callable[[float], str] = number) -> str:
+def with_error(value: float, error: float, shown: Callable[[float], str] = number) -> str:
     """Return a number, with its error where that shows in four digits; "uncertain" where it may be any."""
     if not error > 5e-5 * abs(value):
         return shown(value)
@@ -74,10 +74,10 @@ def uncertain(value: float, error: float, shown: Callable[[float], str] = number
 
 def with_decimals(value: float, decimals: int) -> str:
     """Return a number with so many decimals and a true minus sign."""
-    return polished(f"{value:.{decimals}f}") if math.isfinite(value) else NOTHING
+    return typographic(f"{value:.{decimals}f}") if math.isfinite(value) else NOTHING
 
 
-def polished(text: str, mark: str = ".") -> str:
+def typographic(text: str, mark: str = ".") -> str:
     """Return a number that Python wrote as 1e-05 as 1e−5, with the mark; no minus before a rounded zero."""
     mantissa, _, exponent = text.partition("e")
     if exponent:
@@ -92,14 +92,14 @@ def with_minus(text: str) -> str:
     return text.replace("-", "−")
 
 
-def pair(value: tuple[float, float]) -> str:
+def pair_text(value: tuple[float, float]) -> str:
     """Return two numbers, such as the coordinates of a place or the components of a way."""
     return f"{number(value[0])}, {number(value[1])}"
 
 
 def point_at(index: int, place: tuple[float, float]) -> str:
     """Return "Point 3 at 2.4, 5.158"."""
-    return f"Point {index} at {pair(place)}"
+    return f"Point {index} at {pair_text(place)}"
 
 
 def direction(way: tuple[float, float]) -> str:
@@ -112,7 +112,7 @@ def polar(way: tuple[float, float]) -> str:
     return f"{number(math.hypot(*way))} at {direction(way)}"
 
 
-def points(indices: Collection[int]) -> str:
+def points_label(indices: Collection[int]) -> str:
     """Return "point 3" or "4 points"."""
     return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
 
@@ -141,7 +141,7 @@ def enumerated(words: Sequence[str], conjunction: str = "and") -> str:
     return f"{', '.join(first)} {conjunction} {last}" if first else last
 
 
-def listed(names: Sequence[str]) -> str:
+def names_with_verb(names: Sequence[str]) -> str:
     """Return "a was", "a and b were": the beginning of a sentence that says what became of them."""
     return f"{names_of(names)} {'was' if len(names) == 1 else 'were'}"
 

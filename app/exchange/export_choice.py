@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 import msgspec
 
-from ..document.groups import whole_shapes
+from ..document.groups import expand_to_shapes
 from ..document.lengths import known_unit
 from ..document.model import Document, Export
-from ..document.several_curves import alone, name_of
+from ..document.several_curves import common_name, extract_curves
 from .drawing.styles import DARK, LIGHT
 from .formats import FORMATS, Format
 from .options import (
@@ -115,8 +115,8 @@ def _part_of(
 ) -> tuple[Document, int]:
     """Return what of a document is meant, and where in it the active curve is."""
     if extent is Extent.SELECTED:
-        places = sorted(whole_shapes(document, chosen or (active,)))
-        return alone(document, places), places.index(active) if active in places else 0
+        places = sorted(expand_to_shapes(document, chosen or (active,)))
+        return extract_curves(document, places), places.index(active) if active in places else 0
     return document, active
 
 
@@ -143,7 +143,7 @@ def choice_of(export: Export) -> ExportChoice | None:
 def known_name(choice: ExportChoice, document: Document, chosen: Collection[int], last: Export) -> str:
     """Return what is exported is called, without ending, or was the last time; empty for neither."""
     if choice[EXTENT] is Extent.SELECTED:
-        return name_of(document, whole_shapes(document, chosen)) or ""
+        return common_name(document, expand_to_shapes(document, chosen)) or ""
     return last.name.removesuffix(last.ending) if last.ending == choice.ending else ""
 
 

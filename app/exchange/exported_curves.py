@@ -196,7 +196,7 @@ def curves_of(document: Document, options: Options = DEFAULT) -> ExportedCurves:
     ExchangeError
         If there is none.
     """
-    hidden = dict.fromkeys(curve.seen_name for curve in document.curves if not curve.visible)
+    hidden = dict.fromkeys(curve.display_name for curve in document.curves if not curve.visible)
     usable, unusable = drawable(document, part(options.report, 0.0, 0.5))
     remarks = (*(f"“{name}” is hidden." for name in hidden), *unusable)
     if not usable:

@@ -11,7 +11,7 @@ from ..document.fields import Field, Value, fields_of
 from ..document.lengths import MILLIMETRES, known_unit
 from ..document.limits import EditError
 from ..document.model import Document, Guide, Vector
-from ..document.several_curves import stepped, whole_curves
+from ..document.several_curves import step_group, whole_curves
 from ..document.words import decimal_sum
 
 POINTS_PER_MILLIMETRE: Final = 72 / 25.4
@@ -90,7 +90,7 @@ def shifted(document: Document, by: Vector) -> Document:
     # A lock is against what a person does.
     free = replace(document, curves=tuple(replace(curve, locked=False) for curve in document.curves))
     try:
-        moved = stepped(free, whole_curves(free, range(len(free.curves))), by)
+        moved = step_group(free, whole_curves(free, range(len(free.curves))), by)
     except EditError:
         return document
     curves = tuple(

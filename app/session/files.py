@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from ..document.groups import tidy_shapes
 from ..document.limits import EditError
 from ..document.model import NEVER_EXPORTED, Document, Export, empty_document
-from ..document.plain_numbers import plain
+from ..document.plain_numbers import with_plain_numbers
 from ..storage.examples import template_title
 from ..storage.files import load
 from ..storage.open_file import FileChange, LoadedDocument, OpenFile
@@ -102,7 +102,7 @@ class Files:
 
     def begin(self, document: Document) -> None:
         """Begin with the first sketch, or with an empty document."""
-        self.replace(plain(document), None, beginning=DocumentOrigin(gives_way=True))
+        self.replace(with_plain_numbers(document), None, beginning=DocumentOrigin(gives_way=True))
 
     def begin_imported(
         self,
@@ -120,7 +120,7 @@ class Files:
         EditError
             If no file of ours may hold it.
         """
-        document = tidy_shapes(plain(document))
+        document = tidy_shapes(with_plain_numbers(document))
         if reason := why_not_kept(self.blank(), document):
             raise EditError(reason)
         session, beginning = self._session, DocumentOrigin(title=name, file_stem=name)
@@ -154,7 +154,7 @@ class Files:
         `text`, and undo goes back.
         """
         session, path = self._session, Path(path)
-        document = plain(load(path))
+        document = with_plain_numbers(load(path))
         title = template_title(path, document)
         session.cancel()
         if self.path is not None or not (session.undo_stack.count() or self.is_modified):
@@ -170,7 +170,7 @@ class Files:
 
     def restore(self, document: Document, path: Path | None, beginning: DocumentOrigin | None = None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
-        self.replace(plain(document), path, beginning=beginning)
+        self.replace(with_plain_numbers(document), path, beginning=beginning)
         self._session.undo_stack.resetClean()
 
     def replace(
@@ -213,7 +213,7 @@ class Files:
         session = self._session
         if self.file is None:
             return
-        document = plain(self.file.read_again())
+        document = with_plain_numbers(self.file.read_again())
         session.cancel()
         if replace(document, export=session.committed.export) != session.committed:
             active = session.active_index if session.active_index < len(document.curves) else 0

@@ -6,13 +6,13 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from ..document.differences import reshaped
+from ..document.differences import reshaped_curves
 from ..document.model import Document
 from ..document.point_group import NO_POINTS
 from ..document.selection import (
     SelectionState,
-    followed_choice,
     followed_curves,
+    followed_selection,
     returned_curves,
     returned_points,
 )
@@ -44,7 +44,7 @@ class Following:
         """
         selected = self._session.selected
         selected.is_lent = False
-        if not self._session.active_curve.is_free:
+        if not self._session.active_curve.is_selectable:
             selected.choose(())
 
     def reset(self) -> None:
@@ -80,7 +80,7 @@ class Following:
         to hear of the points first.
         """
         session, selected, curves = self._session, self._session.selected, self._session.document.curves
-        if session.active_index in selected.curves and reshaped(before, session.document) is not None:
+        if session.active_index in selected.curves and reshaped_curves(before, session.document) is not None:
             # As under most drags: all that is selected, or pointed at, is where it was.
             yield
             session.scrub.keep()
@@ -88,7 +88,7 @@ class Following:
         marked = [each for place, each in enumerate(before.curves) if place in selected.marked]
         session.active_index = min(session.active_index, len(curves) - 1)
         old = selected.choice
-        new = followed_choice(old, before.curves, curves)
+        new = followed_selection(old, before.curves, curves)
         session.active_index = new.active
         selected.last = max(followed_curves({selected.last}, before.curves, curves), default=new.active)
         selected.hold(new.curves, new.chosen, is_editing=new.is_editing)

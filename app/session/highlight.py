@@ -6,7 +6,13 @@ import msgspec
 
 from ..document.model import Document
 from ..document.point_group import NO_POINTS, PointGroup, PointsEdit
-from ..document.several_curves import changeable, name_of, named, remove_curves, what_stays
+from ..document.several_curves import (
+    common_name,
+    locked_remark,
+    name_or_count,
+    remove_curves,
+    unlocked_curves,
+)
 
 
 class ClipboardSelection(msgspec.Struct, frozen=True):
@@ -30,7 +36,9 @@ class ClipboardSelection(msgspec.Struct, frozen=True):
         """Return it without the curves that are locked, unless all are; points stay as they are."""
         if self.points.parts:
             return self
-        return ClipboardSelection(changeable(document, self.curves), stays=what_stays(document, self.curves))
+        return ClipboardSelection(
+            unlocked_curves(document, self.curves), stays=locked_remark(document, self.curves)
+        )
 
     def curves_of(self, document: Document) -> frozenset[int]:
         """Return the curves that are meant as a whole: also those of which all points are.
@@ -50,14 +58,14 @@ class ClipboardSelection(msgspec.Struct, frozen=True):
     def words(self, document: Document) -> str:
         """Return the words "point 3" or "4 points", the name of the curve, or "2 curves"."""
         is_whole = self.curves_of(document) == self.curves
-        return named(document, self.curves) if is_whole else self.points.words
+        return name_or_count(document, self.curves) if is_whole else self.points.label
 
     def said(self, document: Document) -> str:
         """Return what it is within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
         if self.points.parts:
-            return self.points.counted
-        name = name_of(document, self.curves)
-        return named(document, self.curves) if name is None else f"“{name}”"
+            return self.points.count_label
+        name = common_name(document, self.curves)
+        return name_or_count(document, self.curves) if name is None else f"“{name}”"
 
     def told(self, document: Document) -> str:
         """Return the same, and what of it stays: "2 curves; 1 locked curve stays"."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..document.groups import whole_shapes
+from ..document.groups import expand_to_shapes
 from ..document.point_group import NO_POINTS
 from ..document.selection import SelectionState
 from ..document.style import Style
@@ -75,7 +75,7 @@ class Selected:
     def meant(self) -> frozenset[int]:
         """The curves that an act on whole curves is for: chosen, of selected points, or the edited shape."""
         active = self._session.active_index
-        return self.chosen or self.group.curves or whole_shapes(self._session.document, (active,))
+        return self.chosen or self.group.curves or expand_to_shapes(self._session.document, (active,))
 
     @property
     def marked(self) -> frozenset[int]:
@@ -95,7 +95,7 @@ class Selected:
     @property
     def whole(self) -> frozenset[int]:
         """The selected curves, with all others of their shapes."""
-        return whole_shapes(self._session.document, self.curves)
+        return expand_to_shapes(self._session.document, self.curves)
 
     @property
     def choice(self) -> SelectionState:

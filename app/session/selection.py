@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from ..document.groups import whole_shapes
-from ..document.point_group import NO_POINTS, PointGroup, some_points
+from ..document.groups import expand_to_shapes
+from ..document.point_group import NO_POINTS, PointGroup, group_points
 from ..document.selection import SelectionState, existing_points
 from ..document.style import Style
 from .selected import Selected
@@ -16,7 +16,7 @@ class Selection(Selected):
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select points of the active curve alone, those that exist; it is edited with any."""
-        self.set_group(some_points([(self._session.active_index, frozenset(map(int, indices)))]))
+        self.set_group(group_points([(self._session.active_index, frozenset(map(int, indices)))]))
 
     def set_group(self, group: PointGroup) -> None:
         """Select points of the curves that are edited, those that exist.
@@ -71,7 +71,7 @@ class Selection(Selected):
     def edit_chosen(self) -> None:
         """Edit what is chosen: several shapes together, or the active curve with its shape."""
         active = self._session.active_index
-        others = self._chosen - whole_shapes(self._session.document, (active,))
+        others = self._chosen - expand_to_shapes(self._session.document, (active,))
         self._take((*self._chosen, active) if others else (active,), active, is_editing=True)
 
     def go_to(self, index: int) -> None:
@@ -90,7 +90,7 @@ class Selection(Selected):
         """
         document = self._session.document
         places = [index for index in indices if 0 <= index < len(document.curves)]
-        self._take(whole_shapes(document, places), is_editing=False)
+        self._take(expand_to_shapes(document, places), is_editing=False)
 
     def take_up(self) -> None:
         """Edit the active curve, for a tool that needs one; where nobody chose it, it is lent."""

@@ -12,7 +12,7 @@ from PySide6.QtGui import QUndoStack
 from ..document.groups import tidy_shapes
 from ..document.limits import AlreadySoError, EditError
 from ..document.model import Curve, Document
-from ..document.plain_numbers import plain
+from ..document.plain_numbers import with_plain_numbers
 from ..document.selection import SelectionState
 from ..document.several_curves import is_blank
 from ..document.style import PLAIN_STYLE
@@ -64,7 +64,7 @@ class Session(SessionSignals):
         self.box = BoxState(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
-        self._committed = self._shown = plain(first_sketch())
+        self._committed = self._shown = with_plain_numbers(first_sketch())
         self._home: SelectionState | None = None
         # The document that a gesture gave to be shown; `_shown` is what came of it.
         self._asked: Document | None = None
@@ -212,7 +212,7 @@ class Session(SessionSignals):
         `selects` is the selection meanwhile and after the commit, from the first preview on that has it; its
         active curve may be one that the gesture begins.
         """
-        asked, document = document, tidy_shapes(plain(document, self._shown), self._shown)
+        asked, document = document, tidy_shapes(with_plain_numbers(document, self._shown), self._shown)
         if document is self._shown:
             return True
         if reason := why_safe(self._committed, document):
@@ -241,7 +241,9 @@ class Session(SessionSignals):
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
         """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
         is_shown = document is self._asked or document is self._shown
-        document = self._shown if is_shown else tidy_shapes(plain(document, self._shown), self._shown)
+        document = (
+            self._shown if is_shown else tidy_shapes(with_plain_numbers(document, self._shown), self._shown)
+        )
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)

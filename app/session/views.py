@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import chain, compress
 from operator import is_not
 
-from ..document.differences import are_known_to_move
+from ..document.differences import are_last_moved
 from ..document.model import Curve
 from ..families import Family
 from ..view_model.curve.curve_view import CurveView, same_line, view_of
@@ -46,7 +46,7 @@ class Views:
             made = views_after(
                 [curves[place] for place in missing],
                 [before[place] for place in missing],
-                are_moved=are_known_to_move(self._curves, curves),
+                are_moved=are_last_moved(self._curves, curves),
             )
             new = iter(made)
             self._views = [view or next(new) for view in found]

@@ -11,7 +11,7 @@ from pathlib import Path
 import msgspec
 
 from ..document.model import Document
-from ..document.plain_numbers import plain
+from ..document.plain_numbers import with_plain_numbers
 from . import files
 from .files import MissingError, Stamp, StorageError, UnconfirmedError, remove_stale_files
 from .format import VERSION, version_of
@@ -80,7 +80,7 @@ class LoadedDocument(msgspec.Struct, frozen=True):
         """Read the file at `path`; see `files.load` for what may be wrong."""
         content = files.read_content(path)
         found = files.document_in(content.data, path)
-        return cls(plain(found.document), content.stamp, _version(content.data), found.left_out)
+        return cls(with_plain_numbers(found.document), content.stamp, _version(content.data), found.left_out)
 
 
 class OpenFile:

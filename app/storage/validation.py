@@ -11,7 +11,7 @@ from operator import attrgetter, is_
 
 from msgspec.structs import replace
 
-from ..document.constraints import holds
+from ..document.constraints import has_parallel_velocities
 from ..document.derivatives import VECTORS
 from ..document.differences import known_curves, moved_points
 from ..document.fields import Field, Value, fields_of
@@ -104,7 +104,7 @@ def _validate_ties(curve: Curve, place: str) -> None:
     if not any(map(any, map(attrgetter("tied", "even"), curve.points))):
         return
     for index, point in enumerate(curve.points):
-        if point.tied and not (type(point.tied) is bool and holds(point)):
+        if point.tied and not (type(point.tied) is bool and has_parallel_velocities(point)):
             raise FormatError(
                 f"{place}.points[{index}].tied needs a corner, velocity and velocity_after in one direction"
             )
@@ -219,9 +219,9 @@ def _check_item(field: Field, value: object, place: str) -> None:
 def _require(field: Field, value: object, place: str, *, of_all: bool) -> None:
     for each in field.requirements:
         if each.of_all == of_all and not each.is_met(value):
-            shown = each.shown(value)
+            shown = each.displayed(value)
             text = quoted(shown) if isinstance(shown, str) else shortened(repr(shown))
-            raise FormatError(f"{place} must {each.words}, not {text}")
+            raise FormatError(f"{place} must {each.text}, not {text}")
 
 
 def _is_utf8(text: str) -> bool:

@@ -106,7 +106,7 @@ def click_segment(event: ToolEvent, hit: Hit, *, is_added: bool) -> None:
     ends = _ends_of(session.active_view, session.active_index, hit.t)
     if ends.parts:
         selected.set_group(_toggled(selected.group, ends) if is_added else ends)
-    value = f"t = {words.number(hit.t)} · c(t) = ({words.pair(hit.position)})"
+    value = f"t = {words.number(hit.t)} · c(t) = ({words.pair_text(hit.position)})"
     session.say(f"{hints.selected(selected.group)} · {value}" if ends.parts else value)
 
 

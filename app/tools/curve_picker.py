@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.group_edits import pressed
-from ..document.groups import shape_of, whole_shapes
+from ..document.group_edits import pressed_curves
+from ..document.groups import expand_to_shapes, shape_of
 from ..document.point_group import PointGroup, points_of
-from ..document.several_curves import changed_whole, name_of, named
+from ..document.several_curves import common_name, name_or_count, whole_unlocked_curves
 from . import hints
 from .editing_session import EditingSession
 from .pointer import Cursor, Hint, Hit, Part
@@ -37,7 +37,7 @@ class CurvePicker:
         else:
             return event
         if not pointer.shift:
-            session.say(f"Editing “{session.active_view.source.seen_name}” now.")
+            session.say(f"Editing “{session.active_view.source.display_name}” now.")
         return event
 
     def press(self, event: ToolEvent, hit: Hit) -> None:
@@ -58,7 +58,7 @@ class CurvePicker:
             session.selected.choose(())
         elif had_others:
             session.selected.set_curves((session.active_index,))
-            session.say(f"Only “{session.active_view.source.seen_name}” is chosen.")
+            session.say(f"Only “{session.active_view.source.display_name}” is chosen.")
         if locked := _words_of_locked(event):
             session.refuse(locked)
 
@@ -72,7 +72,7 @@ class CurvePicker:
         if hit.inside and (session.selected.is_editing or event.pointer.shift):
             return Hint(f"{_words_within(event, hit)} · Drag: select with a rubber band", grab=True)
         click = _words_of_click(event, hit, is_chosen=is_chosen)
-        drag = hints.to_move(group.quoted, event.pointer)
+        drag = hints.to_move(group.quoted_label, event.pointer)
         return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
     def idle_hint(self, event: ToolEvent) -> Hint | None:
@@ -125,28 +125,28 @@ def _name(event: ToolEvent, hit: Hit) -> str:
     """Return the name of what a click is about: the curve that it edits, or what it chooses."""
     session = event.session
     is_one = session.selected.is_editing and not event.pointer.shift
-    return named(session.document, (hit.index,) if is_one else _meant(event, hit))
+    return name_or_count(session.document, (hit.index,) if is_one else _meant(event, hit))
 
 
 def _meant(event: ToolEvent, hit: Hit) -> frozenset[int]:
     """Return the curves that a press on one of them means; with Ctrl its shape, whatever group it is in."""
     session = event.session
     if event.pointer.ctrl:
-        return whole_shapes(session.document, (hit.index,))
-    return pressed(session.document, hit.index, session.selected.choice)
+        return expand_to_shapes(session.document, (hit.index,))
+    return pressed_curves(session.document, hit.index, session.selected.choice)
 
 
 def _dragged(event: ToolEvent, hit: Hit) -> PointGroup:
     document, chosen = event.session.document, event.session.selected.chosen
     meant = chosen if hit.index in chosen else _meant(event, hit)
-    return changed_whole(document, meant)
+    return whole_unlocked_curves(document, meant)
 
 
 def _words_of_locked(event: ToolEvent) -> str:
     """Return why a press on a line does nothing to it: it is locked; empty where none is."""
     document, pointer = event.session.document, event.pointer
     place = event.canvas.locked_at(pointer) if pointer.is_there else -1
-    return hints.LOCKED.format(named(document, shape_of(document, place))) if place >= 0 else ""
+    return hints.LOCKED.format(name_or_count(document, shape_of(document, place))) if place >= 0 else ""
 
 
 def _is_of_edited_shape(event: ToolEvent, hit: Hit) -> bool:
@@ -202,19 +202,19 @@ def select_hit(event: ToolEvent) -> None:
         session.selected.set_group(
             points_of(hit.curve if hit.curve >= 0 else session.active_index, [hit.index])
         )
-    several = named(session.document, session.selected.chosen) if session.selected.chosen else ""
+    several = name_or_count(session.document, session.selected.chosen) if session.selected.chosen else ""
     session.say(
-        f"Editing {several} now." if several else f"Editing “{session.active_view.source.seen_name}” now."
+        f"Editing {several} now." if several else f"Editing “{session.active_view.source.display_name}” now."
     )
 
 
 def chosen_curves(session: EditingSession) -> str:
     """Return a sentence about the curves that the tools act on."""
-    chosen, active = session.selected.chosen, session.active_view.source.seen_name
+    chosen, active = session.selected.chosen, session.active_view.source.display_name
     if not session.selected.is_editing:
-        if name := name_of(session.document, chosen):
+        if name := common_name(session.document, chosen):
             return f"“{name}” is chosen"
-        return f"{named(session.document, chosen)} chosen" if chosen else "No curve is chosen"
+        return f"{name_or_count(session.document, chosen)} chosen" if chosen else "No curve is chosen"
     if not chosen:
         return f"Only “{active}” is chosen"
-    return f"{named(session.document, chosen)} chosen, “{active}” is edited"
+    return f"{name_or_count(session.document, chosen)} chosen, “{active}” is edited"

@@ -14,7 +14,7 @@ from ..document import point_edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup, points_of
-from ..document.several_curves import moved
+from ..document.several_curves import move_group
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.point_kinds import inner_points, toggled
 from . import hints
@@ -55,7 +55,7 @@ def unless_locked(event: ToolEvent, drag: Drag) -> Gesture:
     source = event.view.source
     if not source.locked:
         return drag
-    return Refusal(reason=hints.LOCKED.format(source.seen_name), on_click=drag.on_click)
+    return Refusal(reason=hints.LOCKED.format(source.display_name), on_click=drag.on_click)
 
 
 def selecting(event: ToolEvent, index: int) -> Click:
@@ -118,7 +118,7 @@ class MovePoints(Drag, kw_only=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the points moved by the whole offset from the press."""
-        document = moved(self.document, self.group, self.offset(pointer))
+        document = move_group(self.document, self.group, self.offset(pointer))
         if self.snapper.caught is not None:
             # p + (q − p) may miss q by a rounding: a snapped point lies exactly on its target.
             document = point_edits.set_position(document, *self.grabbed, self.snapper.caught.position)
@@ -144,18 +144,18 @@ class MovePoints(Drag, kw_only=True):
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Move point 2", "Move 4 points"."""
-        return f"Move {self.group.words}"
+        return f"Move {self.group.label}"
 
     @property
     def remark(self) -> str:
         """What of the group is locked."""
-        return self.group.stays
+        return self.group.remark
 
     def amount(self, pointer: Pointer) -> str:
         """Return "Point 2: (1.7, 1.1) · moved (−0.3, 0.1)"; of several points their offset."""
-        offset, one = words.pair(self.offset(pointer)), self.group.only_point
+        offset, one = words.pair_text(self.offset(pointer)), self.group.only_point
         if one is None:
-            return f"Move {self.group.words} by {offset}"
+            return f"Move {self.group.label} by {offset}"
         return f"{words.point_at(one[1], self.position_at(pointer))} · moved {offset}"
 
 
@@ -167,7 +167,7 @@ def label_of_moved(event: ToolEvent, hit: Hit) -> str:
     session = event.session
     curve, group = hit.curve if hit.part is Part.OTHER_POINT else session.active_index, session.selected.group
     if hit.index in group.of(curve) and group.count > 1:
-        return group.words
+        return group.label
     source = session.views[curve].source
     of = f" of “{source.name}”" if curve != session.active_index else ""
     return f"{source.family.point} {hit.index}{of}"

@@ -10,7 +10,7 @@ from ..document import limits, point_edits, words
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.several_curves import moved, stepped
+from ..document.several_curves import move_group, step_group
 from ..view_model.bend import Bend, BendWith, has_handles
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import derivative_from_handle
@@ -48,16 +48,16 @@ class MovePoints(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Move {self.group.words}"
+        return f"Move {self.group.label}"
 
     @property
     def remark(self) -> str:
         """What of the group is locked."""
-        return self.group.stays
+        return self.group.remark
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is and how far it came; of several, how far they came."""
-        way, one = words.pair(self.displacement(pointer)), self.group.only_point
+        way, one = words.pair_text(self.displacement(pointer)), self.group.only_point
         if one is None:
             return f"{self.name} by {way}"
         return f"{words.point_at(one[1], self.place_at(pointer))} · moved {way}"
@@ -69,7 +69,7 @@ class MovePoints(Drag, frozen=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Move by the whole way from the press."""
-        document = moved(self.document, self.group, self.displacement(pointer))
+        document = move_group(self.document, self.group, self.displacement(pointer))
         if self.snapper.caught is not None:
             # To the last bit where it snapped to: p + (q − p) may miss q by a rounding.
             document = point_edits.set_position(document, *self.grip, self.snapper.caught.position)
@@ -104,25 +104,25 @@ class NudgePoints(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Nudge {self.group.words}"
+        return f"Nudge {self.group.label}"
 
     @property
     def remark(self) -> str:
         """What of the group is locked."""
-        return self.group.stays
+        return self.group.remark
 
     def readout(self, pointer: Pointer) -> str:
         """Return where one point is now, or how many went, and the step."""
-        one, step = self.group.only_point, words.pair(self.step)
+        one, step = self.group.only_point, words.pair_text(self.step)
         if one is None:
-            return f"{self.group.words} nudged · step {step}"
+            return f"{self.group.label} nudged · step {step}"
         curve, index = one
         place = self.document_at(pointer).curves[curve].points[index].position
         return f"{words.point_at(index, place)} · step {step}"
 
     def document_at(self, _pointer: Pointer) -> Document:
         """Move by the step."""
-        return stepped(self.document, self.group, self.step)
+        return step_group(self.document, self.group, self.step)
 
 
 def what_handle_sets(hit: Hit, view: CurveView) -> str:

@@ -7,7 +7,7 @@ import math
 from msgspec.structs import replace
 
 from ..document.model import Axis, Document, Guide, Vector
-from ..document.plane_edits import move_guide, place_words, remove_guide
+from ..document.plane_edits import guide_label, move_guide, remove_guide
 from .drag import Drag
 from .marks import Marks
 from .pointer import Cursor, Hint, Hit, Part, Pointer
@@ -43,8 +43,8 @@ class MoveGuide(Drag, frozen=True):
     def name_at(self, pointer: Pointer) -> str:
         """Return the name of the step: where the guide is, or that it is gone."""
         if _is_beyond(pointer):
-            return f"Remove guide at {place_words(self.document.guides[self.place])}"
-        where = place_words(self._guide_at(pointer))
+            return f"Remove guide at {guide_label(self.document.guides[self.place])}"
+        where = guide_label(self._guide_at(pointer))
         return f"{'Guide at' if self.is_new else 'Move guide to'} {where}"
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -64,11 +64,11 @@ class MoveGuide(Drag, frozen=True):
         """Return where the guide is."""
         if _is_beyond(pointer):
             return "Drag onto the drawing for a guide" if self.is_new else "Let go to remove the guide"
-        return f"Guide {place_words(self._guide_at(pointer), self.unit)}"
+        return f"Guide {guide_label(self._guide_at(pointer), self.unit)}"
 
     def place_at(self, pointer: Pointer) -> Vector | None:
         """Return the place on the guide beside the pointer."""
-        return self._guide_at(pointer).beside(pointer.position)
+        return self._guide_at(pointer).nearest_position(pointer.position)
 
 
 def _clean(value: float, pixels_per_unit: float) -> float:
@@ -108,7 +108,7 @@ class GuidePicker:
         if self.lit is None:
             return None
         guide = event.session.document.guides[self.lit]
-        words = place_words(guide, event.settings.unit)
+        words = guide_label(guide, event.settings.unit)
         text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type its place"
         return Hint(text, grab=True, cursor=CURSORS[guide.axis.coordinate])
 

@@ -13,7 +13,7 @@ LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
 
 def selected(group: PointGroup) -> str:
     """Return how many points are selected: "Point 3 selected", "5 points in 2 curves selected"."""
-    words = f"{group.words} selected" if group.parts else "no point selected"
+    words = f"{group.label} selected" if group.parts else "no point selected"
     return f"{words[0].upper()}{words[1:]}"
 
 
@@ -26,7 +26,7 @@ def to_move(what: str, pointer: Pointer) -> str:
 def inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint inside the box around a group."""
     keys = f"Ctrl: one axis · Shift+drag: rubber band · {snap_key(snaps=snaps)} · A click lets go"
-    return Hint(f"{to_move(group.quoted, pointer)} · {keys}", cursor=Cursor.MOVE)
+    return Hint(f"{to_move(group.quoted_label, pointer)} · {keys}", cursor=Cursor.MOVE)
 
 
 def on_grip(grip: Grip, box: TransformBox, group: PointGroup, refusal: str) -> Hint:
@@ -34,7 +34,7 @@ def on_grip(grip: Grip, box: TransformBox, group: PointGroup, refusal: str) -> H
     if refusal:
         return Hint(refusal)
     keys = ScaleBox.keys if grip.does is TransformKind.SCALE else grip_keys(grip.does, has_opposite=box.turns)
-    return Hint(f"Drag to {grip.does.title.lower()} {group.words} · {keys}", cursor=grip.cursor)
+    return Hint(f"Drag to {grip.does.title.lower()} {group.label} · {keys}", cursor=grip.cursor)
 
 
 def can_finish(view: CurveView) -> bool:

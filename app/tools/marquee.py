@@ -9,9 +9,9 @@ import numpy as np
 
 from curvecore.arrays import FloatArray
 
-from ..document.group_edits import pressed
+from ..document.group_edits import pressed_curves
 from ..document.model import Vector
-from ..document.point_group import some_points
+from ..document.point_group import group_points
 from ..view_model.curve.curve_view import CurveView
 from . import hints
 from .curve_picker import chosen_curves
@@ -90,7 +90,7 @@ class Marquee(Band):
 
     def _show(self, event: ToolEvent, low: FloatArray, high: FloatArray) -> None:
         session = event.session
-        inside = some_points(
+        inside = group_points(
             (curve, _points_inside(session.views[curve], low, high)) for curve in session.selected.edited
         )
         session.selected.show_group(self._before.points.joined(inside) if event.pointer.shift else inside)
@@ -130,7 +130,7 @@ class CurveMarquee(Band):
         found: set[int] = set()
         for place in taken:
             if place not in found:
-                meant = pressed(document, place, self._before) & free
+                meant = pressed_curves(document, place, self._before) & free
                 found |= meant if meant <= taken else set()
         return frozenset(found)
 
@@ -145,7 +145,7 @@ class CurveMarquee(Band):
 
 
 def _is_free(view: CurveView) -> bool:
-    return view.source.is_free and view.has_curve
+    return view.source.is_selectable and view.has_curve
 
 
 def _is_inside(view: CurveView, low: FloatArray, high: FloatArray) -> bool:

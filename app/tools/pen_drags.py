@@ -9,7 +9,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document import point_edits, words
-from ..document.constraints import tied_to_line
+from ..document.constraints import tied_to_straight_segment
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..view_model.append import Appending, with_point_appended
@@ -91,7 +91,7 @@ class AppendPoint(CurveDrag, frozen=True):
     def readout(self, pointer: Pointer) -> str:
         """Return where it goes, and where its velocity points."""
         place = self._place(pointer)
-        note = f"{self.name} at {words.pair(place)}"
+        note = f"{self.name} at {words.pair_text(place)}"
         if not self._sets_velocity(pointer):
             return note
         way = self._displacement(pointer, place)
@@ -146,7 +146,7 @@ class AppendPoint(CurveDrag, frozen=True):
         before = self._whole[0] if self._whole else document.curves[self.curve].points[index].velocity
         document = point_edits.make_corner(document, self.curve, index, before, velocity)
         curve = document.curves[self.curve]
-        points = (*curve.points[:index], tied_to_line(curve, index))
+        points = (*curve.points[:index], tied_to_straight_segment(curve, index))
         return document.with_curve(self.curve, replace(curve, points=points))
 
 
@@ -177,7 +177,7 @@ class InsertPoint(CurveDrag, frozen=True, dict=True):
         """Return where it goes."""
         if self._is_on_curve(pointer):
             return f"{self.name} at t = {words.number(self.hit.t)}"
-        return f"{self.name} at {words.pair(self.snapper.at(pointer))}"
+        return f"{self.name} at {words.pair_text(self.snapper.at(pointer))}"
 
     def _is_on_curve(self, pointer: Pointer) -> bool:
         return not _is_away(pointer, self.press)

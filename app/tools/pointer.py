@@ -9,7 +9,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
-from ..document.transforms import clean_step
+from ..document.transforms import round_step_above
 from ..document.words import decimal_product
 
 _LEAST_PIXELS = 2.0
@@ -158,7 +158,7 @@ class Stride(msgspec.Struct, frozen=True):
         It is a short decimal number each time.
         """
         if step is None:
-            step = clean_step(_LEAST_PIXELS * self.pixel)
+            step = round_step_above(_LEAST_PIXELS * self.pixel)
         return decimal_product(step, self.factor)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 import numpy as np
 from msgspec.structs import replace
 
-from ..document.constraints import ends_of, is_line
+from ..document.constraints import ends_of, is_straight
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.distances import NearestPoint
@@ -58,11 +58,11 @@ def _targets(
     if SnapKind.POINTS in kinds:
         points = [
             _points(own, without.get(curve, ())),
-            *(_points(view, without.get(place, ()), view.source.seen_name) for place, view in others),
+            *(_points(view, without.get(place, ()), view.source.display_name) for place, view in others),
         ]
     if SnapKind.CURVES in kinds:
         curves = [
-            (NearestPoint(view), view.source.seen_name) for place, view in others if place not in without
+            (NearestPoint(view), view.source.display_name) for place, view in others if place not in without
         ]
     return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
 
@@ -76,7 +76,7 @@ def targets_of_side(
         for index, view in enumerate(views):
             if index == active or view.source.visible:
                 rest = sorted({*range(len(view.points))}.difference(moving.get(index, ())))
-                points += _named(view, rest, "" if index == active else view.source.seen_name)
+                points += _named(view, rest, "" if index == active else view.source.display_name)
     return Targets(neighbours=points)
 
 
@@ -109,7 +109,7 @@ def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, movi
     found = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
     for place, view in enumerate(views):
         if place != curve and view.source.visible:
-            found += _middles(view, moving.get(place), view.source.seen_name)
+            found += _middles(view, moving.get(place), view.source.display_name)
     return replace(targets, points=(*targets.points, *found))
 
 
@@ -125,7 +125,7 @@ def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iter
     straight = [
         segment
         for segment in range(count)
-        if is_line(source, segment) and (own is None or not {*own} & {*ends_of(source, segment)})
+        if is_straight(source, segment) and (own is None or not {*own} & {*ends_of(source, segment)})
     ]
     ends = np.array([ends_of(source, segment) for segment in straight], dtype=np.intp).reshape(-1, 2)
     places = [view_points[ends].mean(axis=1)]

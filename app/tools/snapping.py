@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.model import Guide, Vector
-from ..document.plane_edits import place_words
+from ..document.plane_edits import guide_label
 from ..document.words import NamedEnum
 from ..view_model.curve.distances import NearestPoint
 from .offsets import in_steps, plus
@@ -189,7 +189,7 @@ class Snapper:
         """Return the coordinate to snap to along one axis: of a guide, of a neighbour, of the grid."""
         value, kinds = position[axis], self._settings().kinds
         guides = [
-            _Line(guide.position, f"guide {place_words(guide)}")
+            _Line(guide.position, f"guide {guide_label(guide)}")
             for guide in self._guides
             if SnapKind.GUIDES in kinds and guide.axis.coordinate == axis
         ]

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from ..document.differences import reshaped
+from ..document.differences import reshaped_curves
 from ..document.groups import shape_of
 from ..document.limits import EditError
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.selection import NONE_CHOSEN
-from ..document.several_curves import changed_whole
+from ..document.selection import NONE_SELECTED
+from ..document.several_curves import whole_unlocked_curves
 from ..view_model.boxes import Bounds, bounds_of
 from ..view_model.pivot import Anchor, Pivot, anchored
 from .editing_session import EditingSession
@@ -64,10 +64,10 @@ class SelectionBox:
         if not chosen:
             return None
         known, group = self._whole, None
-        if known is not None and known[1] == chosen and reshaped(known[0], document) is not None:
+        if known is not None and known[1] == chosen and reshaped_curves(known[0], document) is not None:
             # Under a drag of thousands they are the same.
             group = known[2]
-        self._whole = (document, chosen, group or changed_whole(document, chosen))
+        self._whole = (document, chosen, group or whole_unlocked_curves(document, chosen))
         return self._whole[2]
 
     @property
@@ -88,7 +88,7 @@ class SelectionBox:
     def words(self) -> str:
         """The words for that: "3 curves", "2 points", "all 5 points"."""
         group = self.for_keys
-        return f"{'all ' if self.group is None and group.only_point is None else ''}{group.words}"
+        return f"{'all ' if self.group is None and group.only_point is None else ''}{group.label}"
 
     @property
     def is_nothing(self) -> bool:
@@ -100,7 +100,7 @@ class SelectionBox:
     def refusal_of_keys(self) -> str:
         """Why keys cannot transform anything: it is locked, or there is nothing."""
         if self.group is None and not self._session.selected.is_editing:
-            return NONE_CHOSEN
+            return NONE_SELECTED
         group, source = self.for_keys, self._session.active_view.source
         if not any(indices for _, indices in group.parts):
             return f"“{source.name}” has no points yet; press P to add some."

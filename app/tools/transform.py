@@ -10,8 +10,8 @@ from msgspec.structs import replace
 from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.several_curves import mapped, moved
-from ..document.transforms import LARGEST_SKEW, rotation, scaling, skewing
+from ..document.several_curves import move_group, transform_group
+from ..document.transforms import LARGEST_SKEW, rotation, scaling, skew
 from .drag import Drag, plus
 from .drags import MovePoints
 from .pointer import SNAP_KEY, STEP_KEYS, Pointer
@@ -108,12 +108,12 @@ class Transform(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"{self.kind.title} {'all ' if self._is_all else ''}{self.group.words}"
+        return f"{self.kind.title} {'all ' if self._is_all else ''}{self.group.label}"
 
     @property
     def remark(self) -> str:
         """What of the group is locked."""
-        return self.group.stays
+        return self.group.remark
 
     @property
     def refusal(self) -> str:
@@ -167,7 +167,7 @@ class Transform(Drag, frozen=True):
         """Return the amount; of all points because none is selected, that too."""
         note, one = f"{self.kind.title} {self._amount_at(pointer)}", self.group.only_point
         if self._is_all:
-            what = self.group.words
+            what = self.group.label
             return f"All {what}: {note[0].lower()}{note[1:]}"
         if one is None or self.kind is not TransformKind.MOVE:
             return note
@@ -187,7 +187,7 @@ class Transform(Drag, frozen=True):
             return f"{words.number(self._factor(pointer))}{along}{mark}"
         by = self._displacement(pointer)
         if self.axis is None:
-            return f"{words.pair(by)}{mark}"
+            return f"{words.pair_text(by)}{mark}"
         return f"{words.number(by[self.axis])}{along}{mark}"
 
     def _moved(self, by: Vector) -> Vector:
@@ -203,15 +203,17 @@ class Transform(Drag, frozen=True):
         if self.kind is TransformKind.MOVE:
             if self.typed.counts:
                 self.snapper.reset()
-                return moved(self.document, self.group, self._displacement(pointer))
+                return move_group(self.document, self.group, self._displacement(pointer))
             return self._move().document_at(pointer)
         if self.kind is TransformKind.ROTATE:
-            return mapped(self.document, self.group, rotation(self._degrees(pointer), self._about(pointer)))
+            return transform_group(
+                self.document, self.group, rotation(self._degrees(pointer), self._about(pointer))
+            )
         if self.kind is TransformKind.SKEW:
-            by = skewing(self.axis or 0, self._skewed(pointer), self._about(pointer))
-            return mapped(self.document, self.group, by)
+            by = skew(self.axis or 0, self._skewed(pointer), self._about(pointer))
+            return transform_group(self.document, self.group, by)
         x, y = self._factors(pointer)
-        return mapped(self.document, self.group, scaling(x, y, self.centre))
+        return transform_group(self.document, self.group, scaling(x, y, self.centre))
 
     def _move(self) -> MovePoints:
         return MovePoints(self.document, self.group, self.start, self.snapper, self.grip, self.axis)

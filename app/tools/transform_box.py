@@ -10,7 +10,7 @@ import msgspec
 from ..document import words
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.transforms import scaling, with_coordinates
+from ..document.transforms import scaling, set_coordinates
 from ..view_model.boxes import Bounds, bounds_of
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.resize import stretched
@@ -166,12 +166,12 @@ class ScaleBox(Drag, frozen=True):
     @property
     def name(self) -> str:
         """The name of the step."""
-        return f"Scale {self.group.words}"
+        return f"Scale {self.group.label}"
 
     @property
     def remark(self) -> str:
         """What of the group is locked."""
-        return self.group.stays
+        return self.group.remark
 
     def readout(self, pointer: Pointer) -> str:
         """Return the factors."""
@@ -203,7 +203,7 @@ class ScaleBox(Drag, frozen=True):
         for curve, indices in self.group.parts:
             outermost = [index for index in indices if curves[curve].points[index].position[axis] == side]
             if outermost:
-                document = with_coordinates(document, curve, dict.fromkeys(outermost, value), axis)
+                document = set_coordinates(document, curve, dict.fromkeys(outermost, value), axis)
         return document
 
     @property

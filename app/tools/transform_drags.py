@@ -143,7 +143,7 @@ class MovePivot(OldGesture):
         """Tell where it is."""
         if not self._is_moving:
             return ""
-        place = words.pair(event.box.centre)
+        place = words.pair_text(event.box.centre)
         text = f"Pivot {place} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
         return with_snap(text, self._snapper.caught)
 

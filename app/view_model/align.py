@@ -10,7 +10,7 @@ from ..document.group_edits import nodes_of
 from ..document.limits import EditError
 from ..document.model import Document
 from ..document.point_group import PointGroup
-from ..document.several_curves import changeable, moved, whole_curves
+from ..document.several_curves import move_group, unlocked_curves, whole_curves
 from ..document.transforms import Edge, Reference, Spacing
 from .boxes import Bounds, bounds_of_groups
 from .curve.curve_view import CurveView
@@ -58,7 +58,7 @@ def align_curves(
     else:
         bounds = _bounds_among(items, reference, first, last)
     target = _edge_position(bounds, edge)
-    free = changeable(document, selected)
+    free = unlocked_curves(document, selected)
     for item in (item for item in items if item.group.curves <= free):
         document = _moved(document, item, edge.axis, target - _edge_position(item.bounds, edge))
     return document
@@ -104,7 +104,7 @@ def distribute_curves(
 
 def _items(document: Document, views: Sequence[CurveView], curves: Collection[int]) -> list[_Item]:
     """Return the groups, shapes and curves that move as one, those that have points."""
-    groups = [whole_curves(document, node.places) for node in nodes_of(document, curves)]
+    groups = [whole_curves(document, node.indices) for node in nodes_of(document, curves)]
     pairs = zip(groups, bounds_of_groups(views, groups), strict=True)
     return [_Item(group, bounds) for group, bounds in pairs if bounds is not None]
 
@@ -117,10 +117,10 @@ def _joined(boxes: Sequence[Bounds]) -> Bounds:
 
 
 def _edge_position(bounds: Bounds, edge: Edge) -> float:
-    return edge.place((bounds.low[edge.axis], bounds.high[edge.axis]))
+    return edge.target((bounds.low[edge.axis], bounds.high[edge.axis]))
 
 
 def _moved(document: Document, item: _Item, axis: int, distance: float) -> Document:
     if distance == 0.0:
         return document
-    return moved(document, item.group, (distance, 0.0) if axis == 0 else (0.0, distance))
+    return move_group(document, item.group, (distance, 0.0) if axis == 0 else (0.0, distance))

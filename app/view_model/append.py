@@ -17,11 +17,11 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ..document.constraints import line_beside, stretched_beside
+from ..document.constraints import is_straight_beside, rescaled_beside
 from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
-from ..document.model import Curve, Document, Point, Vector, vectors_of
+from ..document.model import Curve, Document, Point, Vector, derivatives_of
 from ..document.point_edits import append_point, insert_points
 from .curve.core_curve import parameters_of
 from .curve.curve_view import CurveView, view_of
@@ -125,7 +125,7 @@ def _ends_where_it_starts(curve: Curve) -> bool:
     """Whether the last point of an open curve is at the place of the first, with nothing set there."""
     first, last = curve.points[:1], curve.points[-1:]
     is_loop = len(curve.points) > curve.family.least_to_close and first[0].position == last[0].position
-    return is_loop and curve.family.curve_class.can_close and not any(vectors_of(last[0]))
+    return is_loop and curve.family.curve_class.can_close and not any(derivatives_of(last[0]))
 
 
 def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
@@ -162,14 +162,14 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
             point = _corner_beside_line(view.source, index)
             if not point.corner:
                 behind = ahead = max(behind, ahead)
-            points[index] = stretched_beside(point, behind, ahead)
+            points[index] = rescaled_beside(point, behind, ahead)
     return document.with_curve(curve, replace(grown, points=tuple(points)))
 
 
 def _corner_beside_line(curve: Curve, index: int) -> Point:
     """Return a point at an end; beside a line as a corner, whose other side is left to the rules."""
     point, is_first = curve.points[index], index == 0
-    if point.corner or not line_beside(curve, index, ahead=is_first):
+    if point.corner or not is_straight_beside(curve, index, ahead=is_first):
         return point
     free = {each.name if is_first else each.after: None for each in DERIVATIVES}
     return replace(point.as_corner(), **free)
@@ -179,7 +179,7 @@ def _is_set(curve: Curve, index: int) -> bool:
     """Whether the person set a derivative that the family uses at a point."""
     if not (curve.family.derivatives and 0 <= index < len(curve.points)):
         return False
-    return any(vectors_of(curve.points[index]))
+    return any(derivatives_of(curve.points[index]))
 
 
 def scale_of(before: CurveView, after: Curve) -> float:

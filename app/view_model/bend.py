@@ -40,7 +40,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.constraints import ends_of, line_beside, with_handles_kept
+from ..document.constraints import ends_of, is_straight_beside, with_handles_kept
 from ..document.limits import EditError
 from ..document.model import Curve, Vector
 from ..document.point_edits import JetValue, with_jet_values
@@ -94,7 +94,7 @@ class Bend:
         pull = np.array(target) - self._start
         source = self._view.source
         moves_points = self._hold.changes[0].value.order == 0
-        moves_parameters = moves_points and source.parametrization.kind.asks_where_points_are
+        moves_parameters = moves_points and source.parametrization.kind.depends_on_points
         follow = moves_points and source.family.derivatives
         if not (moves_parameters or follow):
             if not self._is_held_by_lines:
@@ -109,7 +109,7 @@ class Bend:
         """Whether a straight segment beside the grabbed one gives a handle in this its direction."""
         curve, (start, end) = self._view.source, ends_of(self._view.source, self._segment)
         return any(
-            curve.points[index].tied and line_beside(curve, index, ahead=ahead)
+            curve.points[index].tied and is_straight_beside(curve, index, ahead=ahead)
             for index, ahead in ((start, False), (end, True))
         )
 

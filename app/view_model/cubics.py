@@ -20,7 +20,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import BoolArray, FloatArray
 
-from ..document.constraints import tied
+from ..document.constraints import tie
 from ..document.limits import EditError
 from ..document.model import Point, Vector
 
@@ -185,7 +185,7 @@ def points_of(
             points.append(Point(x, y, at[0], start[0]))
         elif joints.tied[i - 1]:
             before, after = (through, through) if joints.smooth[i - 1] else (end[i - 1], start[i])
-            point = tied(Point(x, y, at[i]), before, after, (steps[i - 1], steps[i]))
+            point = tie(Point(x, y, at[i]), before, after, (steps[i - 1], steps[i]))
             points.append(replace(point, even=True) if joints.even[i - 1] else point)
         elif joints.smooth[i - 1]:
             points.append(Point(x, y, at[i], through))

@@ -16,8 +16,8 @@ from msgspec.structs import replace
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
-from ..document.constraints import is_line, tied_if_parallel
-from ..document.model import Curve, Document, Point, Vector, vectors_of
+from ..document.constraints import is_straight, tie_if_parallel
+from ..document.model import Curve, Document, Point, Vector, derivatives_of
 from ..document.point_edits import delete_points
 from .curve.curve_view import CurveView, view_of
 from .fit import farthest, segment_near
@@ -57,7 +57,7 @@ def _a_round(view: CurveView, wanted: Mapping[tuple[int, bool], Derivatives]) ->
 def _has(view: CurveView, index: int, side: Derivatives, ahead: int) -> bool:
     """Whether a point has these derivatives on a side."""
     now = [view.derivative_of(index, order, ahead=bool(ahead)) for order in range(1, len(side) + 1)]
-    within = SAME if any(vectors_of(view.source.points[index])) else _UNSEEN
+    within = SAME if any(derivatives_of(view.source.points[index])) else _UNSEEN
     return all(own is not None and _alike(own, each, within) for own, each in zip(now, side, strict=True))
 
 
@@ -73,7 +73,7 @@ def with_sides(point: Point, before: Derivatives | None, after: Derivatives | No
         return point.with_derivatives(before, ())
     was_corner = point.corner and not point.tied
     made = replace(point.as_corner(), tied=False).with_derivatives(before, after)
-    return made if was_corner else tied_if_parallel(made)
+    return made if was_corner else tie_if_parallel(made)
 
 
 _SAMPLES = 24
@@ -204,7 +204,7 @@ def _is_set(view: CurveView, segment: _Segment) -> bool:
     points = view.source.points
     between = [points[each % len(points)] for each in range(segment.start, segment.end + 1)]
     is_set = any(between[0].explicit_sides(1)[1:]) or any(between[-1].explicit_sides(1)[:1])
-    return is_set or any(any(vectors_of(each)) for each in between[1:-1])
+    return is_set or any(any(derivatives_of(each)) for each in between[1:-1])
 
 
 def _jets_at_ends(view: CurveView, segment: _Segment) -> FloatArray:
@@ -221,7 +221,7 @@ def _fitted_jets(view: CurveView, segment: _Segment) -> FloatArray:
     orders = view.source.family.derivatives + 1
     places = _places(view, segment)
     lines = [
-        is_line(view.source, each % len(view.source.points)) for each in range(segment.start, segment.end)
+        is_straight(view.source, each % len(view.source.points)) for each in range(segment.start, segment.end)
     ]
     if all(lines):
         jets = np.zeros((2, orders, 2))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from ..document.constraints import tied_if_parallel
+from ..document.constraints import tie_if_parallel
 from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
@@ -183,7 +183,7 @@ def _merged(end: Point, start: Point) -> Point:
     before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
     if all(map(_alike, before, after)):
         return end
-    return tied_if_parallel(end.as_corner().with_derivatives(before, after))
+    return tie_if_parallel(end.as_corner().with_derivatives(before, after))
 
 
 def _alike(x: Vector | None, y: Vector | None) -> bool:

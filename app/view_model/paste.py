@@ -9,8 +9,8 @@ from itertools import pairwise
 import msgspec
 from msgspec.structs import replace
 
-from ..document.constraints import stretched
-from ..document.curve_edits import without
+from ..document.constraints import rescaled
+from ..document.curve_edits import without_curve
 from ..document.groups import Container, shape_of
 from ..document.limits import EditError
 from ..document.model import (
@@ -25,7 +25,7 @@ from ..document.model import (
 from ..document.point_edits import insert_points, set_points
 from ..document.point_group import PointGroup
 from ..document.rule_edits import freeze_parameters, set_interval
-from ..document.several_curves import add_curves, is_blank, moved, whole_curves
+from ..document.several_curves import add_curves, is_blank, move_group, whole_curves
 from ..document.words import number
 from ..storage.validation import prevalidate
 from .append import appended_parameter, with_points_appended
@@ -59,7 +59,7 @@ def appended(view: CurveView, pasted: Sequence[Point]) -> Curve:
     document = with_points_appended(document, 0, view, [replace(point, t=None) for point in pasted])
     factor = _factor(pasted, view_of(document.curves[0]))
     points = document.curves[0].points
-    new = (stretched(point, factor) for point in points[count:])
+    new = (rescaled(point, factor) for point in points[count:])
     return set_points(document, 0, (*points[:count], *new)).curves[0]
 
 
@@ -233,7 +233,7 @@ def with_curves(document: Document, curves: Sequence[Curve]) -> Arrival:
 
     A lone curve without points is what a new document begins with; it gives way.
     """
-    base = without(document, 0) if is_blank(document) else document
+    base = without_curve(document, 0) if is_blank(document) else document
     first = len(base.curves)
     return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
 
@@ -294,4 +294,4 @@ def centred_at(
         return document
     decimals = -math.floor(math.log10(pixel))
     across, up = (round(to - at, decimals) for to, at in zip(place, bounds.centre, strict=True))
-    return moved(document, group, (across, up))
+    return move_group(document, group, (across, up))

@@ -17,7 +17,7 @@ from curvecore.arrays import FloatArray
 
 from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
-from ..document.transforms import IDENTITY, Affine, mirrors, turn_of
+from ..document.transforms import IDENTITY, Affine, is_mirrored, rotation_of
 from .boxes import Bounds, bounds_of
 from .curve.curve_view import CurveView
 from .resize import between
@@ -144,8 +144,8 @@ class Turning:
         by = self.anchor.since(now)
         if by is None:
             return None
-        degrees = turn_of(by)
-        if mirrors(by) is not self._is_mirrored:
+        degrees = rotation_of(by)
+        if is_mirrored(by) is not self._is_mirrored:
             self._is_mirrored = not self._is_mirrored
             self._more = 180.0 if abs(_wrapped(degrees + self._last)) > 90.0 else 0.0
         self._last = _wrapped(degrees + self._more)

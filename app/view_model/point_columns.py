@@ -284,7 +284,7 @@ def _derivative_column(each: Derivative, component: int) -> Column:
         set_many=set_many,
         is_estimated=lambda view: np.isnan(_given(order, 0, view)),
         estimate=lambda curve: str(getattr(curve, each.rule_field).estimate),
-        reset=lambda document, curve, indices: point_edits.estimate_derivatives(
+        reset=lambda document, curve, indices: point_edits.clear_derivatives(
             document, curve, indices, (order,)
         ),
         after=partial(_derivative_after, order, component),

@@ -19,11 +19,18 @@ from msgspec.structs import replace
 
 from curvecore.arrays import BoolArray, IntArray
 
-from ..document.constraints import ends_of, line_beside, tied, tied_to_line, turned, untied
+from ..document.constraints import (
+    ends_of,
+    is_straight_beside,
+    tie,
+    tied_to_straight_segment,
+    turned_along,
+    untie,
+)
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
-from ..document.point_edits import JetValue, estimate_derivatives, make_smooth, with_jet_values
-from ..document.straight_edits import corners_of, straighten, why_not_straight
+from ..document.point_edits import JetValue, clear_derivatives, make_smooth, with_jet_values
+from ..document.straight_edits import corners_of, straight_refusal, straighten
 from ..families import Family, titles_with_derivatives
 from .append import closed_by_pen, with_point_appended
 from .curve.curve_view import CurveView, view_of
@@ -58,7 +65,7 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
     inner = _inner(view, indices, "a corner needs curve on both sides", NO_CORNERS)
     new = [index for index in inner if not points[index].corner or points[index].tied]
     cornered = {
-        index: untied(points[index]) if points[index].corner else points[index].as_corner() for index in new
+        index: untie(points[index]) if points[index].corner else points[index].as_corner() for index in new
     }
     return _written_down(view, cornered)
 
@@ -85,7 +92,7 @@ def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
         before, after = (_velocity(view, index, ahead=ahead) for ahead in (False, True))
         if index in corners:
             before, after = _in_one_direction(view, index, before, after)
-        points[index] = replace(tied(points[index], before, after), even=False)
+        points[index] = replace(tie(points[index], before, after), even=False)
     return _kept(view, replace(curve, points=tuple(points)), new)
 
 
@@ -116,7 +123,7 @@ def made_estimated(view: CurveView, indices: Collection[int]) -> Curve:
     document = Document((view.source,))
     for index in indices:
         document = make_smooth(document, 0, index, None)
-    return estimate_derivatives(document, 0, indices).curves[0]
+    return clear_derivatives(document, 0, indices).curves[0]
 
 
 def _inner(view: CurveView, indices: Collection[int], needs: str, none: str) -> list[int]:
@@ -150,7 +157,7 @@ def _velocity(view: CurveView, index: int, *, ahead: bool) -> Vector:
 def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector) -> tuple[Vector, Vector]:
     """Return the velocities at a corner turned to one direction."""
     h, g = (view.spacing(index, ahead=ahead) or 1.0 for ahead in (False, True))
-    lines = [line_beside(view.source, index, ahead=ahead) for ahead in (False, True)]
+    lines = [is_straight_beside(view.source, index, ahead=ahead) for ahead in (False, True)]
     # From the tip of one handle to that of the other.
     direction = (h * before[0] + g * after[0], h * before[1] + g * after[1])
     if lines[0] != lines[1]:
@@ -158,7 +165,9 @@ def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector
     elif not any(direction):
         direction = after if any(after) else offset_past(view, index)
     first, second = (
-        turned(velocity, direction) if any(velocity) else pulled_out(view, index, direction, ahead=ahead)
+        turned_along(velocity, direction)
+        if any(velocity)
+        else pulled_out(view, index, direction, ahead=ahead)
         for velocity, ahead in ((before, False), (after, True))
     )
     return first, second
@@ -206,7 +215,7 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     EditError
         If there is no curve, or its family has no segments of their own.
     """
-    if reason := why_not_straight(view.source.family):
+    if reason := straight_refusal(view.source.family):
         raise EditError(reason)
     refuse_without_curve(view)
     corners = [index for index in corners_of(view.source, segments) if not view.source.points[index].tied]
@@ -241,12 +250,12 @@ def closed_by_line(document: Document, curve: int, view: CurveView) -> Document:
 def _with_last_straight(document: Document, curve: int, before: CurveView) -> Document:
     """Return the document with a straight segment behind the last point of `before`."""
     last = len(before.source.points) - 1
-    if last < 0 or why_not_straight(before.source.family):
+    if last < 0 or straight_refusal(before.source.family):
         return document
     made = with_straight_segments(view_of(document.curves[curve]), [last])
     points = list(made.points)
     for index in corners_of(made, [last]):
-        points[index] = tied_to_line(made, index)
+        points[index] = tied_to_straight_segment(made, index)
     return document.with_curve(curve, replace(made, points=tuple(points)))
 
 

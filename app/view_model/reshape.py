@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.chain import joint_of_row
 
-from ..document.constraints import is_line, stretched_beside, tied_if_parallel
+from ..document.constraints import is_straight, rescaled_beside, tie_if_parallel
 from ..document.curve_edits import reverse_curve
 from ..document.limits import EditError
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
@@ -133,7 +133,7 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
 def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
     """Return the curve with a point on it put at a place, under the rule that its parameters have."""
     curve, point = view.source, _sampled(view, t)
-    if is_line(curve, index - 1):
+    if is_straight(curve, index - 1):
         # Two straight segments: whichever end of one moves, it stays straight.
         point = point.as_corner()
     if not curve.is_manual:
@@ -194,7 +194,7 @@ def _tied_as(before: Point | None, point: Point) -> Point:
     """Return a point whose velocities are tied again where they were, and still are parallel."""
     if before is None or not before.tied:
         return point
-    again = tied_if_parallel(point if point.corner else point.as_corner())
+    again = tie_if_parallel(point if point.corner else point.as_corner())
     return again if again.tied else point
 
 
@@ -268,7 +268,7 @@ def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> C
     refuse_without_curve(after)
     factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
     points = [
-        stretched_beside(point, *_factors_at(factors, point, place, index, is_closed=grown.is_closed))
+        rescaled_beside(point, *_factors_at(factors, point, place, index, is_closed=grown.is_closed))
         for place, point in enumerate(grown.points)
     ]
     return replace(grown, points=tuple(points))

@@ -18,7 +18,7 @@ from curvecore.arrays import FloatArray
 from ..document.limits import EditError
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup
-from ..document.several_curves import mapped
+from ..document.several_curves import transform_group
 from ..document.transforms import Affine, scaling
 from .boxes import Bounds, bounds_of, is_whole
 from .curve.curve_view import CurveView, view_of
@@ -97,12 +97,12 @@ def stretched(
     plain = between(before, aim)
     is_similar = even is not None or abs(plain.xx) == abs(plain.yy)
     if tolerance and (is_similar or all(_follows(views, *part) for part in group.parts)):
-        return mapped(document, group, plain)
+        return transform_group(document, group, plain)
     largest = max(abs(value) for corner in (*corners, before.low, before.high) for value in corner)
     enough = max(tolerance, _ROUNDING * largest)
     best, least, secants, vain = document, math.inf, Secants(4), 0
     for _ in range(_ROUNDS):
-        changed = mapped(document, group, between(before, aim))
+        changed = transform_group(document, group, between(before, aim))
         reached = _measured(_views_of(changed, views, group), group)
         wanted = goal.from_(reached)
         off = _distance(reached, wanted)
@@ -180,7 +180,7 @@ def _follows(views: Sequence[CurveView], curve: int, indices: frozenset[int]) ->
     view = views[curve]
     source = view.source
     is_linear = all(rule.is_linear for rule in source.rules)
-    asks = source.parametrization.kind.asks_where_points_are
+    asks = source.parametrization.kind.depends_on_points
     return not is_whole(view, indices) or (is_linear and not asks)
 
 

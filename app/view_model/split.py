@@ -17,7 +17,7 @@ from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, ParametrizationKind, Point
-from ..document.straight_edits import why_not_straight
+from ..document.straight_edits import straight_refusal
 from ..document.words import number
 from ..families import HERMITE
 from .curve.curve_view import CurveView, view_of
@@ -201,7 +201,7 @@ def without_segments(view: CurveView, segments: Collection[int]) -> Split:
     EditError
         If the curve has no segments of its own, or nothing would be left.
     """
-    if reason := why_not_straight(view.source.family):
+    if reason := straight_refusal(view.source.family):
         raise EditError(reason)
     refuse_without_curve(view)
     whole = view_of(baked(view))

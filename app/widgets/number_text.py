@@ -11,7 +11,7 @@ from PySide6.QtCore import QLocale
 from curvecore.arrays import FloatArray
 
 from ..document.lengths import typed_length
-from ..document.words import NOTHING, number, polished
+from ..document.words import NOTHING, number, typographic
 
 NEGLIGIBLE = 1e-12
 """Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""
@@ -173,8 +173,8 @@ def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, ne
     if abs(value) < negligible:
         fixed = f"{0:.{decimals}f}"
     elif (value != 0 and float(fixed) == 0) or abs(value) >= 10.0 ** max(digits, _WHOLE_DIGITS):
-        return polished(f"{value:.{max(digits - 3, 1)}g}", mark)
-    return polished(fixed, mark)
+        return typographic(f"{value:.{max(digits - 3, 1)}g}", mark)
+    return typographic(fixed, mark)
 
 
 def widest_texts(extent: Extent, digits: int) -> set[str]:

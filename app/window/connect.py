@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from ..actions.declaration import Action, all_declared, declared_widgets
 from ..actions.menus import BarPosition
 from ..appearance.theme import Theme
-from ..document.differences import reshaped
+from ..document.differences import reshaped_curves
 from ..document.limits import EditError
 from ..document.model import Document
 from ..features import command_sets
@@ -223,7 +223,7 @@ class Rendering(QObject):
         drawn, self._drawn = self._drawn, (document, active)
         if drawn is None or drawn[1] != active:
             return False
-        return reshaped(drawn[0], document) in ([], [active])
+        return reshaped_curves(drawn[0], document) in ([], [active])
 
     def _render_rest(self) -> None:
         """Render what need not follow a drag frame by frame, when all is told of which there is news."""

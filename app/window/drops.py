@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QDropEvent
 
 from ..document.model import Vector
-from ..document.words import count_of, listed, names_of
+from ..document.words import count_of, names_of, names_with_verb
 from ..storage.files import StorageError
 from ..storage.format_error import FormatError
 from ..workbench.context import WindowContext, hooks
@@ -135,4 +135,4 @@ class Drops:
 
 
 def _listed(paths: Iterable[Path]) -> str:
-    return listed([path.name for path in paths])
+    return names_with_verb([path.name for path in paths])

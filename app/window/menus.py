@@ -29,7 +29,7 @@ from ..actions.menus import (
     MenuSection,
 )
 from ..actions.qactions import Actions
-from ..document.group_edits import pressed
+from ..document.group_edits import pressed_curves
 from ..qt.labels import menu_text
 from ..settings.preferences import Preferences
 from ..storage.examples import example_name, example_paths
@@ -180,7 +180,7 @@ class ContextMenus:
             if session.selected.is_editing or hit.index in selected:
                 session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
             else:
-                session.selected.choose(pressed(session.document, hit.index, session.selected.choice))
+                session.selected.choose(pressed_curves(session.document, hit.index, session.selected.choice))
             self._open_on_edited(place)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(place)

@@ -104,7 +104,7 @@ class Messages(QObject):
             return self._find_image
         kind = view.source.parametrization.kind
         # Uniform parameters are the way out where there are no distances between points.
-        by_distance = kind.asks_where_points_are and not (view.source.family.is_missing or view.is_overdue)
+        by_distance = kind.depends_on_points and not (view.source.family.is_missing or view.is_overdue)
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
@@ -132,4 +132,4 @@ class Messages(QObject):
             return self._image_problem, True
         if view.source.visible or not self._session.selected.is_editing:
             return self._greeting, False
-        return f"“{view.source.seen_name}” is hidden; it is drawn faintly while you edit it.", False
+        return f"“{view.source.display_name}” is hidden; it is drawn faintly while you edit it.", False

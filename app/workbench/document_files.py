@@ -12,9 +12,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from ..document.curve_edits import unstyled_model
+from ..document.curve_edits import empty_curve_like
 from ..document.model import Document, empty_document
-from ..document.plain_numbers import plain
+from ..document.plain_numbers import with_plain_numbers
 from ..exchange.formats import DOCUMENT_ENDING, FORMATS, can_import, endings_of, file_filters, format_of
 from ..qt.labels import breakable
 from ..session import Session
@@ -123,7 +123,7 @@ class DocumentFiles:
 
     def _prepare_sketch(self) -> None:
         """Give the sketch that a session begins with unit and grid of new documents."""
-        session, sketch = self._session, plain(first_sketch())
+        session, sketch = self._session, with_plain_numbers(first_sketch())
         is_begun, usual = session.files.path is not None or session.undo_stack.count(), self._preferences
         if is_begun or session.document != sketch:
             return
@@ -144,7 +144,7 @@ class DocumentFiles:
         """
         files = self._session.files
         if files.beginning.copied is None and not files.is_untouched:
-            self._preferences.new_curve = unstyled_model(self._session.active_curve)
+            self._preferences.new_curve = empty_curve_like(self._session.active_curve)
 
     def ask_and_open(self) -> None:
         """Let the person choose a document, or a file of another format, and open it."""

@@ -83,7 +83,7 @@ def _say_change(context: WindowContext, what: ClipboardSelection, deleted: Seque
     if not fitted:
         return
     session = context.session
-    words, most = what.points.counted, max(each.residual or 0.0 for each in fitted)
+    words, most = what.points.count_label, max(each.residual or 0.0 for each in fitted)
     if keeps_shape(most, [each.curve for each in fitted]):
         session.say(f"Deleted {words}: shape kept.")
     else:

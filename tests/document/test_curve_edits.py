@@ -7,10 +7,10 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import curve_edits, point_edits, rule_edits
-from app.document.group_edits import moved_into
+from app.document.group_edits import move_into
 from app.document.limits import EditError
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.document.several_curves import with_appearance
+from app.document.several_curves import set_appearance
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.storage.validation import validate
 from app.view_model.curve.curve_view import view_of
@@ -42,8 +42,8 @@ def test_curves_are_added_moved_and_removed(three):
     added = curve_edits.add_curve(three, 1, make_curve((), name="N"))
     assert names(added) == "ANBC"
     assert names(curve_edits.add_curve(three, 3, make_curve((), name="N"))) == "ABCN"
-    assert names(moved_into(three, {0}, 3).document) == "BCA"
-    assert names(moved_into(three, {2}, 0).document) == "CAB"
+    assert names(move_into(three, {0}, 3).document) == "BCA"
+    assert names(move_into(three, {2}, 0).document) == "CAB"
     assert names(curve_edits.remove_curve(three, 1)) == "AC"
 
 
@@ -53,15 +53,15 @@ def test_removing_the_last_curve_leaves_an_empty_one():
 
 
 def test_a_new_name_is_free(three):
-    assert curve_edits.free_name(three) == "Curve 1"
+    assert curve_edits.unused_name(three) == "Curve 1"
     taken = curve_edits.rename_curve(three, 0, "Curve 1")
-    assert curve_edits.free_name(taken) == "Curve 2"
+    assert curve_edits.unused_name(taken) == "Curve 2"
 
 
 def test_looks_are_set_and_nothing_else(three):
-    changed = with_appearance(three, {1}, colour="#0072b2")
-    changed = with_appearance(changed, {1}, visible=False)
-    changed = with_appearance(changed, {1}, locked=True)
+    changed = set_appearance(three, {1}, colour="#0072b2")
+    changed = set_appearance(changed, {1}, visible=False)
+    changed = set_appearance(changed, {1}, locked=True)
     curve = changed.curves[1]
     assert (curve.style.stroke, curve.visible, curve.locked) == ("#0072b2", False, True)
     assert curve.points == three.curves[1].points
@@ -73,7 +73,7 @@ def test_looks_are_set_and_nothing_else(three):
 
 
 def test_a_locked_curve_may_not_change(three):
-    locked = with_appearance(three, {1}, locked=True)
+    locked = set_appearance(three, {1}, locked=True)
     for changed in (
         point_edits.move_points(locked, 1, [0], (1.0, 0.0)),
         rule_edits.set_family(locked, 1, LAGRANGE),
@@ -84,14 +84,14 @@ def test_a_locked_curve_may_not_change(three):
 
 
 def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
-    locked = with_appearance(three, {1}, locked=True)
+    locked = set_appearance(three, {1}, locked=True)
     for changed in (
         locked,
         curve_edits.rename_curve(locked, 1, "Other"),
-        with_appearance(locked, {1}, colour="#d55e00"),
-        with_appearance(locked, {1}, visible=False),
-        with_appearance(locked, {1}, locked=False),
-        moved_into(locked, {1}, 0).document,
+        set_appearance(locked, {1}, colour="#d55e00"),
+        set_appearance(locked, {1}, visible=False),
+        set_appearance(locked, {1}, locked=False),
+        move_into(locked, {1}, 0).document,
         curve_edits.remove_curve(locked, 0),
         point_edits.move_points(locked, 0, [0], (1.0, 0.0)),
     ):
@@ -142,7 +142,7 @@ def test_each_side_of_a_corner_is_set_alone():
 
 def test_estimating_clears_both_sides_of_a_corner():
     document = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
-    point = point_edits.estimate_derivatives(document, 0, [1]).curves[0].points[1]
+    point = point_edits.clear_derivatives(document, 0, [1]).curves[0].points[1]
     assert (point.corner, point.velocity, point.velocity_after) == (True, None, None)
 
 

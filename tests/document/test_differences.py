@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from msgspec.structs import replace
 
-from app.document.differences import changed_besides_points, moved_points, reshaped
+from app.document.differences import curves_changed_besides_points, moved_points, reshaped_curves
 from app.document.model import Axis, Document, Guide, make_curve
-from app.document.plain_numbers import plain
+from app.document.plain_numbers import with_plain_numbers
 from app.document.point_edits import delete_points, move_points, set_velocity
 from app.document.style import Style
 from app.families import HERMITE
@@ -24,17 +24,17 @@ def two():
 
 def test_moved_points_are_all_that_has_changed(two):
     moved = move_points(two, 1, [0, 2], (1.0, 0.0))
-    assert reshaped(two, moved) == [1]
-    assert reshaped(two, two) == []
+    assert reshaped_curves(two, moved) == [1]
+    assert reshaped_curves(two, two) == []
     assert moved_points(two, moved) == [moved.curves[1].points[0], moved.curves[1].points[2]]
-    assert changed_besides_points(two.curves, moved.curves) == []
+    assert curves_changed_besides_points(two.curves, moved.curves) == []
 
 
 def test_derivatives_are_points_but_no_move(two):
     bent = set_velocity(two, 0, 1, (1.0, 2.0))
-    assert reshaped(two, bent) == [0]
+    assert reshaped_curves(two, bent) == [0]
     assert moved_points(two, bent) is None
-    assert changed_besides_points(two.curves, bent.curves) == []
+    assert curves_changed_besides_points(two.curves, bent.curves) == []
 
 
 @each_row(
@@ -49,14 +49,14 @@ def test_derivatives_are_points_but_no_move(two):
     ids=["a point gone", "a curve gone", "a guide", "a colour", "a name"],
 )
 def test_anything_else_is_more_than_points(two, change):
-    assert reshaped(two, change(two)) is None
+    assert reshaped_curves(two, change(two)) is None
     assert moved_points(two, change(two)) is None
 
 
 def test_a_curve_with_other_looks_is_told_from_one_with_other_points(two):
     moved = move_points(two, 1, [0], (1.0, 0.0))
     named = moved.with_curve(0, replace(moved.curves[0], name="c"))
-    assert changed_besides_points(two.curves, named.curves) == [0]
+    assert curves_changed_besides_points(two.curves, named.curves) == [0]
 
 
 def test_a_number_of_numpy_among_moved_points_becomes_a_float(two):
@@ -64,5 +64,5 @@ def test_a_number_of_numpy_among_moved_points_becomes_a_float(two):
     points = list(moved.curves[0].points)
     points[1] = replace(points[1], y=np.float64(3))
     odd = moved.with_curve(0, replace(moved.curves[0], points=tuple(points)))
-    assert type(plain(odd, two).curves[0].points[1].y) is float
-    assert plain(moved, two) is moved
+    assert type(with_plain_numbers(odd, two).curves[0].points[1].y) is float
+    assert with_plain_numbers(moved, two) is moved

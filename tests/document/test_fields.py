@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from app.document.fields import Value, fields_of
 from app.document.model import Axis, Document, Guide, Point, ReferenceImage, make_curve
-from app.document.plain_numbers import plain
+from app.document.plain_numbers import with_plain_numbers
 from app.document.style import Style
 from app.exchange.units import enlarged
 from app.families import HERMITE
@@ -98,8 +98,8 @@ def test_the_document_above_has_a_number_wherever_one_may_be():
 def test_a_number_of_numpy_becomes_one_of_python(way):
     given = with_other(FULL, way, np.float64(value_at(FULL, way)))
     assert type(value_at(given, way)) is np.float64
-    assert type(value_at(plain(given, FULL), way)) is float
-    assert plain(given) == FULL
+    assert type(value_at(with_plain_numbers(given, FULL), way)) is float
+    assert with_plain_numbers(given) == FULL
 
 
 @each_row("way", NUMBERS, ids=name_of)
@@ -128,4 +128,4 @@ def test_every_length_goes_with_the_unit():
 
 def test_every_field_of_a_style_has_words():
     """The history names a step by them."""
-    assert [field.name for field in fields_of(Style) if field.words == field.name] == []
+    assert [field.name for field in fields_of(Style) if field.label == field.name] == []

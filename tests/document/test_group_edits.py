@@ -8,22 +8,28 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from app.document.group_edits import (
-    at_end,
-    broken_apart,
-    combined,
-    grouped,
-    groups_meant,
-    moved_into,
-    named_anew,
-    pressed,
-    stepped,
-    ungrouped,
+    break_apart,
+    combine,
+    group_curves,
+    groups_to_ungroup,
+    move_into,
+    order_after_step,
+    order_at_end,
+    pressed_curves,
+    rename_node,
+    ungroup,
 )
-from app.document.groups import Container, NodeKind, shape_problem, tidy_shapes, tree_of, whole_nodes
+from app.document.groups import Container, NodeKind, curve_tree, shape_problem, tidy_shapes, whole_nodes
 from app.document.limits import EditError
 from app.document.model import Document, make_curve
 from app.document.selection import SelectionState
-from app.document.several_curves import add_copies, add_curves, add_imported, in_order, named
+from app.document.several_curves import (
+    add_curves,
+    add_imported,
+    duplicate_curves,
+    name_or_count,
+    reorder_curves,
+)
 from app.document.style import FillRule, Style
 from tests.rows import each_row
 
@@ -54,14 +60,14 @@ def text(document):
     """The same the other way round, without the names of shapes and groups."""
 
     def of(node):
-        inside = "".join(of(part) for part in node.parts)
+        inside = "".join(of(part) for part in node.children)
         return {NodeKind.CURVE: node.name, NodeKind.SHAPE: f"({inside})", NodeKind.GROUP: f"[{inside}]"}[
             node.kind
         ]
 
     tidy = tidy_shapes(document)
     assert shape_problem(tidy) == ""
-    return "".join(map(of, tree_of(tidy.curves)))
+    return "".join(map(of, curve_tree(tidy.curves)))
 
 
 def places(document, letters):
@@ -69,7 +75,7 @@ def places(document, letters):
 
 
 def named_places(made):
-    return "".join(made.document.curves[place].name for place in made.places)
+    return "".join(made.document.curves[place].name for place in made.indices)
 
 
 @each_row("drawn", ["abc", "a(bc)d", "[ab]c", "[a(bc)[de]]f(gh)", "[[ab]]"])
@@ -90,26 +96,26 @@ def test_the_tree_is_that_of_the_brackets(drawn):
 )
 def test_combined_curves_are_neighbours_where_the_topmost_is(drawn, chosen, made):
     some = document(drawn)
-    assert text(combined(some, places(some, chosen)).document) == made
+    assert text(combine(some, places(some, chosen)).document) == made
 
 
 def test_a_shape_has_the_style_of_the_hindmost_that_is_filled():
     some = document("abc")
     some = some.with_curve(1, replace(some.curves[1], style=Style(stroke="none", fill="#aa0000")))
-    made = combined(some, {0, 1, 2}, alternate=True)
+    made = combine(some, {0, 1, 2}, alternate=True)
     assert {curve.style for curve in made.document.curves} == {
         Style(stroke="none", fill="#aa0000", fill_rule=FillRule.EVENODD)
     }
-    assert made.places == range(3)
+    assert made.indices == range(3)
     with pytest.raises(EditError, match="two curves or more"):
-        combined(some, {1})
+        combine(some, {1})
 
 
 def test_a_shape_broken_apart_is_its_curves_where_they_were():
     some = document("a(bc)[(de)f]")
-    assert text(broken_apart(some, places(some, "bd"))) == "abc[def]"
+    assert text(break_apart(some, places(some, "bd"))) == "abc[def]"
     with pytest.raises(EditError, match="break it apart"):
-        broken_apart(some, places(some, "a"))
+        break_apart(some, places(some, "a"))
 
 
 @each_row(
@@ -126,10 +132,10 @@ def test_a_shape_broken_apart_is_its_curves_where_they_were():
 )
 def test_grouped_curves_are_in_the_group_that_holds_all(drawn, chosen, made):
     some = document(drawn)
-    result = grouped(some, places(some, chosen))
+    result = group_curves(some, places(some, chosen))
     assert text(result.document) == made
     assert set(named_places(result)) == {
-        curve.name for place, curve in enumerate(result.document.curves) if place in result.places
+        curve.name for place, curve in enumerate(result.document.curves) if place in result.indices
     }
 
 
@@ -145,14 +151,14 @@ def test_grouped_curves_are_in_the_group_that_holds_all(drawn, chosen, made):
 )
 def test_groups_are_taken_apart_by_one_level(drawn, chosen, made):
     some = document(drawn)
-    assert text(ungrouped(some, places(some, chosen))) == made
+    assert text(ungroup(some, places(some, chosen))) == made
 
 
 def test_no_group_is_no_group_to_take_apart():
     some = document("a(bc)")
-    assert groups_meant(some, {0, 1}) == []
+    assert groups_to_ungroup(some, {0, 1}) == []
     with pytest.raises(EditError, match="Choose a group"):
-        ungrouped(some, {0, 1})
+        ungroup(some, {0, 1})
 
 
 @each_row(
@@ -170,7 +176,7 @@ def test_no_group_is_no_group_to_take_apart():
 )
 def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, made):
     some = document(drawn)
-    assert text(in_order(some, stepped(some, places(some, chosen), step))) == made
+    assert text(reorder_curves(some, order_after_step(some, places(some, chosen), step))) == made
 
 
 @each_row(
@@ -185,7 +191,7 @@ def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, 
 )
 def test_the_end_is_that_of_the_same_group(drawn, chosen, end, made):
     some = document(drawn)
-    assert text(in_order(some, at_end(some, places(some, chosen), end))) == made
+    assert text(reorder_curves(some, order_at_end(some, places(some, chosen), end))) == made
 
 
 @each_row(
@@ -202,20 +208,20 @@ def test_the_end_is_that_of_the_same_group(drawn, chosen, end, made):
 )
 def test_what_is_moved_into_something_is_in_it(drawn, chosen, at, container, made):
     some = document(drawn)
-    assert text(moved_into(some, places(some, chosen), at, container).document) == made
+    assert text(move_into(some, places(some, chosen), at, container).document) == made
 
 
 def test_a_curve_moved_into_a_shape_looks_like_it():
     some = document("a(bc)")
     red = tuple(replace(curve, style=Style(fill="#ff0000"), visible=False) for curve in some.curves[1:])
-    made = moved_into(Document((some.curves[0], *red)), {0}, 1, Container((), "S1")).document
+    made = move_into(Document((some.curves[0], *red)), {0}, 1, Container((), "S1")).document
     assert {(curve.style.fill, curve.visible) for curve in made.curves} == {("#ff0000", False)}
 
 
 def test_nothing_goes_into_itself():
     some = document("a[bc]")
     with pytest.raises(EditError, match="into itself"):
-        moved_into(some, {1, 2}, 2, Container(("G1",)))
+        move_into(some, {1, 2}, 2, Container(("G1",)))
 
 
 @each_row(
@@ -237,28 +243,28 @@ def test_a_press_means_the_outermost_group_that_is_not_entered(drawn, pressed_at
     choice = SelectionState(
         edited, frozenset(), whole, whole if len(whole) > 1 else frozenset(), is_editing=True
     )
-    assert pressed(some, curve, choice) == places(some, meant)
+    assert pressed_curves(some, curve, choice) == places(some, meant)
     # While nothing is edited, it is what is chosen that tells which groups are entered.
     choosing = SelectionState(edited, frozenset(), whole, whole, is_editing=False)
-    assert pressed(some, curve, choosing) == places(some, meant)
+    assert pressed_curves(some, curve, choosing) == places(some, meant)
     none = SelectionState(edited, frozenset(), frozenset({edited}), frozenset(), is_editing=False)
-    assert pressed(some, curve, none) in [set(node.places) for node in tree_of(some.curves)]
+    assert pressed_curves(some, curve, none) in [set(node.indices) for node in curve_tree(some.curves)]
 
 
 def test_copies_of_shapes_and_groups_have_names_of_their_own():
     some = document("(ab)[cd]")
-    copied = add_copies(some, {0, 1}).document
+    copied = duplicate_curves(some, {0, 1}).document
     assert text(copied).replace("a copy", "A").replace("b copy", "B") == "(ab)(AB)[cd]"
     assert [curve.shape for curve in copied.curves[2:4]] == ["S1 copy", "S1 copy"]
-    inside = add_copies(some, {2}).document
+    inside = duplicate_curves(some, {2}).document
     assert [curve.groups for curve in inside.curves[2:]] == [("G1",)] * 3
-    whole = add_copies(some, {2, 3}).document
+    whole = duplicate_curves(some, {2, 3}).document
     assert [curve.groups for curve in whole.curves[2:]] == [("G1",), ("G1",), ("G1 copy",), ("G1 copy",)]
     # Each stays in the group of its original, whatever else is copied with it.
     some = document("a[bc][d(ef)]g")
-    each = add_copies(some, {0, 1, 3, 4})
+    each = duplicate_curves(some, {0, 1, 3, 4})
     assert text(each.document).replace(" copy", "'") == "aa'[bb'c][d(ef)d'e']g"
-    assert [each.document.curves[place].name for place in each.places] == [f"{name} copy" for name in "abde"]
+    assert [each.document.curves[place].name for place in each.indices] == [f"{name} copy" for name in "abde"]
     some = document("(ab)[cd]")
     pasted = add_curves(some, some.curves, 4)
     assert [curve.shape for curve in pasted.curves] == ["S1", "S1", "", "", "S1 copy", "S1 copy", "", ""]
@@ -272,20 +278,20 @@ def test_imported_shapes_do_not_melt_into_those_that_are_there():
 
 def test_shapes_and_groups_are_renamed():
     some = document("(ab)[c[de]]")
-    shape, group = tree_of(some.curves)
-    assert {curve.shape for curve in named_anew(some, shape, " R ").curves} == {"R", ""}
-    inner = group.parts[1]
-    assert named_anew(some, inner, "Leaves").curves[3].groups == ("G1", "Leaves")
-    assert named_anew(some, inner, "G2") is some
+    shape, group = curve_tree(some.curves)
+    assert {curve.shape for curve in rename_node(some, shape, " R ").curves} == {"R", ""}
+    inner = group.children[1]
+    assert rename_node(some, inner, "Leaves").curves[3].groups == ("G1", "Leaves")
+    assert rename_node(some, inner, "G2") is some
     with pytest.raises(EditError, match="needs a name"):
-        named_anew(some, shape, "  ")
+        rename_node(some, shape, "  ")
     with pytest.raises(EditError, match="another shape or group"):
-        named_anew(some, shape, "G2")
+        rename_node(some, shape, "G2")
 
 
 def test_whole_shapes_and_groups_are_named():
     some = document("a(bc)[de]")
-    assert [named(some, places(some, each)) for each in ("a", "bc", "de", "ab", "bcde")] == [
+    assert [name_or_count(some, places(some, each)) for each in ("a", "bc", "de", "ab", "bcde")] == [
         "a",
         "S1",
         "G1",
@@ -313,8 +319,8 @@ def test_tidy_is_tidy(given_curves):
     assert tidy_shapes(tidy) is tidy
     assert tidy_shapes(tidy, tidy) is tidy
     for kind in (NodeKind.SHAPE, NodeKind.GROUP):
-        names = [node.name for top in tree_of(tidy.curves) for node in top.walk() if node.kind is kind]
+        names = [node.name for top in curve_tree(tidy.curves) for node in top.walk() if node.kind is kind]
         assert len(set(names)) == len(names)
-    assert [node.places for node in whole_nodes(tidy.curves, range(len(tidy.curves)))] == [
-        node.places for node in tree_of(tidy.curves)
+    assert [node.indices for node in whole_nodes(tidy.curves, range(len(tidy.curves)))] == [
+        node.indices for node in curve_tree(tidy.curves)
     ]

@@ -8,7 +8,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import curve_edits, point_edits, rule_edits
-from app.document.group_edits import moved_into
+from app.document.group_edits import move_into
 from app.document.limits import EditError
 from app.document.model import Document, ReferenceImage, empty_document, make_curve
 from app.document.plane_edits import (
@@ -111,7 +111,7 @@ def test_edits_of_curves_keep_the_image():
         curve_edits.remove_curve(document, 0),
         point_edits.move_points(document, 0, {0}, (1, 1)),
         rule_edits.set_family(document, 0, HERMITE),
-        moved_into(curve_edits.add_curve(document, 0, make_curve(())), {0}, 2).document,
+        move_into(curve_edits.add_curve(document, 0, make_curve(())), {0}, 2).document,
     ]
     assert all(each.image == document.image for each in changed)
 

@@ -17,7 +17,7 @@ from app.document.model import (
 )
 from app.document.point_edits import delete_points, move_points, set_position
 from app.document.point_group import points_of
-from app.document.several_curves import stepped
+from app.document.several_curves import step_group
 from app.document.transforms import rotation, scaling, transform_points
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -82,7 +82,7 @@ def test_one_moved_point_changes_the_two_segments_beside_it(rule, family, closed
     for after in (
         move_points(before, 0, {index}, (2.3, 0.7)),
         set_position(before, 0, index, (9.0, 9.0)),
-        stepped(before, points_of(0, {index}), (-0.1, 0.2)),
+        step_group(before, points_of(0, {index}), (-0.1, 0.2)),
     ):
         old, new = controls(before), controls(after)
         beside = {index - 1, index} if not closed else {(index - 1) % 8, index}

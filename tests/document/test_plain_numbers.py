@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from app.document import point_edits
 from app.document.model import Document, Parametrization, Point, ReferenceImage, make_curve
-from app.document.plain_numbers import plain
+from app.document.plain_numbers import with_plain_numbers
 from app.families import HERMITE
 from app.storage.format import encode
 from app.storage.format_error import FormatError
@@ -52,7 +52,7 @@ def document_of(x):
 def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
     given = document_of(number)
     assert odd_values(given)
-    document = plain(given)
+    document = with_plain_numbers(given)
     assert odd_values(document) == []
     value = float(number)
     point = document.curves[1].points[1]
@@ -65,11 +65,11 @@ def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
 
 def test_what_is_plain_stays_the_same_object():
     document = Document((make_curve([(0, 0), (1, 1)]), make_curve([(0, 0)])))
-    assert plain(document) is document
+    assert with_plain_numbers(document) is document
     moved = point_edits.move_points(document, 0, [1], (0.5, 0.5))
-    assert plain(moved, document) is moved
+    assert with_plain_numbers(moved, document) is moved
     with_numpy = point_edits.insert_points(document, 0, 2, [Point(np.float64(3.0), 0.0)])
-    mended = plain(with_numpy, document)
+    mended = with_plain_numbers(with_numpy, document)
     assert mended.curves[1] is document.curves[1]
     assert mended.curves[0].points[:2] == document.curves[0].points
     assert all(a is b for a, b in zip(mended.curves[0].points, document.curves[0].points, strict=False))
@@ -77,14 +77,14 @@ def test_what_is_plain_stays_the_same_object():
 
 def test_only_what_changed_is_looked_at():
     before = document_of(np.float64(2.0))
-    assert plain(before, before) is before
+    assert with_plain_numbers(before, before) is before
     curve = before.curves[1]
     moved = before.with_curve(1, replace(curve, points=(Point(1.0, 1.0), *curve.points[1:])))
-    assert type(plain(moved, before).curves[1].points[1].x) is np.float64
+    assert type(with_plain_numbers(moved, before).curves[1].points[1].x) is np.float64
 
 
 @each_row("odd", [True, None, "1", Decimal(1), 10**400, np.float64("nan"), np.float64("inf")])
 def test_what_is_no_number_is_left_for_the_sentence_that_refuses_it(odd):
     curve = replace(make_curve([(0, 0)]), points=(Point(odd, 0.0),))
     with pytest.raises(FormatError, match=r"curves\[0\]\.points\[0\]\.x must"):
-        validate(plain(Document((curve,))))
+        validate(with_plain_numbers(Document((curve,))))

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from app.document.group_edits import moved_into, stepped
+from app.document.group_edits import move_into, order_after_step
 from app.document.limits import EditError
 from app.document.model import Document, Point, make_curve
 from app.document.point_edits import append_point
@@ -16,17 +16,17 @@ from app.document.rule_edits import set_family
 from app.document.selection import followed_curves
 from app.document.several_curves import (
     active_after_removal,
-    add_copies,
     add_curves,
-    in_order,
-    mapped,
-    moved,
-    named,
+    duplicate_curves,
+    move_group,
+    name_or_count,
     remove_curves,
+    reorder_curves,
+    set_appearance,
+    transform_group,
     whole_curves,
-    with_appearance,
 )
-from app.document.style_edits import with_style
+from app.document.style_edits import set_style
 from app.document.transforms import rotation
 from app.families import HERMITE
 from tests.rows import each_row
@@ -47,11 +47,11 @@ def four():
 
 
 def locked(document, *places):
-    return with_appearance(document, places, locked=True)
+    return set_appearance(document, places, locked=True)
 
 
 def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
-    turned = mapped(four, whole_curves(four, {1, 3}), rotation(90.0, (0.0, 0.0)))
+    turned = transform_group(four, whole_curves(four, {1, 3}), rotation(90.0, (0.0, 0.0)))
     assert turned.curves[1].points[2] == Point(
         0.0, 2.0, velocity=(0.0, 1.0), acceleration=(-3.0, 0.0), corner=True, velocity_after=(-2.0, 0.0)
     )
@@ -61,14 +61,14 @@ def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
 
 
 def test_some_points_of_one_curve_are_a_group_too(four):
-    after = moved(four, points_of(2, [1]), (0.5, 0.25))
+    after = move_group(four, points_of(2, [1]), (0.5, 0.25))
     assert [point.position for point in after.curves[2].points] == [(0.0, 2.0), (1.5, 2.25)]
 
 
 def test_what_is_too_large_changes_nothing(four):
     far = replace(four.curves[3], points=(Point(9e11, 0.0), Point(0.0, 0.0)))
     with pytest.raises(EditError, match="1e12"):
-        moved(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))
+        move_group(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))
 
 
 @each_row(
@@ -82,7 +82,7 @@ def test_what_is_too_large_changes_nothing(four):
 @each_row(
     "act",
     [
-        lambda document: moved(document, whole_curves(document, {0, 1, 3}), (1.0, 0.0)),
+        lambda document: move_group(document, whole_curves(document, {0, 1, 3}), (1.0, 0.0)),
         lambda document: remove_curves(document, {0, 1, 3}),
     ],
 )
@@ -95,11 +95,11 @@ def test_locked_curves_are_named(four, places, sentence, act):
 def test_locked_curves_that_are_not_meant_are_no_hindrance(four):
     document = locked(four, 2)
     assert names(remove_curves(document, {0, 3})) == "BC"
-    assert moved(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].points[0].x == 1.0
+    assert move_group(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].points[0].x == 1.0
 
 
 def test_looks_are_changed_as_far_as_given(four):
-    after = with_appearance(four, {0, 2}, visible=False, colour="#d55e00")
+    after = set_appearance(four, {0, 2}, visible=False, colour="#d55e00")
     assert [(curve.visible, curve.style.stroke, curve.locked) for curve in after.curves] == [
         (False, "#d55e00", False),
         (True, "", False),
@@ -110,9 +110,9 @@ def test_looks_are_changed_as_far_as_given(four):
 
 
 def test_copies_come_after_the_last_in_their_order(four):
-    document = with_appearance(four, {0}, visible=False, locked=True)
-    document = with_style(document, {2}, stroke="#0072b2", width=3.0, fill="#f0e442")
-    after = add_copies(document, {0, 2}).document
+    document = set_appearance(four, {0}, visible=False, locked=True)
+    document = set_style(document, {2}, stroke="#0072b2", width=3.0, fill="#f0e442")
+    after = duplicate_curves(document, {0, 2}).document
     assert [curve.name for curve in after.curves] == ["A", "B", "C", "A copy", "C copy", "D"]
     copy = after.curves[3]
     assert (copy.visible, copy.locked, copy.style) == (True, False, document.curves[0].style)
@@ -123,7 +123,7 @@ def test_copies_come_after_the_last_in_their_order(four):
 def test_copies_of_copies_are_numbered(four):
     document = four
     for curve in (0, 1, 2):
-        document = add_copies(document, {curve}).document
+        document = duplicate_curves(document, {curve}).document
     assert [curve.name for curve in document.curves[:5]] == ["A", "A copy", "A copy 2", "A copy 3", "B"]
     pasted = add_curves(document, [document.curves[4], make_curve([], name="New")], 1)
     assert [curve.name for curve in pasted.curves[:3]] == ["A", "B copy", "New"]
@@ -136,7 +136,7 @@ def test_the_curve_that_takes_the_place_is_edited_next(four):
 
 
 def test_one_is_named_and_several_are_counted(four):
-    assert (named(four, {2}), named(four, {0, 2})) == ("C", "2 curves")
+    assert (name_or_count(four, {2}), name_or_count(four, {0, 2})) == ("C", "2 curves")
 
 
 @given(st.permutations(range(6)), st.sets(st.integers(0, 5)), st.sets(st.integers(0, 5)))
@@ -150,7 +150,7 @@ def test_a_choice_follows_its_curves(order, chosen, gone):
 def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     document = set_family(append_point(four, 1, Point(9.0, 9.0)), 3, HERMITE)
     assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
-    lowered = moved_into(four, {1}, 3).document
+    lowered = move_into(four, {1}, 3).document
     assert followed_curves({1, 3}, four.curves, lowered.curves) == {2, 3}
     assert followed_curves({1, 3}, four.curves, four.curves) == {1, 3}
 
@@ -160,7 +160,7 @@ def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     [({1}, 1, "ACBD"), ({0, 1}, 1, "CABD"), ({2, 3}, 1, "ABCD"), ({1, 3}, 1, "ACBD"), ({0, 2}, -1, "ACBD")],
 )
 def test_chosen_curves_step_together(four, chosen, step, order):
-    assert names(in_order(four, stepped(four, chosen, step))) == order
+    assert names(reorder_curves(four, order_after_step(four, chosen, step))) == order
 
 
 @each_row(
@@ -168,4 +168,4 @@ def test_chosen_curves_step_together(four, chosen, step, order):
     [({0, 1}, 4, "CDAB"), ({0, 3}, 1, "ADBC"), ({1, 3}, 0, "BDAC"), ({0, 2}, 3, "BACD")],
 )
 def test_chosen_curves_are_dropped_together(four, chosen, at, order):
-    assert names(moved_into(four, chosen, at).document) == order
+    assert names(move_into(four, chosen, at).document) == order

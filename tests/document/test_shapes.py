@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from app.document.groups import shape_of, shape_problem, shapes, tidy_shapes, whole_shapes
+from app.document.groups import expand_to_shapes, shape_of, shape_problem, shape_ranges, tidy_shapes
 from app.document.model import Document, make_curve
-from app.document.several_curves import with_appearance
+from app.document.several_curves import set_appearance
 from app.document.style import Style
 
 
@@ -22,9 +22,9 @@ def document(*names, **values):
 
 def test_a_shape_is_a_run_of_neighbours_of_one_name():
     some = document("", "a", "a", "b", "b", "b", "")
-    assert [list(each) for each in shapes(some.curves)] == [[0], [1, 2], [3, 4, 5], [6]]
+    assert [list(each) for each in shape_ranges(some.curves)] == [[0], [1, 2], [3, 4, 5], [6]]
     assert shape_of(some, 4) == range(3, 6)
-    assert whole_shapes(some, {0, 2, 3}) == {0, 1, 2, 3, 4, 5}
+    assert expand_to_shapes(some, {0, 2, 3}) == {0, 1, 2, 3, 4, 5}
     assert tidy_shapes(some) is some
     assert shape_problem(some) == ""
 
@@ -59,7 +59,7 @@ def test_the_first_curve_says_how_a_shape_looks():
 
 
 def test_looks_are_those_of_whole_shapes():
-    some = with_appearance(document("", "a", "a"), {2}, visible=False, colour="#0072b2")
+    some = set_appearance(document("", "a", "a"), {2}, visible=False, colour="#0072b2")
     assert [(curve.visible, curve.style.stroke) for curve in some.curves] == [
         (True, ""),
         (False, "#0072b2"),

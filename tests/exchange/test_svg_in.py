@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.model import Document, Point, make_curve
 from app.exchange.cubics_in import arc
 from app.exchange.drawing.styles import DARK
@@ -269,7 +269,7 @@ def test_handles_on_one_line_are_tied(ahead, kind):
 def test_the_handle_beside_a_straight_piece_is_tied_to_it():
     (curve,) = curves('<path d="M0 0L10 0C14 0 20 5 20 10L20 20C20 25 10 20 0 0Z"/>')
     assert [kind_at(view_of(curve), index).name for index in range(1, 4)] == ["point-smooth"] * 3
-    assert [is_line(curve, segment) for segment in range(4)] == [True, False, True, False]
+    assert [is_straight(curve, segment) for segment in range(4)] == [True, False, True, False]
 
 
 def test_a_corner_of_our_own_file_stays_the_only_one():

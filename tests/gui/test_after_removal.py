@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document.model import Document
-from app.document.selection import NONE_CHOSEN
+from app.document.selection import NONE_SELECTED
 from app.features.curve_list.commands import CurveListCommands
 from tests.gui.editor_facts import names
 
@@ -42,7 +42,7 @@ def test_a_second_and_third_delete_take_no_other_curve(four, key, held, step):
     for _ in range(3):
         four.key(key, held or Qt.KeyboardModifier.NoModifier)
         assert state(four) == ("ACD", False, "", "")
-    assert four.status == NONE_CHOSEN
+    assert four.status == NONE_SELECTED
     assert (four.session.undo_stack.count(), four.session.undo_stack.undoText()) == (steps + 1, step)
     four.trigger("undo")
     # It is edited again, as it was; it came back chosen as a whole.

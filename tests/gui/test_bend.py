@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 
 from app.document import curve_edits, point_edits, rule_edits
 from app.document.limits import EditError
-from app.document.model import Document, ParametrizationKind, make_curve, vectors_of
+from app.document.model import Document, ParametrizationKind, derivatives_of, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.bend import Bend, BendWith
 from app.view_model.curve.curve_view import view_of
@@ -374,7 +374,7 @@ def test_a_far_pull_ends_the_same_by_every_way(arch, family):
 
 def numbers_of(curve):
     """Points and what was set there, one after the other."""
-    vectors = [(point.position, *map(tuple, filter(None, vectors_of(point)))) for point in curve.points]
+    vectors = [(point.position, *map(tuple, filter(None, derivatives_of(point)))) for point in curve.points]
     return [value for each in vectors for vector in each for value in vector]
 
 

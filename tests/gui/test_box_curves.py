@@ -5,7 +5,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.model import Document, make_curve
 from app.document.style import PLAIN_STYLE
 from app.document.words import number
@@ -64,7 +64,7 @@ def test_a_drag_draws_a_rectangle_of_straight_lines_above_all_others(drawing):
     assert curve.style == STYLE
     corners = [(left, high), (right, high), (right, low), (left, low)]  # as in SVG
     assert [point.position for point in curve.points] == corners
-    assert all(is_line(curve, segment) for segment in range(4))
+    assert all(is_straight(curve, segment) for segment in range(4))
     assert (drawing.session.undo_stack.undoText(), steps(drawing)) == ("Draw rectangle", count + 1)
     assert drawing.action("rectangleTool").isChecked()
     drawing.trigger("undo")

@@ -9,7 +9,7 @@ from event_count import paints_of
 from PySide6.QtCore import QEvent, QPoint, Qt
 
 from app.document.model import Document, ParametrizationKind, make_curve
-from app.document.transforms import clean_step
+from app.document.transforms import round_step_above
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, titles
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -422,7 +422,7 @@ def test_tab_walks_the_points_and_arrows_nudge(arch):
     assert arch.session.selection == {1}
     arch.key(Qt.Key.Key_Backtab, SHIFT)
     assert arch.session.selection == {0}
-    (x, y), step = arch.point(0), clean_step(2 * arch.pixel)
+    (x, y), step = arch.point(0), round_step_above(2 * arch.pixel)
     arch.key(Qt.Key.Key_Right)
     arch.key(Qt.Key.Key_Up, SHIFT)
     assert arch.point(0) == pytest.approx((x + step, y + 10 * step), rel=1e-12)

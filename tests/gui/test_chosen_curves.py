@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.style import Style
-from app.document.transforms import clean_step
+from app.document.transforms import round_step_above
 from app.families import QUINTIC_HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.rows import Spot, spot_rect
@@ -504,7 +504,7 @@ def test_the_point_under_the_pointer_snaps_to_a_curve_that_stays(five):
 def test_arrows_nudge_all_chosen_and_are_one_step(five):
     before = five.session.document
     choose(five, "BD")
-    step = clean_step(2 * five.window.canvas.camera.pixel_size)
+    step = round_step_above(2 * five.window.canvas.camera.pixel_size)
     for _ in range(3):
         five.key(Qt.Key.Key_Left)
     five.key(Qt.Key.Key_Up, SHIFT)

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.view_model.point_kinds import SMOOTH, kind_at
@@ -77,7 +77,7 @@ def test_lines_stay_lines_and_what_rules_estimate_is_estimated(editor):
     editor.trigger("selectTool")
     editor.select([1])
     editor.key(Qt.Key.Key_Backspace)
-    assert [is_line(editor.curve, segment) for segment in range(3)] == [True] * 3
+    assert [is_straight(editor.curve, segment) for segment in range(3)] == [True] * 3
     smooth = make_curve([(0, 0), (1, 1), (2, 0), (3, 1)], family=HERMITE)
     editor.session.commit(Document((smooth,)), "Begin")
     editor.select([1])

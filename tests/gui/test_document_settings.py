@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QWidget
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.style import Style
-from app.document.style_edits import with_style
+from app.document.style_edits import set_style
 from app.families import FAMILIES, LAGRANGE
 from app.settings.preferences import Preferences
 from app.testing import Editor
@@ -106,7 +106,7 @@ def test_new_documents_begin_as_this_one_if_one_says_so(editor, panel):
     retype(editor, unit_line(panel), "mm")
     editor.set_grid(0.5)
     style = Style(stroke="#0072b2", width=0.3)
-    editor.session.change("Style", lambda d: with_style(d, [0], stroke="#0072b2", width=0.3))
+    editor.session.change("Style", lambda d: set_style(d, [0], stroke="#0072b2", width=0.3))
     QTest.mouseClick(panel.findChild(QPushButton, "useForNew"), Qt.MouseButton.LeftButton)
     assert "“mm”, a grid of 0.5 mm" in panel.findChild(QLabel, "newDocuments").text()
     editor.session.new()

@@ -15,7 +15,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, QPushButton
 
-from app.document.group_edits import grouped
+from app.document.group_edits import group_curves
 from app.document.model import NEVER_EXPORTED, Document, Export, make_curve
 from app.exchange.export_choice import ExportChoice, choice_from, choice_of, note_of, text_of
 from app.exchange.files import import_file
@@ -540,7 +540,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
     """With nothing chosen it was the curve edited last, and everything was called after the first."""
     editor, asked = waves("ABC"), []
     selected, files = editor.session.selected, editor.session.files
-    editor.session.change("Group", lambda document: grouped(document, {1, 2}).document)
+    editor.session.change("Group", lambda document: group_curves(document, {1, 2}).document)
     (name,) = editor.session.document.curves[1].groups
     whole = files.beginning.file_stem or "Sketch"
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.hit_test import PixelOutline
-from app.document.constraints import stretched
+from app.document.constraints import rescaled
 from app.document.limits import EditError
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import HERMITE, QUINTIC_HERMITE
@@ -106,8 +106,8 @@ def test_a_derivative_too_large_for_a_squeezed_interval_is_refused():
     """The square of 1e-200 is nothing to divide by, and that of 1e200 more than a number holds."""
     point = Point(0.0, 0.0, acceleration=(1.0, 0.0))
     with pytest.raises(EditError, match="finite"):
-        stretched(point, 1e-200)
-    assert stretched(point, 1e200).acceleration == (0.0, 0.0)
+        rescaled(point, 1e-200)
+    assert rescaled(point, 1e200).acceleration == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("kind", [1, 2])

@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from app.document.model import Document, make_curve
-from app.document.selection import NONE_CHOSEN
+from app.document.selection import NONE_SELECTED
 from app.families import HERMITE
 from app.features.curve_list.commands import CurveListCommands
 from app.workbench.clipboard import CURVES, POINTS
@@ -218,7 +218,7 @@ def test_with_nothing_chosen_nothing_is_meant(three, how):
     three.session.say("An older answer.")
     three.key(*KEYS[how])
     assert names(three) == "ABC"
-    assert three.status == NONE_CHOSEN
+    assert three.status == NONE_SELECTED
 
 
 def test_what_was_pasted_is_chosen_as_a_whole(three):

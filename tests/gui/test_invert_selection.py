@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document.model import Document, make_curve
-from app.document.selection import NONE_FREE
+from app.document.selection import NONE_SELECTABLE
 from tests.gui.editor_facts import chosen
 
 
@@ -49,4 +49,4 @@ def test_nothing_is_turned_around_where_all_is_locked(row):
     row.session.commit(Document(curves), "Lock")
     row.session.selected.choose([])
     press(row)
-    assert row.status == NONE_FREE
+    assert row.status == NONE_SELECTABLE

@@ -7,7 +7,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -75,7 +75,7 @@ def test_between_straight_lines_the_segment_that_joins_them_is_straight(editor, 
     editor.drag((2.5, 3.6), (4.5, 0.5))
     editor.key(Key.Key_J, CTRL)
     assert places(editor) == [(0.0, 0.0), (3.0, 1.0), *([] if meets else [far]), (6.0, 0.0)]
-    assert [is_line(editor.curve, segment) for segment in range(len(places(editor)) - 1)] == (
+    assert [is_straight(editor.curve, segment) for segment in range(len(places(editor)) - 1)] == (
         [True] * (len(places(editor)) - 1)
     )
 
@@ -102,7 +102,7 @@ def test_ends_that_meet_become_one_point_whichever_they_are(editor):
     show(editor, hermite(LEFT, "A"), hermite([LEFT[0], *FAR], "B"))
     editor.session.selected.set_curves({0, 1}, active=0)
     editor.drag((-0.5, 0.5), (0.5, -0.5))
-    assert editor.session.selected.group.counted == "2 points in 2 curves"
+    assert editor.session.selected.group.count_label == "2 points in 2 curves"
     editor.key(Key.Key_J, CTRL)
     assert names(editor) == ["A"]
     assert places(editor) == [*reversed(FAR), *LEFT]

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.document.transforms import clean_step
+from app.document.transforms import round_step_above
 from app.features.history.commands import HistoryCommands
 
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -43,7 +43,7 @@ def wait(editor, seconds):
 
 
 def test_quick_nudges_are_one_step_and_one_row(nudged):
-    document, step = nudged.session.document, clean_step(2 * nudged.pixel)
+    document, step = nudged.session.document, round_step_above(2 * nudged.pixel)
     nudged.select([0, 1, 2])
     for key in (RIGHT, RIGHT, UP):
         nudged.key(key)

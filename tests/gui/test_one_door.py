@@ -18,7 +18,7 @@ from app.document.model import (
     ReferenceImage,
     make_curve,
 )
-from app.document.several_curves import with_appearance
+from app.document.several_curves import set_appearance
 from app.families import HERMITE, LAGRANGE
 from app.features.curve_list.commands import CurveListCommands
 from app.features.curve_list.rows import Spot
@@ -398,7 +398,7 @@ def test_a_change_that_is_none_is_no_step_and_no_refusal(two):
 
 def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
     session = two.session
-    session.change("Lock", lambda document: with_appearance(document, [1], locked=True))
+    session.change("Lock", lambda document: set_appearance(document, [1], locked=True))
     change = session.change("Move", lambda document: point_edits.set_position(document, 1, 0, (9.0, 9.0)))
     assert not change
     assert change.refusal == two.status
@@ -428,7 +428,7 @@ def test_what_was_selected_is_selected_again_after_a_gesture_that_is_dropped(two
 
 def test_a_number_for_a_locked_curve_stays_with_the_reason_beside_it(two):
     """The cell's editor closed over a number that was not taken."""
-    two.session.change("Lock", lambda document: with_appearance(document, [1], locked=True))
+    two.session.change("Lock", lambda document: set_appearance(document, [1], locked=True))
     two.settle()
     table, before = two.window.point_table, two.session.document
     table.setFocus()
@@ -449,7 +449,7 @@ def test_a_number_for_a_locked_curve_stays_with_the_reason_beside_it(two):
 
 
 def test_an_interval_for_a_locked_curve_stays_with_the_reason_below_it(two):
-    two.session.change("Lock", lambda document: with_appearance(document, [1], locked=True))
+    two.session.change("Lock", lambda document: set_appearance(document, [1], locked=True))
     dock = two.window.findChild(QDockWidget, "curveDock")
     dock.show()
     dock.raise_()

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.document import point_edits, rule_edits
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.model import Point
 from app.families import FAMILIES, LAGRANGE
 from tests.gui.editor_facts import at
@@ -22,7 +22,7 @@ def lines(editor):
     """Which segments of the curve are straight."""
     curve = editor.curve
     count = len(curve.points) if curve.is_closed else len(curve.points) - 1
-    return [is_line(curve, segment) for segment in range(count)]
+    return [is_straight(curve, segment) for segment in range(count)]
 
 
 def test_alt_click_makes_a_polygon(pen):
@@ -94,9 +94,9 @@ def test_the_preview_shows_the_line(pen):
     pen.click(at(pen, 60, 120))
     marks = pen.window.canvas.tools.marks
     pen.move(at(pen, 200, 120), held=False, keys=ALT)
-    assert is_line(marks().preview_curve.source, 1)
+    assert is_straight(marks().preview_curve.source, 1)
     pen.move(at(pen, 200, 120), held=False)
-    assert not is_line(marks().preview_curve.source, 1)
+    assert not is_straight(marks().preview_curve.source, 1)
 
 
 def test_without_velocities_it_is_a_point(pen):

@@ -12,7 +12,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from app.document.constraints import angle_between, holds, is_line
+from app.document.constraints import angle_between, has_parallel_velocities, is_straight
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.exchange.files import export, import_file
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -140,7 +140,7 @@ def test_a_corner_made_smooth_turns_both_handles_and_keeps_their_lengths(bow):
     before, lengths = positions(bow), handle_lengths(bow, 2)
     bow.key(Key.Key_S, SHIFT)
     point = bow.curve.points[2]
-    assert holds(point)
+    assert has_parallel_velocities(point)
     assert handle_lengths(bow, 2) == pytest.approx(lengths)
     # To the line from tip to tip, as in Inkscape: the longer handle turns less.
     across = np.subtract(before[1], before[0])
@@ -170,7 +170,7 @@ def test_a_handle_that_lies_on_its_point_is_pulled_out(bow):
     bow.session.commit(Document((curve,)), "Rest")
     bow.select([2])
     bow.key(Key.Key_S, SHIFT)
-    assert holds(bow.curve.points[2])
+    assert has_parallel_velocities(bow.curve.points[2])
     assert handle_lengths(bow, 2)[0] == pytest.approx(math.dist(BOW[1], BOW[2]) / 3)
 
 
@@ -188,7 +188,7 @@ def test_the_other_handle_of_a_smooth_point_turns_along_and_keeps_its_length(bow
         x, y = bow.handle(ahead=ahead).position
         bow.drag_handle((x + 0.3, y + 0.6), ahead=ahead)
         point = bow.curve.points[2]
-        assert holds(point), (family, ahead)
+        assert has_parallel_velocities(point), (family, ahead)
         after = handle_lengths(bow, 2)
         assert after[not ahead] == pytest.approx(lengths[not ahead]), (family, ahead)
         assert after[ahead] != pytest.approx(lengths[ahead], rel=0.05), (family, ahead)
@@ -314,7 +314,7 @@ def test_a_double_click_toggles_only_where_it_is_meant(bow):
 def straight(editor, segment):
     editor.select([segment, segment + 1])
     editor.key(Key.Key_4, ALT)
-    assert is_line(editor.curve, segment)
+    assert is_straight(editor.curve, segment)
 
 
 def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bow):
@@ -328,11 +328,11 @@ def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bo
         bow.move(to)
         # Live, not only when it is done.
         curve = bow.curve
-        assert is_line(curve, 2)
-        assert holds(curve.points[2])
+        assert is_straight(curve, 2)
+        assert has_parallel_velocities(curve.points[2])
         assert bow.session.is_previewing
         bow.release(to)
-        assert is_line(bow.curve, 2)
+        assert is_straight(bow.curve, 2)
         assert bow.curve.points[2].tied
     bow.select_point(2)
     direction = bow.curve.points[2].velocity
@@ -340,7 +340,7 @@ def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bo
     bow.drag_handle((x - 0.5, y - 1.0), ahead=False)
     point = bow.curve.points[2]
     assert angle_between(point.velocity, direction) < 1e-12
-    assert is_line(bow.curve, 2)
+    assert is_straight(bow.curve, 2)
     (row,) = (row for row in certificate_of(bow.session.active_view).rows if row.joint == 2)
     assert row.continuity[1] >= 1
 
@@ -354,9 +354,9 @@ def test_a_point_on_a_line_divides_it_into_two(bow, kind):
     bow.trigger("addTool")
     bow.click(place)
     bow.trigger("selectTool")
-    assert [is_line(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
+    assert [is_straight(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
     bow.drag_point(3, (4.2, 2.4))
-    assert [is_line(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
+    assert [is_straight(bow.curve, segment) for segment in range(5)] == [False, False, True, True, False]
 
 
 @pytest.mark.parametrize("segment", [1, 3])
@@ -375,9 +375,9 @@ def test_a_bend_beside_a_line_follows_the_mouse_and_leaves_the_line(bow, segment
     after = bow.session.active_view
     share = 0.5 * (after.parameters[segment] + after.parameters[segment + 1])
     assert after.curve.evaluate(share) == pytest.approx(goal, abs=2 * bow.pixel)
-    assert is_line(bow.curve, 2)
-    assert holds(bow.curve.points[2])
-    assert holds(bow.curve.points[3])
+    assert is_straight(bow.curve, 2)
+    assert has_parallel_velocities(bow.curve.points[2])
+    assert has_parallel_velocities(bow.curve.points[3])
 
 
 def test_a_smooth_point_stays_smooth_when_a_segment_beside_it_is_made_straight(bow):
@@ -389,7 +389,7 @@ def test_a_smooth_point_stays_smooth_when_a_segment_beside_it_is_made_straight(b
     straight(bow, 1)
     # Between two lines of different directions there is a corner.
     assert not bow.curve.points[2].tied
-    assert is_line(bow.curve, 2)
+    assert is_straight(bow.curve, 2)
 
 
 # The pen
@@ -435,7 +435,7 @@ def test_the_pen_s_corner_is_taken_back_with_the_point(bow):
     # From the press on: a straight line leads here, and only the handle ahead follows the mouse.
     point = bow.curve.points[5]
     assert point.corner
-    assert is_line(bow.curve, 4)
+    assert is_straight(bow.curve, 4)
     assert angle_between(point.velocity_after, (0.5, 0.5)) < 0.2
     bow.escape()
     bow.release((7.5, 3.5))
@@ -495,7 +495,7 @@ def test_the_table_names_the_kinds(bow):
     model.setData(model.index(2, 4), 40.0)
     bow.settle()
     assert bow.curve.points[2].velocity[1] == 40.0
-    assert holds(bow.curve.points[2])
+    assert has_parallel_velocities(bow.curve.points[2])
 
 
 # Round trips
@@ -531,7 +531,7 @@ def test_a_table_of_points_keeps_a_tie(bow, tmp_path):
     assert [(point.corner, point.tied) for point in back.points][1:4] == [
         (False, False), (True, True), (True, False)
     ]  # fmt: skip
-    assert holds(back.points[2])
+    assert has_parallel_velocities(back.points[2])
 
 
 @pytest.mark.parametrize("name", ["reverseCurve", "freezeParameters", "closeCurve"])
@@ -541,7 +541,7 @@ def test_what_changes_the_whole_curve_keeps_ties(bow, name):
     bow.drag_handle((4.2, 3.4), ahead=True)
     bow.trigger(name)
     assert [point.tied for point in bow.curve.points] == [False, False, True, False, False]
-    assert holds(bow.curve.points[2])
+    assert has_parallel_velocities(bow.curve.points[2])
 
 
 def test_insertion_and_conversion_keep_ties_and_splitting_and_joining_too(bow):
@@ -553,7 +553,7 @@ def test_insertion_and_conversion_keep_ties_and_splitting_and_joining_too(bow):
     bow.click(place)
     bow.trigger("selectTool")
     assert [point.tied for point in bow.curve.points] == [False, False, False, True, False, False]
-    assert holds(bow.curve.points[3])
+    assert has_parallel_velocities(bow.curve.points[3])
     before = bow.curve
     bow.select([3])
     bow.trigger("splitCurve")

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.document.style_edits import with_style
+from app.document.style_edits import set_style
 from app.families import HERMITE
 from tests.gui.editor_facts import retype, transform, undo_text
 
@@ -255,7 +255,7 @@ def test_tab_walks_through_the_points_of_both_contours(letter):
 
 
 def test_the_stroke_keeps_its_width_when_the_shape_is_scaled(letter):
-    letter.session.change("Wide", lambda document: with_style(document, [0], width=2.0))
+    letter.session.change("Wide", lambda document: set_style(document, [0], width=2.0))
     letter.key(Key.Key_A, CTRL)
     transform(letter, "S", "2")
     assert {curve.style.width for curve in letter.session.document.curves[:2]} == {2.0}

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QSlider, QWidget
 from app.document.curve_edits import set_closed
 from app.document.model import ParametrizationKind
 from app.document.rule_edits import set_parameter
-from app.document.transforms import clean_step
+from app.document.transforms import round_step_above
 from app.families import FAMILIES, HERMITE
 from curvecore import centripetal, chebyshev, chebyshev_roots, chord_length, uniform
 from tests.waiting import until
@@ -272,7 +272,7 @@ def test_arrows_nudge_the_selected_ticks(editor, panel, key, held, count):
     editor.select([3, 4])
     panel.setFocus()
     QTest.keyClick(panel, key, held)
-    moved, step = np.array(editor.parameters) - old, clean_step(2 * pixels(panel, 1))
+    moved, step = np.array(editor.parameters) - old, round_step_above(2 * pixels(panel, 1))
     assert moved[[3, 4]] == pytest.approx(count * step, rel=1e-9)
     assert [editor.parameters[at] for at in (3, 4)] == [
         float(Decimal(repr(float(old[at]))) + Decimal(repr(round(count * step, 9)))) for at in (3, 4)

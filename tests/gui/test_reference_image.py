@@ -17,7 +17,7 @@ from app.canvas import image_layer
 from app.canvas.image_layer import ImageFileError, inverted_lightness, read_image
 from app.document.model import Document, make_curve
 from app.document.plane_edits import place_image, set_image
-from app.document.transforms import clean_step
+from app.document.transforms import round_step_above
 from app.features.reference_image.commands import ImageCommands
 from app.storage.files import load
 from app.testing import Editor
@@ -246,7 +246,7 @@ def test_arrows_nudge_it(traced):
     traced.session.history.clock = lambda: 0.0  # however slow the machine is, the keys are quick
     traced.session.change("Place", lambda document: place_image(document, (0.9, -0.3)))
     traced.trigger("moveImage")
-    steps, step = traced.session.undo_stack.count(), clean_step(2 * traced.pixel)
+    steps, step = traced.session.undo_stack.count(), round_step_above(2 * traced.pixel)
     for _ in range(3):
         traced.key(Qt.Key.Key_Right)
     traced.key(Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)

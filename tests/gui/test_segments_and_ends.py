@@ -7,7 +7,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 
@@ -88,10 +88,10 @@ def test_a_click_with_ctrl_retracts_a_handle_and_two_make_a_line(ring):
     assert ring.curve.points[1].velocity_after == (0.0, 0.0)
     after = ring.session.active_view
     np.testing.assert_allclose(segment(after, 0), segment(before, 0), atol=1e-12)
-    assert not is_line(ring.curve, 1)
+    assert not is_straight(ring.curve, 1)
     ring.select([2])
     ring.click(ring.handle(ahead=False).position, keys=CTRL)
-    assert is_line(ring.curve, 1)
+    assert is_straight(ring.curve, 1)
     np.testing.assert_allclose(segment(ring.session.active_view, 2), segment(before, 2), atol=1e-12)
 
 
@@ -115,7 +115,7 @@ def test_a_click_on_a_segment_selects_both_of_its_ends_and_keys_act_on_these(rin
     assert ring.session.selected.points == {1}
     ring.click(on_segment(ring, 2))
     ring.key(Key.Key_4, ALT)
-    assert is_line(ring.curve, 2)
+    assert is_straight(ring.curve, 2)
     ring.key(Key.Key_Up)
     moved = [index for index, at in enumerate(places(ring.curve)) if at != RING[index]]
     assert moved == [2, 3]

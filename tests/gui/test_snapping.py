@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import rule_edits
-from app.document.box_edits import ellipse_in, rectangle_in, with_pieces_drawn
+from app.document.box_edits import draw_closed_curve, ellipse_in, rectangle_in
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.style import PLAIN_STYLE
 from app.families import HERMITE, QUINTIC_HERMITE
@@ -457,7 +457,7 @@ def boxes(editor):
     """A rectangle and an ellipse, and a line to drag; points snap to no grid."""
     document = Document((make_curve(((3.0, -2.0), (4.6, -1.0)), name="Line", family=HERMITE),))
     for pieces in (rectangle_in((0.0, 0.0), (2.0, 1.0)), ellipse_in((5.0, 2.0), (6.0, 3.5))):
-        document = with_pieces_drawn(document, 0, "Curve", pieces, PLAIN_STYLE)
+        document = draw_closed_curve(document, 0, "Curve", pieces, PLAIN_STYLE)
     names = ("Line", "Card", "Egg")
     curves = [replace(each, name=name) for each, name in zip(document.curves, names, strict=True)]
     editor.session.commit(replace(document, curves=tuple(curves)), "Begin")

@@ -263,9 +263,7 @@ def test_delete_leaves_what_a_rule_estimates_to_that(monkeypatch, editor, table)
         get=speeds,
         set=at_speed,
         is_estimated=lambda view: np.array([point.velocity is None for point in view.source.points]),
-        reset=lambda document, curve, indices: point_edits.estimate_derivatives(
-            document, curve, indices, (1,)
-        ),
+        reset=lambda document, curve, indices: point_edits.clear_derivatives(document, curve, indices, (1,)),
         derivatives=1,
     )
     monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, speed))

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QScrol
 
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.document.style_edits import with_style
+from app.document.style_edits import set_style
 from app.families import HERMITE
 from tests.gui.editor_facts import transform, undo_text
 
@@ -447,7 +447,7 @@ def test_who_types_the_short_number_that_a_field_shows_gets_just_that(leaf):
     leaf.trigger("undo")
     assert leaf.session.document == before
     # With the unit beside it, and a list of numbers.
-    leaf.session.change("Thirds", lambda document: with_style(document, {0}, width=1 / 3, dash=(2 / 3, 1.0)))
+    leaf.session.change("Thirds", lambda document: set_style(document, {0}, width=1 / 3, dash=(2 / 3, 1.0)))
     leaf.show_dock("styleDock")
     for name, said, wanted in (
         ("strokeWidth", "0.3333 mm", {"width": 0.3333}),
@@ -474,7 +474,7 @@ def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_
     width.setFocus()
     assert width.text() == "80.636709675"
     stroke = 3.472361234
-    leaf.session.change("Width", lambda document: with_style(document, {0}, width=stroke))
+    leaf.session.change("Width", lambda document: set_style(document, {0}, width=stroke))
     leaf.show_dock("styleDock")
     line = leaf.window.findChild(QLineEdit, "strokeWidth")
     assert line.text() == f"{stroke:.4f} mm" != f"{stroke} mm"

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from app.document.transforms import clean_step
+from app.document.transforms import round_step_above
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
@@ -81,7 +81,7 @@ def test_a_transform_by_key_tells_where_its_one_point_is(arch):
 def test_nudges_say_where_the_point_is_and_the_step(arch):
     arch.select([1])
     arch.key(RIGHT)
-    step = clean_step(2 * arch.pixel)
+    step = round_step_above(2 * arch.pixel)
     assert arch.status == f"Point 1 at {1 + step:.4g}, 2 · step {step:.4g}, 0"
     arch.select([1, 2])
     arch.key(UP)

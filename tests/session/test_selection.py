@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from msgspec.structs import replace
 
 from app.document.model import Document, Point, make_curve
-from app.document.point_group import points_of, some_points
+from app.document.point_group import group_points, points_of
 from app.document.selection import all_points
 from app.session import Session
 from tests.rows import each_row
@@ -101,7 +101,7 @@ def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_som
     session, told = session_with(*shape, C), []
     session.selection_changed.connect(told.append)
     selected = session.selected
-    everywhere = some_points((curve, frozenset({-1, 0, 1, 7})) for curve in range(4))
+    everywhere = group_points((curve, frozenset({-1, 0, 1, 7})) for curve in range(4))
     selected.set_group(everywhere)
     assert dict(selected.group.parts) == {0: {0, 1}, 1: {0, 1}}
     selected.set_group(points_of(1, [1]))

@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from app.document import point_edits, rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.document.several_curves import mapped, moved, whole_curves
-from app.document.transforms import Affine, flipping, rotation, scaling
+from app.document.several_curves import move_group, transform_group, whole_curves
+from app.document.transforms import Affine, reflection, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.boxes import compute_boxes, exact_box
 from app.view_model.curve.curve_view import CurveView, view_of
@@ -22,7 +22,7 @@ LOCAL = [family for family in FAMILIES if family.curve_class.is_local or not fam
 SKEW = Affine(0.3, 0.4, -0.2, 0.1, (1.0, 1.0), (0.5, 0.25))
 MAPS = {
     "moved": Affine(0.0, 0.0, 0.0, 0.0, (0.0, 0.0), (0.1, 1 / 3)),
-    "flipped": flipping(0, (0.3, 0.1)),
+    "flipped": reflection(0, (0.3, 0.1)),
     "turned": rotation(37.0, (2.0, 1.0)),
     "made larger": scaling(2.5, 2.5, (0.1, 0.1)),
 }
@@ -33,8 +33,8 @@ def several(family, kind=ParametrizationKind.CENTRIPETAL, **values) -> Document:
     curve = replace(make_curve(PLACES, family=family), **values)
     curves = [curve, curve, replace(curve, closed=family.curve_class.can_close), curve, curve]
     document = Document(tuple(curves))
-    document = moved(document, whole_curves(document, [1]), (300.0, -200.0))
-    document = mapped(document, whole_curves(document, [1]), scaling(7.0, 3.0, (300.0, -200.0)))
+    document = move_group(document, whole_curves(document, [1]), (300.0, -200.0))
+    document = transform_group(document, whole_curves(document, [1]), scaling(7.0, 3.0, (300.0, -200.0)))
     if family.derivatives:
         document = point_edits.make_corner(document, 3, 2, (1.0, 0.5), None)
         document = point_edits.set_velocity(document, 4, 1, (2.0, -1.0))
@@ -51,7 +51,7 @@ def test_exact_boxes_come_along_and_reach_as_far_as_points_do_to_the_last_digit(
     before = seen(document)
     if is_known:
         compute_boxes(before)
-    after = mapped(document, whole_curves(document, range(len(before))), MAPS[name])
+    after = transform_group(document, whole_curves(document, range(len(before))), MAPS[name])
     carried = views_after(after.curves, before)
     compute_boxes(carried)
     assert all(view.is_followed for view in carried)
@@ -75,7 +75,7 @@ def seen(document: Document) -> list[CurveView]:
 
 
 def after(document: Document, by: Affine, views: list[CurveView]) -> tuple[Document, list[CurveView]]:
-    document = mapped(document, whole_curves(document, range(len(views))), by)
+    document = transform_group(document, whole_curves(document, range(len(views))), by)
     return document, views_after(document.curves, views)
 
 

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from app.document.derivatives import VelocityRule
 from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
-from app.document.words import uncertain
+from app.document.words import with_error
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis.hodograph import derivative_at, hodograph_of
 from app.view_model.analysis.plot import PLOTS, PlotLine, Scale, extent_of, plot_of
@@ -159,7 +159,7 @@ def test_values_at_the_scrub_line_are_exact():
 def test_a_straight_line_has_no_curvature_to_be_uncertain_about():
     view = view_of(make_curve([(0.1, 0.3), (1.2, 1.4), (3.3, 3.5)]))
     (value, error) = uncertain_values_at(view, {curvature.CURVATURE}, 0.37)[curvature.CURVATURE]
-    assert uncertain(round(value, 12), error) == "0"
+    assert with_error(round(value, 12), error) == "0"
 
 
 def test_the_curvature_of_a_dot_is_no_number_and_warns_of_nothing():

@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 
 from app.document import point_edits, rule_edits
-from app.document.constraints import is_line
+from app.document.constraints import is_straight
 from app.document.derivatives import VelocityRule
 from app.document.limits import EditError
 from app.document.model import Document, ParametrizationKind, Point, make_curve
@@ -346,7 +346,7 @@ def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, c
     corners = [index for index, point in enumerate(made.curve.points) if point.corner]
     last = len(first.points) - 1
     assert corners == ([last, last + 1] if apart else [last])
-    assert is_line(made.curve, last) is bool(apart)
+    assert is_straight(made.curve, last) is bool(apart)
 
 
 def test_a_change_that_is_no_rounding_is_not_called_kept():
@@ -365,7 +365,7 @@ def test_between_curves_that_do_not_meet_a_straight_segment_leads_from_one_to_th
     assert made.residual < ROUNDING
     assert after.velocity_of(5, ahead=False) == first.velocity_of(5)
     assert after.velocity_of(6) == second.velocity_of(0)
-    assert is_line(made.curve, 5)
+    assert is_straight(made.curve, 5)
     halfway = after.curve.evaluate(after.parameters[5:7].mean())
     assert halfway == pytest.approx((first.points[-1] + second.points[0]) / 2)
 

@@ -8,8 +8,8 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.document.point_group import points_of
-from app.document.several_curves import mapped, moved, whole_curves
-from app.document.transforms import flipping, rotation, scaling
+from app.document.several_curves import move_group, transform_group, whole_curves
+from app.document.transforms import reflection, rotation, scaling
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.boxes import Bounds, bounds_of
 from app.view_model.curve.curve_view import view_of
@@ -132,7 +132,7 @@ MAPS = {
     "turn": rotation(37.0, (1.0, 2.0)),
     "scale": scaling(2.0, 2.0, (1.0, 2.0)),
     "stretch": scaling(2.0, 0.5, (1.0, 2.0)),
-    "flip": flipping(0, (1.0, 2.0)),
+    "flip": reflection(0, (1.0, 2.0)),
 }
 
 
@@ -144,16 +144,16 @@ def test_the_pivot_goes_where_the_transform_takes_it(how, indices):
     document = document_of(FAMILIES.named("hermite"), ParametrizationKind.UNIFORM)
     group, place = points_of(0, indices), (5.0, -3.0)
     pivot = Pivot(place, anchored(views_of(document), group))
-    new = mapped(document, group, MAPS[how])
+    new = transform_group(document, group, MAPS[how])
     found = pivot.at(anchored(views_of(new), group))
     if how == "flip" and len(indices) == 2:
         # A turn maps two points as well; it has the same middle.
         assert found.anchor.points.mean(axis=0) == pytest.approx((2 - 3.5, 1.5))
     else:
         assert found.position == pytest.approx(MAPS[how].point(place), abs=1e-9)
-    assert pivot.at(anchored(views_of(moved(document, group, (2.0, 1.0))), group)).position == pytest.approx(
-        (7.0, -2.0)
-    )
+    assert pivot.at(
+        anchored(views_of(move_group(document, group, (2.0, 1.0))), group)
+    ).position == pytest.approx((7.0, -2.0))
 
 
 def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
@@ -161,7 +161,7 @@ def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
     group, place = points_of(0, range(5)), (0.1, 0.7)
     pivot = Pivot(place, anchored(views_of(document), group))
     for _ in range(5):
-        document = mapped(document, group, rotation(72.0, place))
+        document = transform_group(document, group, rotation(72.0, place))
         pivot = pivot.at(anchored(views_of(document), group))
     assert pivot.position == place
 
@@ -169,7 +169,7 @@ def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
 def test_points_edited_one_by_one_leave_the_pivot_and_another_selection_has_none():
     document = document_of(FAMILIES.named("hermite"))
     pivot = Pivot((5.0, -3.0), anchored(views_of(document), points_of(0, range(5))))
-    edited = moved(document, points_of(0, {2}), (0.3, 1.0))
+    edited = move_group(document, points_of(0, {2}), (0.3, 1.0))
     assert pivot.at(anchored(views_of(edited), points_of(0, range(5)))).position == (5.0, -3.0)
     assert pivot.at(anchored(views_of(document), points_of(0, {1, 2}))) is None
 
@@ -179,6 +179,8 @@ def test_the_angle_is_read_off_the_points(degrees):
     document = document_of(FAMILIES.named("hermite"))
     group = points_of(0, range(5))
     before = anchored(views_of(document), group)
-    new = mapped(mapped(document, group, rotation(degrees, (3.0, 3.0))), group, scaling(2.0, 2.0, (0.0, 1.0)))
-    turned = Turning(before).at(anchored(views_of(moved(new, group, (1.0, 1.0))), group))
+    new = transform_group(
+        transform_group(document, group, rotation(degrees, (3.0, 3.0))), group, scaling(2.0, 2.0, (0.0, 1.0))
+    )
+    turned = Turning(before).at(anchored(views_of(move_group(new, group, (1.0, 1.0))), group))
     assert turned % 360.0 == pytest.approx(degrees % 360.0, abs=1e-9)

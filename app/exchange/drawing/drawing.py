@@ -241,7 +241,7 @@ def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, Para
         if view is not None and view.curve is not None:
             found.append((curve, view.curve))
         else:
-            remarks.append(f"“{curve.seen_name}”: {reason if view is None else view.problem}")
+            remarks.append(f"“{curve.display_name}”: {reason if view is None else view.problem}")
     return found, remarks
 
 
@@ -258,7 +258,7 @@ def refuse_wild(curve: Curve, samples: FloatArray) -> None:
     """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
-            f"“{curve.seen_name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
+            f"“{curve.display_name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
             "Chebyshev parameters or Hermite curves stay calm."
         )
 
@@ -267,7 +267,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     try:
         path = cubic_path(core, tolerance)
     except CurveError as problem:
-        raise ExchangeError(f"“{curve.seen_name}” cannot be drawn: {in_words(str(problem))}.") from problem
+        raise ExchangeError(f"“{curve.display_name}” cannot be drawn: {in_words(str(problem))}.") from problem
     points = core.points[: len(curve.points)]
     return Outline(
         curve.name,

@@ -56,7 +56,7 @@ from enum import Enum, auto
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ...document.words import distance_words, enumerated
+from ...document.words import distance_text, enumerated
 from ...view_model.registry import Registry
 from ..errors import ExchangeError
 
@@ -108,7 +108,7 @@ class ExportResult:
         if self.pixels is not None:
             # Pixels are not exact, whatever they were painted from.
             return f"{self.pixels[0]} × {self.pixels[1]} pixels"
-        return distance_words(self.deviation, "the true curve", is_bound=self.is_bound)
+        return distance_text(self.deviation, "the true curve", is_bound=self.is_bound)
 
 
 class ContentKind(Enum):

@@ -9,7 +9,7 @@ import numpy as np
 
 from curvecore.arrays import FloatArray, IntArray
 
-from ...document.constraints import tied_if_parallel
+from ...document.constraints import tie_if_parallel
 from ...document.derivatives import DERIVATIVES, VECTORS
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ...document.words import NamedEnum
@@ -302,7 +302,7 @@ def _points(own: _Rows, family: Family, report: Report) -> Iterator[Point]:
         for at_x, at_y, at, vectors in rows:
             before, after = vectors[: len(DERIVATIVES)], vectors[len(DERIVATIVES) :]
             point = Point(at_x, at_y, at, corner=after[0] is not None)
-            yield tied_if_parallel(point.with_derivatives(before, after)) if any(vectors) else point
+            yield tie_if_parallel(point.with_derivatives(before, after)) if any(vectors) else point
 
 
 def _thinned_curve(name: str, own: _Rows, kept: IntArray, parameters: FloatArray) -> Curve:

@@ -25,7 +25,7 @@ from ...document import derivatives, point_edits
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Point
 from ...document.selection import all_points
-from ...document.several_curves import named
+from ...document.several_curves import name_or_count
 from ...exchange.table.clipboard import write_block
 from ...session.highlight import ClipboardSelection
 from ...view_model.paste import copied, parts_of, with_parts
@@ -109,11 +109,11 @@ class HighlightCommands:
             # One point is no curve, and all of them are the curve itself.
             self._context.actions["duplicateCurve"].trigger()
             return
-        arrival, words = with_parts(session.document, parts, session.active_index), what.points.counted
+        arrival, words = with_parts(session.document, parts, session.active_index), what.points.count_label
         if session.change(f"Duplicate {words}", lambda _: arrival.document, active=arrival.places.start):
             session.selected.set_curves(arrival.places)
             session.selected.set_group(all_points(session.document, session.selected.edited))
-            name = named(session.document, arrival.places)
+            name = name_or_count(session.document, arrival.places)
             it = f"“{name}”, which lies" if len(parts) == 1 else f"{name}, which lie"
             session.say(f"{words} as {it} on the original; drag one to move it.")
 
@@ -206,10 +206,10 @@ class DerivativeCommands:
             return point_edits.set_points(document, curve, points)
 
         change = session.change(
-            f"Paste derivatives to {group.words}", lambda document: group.changed(document, pasted)
+            f"Paste derivatives to {group.label}", lambda document: group.apply(document, pasted)
         )
         if change:
-            session.say(f"Pasted the derivatives into {group.words}.")
+            session.say(f"Pasted the derivatives into {group.label}.")
 
 
 def _derivatives_on_clipboard() -> Point | None:

@@ -19,7 +19,7 @@ from ...actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU, EDIT_CLI
 from ...document import curve_edits, point_edits
 from ...document.limits import EditError
 from ...document.model import Curve, Point, Vector
-from ...document.several_curves import name_of, named
+from ...document.several_curves import common_name, name_or_count
 from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block
 from ...storage.format import Decoded, decode_counting
@@ -154,13 +154,13 @@ class PasteCommands:
     def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
         session, places = self._session, arrival.places
         document, framing = arrival.document, self._context.central.canvas.framing
-        name, style = named(document, places), session.model.style
+        name, style = name_or_count(document, places), session.model.style
         session.expect(arrival.views)
         with session.batch:
             if not session.change(f"Paste {name}", lambda _: document, active=places.start):
                 return
             session.selected.choose_brought(places, style)
-        is_one = name_of(document, places) is not None
+        is_one = common_name(document, places) is not None
         said = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
         if not framing.shows_curves(places):
             # The view stays where somebody is at work.
@@ -193,7 +193,7 @@ class PasteCommands:
     def _add_curve(self, pasted: PointsContent) -> None:
         session = self._session
         place = len(session.document.curves)
-        name = curve_edits.free_name(session.document)
+        name = curve_edits.unused_name(session.document)
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)
         else:

@@ -24,25 +24,25 @@ from ...actions.menus import (
 )
 from ...actions.needs import SOME_CURVE, Need
 from ...document.curve_edits import rename_curve
-from ...document.group_edits import moved_into, named_anew
-from ...document.groups import Node, NodeKind, whole_shapes
+from ...document.group_edits import move_into, rename_node
+from ...document.groups import Node, NodeKind, expand_to_shapes
 from ...document.limits import EditError
 from ...document.model import Document
-from ...document.selection import NONE_FREE, free_curves
+from ...document.selection import NONE_SELECTABLE, selectable_curves
 from ...document.several_curves import (
     active_after_removal,
-    add_copies,
-    all_shown,
-    all_unlocked,
-    changeable,
-    counted,
-    name_of,
-    named,
+    common_name,
+    count_label,
+    duplicate_curves,
+    locked_remark,
+    name_or_count,
     remove_curves,
-    what_stays,
-    with_appearance,
+    set_appearance,
+    show_all,
+    unlock_all,
+    unlocked_curves,
 )
-from ...document.style_edits import with_style
+from ...document.style_edits import set_style
 from ...session import Session
 from ...tools.gesture import CANCELLED
 from ...view_model.curve.curve_view import CurveView
@@ -112,26 +112,28 @@ class CurveListCommands:
         """Add a copy of the curve, or of all that are selected, in the same place."""
         session, order = self._session, sorted(highlighted_curves(self._context))
         document = session.document
-        added = add_copies(document, order)
+        added = duplicate_curves(document, order)
         active = order.index(session.active_index) if session.active_index in order else -1
         with session.batch:
             if not session.change(
-                f"Duplicate {named(document, order)}", lambda _: added.document, active=added.places[active]
+                f"Duplicate {name_or_count(document, order)}",
+                lambda _: added.document,
+                active=added.indices[active],
             ):
                 return
             if is_edited := len(order) == 1 and session.selected.is_editing:
                 session.selected.set_points(range(len(session.active_curve.points)))
             else:
-                session.selected.set_curves(added.places)
+                session.selected.set_curves(added.indices)
         if is_edited:
             copy = session.active_curve.name
             session.say(f"“{copy}” lies on the original; all its points are selected, drag one to move it.")
             return
-        name = name_of(session.document, added.places)
+        name = common_name(session.document, added.indices)
         if name is not None:
             session.say(f"“{name}” lies on the original and is chosen; a drag moves it.")
         else:
-            copies = f"Copies of {counted(document, order)}"
+            copies = f"Copies of {count_label(document, order)}"
             session.say(f"{copies} lie on the originals and are chosen; drag one, or G, moves them.")
 
     @action(
@@ -149,9 +151,9 @@ class CurveListCommands:
 
     def _delete_all(self, curves: frozenset[int]) -> None:
         session, document = self._session, self._session.document
-        free, stays = changeable(document, curves), what_stays(document, curves)
+        free, stays = unlocked_curves(document, curves), locked_remark(document, curves)
         is_done = session.change(
-            f"Delete {named(document, free)}",
+            f"Delete {name_or_count(document, free)}",
             lambda document: remove_curves(document, free),
             active=active_after_removal(document, free, session.active_index, session.selected.edited),
         )
@@ -208,7 +210,7 @@ class CurveListCommands:
     @also(CURVE_LIST_MENU(16))
     def _show_all(self) -> None:
         """Show all curves that are hidden."""
-        self._session.change("Show all", all_shown)
+        self._session.change("Show all", show_all)
 
     @action(
         "unlockAll",
@@ -222,7 +224,7 @@ class CurveListCommands:
     @also(CURVE_LIST_MENU(17))
     def _unlock_all(self) -> None:
         """Free all curves that are locked."""
-        self._session.change("Unlock all", all_unlocked)
+        self._session.change("Unlock all", unlock_all)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     @also(CURVE_MENU(20), CURVE_LIST_MENU(11))
@@ -243,16 +245,16 @@ class CurveListCommands:
     def _choose_all(self) -> None:
         """Choose all curves that are seen and not locked, to move, scale, colour or delete them together."""
         session, document = self._session, self._session.document
-        free, count = free_curves(document), len(document.curves)
+        free, count = selectable_curves(document), len(document.curves)
         if not free:
-            session.refuse(NONE_FREE)
+            session.refuse(NONE_SELECTABLE)
             return
         session.selected.set_curves(free)
         if len(free) < count:
-            session.say(f"{counted(document, free)} chosen; what is hidden or locked is not.")
+            session.say(f"{count_label(document, free)} chosen; what is hidden or locked is not.")
         else:
-            name = name_of(document, free)
-            what = f"All {counted(document, free)} are" if name is None else f"“{name}” is"
+            name = common_name(document, free)
+            what = f"All {count_label(document, free)} are" if name is None else f"“{name}” is"
             session.say(f"{what} chosen.")
 
 
@@ -269,8 +271,8 @@ class RowEdits:
         panel.view.moved.connect(self._move)
         panel.row_meant.connect(self._choose_meant)
         panel.model.name_edited.connect(self._set_name)
-        panel.visible_switched.connect(lambda node: self.switch_visible_of(frozenset(node.places)))
-        panel.locked_switched.connect(lambda node: self.switch_locked_of(frozenset(node.places)))
+        panel.visible_switched.connect(lambda node: self.switch_visible_of(frozenset(node.indices)))
+        panel.locked_switched.connect(lambda node: self.switch_locked_of(frozenset(node.indices)))
         panel.colour_chosen.connect(self._paint)
         panel.fill_chosen.connect(self._fill)
         panel.colour_looked_at.connect(self._look_at)
@@ -288,11 +290,11 @@ class RowEdits:
         """
         selected = self._session.selected
         if node.kind is NodeKind.CURVE and selected.is_editing:
-            selected.activate(node.places.start)
+            selected.activate(node.indices.start)
         elif node.kind is NodeKind.CURVE:
-            selected.set_curves(node.places)
+            selected.set_curves(node.indices)
         else:
-            selected.choose(node.places)
+            selected.choose(node.indices)
 
     def _choose_rows(self, places: frozenset[int]) -> None:
         """Choose these curves together; of none only those who edit one have to stay with it."""
@@ -303,29 +305,29 @@ class RowEdits:
             selected.choose(())
 
     def _choose_meant(self, node: Node) -> None:
-        session, places = self._session, frozenset(node.places)
+        session, places = self._session, frozenset(node.indices)
         active = session.active_index if session.active_index in places else max(places)
         session.selected.set_curves(self._meant(places), active)
 
     def switch_visible_of(self, places: frozenset[int]) -> None:
         """Hide curves with all that are selected with them, or show them where all are hidden."""
         visible = not any(self._session.committed.curves[place].visible for place in places)
-        self._change_looks("Show" if visible else "Hide", places, partial(with_appearance, visible=visible))
+        self._change_looks("Show" if visible else "Hide", places, partial(set_appearance, visible=visible))
 
     def switch_locked_of(self, places: frozenset[int]) -> None:
         """Lock curves with all that are selected with them, or free them where all are locked."""
         locked = not all(self._session.committed.curves[place].locked for place in places)
-        self._change_looks("Lock" if locked else "Unlock", places, partial(with_appearance, locked=locked))
+        self._change_looks("Lock" if locked else "Unlock", places, partial(set_appearance, locked=locked))
 
     def _paint(self, places: frozenset[int], code: str) -> None:
-        self._change_looks("Colour", places, partial(with_appearance, colour=code))
+        self._change_looks("Colour", places, partial(set_appearance, colour=code))
 
     def _fill(self, places: frozenset[int], paint: str) -> None:
-        self._change_looks("Fill", places, partial(with_style, fill=paint))
+        self._change_looks("Fill", places, partial(set_style, fill=paint))
 
     def _look_at(self, places: frozenset[int], code: str) -> None:
         session = self._session
-        session.preview(with_appearance(session.committed, self._meant(places), colour=code))
+        session.preview(set_appearance(session.committed, self._meant(places), colour=code))
 
     def _give_up(self) -> None:
         if self._session.is_previewing:
@@ -336,21 +338,25 @@ class RowEdits:
         self, verb: str, places: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]
     ) -> None:
         session = self._session
-        curves = whole_shapes(session.committed, self._meant(places))
-        session.change(f"{verb} {named(session.committed, curves)}", lambda document: edit(document, curves))
+        curves = expand_to_shapes(session.committed, self._meant(places))
+        session.change(
+            f"{verb} {name_or_count(session.committed, curves)}", lambda document: edit(document, curves)
+        )
 
     def _move(self, node: Node, drop: Drop) -> None:
         session, before = self._session, self._session.committed
-        curves = self._meant(frozenset(node.places))
+        curves = self._meant(frozenset(node.indices))
         try:
-            moved = moved_into(before, curves, drop.at, drop.container, node.around.groups)
+            moved = move_into(before, curves, drop.at, drop.container, node.container.groups)
         except EditError as reason:
             session.refuse(str(reason))
             return
         chosen = [moved.order.index(place) for place in session.selected.marked]
         active = moved.order.index(session.active_index)
         if (
-            session.change(f"Reorder {named(before, curves)}", lambda _: moved.document, active=active)
+            session.change(
+                f"Reorder {name_or_count(before, curves)}", lambda _: moved.document, active=active
+            )
             and chosen
         ):
             session.selected.set_curves(chosen, active)
@@ -358,8 +364,8 @@ class RowEdits:
     def _set_name(self, node: Node, name: str) -> None:
         def edit(document: Document) -> Document:
             if node.kind is NodeKind.CURVE:
-                return rename_curve(document, node.places.start, name)
-            return named_anew(document, node, name)
+                return rename_curve(document, node.indices.start, name)
+            return rename_node(document, node, name)
 
         self._session.change(f"Rename {node.kind.name.lower()}", edit)
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 
-from ...document.differences import changed_besides_points
-from ...document.groups import Container, Node, NodeKind, counted_nodes, tree_of
+from ...document.differences import curves_changed_besides_points
+from ...document.groups import Container, Node, NodeKind, curve_tree, node_count_label
 from ...document.model import Curve, Document
 from ...document.style import Style
 from ...document.words import count_of
@@ -43,7 +43,7 @@ class Entry(NamedTuple):
     @property
     def places(self) -> frozenset[int]:
         """The curves that it is about."""
-        return frozenset(self.node.places)
+        return frozenset(self.node.indices)
 
     @property
     def holds(self) -> bool:
@@ -53,12 +53,12 @@ class Entry(NamedTuple):
     @property
     def opens(self) -> bool:
         """Whether it has rows of its own below it when it is open."""
-        return bool(self.node.parts)
+        return bool(self.node.children)
 
     @property
     def key(self) -> Key:
         """Key that it keeps from one document to the next."""
-        return self.node.kind, self.node.around, self.node.name
+        return self.node.kind, self.node.container, self.node.name
 
 
 class RowMarks(NamedTuple):
@@ -79,7 +79,7 @@ class RowMarks(NamedTuple):
     def is_edited(self, entry: Entry) -> bool:
         """Whether an entry is the curve that is edited, or a folded shape that it is in."""
         is_one = entry.node.kind in (NodeKind.CURVE, NodeKind.SHAPE) and not entry.is_open
-        return self.is_editing and is_one and self.active in entry.node.places
+        return self.is_editing and is_one and self.active in entry.node.indices
 
     def is_chosen(self, entry: Entry) -> bool:
         """Whether an entry is of what is chosen."""
@@ -94,7 +94,7 @@ class RowMarks(NamedTuple):
         """Whether a part of what an entry hides, being folded, is chosen or edited, and not all of it."""
         is_folded = entry.opens and not entry.is_open
         is_marked = self.is_edited(entry) or self.is_chosen(entry)
-        return is_folded and not is_marked and not self.curves.isdisjoint(entry.node.places)
+        return is_folded and not is_marked and not self.curves.isdisjoint(entry.node.indices)
 
     def words_of(self, entry: Entry) -> str:
         """Return what of this is to be said of an entry, after its name and facts."""
@@ -109,10 +109,10 @@ class RowMarks(NamedTuple):
 def entries_of(nodes: Sequence[Node], are_open: Collection[Key]) -> Iterator[Entry]:
     """Yield what has a row, from the front to the back."""
     for node in reversed(nodes):
-        is_open = bool(node.parts) and Entry(node).key in are_open
+        is_open = bool(node.children) and Entry(node).key in are_open
         yield Entry(node, is_open)
         if is_open:
-            yield from entries_of(node.parts, are_open)
+            yield from entries_of(node.children, are_open)
 
 
 def rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
@@ -185,7 +185,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
             self._follow_names(before, document)
             self._build(document)
         elif before.curves is not document.curves:
-            changed = changed_besides_points(before.curves, document.curves)
+            changed = curves_changed_besides_points(before.curves, document.curves)
             self._show_rows({row for place in changed for row in self._rows_about(place)})
 
     def _follow_names(self, before: Document, document: Document) -> None:
@@ -193,14 +193,14 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         if len(before.curves) != len(document.curves):
             return
         was_open = {
-            (node.kind, node.depth, node.places) for node in _walked(before) if _key(node) in self._open
+            (node.kind, node.depth, node.indices) for node in _walked(before) if _key(node) in self._open
         }
         self._open |= {
-            _key(node) for node in _walked(document) if (node.kind, node.depth, node.places) in was_open
+            _key(node) for node in _walked(document) if (node.kind, node.depth, node.indices) in was_open
         }
 
     def _build(self, document: Document) -> None:
-        tree = tree_of(document.curves)
+        tree = curve_tree(document.curves)
         # What is no more is folded when something of its name is there again: in another document, for one.
         self._open &= {_key(node) for top in tree for node in top.walk()}
         self._put(list(entries_of(tree, self._open)))
@@ -225,7 +225,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
             place: row
             for row, entry in enumerate(entries)
             if not entry.is_open
-            for place in entry.node.places
+            for place in entry.node.indices
         }
 
     def _show_rows(self, rows: Collection[int]) -> None:
@@ -241,11 +241,11 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
 
     def _row(self, node: Node) -> Row:
         assert self._document is not None
-        parts = self._document.curves[node.places.start : node.places.stop]
+        parts = self._document.curves[node.indices.start : node.indices.stop]
         if node.kind is NodeKind.CURVE:
             return row_of_curve(parts[0])
         visible, locked = any(each.visible for each in parts), all(each.locked for each in parts)
-        what = f"{node.kind.name.lower()} of {counted_nodes(node.parts)}"
+        what = f"{node.kind.name.lower()} of {node_count_label(node.children)}"
         return Row(node.name, parts[0].style, visible, locked, what)
 
     # Rows and places
@@ -320,7 +320,7 @@ def _have_same_tree(before: Document, after: Document) -> bool:
 
 
 def _walked(document: Document) -> Iterator[Node]:
-    return (node for top in tree_of(document.curves) for node in top.walk())
+    return (node for top in curve_tree(document.curves) for node in top.walk())
 
 
 def _key(node: Node) -> Key:

@@ -81,7 +81,7 @@ class CurveList(SafeOverrides, QWidget):
 
     def _switch(self, node: Node, spot: Spot) -> None:
         if spot is Spot.SWATCH:
-            self.choose_colour(frozenset(node.places))
+            self.choose_colour(frozenset(node.indices))
         elif spot is Spot.EYE:
             self.visible_switched.emit(node)
         else:

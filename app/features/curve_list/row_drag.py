@@ -43,28 +43,28 @@ def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
     """
     above = entries[gap - 1] if gap > 0 else None
     below = entries[gap].node if gap < len(entries) else None
-    outer = below.around if below is not None else OUTSIDE
+    outer = below.container if below is not None else OUTSIDE
     inner = _inner(above) if above is not None else outer
     way = [inner]
     while way[-1] != outer:
-        way.append(way[-1].around)
+        way.append(way[-1].parent)
     container = way[max(0, min(len(way) - 1, inner.depth - depth))]
-    return Drop(gap, below.places.stop if below is not None else 0, container)
+    return Drop(gap, below.indices.stop if below is not None else 0, container)
 
 
 def drop_onto(entries: Sequence[Entry], row: int) -> Drop:
     """Return the place in the shape or group of a row, in front of what is there."""
     node = entries[row].node
-    return Drop(row, node.places.stop, node.inside, is_onto=True)
+    return Drop(row, node.indices.stop, node.as_container, is_onto=True)
 
 
 def stays(drop: Drop, dragged: Node, row: int) -> bool:
     """Whether what is dragged, in a row, would be where it is."""
-    return not drop.is_onto and drop.gap in (row, row + 1) and drop.container == dragged.around
+    return not drop.is_onto and drop.gap in (row, row + 1) and drop.container == dragged.container
 
 
 def _inner(above: Entry) -> Container:
-    return above.node.inside if above.is_open else above.node.around
+    return above.node.as_container if above.is_open else above.node.container
 
 
 OPENS_MS = 600

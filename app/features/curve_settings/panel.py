@@ -14,7 +14,7 @@ from ...appearance.theme import Theme
 from ...document import curve_edits, point_edits, rule_edits
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.model import Document
-from ...document.selection import NONE_CHOSEN
+from ...document.selection import NONE_SELECTED
 from ...document.words import count_of, digits_of_range, number
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
@@ -270,7 +270,7 @@ class CurveSettings(FieldForm):
             box.setCurrentIndex(-1)
         self.settings.render_none()
         self.reset_button.setVisible(False)
-        self._facts.setText(NONE_CHOSEN)
+        self._facts.setText(NONE_SELECTED)
         self.show_problem("")
 
     def _render_curve(self, view: CurveView) -> None:
@@ -335,7 +335,7 @@ class CurveSettings(FieldForm):
         def edit(document: Document, curve: int) -> Document:
             given = document.curves[curve]
             everyone, orders = range(len(given.points)), range(1, given.family.derivatives + 1)
-            return point_edits.estimate_derivatives(document, curve, everyone, orders)
+            return point_edits.clear_derivatives(document, curve, everyone, orders)
 
         self.edited.emit("Reset all to estimated", edit)
 

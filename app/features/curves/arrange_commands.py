@@ -19,17 +19,17 @@ from ...actions.needs import SECOND_CURVE, SOME_CURVE, Need
 from ...document.curve_edits import remove_curve
 from ...document.group_edits import (
     Gathered,
-    at_end,
-    broken_apart,
-    combined,
-    grouped,
-    groups_meant,
-    stepped,
-    ungrouped,
+    break_apart,
+    combine,
+    group_curves,
+    groups_to_ungroup,
+    order_after_step,
+    order_at_end,
+    ungroup,
 )
-from ...document.groups import counted_nodes, whole_shapes
+from ...document.groups import expand_to_shapes, node_count_label
 from ...document.model import Document
-from ...document.several_curves import active_after_removal, in_order, named, place_in
+from ...document.several_curves import active_after_removal, index_of, name_or_count, reorder_curves
 from ...document.words import count_of
 from ...view_model.geometry import fills_holes
 from ...workbench.context import WindowContext
@@ -72,7 +72,7 @@ class OrderCommands:
     )
     def _raise(self) -> None:
         """Move the curve up in the list: it is drawn in front of the next one."""
-        self._put("Raise {}", stepped, 1, "one step to the front")
+        self._put("Raise {}", order_after_step, 1, "one step to the front")
 
     @action(
         "lowerCurve",
@@ -85,7 +85,7 @@ class OrderCommands:
     )
     def _lower(self) -> None:
         """Move the curve down in the list: it is drawn behind the next one."""
-        self._put("Lower {}", stepped, -1, "one step to the back")
+        self._put("Lower {}", order_after_step, -1, "one step to the back")
 
     @action(
         "raiseToTop",
@@ -99,7 +99,7 @@ class OrderCommands:
     )
     def _raise_to_top(self) -> None:
         """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
-        self._put("Raise {} to top", at_end, 1, "at the top")
+        self._put("Raise {} to top", order_at_end, 1, "at the top")
 
     @action(
         "lowerToBottom",
@@ -113,13 +113,13 @@ class OrderCommands:
     )
     def _lower_to_bottom(self) -> None:
         """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
-        self._put("Lower {} to bottom", at_end, -1, "at the bottom")
+        self._put("Lower {} to bottom", order_at_end, -1, "at the bottom")
 
     def _put(self, name: str, arrange: Arrange, way: int, where: str) -> None:
         """Put what is chosen elsewhere in the order, as one step."""
-        session, what = self._session, named(self._session.document, self._session.selected.whole)
-        document = in_order(session.document, arrange(session.document, session.selected.curves, way))
-        active = place_in(document, session.active_curve)
+        session, what = self._session, name_or_count(self._session.document, self._session.selected.whole)
+        document = reorder_curves(session.document, arrange(session.document, session.selected.curves, way))
+        active = index_of(document, session.active_curve)
         if session.change(name.format(what), lambda _: document, active=active):
             session.say(f"{what}: {where}.")
 
@@ -149,12 +149,12 @@ class OrderCommands:
         # The next one is the one below in the list, hence behind.
         session = self._session
         session.selected.activate((session.active_index + step) % len(session.document.curves))
-        session.say(f"Editing “{session.active_curve.seen_name}”.")
+        session.say(f"Editing “{session.active_curve.display_name}”.")
 
 
 def _meant(session: Session) -> frozenset[int]:
     """Return the chosen curves, or the one that is edited, with all others of their shapes."""
-    return whole_shapes(session.document, session.selected.marked)
+    return expand_to_shapes(session.document, session.selected.marked)
 
 
 class ShapeCommands:
@@ -181,11 +181,11 @@ class ShapeCommands:
         session, curves = self._session, _meant(self._session)
         views = [session.views[place] for place in sorted(curves)]
         has_holes = fills_holes([view.polyline for view in views if view.has_curve])
-        made = combined(session.document, curves, alternate=has_holes)
-        if self._put(f"Combine {named(session.document, curves)}", made):
+        made = combine(session.document, curves, alternate=has_holes)
+        if self._put(f"Combine {name_or_count(session.document, curves)}", made):
             name = session.active_curve.shape
             rule = "; the even-odd rule keeps its holes open" if has_holes else ""
-            session.say(f"“{name}” is one shape of {count_of(len(made.places), 'curve')}{rule}.")
+            session.say(f"“{name}” is one shape of {count_of(len(made.indices), 'curve')}{rule}.")
 
     @action(
         "breakApart",
@@ -201,8 +201,8 @@ class ShapeCommands:
     def _break_apart(self) -> None:
         """Make a curve of its own of each curve of the shape."""
         session, curves = self._session, _meant(self._session)
-        what = named(session.document, curves)
-        if session.change(f"Break {what} apart", lambda document: broken_apart(document, curves)):
+        what = name_or_count(session.document, curves)
+        if session.change(f"Break {what} apart", lambda document: break_apart(document, curves)):
             self._choose(curves)
             session.say(f"{count_of(len(curves), 'curve')} now, each with a fill of its own.")
 
@@ -239,11 +239,11 @@ class ShapeCommands:
     def _group(self) -> None:
         """Gather the chosen curves in a group, which is chosen and moved as one."""
         session, curves = self._session, _meant(self._session)
-        made = grouped(session.document, curves)
-        if self._put(f"Group {named(session.document, curves)}", made):
+        made = group_curves(session.document, curves)
+        if self._put(f"Group {name_or_count(session.document, curves)}", made):
             # Of one curve alone the group around it is what was made, and not what is chosen.
-            (group, *_) = groups_meant(session.document, made.places)
-            session.say(f"“{group.name}” has {counted_nodes(group.parts)}.")
+            (group, *_) = groups_to_ungroup(session.document, made.indices)
+            session.say(f"“{group.name}” has {node_count_label(group.children)}.")
 
     @action(
         "ungroupCurves",
@@ -258,12 +258,12 @@ class ShapeCommands:
     def _ungroup(self) -> None:
         """Take the chosen group apart, or the one around the curve; shapes stay whole."""
         session, curves = self._session, _meant(self._session)
-        nodes = groups_meant(session.document, curves)
+        nodes = groups_to_ungroup(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
         with session.batch:
-            is_done = bool(session.change(f"Ungroup {what}", lambda document: ungrouped(document, curves)))
+            is_done = bool(session.change(f"Ungroup {what}", lambda document: ungroup(document, curves)))
             if is_done:
-                self._choose([place for node in nodes for place in node.places])
+                self._choose([place for node in nodes for place in node.indices])
         if is_done:
             session.say(f"{what} is taken apart." if len(nodes) == 1 else f"{what} are taken apart.")
 
@@ -276,7 +276,7 @@ class ShapeCommands:
         with session.batch:
             is_done = bool(session.change(text, lambda _: made.document, active=active))
             if is_done:
-                self._choose(made.places)
+                self._choose(made.indices)
         return is_done
 
     def _choose(self, curves: Collection[int]) -> None:

@@ -20,11 +20,11 @@ from ...actions.menus import (
 )
 from ...actions.needs import HERMITE_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...document import curve_edits
-from ...document.curve_edits import with_parts
+from ...document.curve_edits import replace_by_parts
 from ...document.model import Curve, Document, Parametrization
-from ...document.point_group import NO_POINTS, some_points
-from ...document.several_curves import named, whole_curves
-from ...document.straight_edits import why_not_straight
+from ...document.point_group import NO_POINTS, group_points
+from ...document.several_curves import name_or_count, whole_curves
+from ...document.straight_edits import straight_refusal
 from ...document.words import count_of, number
 from ...tools.bend import insert_at
 from ...view_model.append import Halved, with_closed, with_midpoints
@@ -57,7 +57,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve to the document."""
         session, place = self._session, len(self._session.document.curves)
-        fresh = curve_edits.fresh_curve(session.document, session.model, Parametrization())
+        fresh = curve_edits.new_curve_like(session.document, session.model, Parametrization())
         if session.change(
             f"New {fresh.name}",
             lambda document: curve_edits.add_curve(document, place, fresh),
@@ -102,7 +102,7 @@ class CurveCommands:
             curve: segments_between(views[curve].source, indices)
             for curve, indices in session.selected.group.parts
         }
-        group = some_points((curve, frozenset(each)) for curve, each in segments.items())
+        group = group_points((curve, frozenset(each)) for curve, each in segments.items())
         if not group.parts:
             session.refuse(
                 "Select two neighbouring points, or double-click the curve where a point shall be."
@@ -114,9 +114,9 @@ class CurveCommands:
             return curve_edits.replace_curve(document, curve, made[curve].made.curve)
 
         new = count_of(group.count, "point")
-        if session.change(f"Insert {new} between", lambda document: group.changed(document, one)):
+        if session.change(f"Insert {new} between", lambda document: group.apply(document, one)):
             kept = {curve: each.old | each.new for curve, each in made.items()}
-            session.selected.set_group(some_points(kept.items()))
+            session.selected.set_group(group_points(kept.items()))
             told = (each.made.sentence for each in made.values())
             session.say(" ".join(("Inserted", f"{new}.", *told)))
 
@@ -127,7 +127,7 @@ class CurveCommands:
 
         def edit(document: Document) -> Document:
             done.append(split(session.active_view, t))
-            return curve_edits.with_parts(document, session.active_index, *done[0].curves)
+            return curve_edits.replace_by_parts(document, session.active_index, *done[0].curves)
 
         if session.change(f"Split {session.active_curve.name}", edit):
             verb = "Split" if len(done[0].curves) > 1 else "Opened"
@@ -174,11 +174,11 @@ class CurveCommands:
             # The foremost first: those behind it stay where they are.
             for curve in sorted(cuts, reverse=True):
                 made[curve] = split(session.views[curve], *cuts[curve])
-                document = curve_edits.with_parts(document, curve, *made[curve].curves)
+                document = curve_edits.replace_by_parts(document, curve, *made[curve].curves)
             return document
 
         edited, active = session.selected.curves, session.active_index
-        if not session.change(f"Split {named(session.document, cuts)}", edit):
+        if not session.change(f"Split {name_or_count(session.document, cuts)}", edit):
             return
         more = {curve: len(each.curves) - 1 for curve, each in made.items()}
         first = {curve: curve + sum(more[each] for each in more if each < curve) for curve in edited}
@@ -209,9 +209,9 @@ class CurveCommands:
         elif several:
             turned = {place: reversed_curve(session.views[place]).curve for place in several}
             what = whole_curves(session.document, several)
-            if session.change(f"Reverse {what.words}", lambda document: _with_curves(document, turned)):
+            if session.change(f"Reverse {what.label}", lambda document: _with_curves(document, turned)):
                 session.selected.set_group(NO_POINTS)
-                session.say(f"Reversed {what.quoted}.")
+                session.say(f"Reversed {what.quoted_label}.")
         elif self._reshape(f"Reverse {view.source.name}", lambda: reversed_curve(view)) is not None:
             session.selected.set_points([])
 
@@ -244,9 +244,9 @@ class CurveCommands:
                     document = with_closed(document, place, views[place], closed)
             return document
 
-        if session.change(f"{'Close' if closed else 'Open'} {what.words}", edit):
+        if session.change(f"{'Close' if closed else 'Open'} {what.label}", edit):
             undo = key_or_name(self._context.actions["undo"])
-            session.say(f"{'Closed' if closed else 'Opened'} {what.quoted} · {undo}: undo")
+            session.say(f"{'Closed' if closed else 'Opened'} {what.quoted_label} · {undo}: undo")
 
     def _reshape(
         self,
@@ -281,8 +281,8 @@ class SegmentCommands:
         "delete-segment",
         needs=Need(
             HERMITE_CURVE.words,
-            lambda state: UNLOCKED_CURVE.is_met(state) and not why_not_straight(state.family),
-            why=lambda state: why_not_straight(state.family),
+            lambda state: UNLOCKED_CURVE.is_met(state) and not straight_refusal(state.family),
+            why=lambda state: straight_refusal(state.family),
         ),
         keywords="open break cut out remove between nodes path",
     )
@@ -306,7 +306,7 @@ class SegmentCommands:
 
         def edit(document: Document) -> Document:
             made.append(without_segments(session.active_view, segments))
-            return with_parts(document, session.active_index, *made[-1].curves)
+            return replace_by_parts(document, session.active_index, *made[-1].curves)
 
         what = "segment" if len(segments) == 1 else count_of(len(segments), "segment")
         if session.change(f"Delete {what} of {session.active_curve.name}", edit):

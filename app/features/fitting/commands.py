@@ -19,11 +19,11 @@ from ...actions.menus import ARRANGE_SHAPES, CURVE_FEWER, EDIT_PENCIL
 from ...actions.needs import SOME_CURVE, UNLOCKED_CURVE
 from ...canvas.figure_layer import Trace
 from ...document.curve_edits import replace_curve
-from ...document.groups import tidy_shapes, whole_shapes
+from ...document.groups import expand_to_shapes, tidy_shapes
 from ...document.limits import EditError
 from ...document.model import Document, Vector
-from ...document.plain_numbers import plain
-from ...document.several_curves import changeable, named
+from ...document.plain_numbers import with_plain_numbers
+from ...document.several_curves import name_or_count, unlocked_curves
 from ...document.words import count_of, number
 from ...state.window_state import WindowState
 from ...tasks.progress import Report, part
@@ -72,8 +72,8 @@ class SimplifyCommands:
         """Give the chosen curves fewer points, so near that nobody sees it; corners and lines stay."""
         session, until = self._session, 0.0
         document = session.committed
-        curves = changeable(document, whole_shapes(document, session.selected.marked))
-        what = f"Simplify {named(document, curves)}"
+        curves = unlocked_curves(document, expand_to_shapes(document, session.selected.marked))
+        what = f"Simplify {name_or_count(document, curves)}"
         make = partial(simplified, document, session.views, curves)
 
         def hurry(_share: float, _word: str) -> None:
@@ -111,7 +111,7 @@ def _with_views(
     made = make(report=part(report, 0.0, _COMPUTED))
     known, rest = set(map(id, before.curves)), part(report, _COMPUTED, 1.0)
     # As the door of the session leaves it, whose curves the views are to be of.
-    after = tidy_shapes(plain(made.document, before), before)
+    after = tidy_shapes(with_plain_numbers(made.document, before), before)
     new = [curve for curve in after.curves if id(curve) not in known]
     return replace(made, document=after), views_ahead(new, lambda share: rest(share, "Computing curves"))
 
@@ -275,7 +275,7 @@ class FitCommands(QObject):
         view, wish = self._asked
         text = f"{count_of(len(view.source.points), 'point')} become {found.words}"
         if view.source.shape:
-            text += f" Only “{view.source.seen_name}” of its shape is fitted; Simplify takes all of it."
+            text += f" Only “{view.source.display_name}” of its shape is fitted; Simplify takes all of it."
         is_short = wish.tolerance is not None and found.deviation > wish.tolerance
         if is_short and not found.is_scattered:
             text += f" No {wish.family.title} curve was found nearer."

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMessageBox
 from ... import __version__
 from ...actions.declaration import action
 from ...actions.menus import HELP_ABOUT, HELP_ALL, MENUS
-from ...document.several_curves import counted
+from ...document.several_curves import count_label
 from ...workbench.context import WindowContext
 from .. import help as help_feature
 
@@ -51,7 +51,7 @@ class HelpCommands:
             tool=context.store.state.tool,
             selected=context.session.selected.group.count,
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            chosen=counted(context.session.document, chosen) if chosen else "",
+            chosen=count_label(context.session.document, chosen) if chosen else "",
         )
         self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

@@ -13,11 +13,11 @@ from PySide6.QtWidgets import QFileDialog
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.menus import FILE_EXCHANGE
-from ...document.groups import counted_shapes
+from ...document.groups import shape_count_label
 from ...document.limits import EditError
 from ...document.model import Document
 from ...document.style import Style
-from ...document.words import count_of, distance_words, listed
+from ...document.words import count_of, distance_text, names_with_verb
 from ...exchange import table
 from ...exchange.formats import ContentKind, file_filters
 from ...storage.files import IMAGE_PATTERNS, IMAGE_SUFFIXES
@@ -118,7 +118,7 @@ class ImportCommands:
 
     def _give_up(self) -> None:
         """Leave out what was meant for another document than there is now."""
-        names = listed(self._series.skip_rest())
+        names = names_with_verb(self._series.skip_rest())
         self._session.refuse(_NOT_IMPORTED.format(names))
         self._series.end()
 
@@ -131,7 +131,7 @@ class ImportCommands:
             self._give_up()
 
         def skip_rest() -> None:
-            names = listed(self._series.skip_rest())
+            names = names_with_verb(self._series.skip_rest())
             dialog.reject()
             self._session.say(f"{names} left out.")
 
@@ -191,7 +191,7 @@ class ImportCommands:
         def done(arrival: Arrival) -> None:
             try:
                 if self._meant_for != self._documents:
-                    session.refuse(_NOT_IMPORTED.format(listed([path.name])))
+                    session.refuse(_NOT_IMPORTED.format(names_with_verb([path.name])))
                     return
                 if not begins and session.committed is not target:
                     arrival = intake.intake(session.committed, new)
@@ -262,7 +262,7 @@ class ImportCommands:
         added, document, selected = arrival.places, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):
             # What is brought is put in its place as a whole, but for what nobody may move.
-            selected.choose_brought([place for place in added if document.curves[place].is_free], style)
+            selected.choose_brought([place for place in added if document.curves[place].is_selectable], style)
         elif len(added) > 1:
             selected.choose_brought((), self._session.files.blank().curves[0].style)
 
@@ -278,8 +278,8 @@ class ImportCommands:
         elif not central.canvas.framing.shows_curves(added):
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
-        exact = distance_words(deviation, "the file")
-        what = f"{counted_shapes(curves)}, {count_of(count, 'point')}, {exact}" if count else "no curve"
+        exact = distance_text(deviation, "the file")
+        what = f"{shape_count_label(curves)}, {count_of(count, 'point')}, {exact}" if count else "no curve"
         self._session.say(f"{done}: {what}. {rest}".rstrip())
 
 

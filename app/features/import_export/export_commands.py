@@ -15,7 +15,7 @@ from ...actions.declaration import action
 from ...actions.menus import EDIT_COPY_AS, FILE_EXCHANGE
 from ...actions.needs import Need
 from ...document.model import Document
-from ...document.several_curves import alone, named
+from ...document.several_curves import extract_curves, name_or_count
 from ...exchange.formats import ExportResult, with_ending
 from ...storage.files import StorageError
 from ...tasks.progress import Report, part
@@ -207,7 +207,7 @@ class CopyCommands:
         document, chosen = self._session.document, self._session.selected.chosen
         what = "the drawing"
         if chosen:
-            document, what = alone(document, chosen), named(document, chosen)
+            document, what = extract_curves(document, chosen), name_or_count(document, chosen)
         self._context.work.start(
             title, lambda report: work(document, report), lambda made: put(made, what), Path(name), "copied"
         )

@@ -9,9 +9,9 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeWidget, QTreeWidgetItem, QWidget
 
-from ...document.groups import counted_shapes, shapes
+from ...document.groups import shape_count_label, shape_ranges
 from ...document.model import Curve, Document
-from ...document.words import count_of, distance_words
+from ...document.words import count_of, distance_text
 from ...exchange.cubics_in import ImportResult
 from ...exchange.drawing.image import png_preview
 from ...exchange.drawing.styles import DARK, LIGHT
@@ -76,7 +76,7 @@ class ImportDrawingDialog(WorkDialog):
     ) -> None:
         super().__init__("importDrawingDialog", f"{verb.value} {name}", "importProblem", parent)
         self._found, self._rest = found, rest
-        count = sum(1 for _ in shapes(found.document.curves))
+        count = sum(1 for _ in shape_ranges(found.document.curves))
         self.groups = GroupTree(found.document) if count > 1 else None
         self.picture = ImportPicture(self.jobs)
         self.summary = Label(_summary(found, found), name="importSummary", wordWrap=True)
@@ -126,7 +126,7 @@ class ImportDrawingDialog(WorkDialog):
         taken = self._taken()
         self.ok.setEnabled(any(taken))
         some = self._found if all(taken) or not any(taken) else self._found.only(taken)
-        none = f"None of {counted_shapes(self._found.document.curves)}; choose at least one."
+        none = f"None of {shape_count_label(self._found.document.curves)}; choose at least one."
         self.summary.setText(_summary(self._found, some) if any(taken) else none)
         if any(taken):
             self.picture.show_document(some.document)
@@ -144,10 +144,10 @@ def _summary(found: ImportResult, taken: ImportResult) -> str:
     if not taken.has_curves:
         return "No curve."
     points = sum(len(curve.points) for curve in taken.document.curves)
-    exact = distance_words(taken.deviation, "the file")
-    some = counted_shapes(taken.document.curves)
+    exact = distance_text(taken.deviation, "the file")
+    some = shape_count_label(taken.document.curves)
     if taken is not found:
-        some = f"{some.split()[0]} of {counted_shapes(found.document.curves)}"
+        some = f"{some.split()[0]} of {shape_count_label(found.document.curves)}"
     return f"{some} with {count_of(points, 'point')}, {exact}."
 
 
@@ -191,7 +191,7 @@ class GroupTree(QTreeWidget):
         """Make the items; return for each curve the one that it hangs on."""
         curves, leaves = self._document.curves, list[QTreeWidgetItem]()
         groups = [curve.groups[:_DEEPEST] for curve in curves]
-        found = list(shapes(self._document.curves))
+        found = list(shape_ranges(self._document.curves))
         held = defaultdict[_Chain, list[Curve]](list)
         for curve, chain in zip(curves, groups, strict=True):
             for depth in range(1, len(chain) + 1):
@@ -204,7 +204,7 @@ class GroupTree(QTreeWidget):
             for depth in range(1, len(chain) + 1):
                 group = chain[:depth]
                 if group not in self._items:
-                    self._item(group, group[-1], counted_shapes(held[group]))
+                    self._item(group, group[-1], shape_count_label(held[group]))
             if len(found) <= _MOST_NAMED:
                 points = count_of(sum(len(curves[place].points) for place in places), "point")
                 leaf = self._item((*chain, index), first.shape or first.name, points)

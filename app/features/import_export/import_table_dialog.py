@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 
 from ...appearance.theme import mix, theme_of
 from ...document.expression import ExpressionError, parse_number
-from ...document.words import count_of, distance_words, number
+from ...document.words import count_of, distance_text, number
 from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
 from ...exchange.table.curves import MissingRows
 from ...exchange.table.source import (
@@ -349,7 +349,7 @@ def _summary(prepared: PreparedTable) -> str:
     result = f"{prepared.rows:,} rows → {count_of(prepared.points, 'point')}"
     result += f" in {count} curves" if count > 1 else ""
     if prepared.tolerance:
-        result += f", {distance_words(prepared.deviation, 'the rows')}"
+        result += f", {distance_text(prepared.deviation, 'the rows')}"
     return result
 
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from ... import exchange
 from ...document.groups import tidy_shapes
 from ...document.model import Document
-from ...document.plain_numbers import plain
-from ...document.several_curves import add_imported, is_blank, left_behind
+from ...document.plain_numbers import with_plain_numbers
+from ...document.several_curves import add_imported, ignored_on_import, is_blank
 from ...document.words import names_of
 from ...view_model.curve.transformed import views_ahead
 from ...view_model.paste import Arrival
@@ -34,7 +34,7 @@ def intake(
     new = _sized_for(document, new)
     filled, first = add_imported(document, new)
     # As the door of the session leaves it, whose curves the views are to be of.
-    filled = tidy_shapes(plain(filled, document), document)
+    filled = tidy_shapes(with_plain_numbers(filled, document), document)
     places = range(first, first + len(new.curves))
     views = views_ahead(filled.curves[places.start : places.stop], told) if told is not None else ()
     return Arrival(filled, places, tuple(views))
@@ -46,7 +46,7 @@ def words_about_rest(document: Document, new: Document) -> str:
     sized = _sized_for(document, new)
     if sized.unit != new.unit:
         said.append(f"Lengths are converted from {new.unit} to {sized.unit}.")
-    if rest := left_behind(document, sized):
+    if rest := ignored_on_import(document, sized):
         verb = "stays" if len(rest) == 1 and not rest[0].endswith("guides") else "stay"
         words = names_of(rest)
         said.append(f"{words[0].upper()}{words[1:]} {verb} behind.")

@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
-from ...document.words import number, uncertain
+from ...document.words import number, with_error
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
 from ...tools.toolbox import Toolbox
@@ -187,7 +187,7 @@ class PlotPane(FollowsTheme, QWidget):
         else:
             mark = decimal_mark()
             shown = partial(number, mark=mark)
-            known = [f"{name} {uncertain(*value, shown)}" for name, value in values.items()]
+            known = [f"{name} {with_error(*value, shown)}" for name, value in values.items()]
             text = "   ".join([f"t {number(t, 4, mark)}", *known])
         if text != self._values.text():
             self._values.setText(text)

@@ -22,9 +22,9 @@ from ...document.constraints import ends_of
 from ...document.curve_edits import replace_curve
 from ...document.limits import AlreadySoError, EditError
 from ...document.model import Curve, Document
-from ...document.point_group import PointGroup, points_of, some_points
-from ...document.selection import NONE_FREE, all_points, free_curves
-from ...document.straight_edits import corners_of, why_not_straight
+from ...document.point_group import PointGroup, group_points, points_of
+from ...document.selection import NONE_SELECTABLE, all_points, selectable_curves
+from ...document.straight_edits import corners_of, straight_refusal
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.handles import with_velocities_pulled
 from ...view_model.geometry import segment_at
@@ -80,7 +80,7 @@ class TangentCommands:
     def _make(self, kind: PointKind) -> None:
         """Make the selected points of a kind."""
         group, curves = self._session.selected.group, self._session.document.curves
-        inner = some_points(
+        inner = group_points(
             (curve, frozenset(inner_points(curves[curve], indices)) if kind.ends else indices)
             for curve, indices in group.parts
         )
@@ -96,15 +96,15 @@ class TangentCommands:
         "straight",
         needs=Need(
             HERMITE_CURVE.words,
-            lambda state: state.is_current and not why_not_straight(state.family),
-            why=lambda state: why_not_straight(state.family),
+            lambda state: state.is_current and not straight_refusal(state.family),
+            why=lambda state: straight_refusal(state.family),
         ),
     )
     @also(POINT_MENU(15), POINT_BUTTONS(15))
     def _straighten_chosen(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session, curves = self._session, self._session.document.curves
-        segments = some_points(
+        segments = group_points(
             (curve, frozenset(segments_between(curves[curve], indices)))
             for curve, indices in session.selected.group.parts
         )
@@ -141,7 +141,7 @@ class TangentCommands:
             points = zip(before[curve].points, after[curve].points, strict=True)
             others = {at for at, (old, new) in enumerate(points) if at not in indices and old != new}
             kept.append((curve, frozenset(others)))
-        beside = some_points(kept)
+        beside = group_points(kept)
         if beside.parts:
             which = f"{beside.count} other points" if beside.count > _MOST_NAMED else _points(beside)
             done = f"{done} To keep the shape, the estimates of {which} are set now."
@@ -167,16 +167,16 @@ class TangentCommands:
             made = frozenset(corners_of(before[curve], sorted(each)))
             corners.append((curve, frozenset(at for at in made if not after[curve].points[at].tied)))
             ends.append((curve, frozenset(at for segment in each for at in ends_of(before[curve], segment))))
-        cornered = some_points(corners)
+        cornered = group_points(corners)
         at_corners = f", corner at {_points(cornered)}" if cornered.parts else ""
-        self._tell(f"{text}{at_corners}.", before, some_points(ends))
+        self._tell(f"{text}{at_corners}.", before, group_points(ends))
 
     def _reshape(self, verb: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
         """Put the curves that `made` returns for some of their points in the place of what they are.
 
         `idle` says why that may change nothing. Return whether the document is another one now.
         """
-        return bool(group.parts) and self._change(f"{verb} {group.words}", made, group, idle)
+        return bool(group.parts) and self._change(f"{verb} {group.label}", made, group, idle)
 
     def _change(self, text: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
         views = self._session.views
@@ -188,7 +188,7 @@ class TangentCommands:
             return replace_curve(document, curve, made(view, sorted(indices)))
 
         def edit(document: Document) -> Document:
-            changed = group.changed(document, one)
+            changed = group.apply(document, one)
             if idle and changed == document:
                 raise AlreadySoError(idle)
             return changed
@@ -211,7 +211,7 @@ def _straight_text(curves: Sequence[Curve], segments: PointGroup) -> str:
 def _points(group: PointGroup) -> str:
     """Return "point 3", "points 1, 2 and 3" or "7 points"; of several curves how many they are."""
     if len(group.parts) != 1 or not 1 < group.count <= _MOST_NAMED:
-        return group.words
+        return group.label
     *first, last = map(str, sorted(group.parts[0][1]))
     return f"points {', '.join(first)} and {last}"
 
@@ -238,11 +238,11 @@ class PointCommands:
         if selected.is_editing:
             selected.set_group(all_points(session.document, selected.edited))
             if len(selected.group.parts) > 1:
-                session.say(f"{selected.group.counted} selected.")
+                session.say(f"{selected.group.count_label} selected.")
         else:
-            selected.choose(free := free_curves(session.document))
+            selected.choose(free := selectable_curves(session.document))
             if not free:
-                session.refuse(NONE_FREE)
+                session.refuse(NONE_SELECTABLE)
 
     @action(
         "invertSelection",
@@ -260,15 +260,15 @@ class PointCommands:
         curves = session.document.curves
         if selected.is_editing:
             selected.set_group(
-                some_points(
+                group_points(
                     (at, frozenset(range(len(curves[at].points))) - selected.group.of(at))
                     for at in selected.edited
                 )
             )
-        elif free := free_curves(session.document):
+        elif free := selectable_curves(session.document):
             selected.choose(free - selected.chosen)
         else:
-            session.refuse(NONE_FREE)
+            session.refuse(NONE_SELECTABLE)
 
     @action(
         "editCurve",
@@ -298,7 +298,7 @@ class PointCommands:
         """Let the rules estimate the derivatives of the selected points again."""
         group = self._session.selected.group
         self._session.change(
-            "Reset derivatives", lambda document: group.changed(document, point_edits.estimate_derivatives)
+            "Reset derivatives", lambda document: group.apply(document, point_edits.clear_derivatives)
         )
 
 

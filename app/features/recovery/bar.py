@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QWi
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
-from ...document.groups import counted_shapes
+from ...document.groups import shape_count_label
 from ...document.model import Curve, Document
 from ...document.style import Style
 from ...document.words import count_of
@@ -231,7 +231,7 @@ def _contents(snapshot: Snapshot) -> str:
     curves = snapshot.document.curves
     points = count_of(sum(len(each.points) for each in curves), "point")
     moment = time.strftime("%H:%M:%S", time.localtime(snapshot.written))
-    return f"{moment} · {counted_shapes(curves)}, {points}"
+    return f"{moment} · {shape_count_label(curves)}, {points}"
 
 
 def _unsaved_work(snapshot: Snapshot) -> UnsavedWork:

@@ -15,7 +15,7 @@ from ...actions.needs import Need
 from ...canvas.image_layer import ImageFileError, read_image
 from ...document.model import ReferenceImage
 from ...document.plane_edits import set_image, set_image_file, set_image_opacity
-from ...document.words import listed
+from ...document.words import names_with_verb
 from ...state.window_state import WindowState
 from ...storage.files import IMAGE_PATTERNS
 from ...tools.move_image import MOVE_IMAGE
@@ -142,7 +142,7 @@ class ImageCommands:
         for path in paths[:1]:
             self.trace(path)
         others = [path.name for path in paths[1:]]
-        return f"{listed(others)} not traced: a document has one picture to trace." if others else ""
+        return f"{names_with_verb(others)} not traced: a document has one picture to trace." if others else ""
 
     def trace(self, path: Path) -> None:
         """Put a picture behind the curves, in the middle of what is visible, or say why not."""

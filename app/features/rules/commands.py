@@ -28,7 +28,7 @@ from ...document import rule_edits
 from ...document.curve_edits import replace_curve
 from ...document.limits import EditError
 from ...document.model import Document, ParametrizationKind
-from ...document.several_curves import counted, name_of, named
+from ...document.several_curves import common_name, count_label, name_or_count
 from ...document.words import number
 from ...families import FAMILIES, Family
 from ...session import Session
@@ -134,7 +134,7 @@ class RuleCommands:
     def _use_family(self, family: Family) -> None:
         session = self._session
         chosen = sorted(session.selected.meant)
-        several = f"{named(session.document, chosen)} to " if len(chosen) > 1 else ""
+        several = f"{name_or_count(session.document, chosen)} to " if len(chosen) > 1 else ""
         before = list[CurveView]()
 
         def edit(document: Document) -> Document:
@@ -150,8 +150,8 @@ class RuleCommands:
         """Say what may not have been meant: several curves, some that are open now, or shaped by hand."""
         after = [self._session.views[curve] for curve in curves]
         document = self._session.document
-        name = name_of(document, curves)
-        what = f"{counted(document, curves)} are" if name is None else f"“{name}” is"
+        name = common_name(document, curves)
+        what = f"{count_label(document, curves)} are" if name is None else f"“{name}” is"
         said = [f"{what} {family.title} now."] if len(after) > 1 else []
         away = max(map(view_model.convert.needless_change, before, after))
         if away:

@@ -12,7 +12,7 @@ from ...actions.keymap import plain
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
 from ...document.model import Parametrization, ParametrizationKind
-from ...document.selection import NONE_CHOSEN
+from ...document.selection import NONE_SELECTED
 from ...qt.labels import Label, set_tip
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
@@ -118,7 +118,7 @@ class ParametrizationBar(ToolbarWidget):
         self._has_alpha = True
         self.box.setCurrentIndex(-1)
         for part in (self.box, self.slider):
-            set_tip(part, NONE_CHOSEN)
+            set_tip(part, NONE_SELECTED)
         self.slider.setEnabled(False)
         self._alpha.setText("")
 

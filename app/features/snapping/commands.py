@@ -17,7 +17,7 @@ from ...actions.menus import (
 )
 from ...actions.needs import Need
 from ...document.model import Axis, Guide
-from ...document.plane_edits import add_guide, clear_guides, move_guide, place_words
+from ...document.plane_edits import add_guide, clear_guides, guide_label, move_guide
 from ...state.window_state import WindowState
 from ...tools.snapping import SnapKind
 from ...workbench.context import WindowContext
@@ -82,7 +82,7 @@ class GuideCommands:
     def _corner_of(self, guide: Guide) -> QPoint:
         """Return where the field stands for a guide: beside it, at the ruler."""
         origin = self._canvas.camera.origin.toPoint()
-        pixel = self._canvas.to_pixel(*guide.beside(self._canvas.to_plane(origin)))
+        pixel = self._canvas.to_pixel(*guide.nearest_position(self._canvas.to_plane(origin)))
         at = QPoint(pixel.x(), origin.y()) if guide.axis is Axis.X else QPoint(origin.x(), pixel.y())
         return at + QPoint(_BESIDE, _BESIDE)
 
@@ -93,7 +93,7 @@ class GuideCommands:
         return (at + QPointF(_BESIDE, _BESIDE)).toPoint()
 
     def _take(self, guide: Guide) -> None:
-        place, where = self._typed, place_words(guide)
+        place, where = self._typed, guide_label(guide)
         if place is None:
             self._context.store.change(guides_shown=True)
             self._session.change(

@@ -18,11 +18,11 @@ from ...actions.keymap import key_or_name
 from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE, EDIT_STYLE
 from ...actions.needs import CHOSEN
 from ...appearance.theme import LIGHT, Theme
-from ...document.groups import whole_shapes
+from ...document.groups import expand_to_shapes
 from ...document.model import Curve, Document, make_curve
-from ...document.several_curves import named
+from ...document.several_curves import name_or_count
 from ...document.style import Style
-from ...document.style_edits import STYLE_WORDS, colours_of, with_paints_swapped, with_style
+from ...document.style_edits import STYLE_WORDS, colours_of, set_style, swap_paints
 from ...session.change import why_not_kept
 from ...session.session import Session
 from ...settings.preferences import Preferences
@@ -138,9 +138,11 @@ class StyleCommands:
         panel, session = self._panel, self._session
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
-        document, places = session.document, whole_shapes(session.document, self._curves)
+        document, places = session.document, expand_to_shapes(session.document, self._curves)
         curves = [document.curves[place] for place in sorted(places)]
-        subject = named(document, places) if any(each.points for each in curves) else _NEXT.capitalize()
+        subject = (
+            name_or_count(document, places) if any(each.points for each in curves) else _NEXT.capitalize()
+        )
         styles = [each.style for each in curves] or [session.model.style]
         all_keys = key_or_name(self._context.actions["selectAll"])
         note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE.format(all_keys)
@@ -151,7 +153,7 @@ class StyleCommands:
 
     def _change(self, fields: dict[str, object], *, is_step: bool = False) -> None:
         self._colours.remember(*(fields[name] for name in _PAINTS if name in fields))
-        self._edit(fields, lambda document, curves: with_style(document, curves, **fields), is_step=is_step)
+        self._edit(fields, lambda document, curves: set_style(document, curves, **fields), is_step=is_step)
 
     def _edit(
         self,
@@ -191,11 +193,11 @@ class StyleCommands:
     def _words(self, fields: Iterable[str], what: str = "") -> str:
         what = what or " and ".join(STYLE_WORDS[name] for name in fields)
         curves, committed = self._curves, self._session.committed
-        return f"{what} of {named(committed, curves) if curves else _NEXT}"
+        return f"{what} of {name_or_count(committed, curves) if curves else _NEXT}"
 
     def _look_at(self, fields: dict[str, object]) -> None:
         session = self._session
-        session.preview(with_style(session.committed, self._curves, **fields))
+        session.preview(set_style(session.committed, self._curves, **fields))
 
     def _give_up(self) -> None:
         if self._session.is_previewing:
@@ -203,7 +205,7 @@ class StyleCommands:
             self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
-        return with_style(document, self._curves, **{name: position / style.fields.STEPS})
+        return set_style(document, self._curves, **{name: position / style.fields.STEPS})
 
     def _set_next_share(self, name: str, position: int) -> None:
         if not self._curves:
@@ -241,7 +243,7 @@ class StyleCommands:
     )
     def _swap(self) -> None:
         """Paint the inside as the line is now, and the line as the inside, with their opacities."""
-        self._edit(_PAINTS, with_paints_swapped, what="Swap fill and stroke")
+        self._edit(_PAINTS, swap_paints, what="Swap fill and stroke")
 
 
 def _note_on(styles: Iterable[Style], theme: Theme) -> str:
@@ -278,7 +280,7 @@ class StyleClipboardCommands:
         session, data = self._session, QMimeData()
         data.setData(STYLE, msgspec.json.encode(session.active_curve.style))
         put_on_clipboard(data)
-        session.say(f"Copied the style of “{session.active_curve.seen_name}”.")
+        session.say(f"Copied the style of “{session.active_curve.display_name}”.")
 
     @action(
         "pasteStyle",
@@ -313,10 +315,10 @@ class StyleClipboardCommands:
     def _give(self, found: Style) -> None:
         """Give the selected curves a style."""
         session, curves = self._session, self._session.selected.marked
-        subject = named(session.document, curves)
+        subject = name_or_count(session.document, curves)
         words = f"Paste style to {subject}"
         fields = msgspec.structs.asdict(found)
-        if session.change(words, lambda document: with_style(document, curves, **fields)):
+        if session.change(words, lambda document: set_style(document, curves, **fields)):
             session.say(f"Pasted the style to {subject}.")
 
 

@@ -12,7 +12,7 @@ from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...document.style_edits import common_values
-from ...document.transforms import clean_step_within
+from ...document.transforms import round_step_below
 from ...document.words import decimal_product, decimal_sum
 from ...qt.labels import Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
@@ -252,7 +252,7 @@ def _has_unseen_dots(style: Style) -> bool:
 
 def _next_width(width: float, count: int) -> float:
     """Return a width that is wider or narrower by a tenth at most, in round numbers."""
-    step = clean_step_within(decimal_product(width, 0.1)) if width > _LEAST_WIDTH else 0.1
+    step = round_step_below(decimal_product(width, 0.1)) if width > _LEAST_WIDTH else 0.1
     return max(decimal_sum(width, count * step), 0.0)
 
 

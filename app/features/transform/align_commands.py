@@ -16,9 +16,9 @@ from ...actions.menus import (
 )
 from ...actions.needs import Need
 from ...actions.state import ActionState
-from ...document.groups import whole_shapes
+from ...document.groups import expand_to_shapes
 from ...document.model import Document
-from ...document.several_curves import changeable, named, what_stays
+from ...document.several_curves import locked_remark, name_or_count, unlocked_curves
 from ...document.transforms import Edge, Reference, Spacing, align_points, distribute_points
 from ...session import Change, Session
 from ...view_model.align import align_curves, distribute_curves
@@ -74,11 +74,11 @@ def _can_align(state: ActionState) -> bool:
 
 def _curves(session: Session) -> frozenset[int]:
     """Return the curves to align while no points are selected: those chosen, or the one that is edited."""
-    return session.selected.chosen or whole_shapes(session.document, session.selected.marked)
+    return session.selected.chosen or expand_to_shapes(session.document, session.selected.marked)
 
 
 def _say_what_stays(session: Session, change: Change) -> None:
-    if change and (stays := what_stays(session.document, session.selected.chosen)):
+    if change and (stays := locked_remark(session.document, session.selected.chosen)):
         session.say(f"{stays}.")
 
 
@@ -121,7 +121,7 @@ class AlignCommands:
         session, group, edge = self._session, self._session.selected.group, each.edge
         if group.parts:
             session.change(
-                f"Align {group.words} {edge.value}", lambda document: align_points(document, group, edge)
+                f"Align {group.label} {edge.value}", lambda document: align_points(document, group, edge)
             )
             return
         curves, state = _curves(session), self._store.state
@@ -131,7 +131,7 @@ class AlignCommands:
         def aligned(document: Document) -> Document:
             return align_curves(document, session.views, curves, edge, state.align_to, first, last)
 
-        change = session.change(f"Align {named(session.document, curves)} {edge.value}", aligned)
+        change = session.change(f"Align {name_or_count(session.document, curves)} {edge.value}", aligned)
         _say_what_stays(session, change)
 
     @action_for_each(
@@ -151,13 +151,14 @@ class AlignCommands:
         session, group = self._session, self._session.selected.group
         if group.parts:
             session.change(
-                f"Distribute {group.words} {each.way}",
+                f"Distribute {group.label} {each.way}",
                 lambda document: distribute_points(document, group, each.axis),
             )
             return
-        curves = changeable(session.document, session.selected.chosen)
+        curves = unlocked_curves(session.document, session.selected.chosen)
         change = session.change(
-            f"Distribute {each.what.lower()}{'of ' if each.what else ''}{named(session.document, curves)} "
+            f"Distribute {each.what.lower()}{'of ' if each.what else ''}"
+            f"{name_or_count(session.document, curves)} "
             f"{each.way}",
             lambda document: distribute_curves(document, session.views, curves, each.axis, each.spacing),
         )

@@ -9,8 +9,8 @@ from ...actions.declaration import Action, action, action_for_each, also_for_eac
 from ...actions.menus import ARRANGE_BOX, ARRANGE_TRANSFORM, CURVE_MENU, TRANSFORM_BUTTONS
 from ...actions.needs import CURVE_WITH_POINTS, Need
 from ...document.model import Vector
-from ...document.several_curves import mapped
-from ...document.transforms import Affine, flipping, rotation
+from ...document.several_curves import transform_group
+from ...document.transforms import Affine, reflection, rotation
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...tools.transform import TransformKind
@@ -136,7 +136,7 @@ class SelectionCommands:
     )
     @also_for_each(lambda each: (CURVE_MENU(16 + each.axis), TRANSFORM_BUTTONS(10 + each.axis)))
     def _flip(self, each: _Flip) -> None:
-        self._map(f"Flip {{}} {each.way}", flipping, each.axis)
+        self._map(f"Flip {{}} {each.way}", reflection, each.axis)
 
     @action_for_each(
         _TURNS,
@@ -162,9 +162,11 @@ class SelectionCommands:
             session.refuse(refusal)
             return
         group, by = target.for_keys, make(amount, target.centre)
-        is_done = session.change(text.format(target.words), lambda document: mapped(document, group, by))
-        if is_done and group.stays:
-            session.say(f"{group.stays}.")
+        is_done = session.change(
+            text.format(target.words), lambda document: transform_group(document, group, by)
+        )
+        if is_done and group.remark:
+            session.say(f"{group.remark}.")
 
     @action(
         "turnGrips",

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.menus import ALIGN_BUTTONS, ARRANGE_PANEL, TRANSFORM_BUTTONS
 from ...document.model import Document, Vector
-from ...document.several_curves import mapped, moved
-from ...document.transforms import rotation, skewing
+from ...document.several_curves import move_group, transform_group
+from ...document.transforms import rotation, skew
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...view_model.boxes import NINE
@@ -139,7 +139,7 @@ class TransformPanelCommands(QObject):
     # What the person did
 
     def _change(self, text: str, edit: Callable[[Document], Document]) -> None:
-        stays = self._target.for_keys.stays
+        stays = self._target.for_keys.remark
         if refusal := (change := self._session.change(text, edit)).refusal:
             self._refuse(refusal)
         elif change and stays:
@@ -163,7 +163,7 @@ class TransformPanelCommands(QObject):
         way = value - self._target.centre[axis]
         by = (way, 0.0) if axis == 0 else (0.0, way)
         text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
-        self._change(text, lambda document: moved(document, group, by))
+        self._change(text, lambda document: move_group(document, group, by))
 
     def _size(self, axis: int, value: float) -> None:
         session, group, about = self._session, self._target.for_keys, self._target.centre
@@ -194,9 +194,11 @@ class TransformPanelCommands(QObject):
         group, about, by = self._target.for_keys, self._target.centre, degrees
         self._change(
             f"Skew {self._target.words} by {number(degrees, 6)}° along {'xy'[axis]}",
-            lambda document: mapped(document, group, skewing(axis, by, about)),
+            lambda document: transform_group(document, group, skew(axis, by, about)),
         )
 
     def _turn(self, degrees: float, about: Vector, how: str) -> None:
         group, by = self._target.for_keys, rotation(degrees, about)
-        self._change(f"Rotate {self._target.words} {how}", lambda document: mapped(document, group, by))
+        self._change(
+            f"Rotate {self._target.words} {how}", lambda document: transform_group(document, group, by)
+        )

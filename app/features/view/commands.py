@@ -21,7 +21,7 @@ from ...actions.menus import (
 )
 from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...appearance.theme import ThemeMode
-from ...document.several_curves import name_of, named
+from ...document.several_curves import common_name, name_or_count
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
@@ -85,7 +85,7 @@ class ViewCommands:
             session.scrub.set(None)
         elif session.selection:
             session.selected.set_points([])
-            name = name_of(session.document, session.selected.curves)
+            name = common_name(session.document, session.selected.curves)
             what = "the curves" if name is None else f"“{name}”"
             session.say(f"No point is selected; Escape again chooses {what} whole.")
         else:
@@ -105,8 +105,10 @@ class ViewCommands:
     def _told_whole(self, chosen: Collection[int]) -> str:
         """Return the sentence that curves are chosen as wholes, and how their points are edited."""
         document = self._session.document
-        name = name_of(document, chosen)
-        are, again = (f"{named(document, chosen)} are", "them") if name is None else (f"“{name}” is", "one")
+        name = common_name(document, chosen)
+        are, again = (
+            (f"{name_or_count(document, chosen)} are", "them") if name is None else (f"“{name}” is", "one")
+        )
         return f"{are} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
 
     @widget_at(TOOLBAR(35))

@@ -8,7 +8,7 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import begun, fresh_curve, reverse_curve, without_last_point
+from ...document.curve_edits import delete_last_point, new_curve_like, reverse_curve, with_new_curve
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
@@ -103,7 +103,7 @@ class AddTool(Tool):
 
         if not self._pen.own_points(session):
             session.say("There is nothing to take back; a click draws, V selects.")
-        elif session.change(f"Take back point {last}", lambda document: without_last_point(document, place)):
+        elif session.change(f"Take back point {last}", lambda document: delete_last_point(document, place)):
             if last:
                 session.selected.set_points([last - 1])
             session.say(
@@ -140,7 +140,7 @@ class AddTool(Tool):
         if act is PenAct.BEGIN:
             self._begin(event)
         elif event.view.source.locked:
-            session.refuse(hints.LOCKED.format(event.view.source.seen_name))
+            session.refuse(hints.LOCKED.format(event.view.source.display_name))
         elif act is PenAct.INSERT and hit is not None:
             _insert(event, hit)
         else:
@@ -201,7 +201,7 @@ class AddTool(Tool):
         session = event.session
         document = session.document
         if not event.view.source.points:
-            document = begun(document, session.active_index, _fresh(event)).document
+            document = with_new_curve(document, session.active_index, _fresh(event)).document
         if document is session.document:
             return document, event.view
         return document, view_of(document.curves[session.active_index], event.view)
@@ -209,7 +209,7 @@ class AddTool(Tool):
     def _begin(self, event: ToolEvent) -> None:
         """Begin another curve, or the empty one; it is edited from the press on."""
         session = event.session
-        document, place = begun(session.document, session.active_index, _fresh(event))
+        document, place = with_new_curve(session.document, session.active_index, _fresh(event))
         begun_curve = document.curves[place]
         done = partial(self._pen.draw, (place, begun_curve.name), 0)
         view, snapper = view_of(begun_curve), event.snapping.for_new_point(-1)
@@ -230,7 +230,7 @@ class AddTool(Tool):
         self._update_preview(event, act)
         snaps = event.settings.snapping.on
         if view.source.locked and act is not PenAct.BEGIN:
-            return Hint(hints.LOCKED.format(view.source.seen_name))
+            return Hint(hints.LOCKED.format(view.source.display_name))
         if part is None:
             act, goes_on = act or PenAct.APPEND, not _begins_anew(event.session)
             return _hint_beside(act, view, _fresh(event), snaps=snaps, goes_on=goes_on)
@@ -289,7 +289,7 @@ def _appending(event: ToolEvent) -> Appending:
 def _fresh(event: ToolEvent) -> Curve:
     """Return another curve to begin, as the one that is edited."""
     model = event.session.model
-    return fresh_curve(event.session.document, model, model.parametrization)
+    return new_curve_like(event.session.document, model, model.parametrization)
 
 
 def _begins_anew(session: EditingSession) -> bool:

@@ -11,7 +11,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ...document import words
-from ...document.box_edits import Piece, drawn_place, ellipse_in, rectangle_in, with_pieces_drawn
+from ...document.box_edits import Piece, draw_closed_curve, drawn_index, ellipse_in, rectangle_in
 from ...document.limits import EditError
 from ...document.model import Document, Vector
 from ...document.style import Style
@@ -119,7 +119,7 @@ class DrawInBox(Drag, frozen=True):
             raise EditError("Drag to the side and up or down: the box has no area.")
         pieces = self.drawn.pieces((left, low), (right, high))
         name = self.drawn.name.capitalize()
-        return with_pieces_drawn(self.document, self.active, name, pieces, self.style)
+        return draw_closed_curve(self.document, self.active, name, pieces, self.style)
 
     def readout(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
@@ -180,7 +180,7 @@ class BoxCurveTool(Tool):
         self._drag = DrawInBox(
             session.document, drawn, active, start, snapper, unit, session.model.style, TypedAmount(unit=unit)
         )
-        place = drawn_place(session.document, active)
+        place = drawn_index(session.document, active)
         event.drags.press(event.pointer, self._drag, lambda: session.say(f"{drawn.hint}."), active=place)
 
     def end(self) -> None:

@@ -9,7 +9,7 @@ from time import thread_time
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import Begun, begun, fresh_curve, replace_curve
+from ...document.curve_edits import NewCurve, new_curve_like, replace_curve, with_new_curve
 from ...document.limits import EditError
 from ...document.model import Curve, Parametrization, Vector
 from ...document.words import count_of, number, with_decimals
@@ -69,7 +69,7 @@ class Drawing(OldGesture):
         closed = returns and self._length > _LEAST_ROUND * _CLOSING
         tolerance = event.settings.pencil.pixels / self._press.scale
         begin = _begun(session)
-        model = replace(begin.document.curves[begin.place], closed=closed)
+        model = replace(begin.document.curves[begin.curve_index], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
         done = partial(_take, session, model, self._press, tolerance)
         event.background.do(BackgroundTask("The pencil's curve", work, done, self.line))
@@ -89,9 +89,11 @@ class Drawing(OldGesture):
         return f"Drawing, {detail} · {closed}Escape cancels"
 
 
-def _begun(session: EditingSession) -> Begun:
+def _begun(session: EditingSession) -> NewCurve:
     document = session.document
-    return begun(document, session.active_index, fresh_curve(document, session.model, Parametrization()))
+    return with_new_curve(
+        document, session.active_index, new_curve_like(document, session.model, Parametrization())
+    )
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:
@@ -128,12 +130,12 @@ def _take(
     except EditError as reason:
         session.refuse(str(reason))
         return
-    now = begin.document.curves[begin.place]
+    now = begin.document.curves[begin.curve_index]
     curve = replace(made.curve, name=now.name, style=model.style, shape=now.shape, groups=now.groups)
     if session.change(
         "Draw with the pencil",
-        lambda _: replace_curve(begin.document, begin.place, curve),
-        active=begin.place,
+        lambda _: replace_curve(begin.document, begin.curve_index, curve),
+        active=begin.curve_index,
     ):
         session.say(_told(made, model, press, tolerance))
 

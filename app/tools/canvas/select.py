@@ -185,7 +185,7 @@ class SelectTool(Tool):
         if hit.curve >= 0:
             view, hit = event.session.views[hit.curve], hit.as_own
         if view.source.locked:
-            return Hint(hints.LOCKED.format(view.source.seen_name))
+            return Hint(hints.LOCKED.format(view.source.display_name))
         if hit.part is Part.CURVE:
             return hint_on_line(view, pointer)
         hint = hint_on_part(hit, view, moves, pointer, snaps=snaps)

@@ -270,9 +270,7 @@ class Remedy(NamedTuple):
             return result
         result = rule_edits.set_rule(result, curve, self.velocity_rule)
         if self.estimates:
-            result = point_edits.estimate_derivatives(
-                result, curve, range(len(document.curves[curve].points))
-            )
+            result = point_edits.clear_derivatives(result, curve, range(len(document.curves[curve].points)))
         return result
 
 

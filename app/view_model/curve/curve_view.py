@@ -461,7 +461,7 @@ def _resting_parameters(curve: Curve, arrays: PointArrays, previous: CurveView |
         previous is None
         or not previous.is_current
         or curve.parametrization != previous.source.parametrization
-        or curve.parametrization.kind.asks_where_points_are
+        or curve.parametrization.kind.depends_on_points
         or curve.is_closed != previous.source.is_closed
         or len(arrays.points) != len(previous.points)
         or arrays.times is not previous.arrays.times

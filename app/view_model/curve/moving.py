@@ -16,7 +16,7 @@ import numpy as np
 from curvecore import FrozenFlattening, FrozenSegments, ParametricCurve, Pieces, flatten_pieces
 from curvecore.drag.moved_points import MovedPoints
 
-from ...document.differences import differ_in_points
+from ...document.differences import differ_only_in_points
 from ...document.model import Curve, Vector
 from ..geometry import at_knots
 from .core_curve import Sides, moved_with_points
@@ -169,7 +169,7 @@ class MovingPoints:
             or arrays.corners is not old.corners
             or arrays.ties is not old.ties
             or arrays.times is not old.times
-            or not (differ_in_points(self._source, curve) or _rules(self._source) == _rules(curve))
+            or not (differ_only_in_points(self._source, curve) or _rules(self._source) == _rules(curve))
             or not curve.family.makes(self.curve)
         ):
             return None

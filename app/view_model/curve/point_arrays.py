@@ -15,7 +15,7 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...document.derivatives import DERIVATIVES
 from ...document.differences import have_only_moved
-from ...document.model import Point, Vector, vectors_of
+from ...document.model import Point, Vector, derivatives_of
 
 _x, _y = attrgetter("x"), attrgetter("y")
 
@@ -150,7 +150,7 @@ def _positions(points: Sequence[Point]) -> FloatArray:
 
 def _given(point: Point) -> list[Vector]:
     """Return the vectors of a point, those before it and then those after it."""
-    vectors = vectors_of(point)
+    vectors = derivatives_of(point)
     if not point.corner:
         before = vectors[: len(DERIVATIVES)]
         vectors = before + before

@@ -175,7 +175,7 @@ class _Moves:
         self._vectors = _given([old.arrays.given for old in olds], [values.given for values in arrays])
         self._before = np.array([old.curve_map.matrix if old.curve_map else _SAME for old in olds])
         self._tolerances = np.array([line[1] for root in roots if (line := root.whole_line)])
-        self._asks = np.array([curve.parametrization.kind.asks_where_points_are for curve in curves])
+        self._asks = np.array([curve.parametrization.kind.depends_on_points for curve in curves])
         self._rest: BoolArray = np.array(
             [
                 now.times is old.arrays.times

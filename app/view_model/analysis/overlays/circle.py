@@ -6,7 +6,7 @@ import numpy as np
 
 import curvecore
 
-from ....document.words import uncertain
+from ....document.words import with_error
 from ...curve.rounded_parameters import curvature_error
 from ...geometry import to_the_left, unit_tangents
 from ...line_styles import PURPLE, LineStyle
@@ -52,13 +52,13 @@ def circle(shown: OverlayInput) -> Figures:
     along, away = radius * np.sin(angle), np.sign(curvature) * 2 * radius * np.sin(angle / 2) ** 2
     arc = here + np.outer(along, tangent) + np.outer(away, normal)
     # The radius of the least curvature that it may be.
-    words = f"radius {uncertain(radius, radius * error / (abs(curvature) - error), number)}"
+    words = f"radius {with_error(radius, radius * error / (abs(curvature) - error), number)}"
     figures = [Figure(LINE, Shape.LINE, arc)]
     if radius < reach:
         centre = here + np.sign(curvature) * radius * normal
         figures.append(Figure(CENTRE, Shape.LINE, np.array([here, centre])))
         figures.append(Figure(CENTRE, Shape.MARKS, centre[None], words))
-    note = f"{words[0].upper()}{words[1:]}, curvature {uncertain(curvature, error, number)}."
+    note = f"{words[0].upper()}{words[1:]}, curvature {with_error(curvature, error, number)}."
     return Figures(figures, note)
 
 
