@@ -200,11 +200,11 @@ def test_the_status_line_says_what_the_tools_act_on(five):
     assert five.window.status_line.hint.startswith("Drag to select points")
 
 
-def test_the_sheet_says_it(five):
+def test_the_sheet_names_the_selected_curves(five):
     choose(five, "BD")
     five.trigger("showShortcuts")
     texts = [label.text() for label in five.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
-    assert "<b>Now: 2 curves chosen</b>" in texts
+    assert "<b>Now: 2 curves selected</b>" in texts
     assert texts.index("Drag a chosen curve") < texts.index("<b>Otherwise</b>")
     five.trigger("showShortcuts")
 

@@ -134,7 +134,7 @@ def test_f6_to_the_lessons_shows_a_frame_and_escape_clears_the_word(editor):
         assert window.canvas.hasFocus()
         assert editor.status != "Lessons."
         assert accent_around(here) == 0
-        panel.lesson_chosen.emit(0)
+        panel.lesson_wanted.emit(0)
         editor.settle()
     panel.text.setFocus()
     assert accent_around(panel.text) > panel.text.height()

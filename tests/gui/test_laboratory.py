@@ -80,7 +80,7 @@ def text(editor, name):
     return find(editor, QLabel, name).text()
 
 
-def shown(editor):
+def traces_of(editor):
     groups = editor.window.canvas.drawing.annotations.trace_layer.groups
     return {trace.label: trace for trace in groups.get("laboratory", ((), False))[0]}
 
@@ -143,7 +143,7 @@ def rows(editor):
 
 
 @pytest.mark.parametrize("digits", [3, 7])
-def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, digits):
+def test_the_digits_in_the_window_are_those_of_an_independent_computation(lab, digits):
     slider = find(lab, QSlider, "digitsSlider")
     while slider.value() != digits:
         press_key(lab, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
@@ -153,12 +153,12 @@ def test_the_window_shows_the_very_digits_of_an_independent_computation(lab, dig
     by_hand = [lagrange_by_hand(lab.parameters, each, 0.3, digits) for each in (xs, ys)]
     assert rows(lab)["Lagrange"] == tuple(float(each) for each in by_hand)
     table = commands(lab)._panel.digits
-    shown_text = next(row for row in table.texts if row[0] == "Lagrange")
-    assert [each.strip().replace("−", "-") for each in shown_text[1:]] == [str(each) for each in by_hand]
+    lagrange = next(row for row in table.texts if row[0] == "Lagrange")
+    assert [each.strip().replace("−", "-") for each in lagrange[1:]] == [str(each) for each in by_hand]
 
 
 def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab):
-    trace = shown(lab)["Lagrange"]
+    trace = traces_of(lab)["Lagrange"]
     trial = commands(lab).trial
     truth = lab.session.active_view.curve.evaluate(trial.t)
     away = np.hypot(*(np.vstack(trace.pieces) - truth).T)
@@ -171,7 +171,7 @@ def test_the_errors_in_the_table_and_the_plot_are_those_of_the_drawn_curve(lab):
     assert float(text(lab, "place_lagrange")) == pytest.approx(trial.t[np.argmax(away)], abs=0.006)
 
 
-def test_fewer_digits_ruin_the_monomials_first(lab):
+def test_fewer_digits_spoil_the_monomials_first(lab):
     slider = find(lab, QSlider, "digitsSlider")
     assert slider.value() == 4
     errors = {}
@@ -186,7 +186,7 @@ def test_fewer_digits_ruin_the_monomials_first(lab):
     assert text(lab, "digitsValue") == "<b>16</b> digits"
 
 
-def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab):
+def test_shifting_t_spoils_the_monomials_and_not_lagrange(lab):
     before, document = text(lab, "error_lagrange"), lab.session.document
     button = find(lab, QPushButton, "shiftButton")
     click(lab, button)
@@ -194,12 +194,12 @@ def test_shifting_t_ruins_the_monomials_and_leaves_lagrange_alone(lab):
     assert text(lab, "error_lagrange") == before
     assert lab.session.document is document
     assert not lab.session.files.is_modified or lab.session.undo_stack.count() == 1
-    assert button.text() == "Shift t back"
+    assert button.text() == "Undo Shift"
     click(lab, button)
     assert float(text(lab, "lost_monomial")) < 4.0
 
 
-def test_another_shift_can_be_typed(lab):
+def test_a_shift_can_be_typed(lab):
     field = find(lab, QLineEdit, "shiftField")
     retype(field, "1000")
     settled(lab)
@@ -212,12 +212,12 @@ def test_another_shift_can_be_typed(lab):
     assert commands(lab)._settings.shift == 1000
 
 
-def test_methods_are_chosen_by_their_boxes(lab):
-    assert set(shown(lab)) == {"Monomials", "Lagrange"}
+def test_check_boxes_select_the_methods(lab):
+    assert set(traces_of(lab)) == {"Monomials", "Lagrange"}
     click(lab, find(lab, QCheckBox, "method_barycentric"))
     click(lab, find(lab, QCheckBox, "method_monomial"))
-    assert set(shown(lab)) == {"Lagrange", "Barycentric"}
-    styles = [(trace.style.colour, trace.style.dashes) for trace in shown(lab).values()]
+    assert set(traces_of(lab)) == {"Lagrange", "Barycentric"}
+    styles = [(trace.style.colour, trace.style.dashes) for trace in traces_of(lab).values()]
     assert len(set(styles)) == 2
     assert text(lab, "lost_monomial") == "–"
 
@@ -225,14 +225,14 @@ def test_methods_are_chosen_by_their_boxes(lab):
 def test_hermite_curves_have_methods_of_their_own(lab):
     lab.choose_family(HERMITE)
     settled(lab)
-    assert set(shown(lab)) == {"Monomials", "Hermite basis"}
+    assert set(traces_of(lab)) == {"Monomials", "Hermite basis"}
     assert not find(lab, QCheckBox, "method_newton").isVisible()
     click(lab, find(lab, QCheckBox, "method_monomial"))
-    assert set(shown(lab)) == {"Hermite basis"}
+    assert set(traces_of(lab)) == {"Hermite basis"}
     # What was chosen for the other family is still chosen.
     lab.choose_family(LAGRANGE)
     settled(lab)
-    assert set(shown(lab)) == {"Lagrange"}
+    assert set(traces_of(lab)) == {"Lagrange"}
 
 
 def test_the_data_can_be_rounded(lab):
@@ -242,16 +242,16 @@ def test_the_data_can_be_rounded(lab):
     press_key(lab, box, Qt.Key.Key_Down)
     press_key(lab, box, Qt.Key.Key_Down)
     assert commands(lab)._settings.decimals == 1
-    first = shown(lab)["Lagrange"].pieces[0][0]
+    first = traces_of(lab)["Lagrange"].pieces[0][0]
     assert first == pytest.approx((0.1, 0.0))
     press_key(lab, box, Qt.Key.Key_Up)
     assert "neighbouring t are the same number" in text(lab, "laboratoryWords")
-    assert not shown(lab)
+    assert not traces_of(lab)
     press_key(lab, box, Qt.Key.Key_Home)
-    assert shown(lab)
+    assert traces_of(lab)
 
 
-def test_what_is_rounded_can_be_chosen(lab):
+def test_rounding_can_be_limited_to_coefficients_or_data(lab):
     """Only every step could be: the error of the monomials along t was flat, whatever lesson 6 said of it."""
     clock = Parametrization(ParametrizationKind.UNIFORM, end=8.0)
     nine = [(i, y) for i, y in enumerate((0.0, 1.1, 1.6, 1.3, 0.5, 0.2, 0.8, 1.7, 1.9))]
@@ -278,16 +278,16 @@ def test_what_is_rounded_can_be_chosen(lab):
     )
     settled(lab)
     assert "To 2 digits, neighbouring t are the same number" in text(lab, "laboratoryWords")
-    assert not shown(lab)
+    assert not traces_of(lab)
     press_key(lab, box, Qt.Key.Key_Home)
-    assert shown(lab)
+    assert traces_of(lab)
 
 
-def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab):
+def test_a_drag_keeps_the_old_curves_faded_until_the_hand_rests(lab):
     # However slow the machine is, the hand does not rest before it is let go.
     settling = commands(lab)._task._timer
     settling.setInterval(NEVER_MS)
-    trace = shown(lab)["Lagrange"]
+    trace = traces_of(lab)["Lagrange"]
     x, y = lab.point(2)
     lab.press((x, y))
     lab.move((x + 0.5, y + 0.5))
@@ -304,7 +304,7 @@ def test_a_drag_keeps_the_old_curves_faded_until_it_rests(lab):
     assert text(lab, "laboratoryState") == ""
 
 
-def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor):
+def test_the_laboratory_computes_nothing_while_it_is_off_and_closing_its_dock_switches_it_off(new_editor):
     editor = new_editor
     assert not commands(editor)._settings.on
     assert commands(editor)._panel is None
@@ -317,34 +317,34 @@ def test_off_it_costs_nothing_and_closing_the_dock_switches_it_off(new_editor):
     editor.trigger("toggleLaboratory")
     settled(editor)
     assert editor.action("toggleLaboratory").isChecked()
-    assert shown(editor)
+    assert traces_of(editor)
     # Another tab in front leaves the curves where they are.
     editor.show_dock("curveDock")
     editor.drag_point(1, to=(2, 3.5))
     settled(editor)
-    assert shown(editor)
+    assert traces_of(editor)
     dock = find(editor, QDockWidget, "laboratoryDock")
     dock.close()
     assert not editor.action("toggleLaboratory").isChecked()
-    assert not shown(editor)
+    assert not traces_of(editor)
 
 
-def test_many_points_are_refused_in_words(lab):
+def test_too_many_points_are_refused_with_a_sentence(lab):
     wave = [(0.1 * i, np.sin(i)) for i in range(61)]
     lab.session.commit(Document((make_curve(wave),)), "More")
     settled(lab)
-    assert set(shown(lab)) == {"Monomials"}
+    assert set(traces_of(lab)) == {"Monomials"}
     assert "Lagrange is left out" in text(lab, "laboratoryNote")
     lab.session.commit(Document((make_curve([(i, i % 2) for i in range(201)]),)), "Most")
     settled(lab)
-    assert not shown(lab)
+    assert not traces_of(lab)
     assert "too many" in text(lab, "laboratoryWords")
 
 
-def test_without_a_curve_it_says_why(lab):
+def test_without_a_curve_the_panel_says_why(lab):
     lab.session.commit(Document((make_curve(POINTS[:1]),)), "One")
     settled(lab)
-    assert not shown(lab)
+    assert not traces_of(lab)
     assert text(lab, "laboratoryWords") == "A curve needs at least two points."
 
 
@@ -369,7 +369,7 @@ def test_the_cost_page_counts_measures_and_marks_n(lab):
     assert "With 7 points" in text(lab, "costWords")
 
 
-def test_the_curves_are_drawn_in_both_themes(lab):
+def test_the_computed_curves_are_drawn_in_both_themes(lab):
     canvas = lab.window.canvas
     for theme in ("themeDark", "themeLight"):
         lab.trigger(theme)

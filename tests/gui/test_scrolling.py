@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QInputDevice, QNativeGestureEvent, QPointingDevice, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from app.features.laboratory.log_plot import LogPlot
+from app.features.laboratory.cost import LogPlot
 from app.plotting.plot_widget import PlotWidget
 
 Phase, Keys = Qt.ScrollPhase, Qt.KeyboardModifier

@@ -215,7 +215,7 @@ def test_no_two_actions_come_with_the_same_key(editor):
             assert keymap.owner_of(key) == name
 
 
-def test_the_sheet_hears_events_only_while_it_is_shown(editor):
+def test_the_sheet_filters_events_only_while_it_is_visible(editor):
     """Hidden by anything but its own close, it went on listening to every event of the program."""
     listens = ShortcutSheet.eventFilter.__wrapped__.__code__
 
@@ -228,14 +228,14 @@ def test_the_sheet_hears_events_only_while_it_is_shown(editor):
     assert listens not in heard()
 
 
-def test_the_sheet_keeps_its_field_and_its_button_where_nothing_is_found(editor):
+def test_the_sheet_keeps_its_field_and_its_button_without_a_match(editor):
     """The field was 6 pixels high, the button covered."""
     editor.trigger("showShortcuts")
     sheet = editor.window.findChild(QWidget, "shortcutSheet")
     search, close = (sheet.findChild(QWidget, name) for name in ("shortcutSearch", "closeShortcuts"))
     QTest.keyClicks(search, "qqqq")
     editor.settle()
-    assert any("Nothing is called that" in label.text() for label in sheet.findChildren(QLabel))
+    assert any("No match." in label.text() for label in sheet.findChildren(QLabel))
     assert search.height() >= search.minimumSizeHint().height()
     assert close.height() >= close.minimumSizeHint().height()
     assert sheet.rect().contains(close.geometry())

@@ -15,7 +15,7 @@ from app.document import point_edits, rule_edits
 from app.document.derivatives import AccelerationRule, VelocityRule
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
-from app.features.help.shortcut_sheet import Moment
+from app.features.help.shortcut_sheet import SheetState
 from app.features.point_table.edits import keeping_sentence
 from app.tools.canvas.select import SELECT
 
@@ -149,7 +149,7 @@ def test_a_hidden_velocity_is_pulled_out(wave):
 def test_the_sheet_of_keys_and_the_point_table_speak_of_velocities():
     assert keeping_sentence([8], {1, 2}) == "Point 8 keeps its own velocity and acceleration"
     assert keeping_sentence([3, 8], {1}) == "2 points keep their own velocities"
-    rows = Moment(SELECT, selected=1, has_derivatives=True).rows()
+    rows = SheetState(SELECT, point_count=1, has_derivatives=True).rows()
     said = " ".join(what for part in rows for _keys, what in part)
     assert "pull out its velocity" in said
     assert "set velocity (square)" in said

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton
 
 from app.document.model import Document, Parametrization, ParametrizationKind, Point, make_curve
-from app.features.teaching.teaching_badge import TeachingBadge
+from app.features.teaching.commands import TeachingBadge
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -40,7 +40,7 @@ def follow(editor, name):
     editor.settle()
 
 
-def test_it_appears_when_the_lebesgue_constant_passes_100(editor):
+def test_the_badge_appears_when_the_lebesgue_constant_passes_100(editor):
     assert not badge(editor).isVisible()
     # Λ of n + 1 equally spaced points: 51.2 for 13, 89.3 for 14, 155 to 192 further on (Λ grows by nearly 2).
     show(editor, wave(12))
@@ -56,7 +56,7 @@ def test_it_appears_when_the_lebesgue_constant_passes_100(editor):
     assert editor.window.findChild(QLabel, "lebesgueConstant").isVisible()
 
 
-def test_it_moves_nothing(editor):
+def test_the_badge_moves_nothing(editor):
     show(editor, wave(12))
     size = editor.window.canvas.size()
     show(editor, wave(21))
@@ -64,7 +64,7 @@ def test_it_moves_nothing(editor):
     assert editor.window.canvas.size() == size
 
 
-def test_put_away_it_comes_back_for_a_new_reason_only(editor):
+def test_a_dismissed_badge_returns_only_for_a_new_reason(editor):
     show(editor, wave(21))
     open_popup(editor)
     follow(editor, "putBadgeAway")
@@ -77,7 +77,7 @@ def test_put_away_it_comes_back_for_a_new_reason_only(editor):
     assert badge(editor).isVisible()
 
 
-def test_nothing_comes_or_goes_during_a_drag(editor):
+def test_the_badge_does_not_change_during_a_drag(editor):
     curve = wave(4)
     points = tuple(replace(point, t=float(t)) for point, t in zip(curve.points, (0, 1, 2, 3), strict=True))
     show(
@@ -109,7 +109,7 @@ def test_parameters_that_nearly_coincide_are_named(editor):
     assert "points 1 and 2 are only" in badge(editor).sentence
 
 
-def test_its_links_lead_to_the_laboratory_and_to_a_cure(editor):
+def test_the_links_of_the_badge_lead_to_the_laboratory_and_to_a_cure(editor):
     show(editor, wave(21))
     open_popup(editor)
     follow(editor, "openLaboratory")
@@ -121,7 +121,7 @@ def test_its_links_lead_to_the_laboratory_and_to_a_cure(editor):
     assert editor.window.findChild(QFrame, "wigglePanel").isVisible()
 
 
-def test_escape_closes_its_sentence(editor):
+def test_escape_closes_the_popup(editor):
     show(editor, wave(21))
     popup = open_popup(editor)
     QTest.keyClick(popup, Qt.Key.Key_Escape)

@@ -193,7 +193,7 @@ def test_the_list_and_the_sheet_say_what_is_chosen(whole):
     assert heard(whole, 2).endswith(", chosen")
     whole.trigger("showShortcuts")
     texts = [label.text() for label in whole.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
-    assert "<b>Now: 1 curve chosen</b>" in texts
+    assert "<b>Now: 1 curve selected</b>" in texts
     whole.trigger("showShortcuts")
 
 

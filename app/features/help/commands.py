@@ -1,4 +1,4 @@
-"""Keys and mouse, and what this program is."""
+"""Commands of the Help menu: the manual, keys and gestures, and the version."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ class HelpCommands:
 
     @action("manual", "Manual", HELP_ALL, icon="manual")
     def _show_manual(self) -> None:
-        """Read what the program can do, one page a subject."""
+        """Read about everything in the program, one page a subject."""
         if self._manual is None:
             self._manual = help_feature.manual.ManualWindow(self._context.window)
         self._manual.bring_up()
 
     @action("showShortcuts", "Keys and Mouse", HELP_ALL, "F1", "help")
     def _show_shortcuts(self) -> None:
-        """Show what keys and mouse do."""
+        """Show all keys and gestures, first those that apply now."""
         context = self._context
         if self._sheet is None:
             self._sheet = help_feature.shortcut_sheet.ShortcutSheet(
@@ -46,18 +46,18 @@ class HelpCommands:
         if self._sheet.isVisible():
             self._sheet.dismiss()
             return
-        chosen = context.session.selected.chosen
-        moment = help_feature.shortcut_sheet.Moment(
+        selected = context.session.selected
+        state = help_feature.shortcut_sheet.SheetState(
             tool=context.store.state.tool,
-            selected=context.session.selected.group.count,
+            point_count=selected.group.count,
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            chosen=count_label(context.session.document, chosen) if chosen else "",
+            curves=count_label(context.session.document, selected.chosen) if selected.chosen else "",
         )
-        self._sheet.open(moment, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
+        self._sheet.open(state, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 
     @action("about", "About Curvebench", HELP_ABOUT)
     def _about(self) -> None:
-        """Version and licence."""
+        """Show version and licence."""
         box = QMessageBox(self._context.window)
         box.setObjectName("aboutBox")
         box.setWindowTitle("About Curvebench")

@@ -1,4 +1,4 @@
-"""Shortcut sheet over the drawing: keys and mouse, first what applies now, then the rest."""
+"""Sheet of keys and gestures over the canvas: first those that apply now, then the others."""
 
 from __future__ import annotations
 
@@ -24,105 +24,107 @@ _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
 _MARGINS = QMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
 
 
-class Moment(msgspec.Struct, frozen=True):
-    """Situation by which the sheet tells what applies now.
+class SheetState(msgspec.Struct, frozen=True):
+    """Facts that decide which gestures apply now.
 
     Attributes
     ----------
     tool
         The tool in use.
-    selected
-        How many points are selected.
+    point_count
+        Number of selected points.
     has_derivatives
         Whether the family has velocities.
-    chosen
-        The words for what is chosen as a whole, "Leaf" or "2 curves"; empty for nothing.
+    curves
+        Label of the selected whole curves, "Leaf" or "2 curves"; empty without any.
     """
 
     tool: ToolRecord
-    selected: int
+    point_count: int
     has_derivatives: bool
-    chosen: str = ""
+    curves: str = ""
 
     @property
     def has_curves(self) -> bool:
-        """Whether curves are chosen and the transforms act on them: no point is selected."""
-        return bool(self.chosen) and not self.selected
+        """Whether whole curves are selected and no point, so that transformations act on the curves."""
+        return bool(self.curves) and not self.point_count
 
     @property
     def title(self) -> str:
-        """Heading for the situation."""
+        """Heading of the gestures that apply now."""
         if self.tool is SELECT and self.has_curves:
-            return f"Now: {self.chosen} chosen"
-        if self.tool is SELECT and self.selected:
-            return f"Now: {count_of(self.selected, 'point')} selected"
+            return f"Now: {self.curves} selected"
+        if self.tool is SELECT and self.point_count:
+            return f"Now: {count_of(self.point_count, 'point')} selected"
         return f"Now: {self.tool.doing}"
 
     def missing(self, gesture: GestureRow) -> str:
-        """Return what must be otherwise for a gesture of any tool to apply; empty where it does."""
-        is_there = (gesture.selected and bool(self.selected)) or (gesture.curves and self.has_curves)
-        if not is_there and gesture.curves:
-            curves = "curves chosen and no point selected"
-            return f"with points selected, or {curves}" if gesture.selected else f"with {curves}"
-        if not is_there and gesture.selected:
+        """Return the condition that a gesture lacks; empty where it applies."""
+        is_met = (gesture.selected and bool(self.point_count)) or (gesture.curves and self.has_curves)
+        if not is_met and gesture.curves:
+            curves = "whole curves selected"
+            return f"with points or {curves}" if gesture.selected else f"with {curves}"
+        if not is_met and gesture.selected:
             return "with points selected"
         return "on a Hermite curve" if gesture.needs_derivatives and not self.has_derivatives else ""
 
     def rows(self) -> tuple[Rows, Rows]:
-        """Return the gestures that apply, and the others, each with what must be otherwise."""
-        own = [*self.tool.gestures, *_WITH_ANY_TOOL]
+        """Return the gestures that apply now, and the others, each with the condition that it lacks."""
+        gestures = [*self.tool.gestures, *_WITH_ANY_TOOL]
         if self.tool is not SELECT:
-            own.append(GestureRow("Escape", "back to selecting"))
-        now = [(each.keys, each.what) for each in own if not self.missing(each)]
-        rest = {each: missing for each in own if (missing := self.missing(each))}
+            gestures.append(GestureRow("Escape", "back to selecting"))
+        now = [(gesture.keys, gesture.what) for gesture in gestures if not self.missing(gesture)]
+        others = {gesture: missing for gesture in gestures if (missing := self.missing(gesture))}
         for tool in TOOLS:
-            for each in tool.gestures:
-                if each not in own:
-                    rest.setdefault(each, f"when {tool.doing}")
-        return now, [(each.keys, f"{each.what}, {missing}") for each, missing in rest.items()]
+            for gesture in tool.gestures:
+                if gesture not in gestures:
+                    others.setdefault(gesture, f"when {tool.doing}")
+        return now, [(gesture.keys, f"{gesture.what}, {missing}") for gesture, missing in others.items()]
 
 
 _WITH_ANY_TOOL = (
-    GestureRow("Hold Ctrl or Shift", "while something is dragged: one axis; of angles: steps of 15°"),
-    GestureRow("%", "snap, or not, also in mid-drag"),
-    GestureRow("Escape, right button", "during a drag: take it back"),
+    GestureRow("Hold Ctrl or Shift", "during a drag: keep to one axis; for angles: steps of 15°"),
+    GestureRow("%", "switch snapping on or off, also during a drag"),
+    GestureRow("Escape, right button", "during a drag: cancel it"),
     GestureRow(
         "Moving, scaling, rotating",
-        "G, S, R: what is selected, else all points. X or Y locks an axis, digits type the amount "
-        "(1/3, 2mm), Tab (or ;) goes from x to y, Enter ends",
+        "G, S, R: the selection, or else all points. X or Y keeps to an axis, digits type the amount "
+        "(1/3, 2mm), Tab (or ;) goes from x to y, Enter finishes",
     ),
     GestureRow(
         "Arrow keys",
-        "move by a round number or a step of the grid; in the t-rail its ticks; Shift: ten, Ctrl: a tenth",
+        "move by a round number or a grid step (on the t-rail: ticks); Shift: tenfold, Ctrl: a tenth",
         selected=True,
         curves=True,
     ),
     GestureRow("Drag a tick of the t-rail", "change t; the parameters become manual"),
-    GestureRow("Hold E, dragging a tick", "all ticks on the side you move to go along"),
-    GestureRow("Shift+click ticks", "select several; dragging one moves all"),
-    GestureRow("Double-click a tick", "type its t; right-click for more"),
-    GestureRow("Drag in the basis panel", "scrub: every point shows its weight at t; Escape puts it away"),
+    GestureRow("Hold E, dragging a tick", "move all ticks in that direction as well"),
+    GestureRow("Shift+click ticks", "select several ticks; dragging one moves all"),
+    GestureRow("Double-click a tick", "type its t; right-click it for more"),
+    GestureRow(
+        "Drag in the basis panel", "move the scrub line: every point shows its weight at t; Escape hides it"
+    ),
     GestureRow("Click a basis function", "select its point"),
-    GestureRow("Drag, moving the image", "move it, or scale it by a corner; arrow keys nudge it"),
-    GestureRow("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: choose several"),
+    GestureRow("Drag, with Move Image", "move the image, or scale it by a corner; arrow keys move it"),
+    GestureRow("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: select several"),
     GestureRow("F2, Del", "in the list of curves: rename, delete"),
-    GestureRow("Right button, Menu key", "what can be done there"),
-    GestureRow("Drop a file", "open a document, or trace a picture"),
+    GestureRow("Right button, Menu key", "open a menu"),
+    GestureRow("Drop a file", "open a document, import a file, or put a picture behind the curves"),
     GestureRow("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
     GestureRow("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
 )
 
 
 class ShortcutSheet(OverlayFrame):
-    """Lies over the drawing; Escape, F1 or a click beside it puts it away. What is typed is looked for in it.
+    """Sheet over the canvas, with a search; Escape, F1 or a click beside it closes it.
 
-    It is a part of the window and no window of its own: it needs no place on the desktop, and Escape reaches
-    it wherever the focus is. All other keys are its own while it has the focus, and act on nothing behind it.
+    It is a frame in the window, not a window: Escape reaches it wherever the focus is. While it has the
+    focus, it receives all other keys, and none acts on the window behind it.
 
     Parameters
     ----------
     toggle
-        The action that shows it, whose keys put it away.
+        The action that shows the sheet; its keys close it.
     """
 
     def __init__(self, window: QWidget, over: QWidget, toggle: QAction) -> None:
@@ -135,11 +137,11 @@ class ShortcutSheet(OverlayFrame):
             QLineEdit(), "shortcutSearch", "Find keys and gestures", "Type to find keys and gestures"
         )
         self._search.setPlaceholderText("Find")
-        self._search.textEdited.connect(self._show_found)
+        self._search.textEdited.connect(self._show_matches)
         self.setFocusProxy(self._search)
         self._focus_before: QWidget | None = None
-        words = "Put the sheet away"
-        self._close = tool_button("closeShortcuts", words, f"{words} (Esc)", icon_size=ICON, flat=True)
+        label = "Close the sheet"
+        self._close = tool_button("closeShortcuts", label, f"{label} (Esc)", icon_size=ICON, flat=True)
         self._close.clicked.connect(self.dismiss)
         self._area = QScrollArea()
         self._area.setObjectName("shortcutArea")
@@ -153,30 +155,30 @@ class ShortcutSheet(OverlayFrame):
         self.follow_theme()
         self.hide()
 
-    def open(self, moment: Moment, menus: Sequence[tuple[str, Rows]]) -> None:
-        """Show what applies at `moment`, then the other gestures, then the keys of each menu."""
-        now, rest = moment.rows()
-        self._sections = [(moment.title, now), ("Otherwise", rest), *menus]
+    def open(self, state: SheetState, menus: Sequence[tuple[str, Rows]]) -> None:
+        """Show the gestures that apply in `state`, then the others, then the keys of each menu."""
+        now, others = state.rows()
+        self._sections = [(state.title, now), ("Otherwise", others), *menus]
         self._search.clear()
-        self._show_found("")
+        self._show_matches("")
         self._focus_before = QApplication.focusWidget()
         self.show()
         self.raise_()
         self.setFocus()
 
-    def _show_found(self, text: str) -> None:
-        """Show the rows in which all words of a text are."""
+    def _show_matches(self, text: str) -> None:
+        """Show the rows that contain all words of a text."""
         words = text.casefold().split()
-        found = [
+        matches = [
             (title, [row for row in rows if all(word in " ".join(row).casefold() for word in words)])
             for title, rows in self._sections
         ]
-        nothing = [("Nothing is called that; the command palette finds by other words, too.", (("", ""),))]
-        self._area.setWidget(_grid(found if any(rows for _, rows in found) else nothing))
+        nothing = [("No match. The command palette knows synonyms as well.", (("", ""),))]
+        self._area.setWidget(_grid(matches if any(rows for _, rows in matches) else nothing))
         self.place()
 
     def dismiss(self) -> None:
-        """Hide, and give the focus back."""
+        """Hide the sheet, and return the focus."""
         had_focus = self.hasFocus() or self.isAncestorOf(QApplication.focusWidget() or self.below)
         self.hide()
         if had_focus and self._focus_before is not None:
@@ -184,15 +186,15 @@ class ShortcutSheet(OverlayFrame):
         self._focus_before = None
 
     def place(self) -> None:
-        """Lie in the middle of the drawing, as high as the rows need and there is room."""
+        """Move to the middle of the canvas, as high as the rows need and there is room."""
         corner = self._over.mapTo(self.below, self._over.rect().topLeft())
         room = self._over.size().shrunkBy(_MARGINS)
         width = min(room.width(), _WIDEST)
         content = self._area.widget()
         # A vertical scroll bar takes its width from the rows.
         rows = content.heightForWidth(width - 24) if content is not None else 0
-        top = max(each.sizeHint().height() for each in (self._close, self._search))
-        # Nothing found has no height for a width: the field and the button keep their own.
+        top = max(widget.sizeHint().height() for widget in (self._close, self._search))
+        # A sheet without matches has no height for a width: the field and the button keep theirs.
         height = min(room.height(), max(rows + top + 24, self.minimumSizeHint().height()))
         self.setGeometry(corner.x() + (self._over.width() - width) // 2, corner.y() + _MARGIN, width, height)
 
@@ -211,7 +213,7 @@ class ShortcutSheet(OverlayFrame):
         super().showEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        # Whatever hides it: every event of the program would come by.
+        # However it was hidden: else every event of the program would pass through the filter.
         _application().removeEventFilter(self)
         super().hideEvent(event)
 
@@ -252,7 +254,7 @@ def _is_escape(event: QEvent) -> bool:
 
 
 def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
-    """Return all sections in one grid, so that their columns stand below each other."""
+    """Return a widget with all sections in one grid, so that their columns are aligned."""
     content = QWidget()
     content.setObjectName("shortcutRows")
     grid = QGridLayout(content)
@@ -268,9 +270,9 @@ def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
         heading = Label(f"<b>{html_of(title)}</b>", is_html=True)
         heading.setContentsMargins(0, 10 if line else 0, 0, 2)
         grid.addWidget(heading, line, 0, 1, 2)
-        for offset, (keys, what) in enumerate(rows, start=1):
-            grid.addWidget(_cell(keys, "shortcutKeys"), line + offset, 0)
-            grid.addWidget(_cell(what, "shortcutText"), line + offset, 1)
+        for row, (keys, text) in enumerate(rows, start=line + 1):
+            grid.addWidget(_cell(keys, "shortcutKeys"), row, 0)
+            grid.addWidget(_cell(text, "shortcutText"), row, 1)
         line += len(rows) + 1
     grid.setRowStretch(line, 1)
     return content

@@ -1,7 +1,7 @@
-"""The stability laboratory: the same curve computed with few digits, by several methods.
+"""Stability laboratory: the same curve computed with few digits, by several methods.
 
-- ``commands``: computes beside the window.  ``error_plot``: the errors, over t.
-- ``panel``, ``method_table``, ``digits_table``: few digits.  ``cost_panel``, ``log_plot``: costs.
+- ``commands``: trials beside the window, and their results on the canvas and in plots.
+- ``panel``: the controls, with the ``tables`` of errors and digits and the page on ``cost``.
 """
 
 import lazy_loader as lazy

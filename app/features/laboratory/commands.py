@@ -1,4 +1,4 @@
-"""The stability laboratory: computes beside the window, and shows what came out on canvas and panel."""
+"""Stability laboratory: trials beside the window, and their results on the canvas and in the panel."""
 
 from __future__ import annotations
 
@@ -21,27 +21,31 @@ from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel, make_room
 from .. import laboratory
-from .error_plot import TITLE, error_plot
 
 if TYPE_CHECKING:
     from ...view_model.analysis.laboratory import Digits, SolvingCost, Trial
+    from ...view_model.analysis.plot import PlotData
     from .panel import LaboratoryPanel
+
+
+TITLE = "Errors of the methods"
+"""Title of the plot of errors."""
 
 _GROUP = "laboratory"
 _HEIGHT = 480
-"""Pixels of the side that the laboratory needs for its controls and its table."""
+"""Height in pixels that the controls and the table need."""
 
 
 class LaboratoryCommands(SafeOverrides, QObject):
-    """Keeps the laboratory in step with curve and settings, while it is on.
+    """The laboratory of one window: computes anew when the curve or the settings change, while it is on.
 
-    It is on from the moment its dock is looked at until the dock is closed: with another tab in front the
+    It is on from the moment its dock is in front until the dock is closed: with another tab in front the
     computed curves stay on the canvas.
 
     Attributes
     ----------
     trial
-        The last result, None without any.
+        The last result; None before the first.
     """
 
     def __init__(self, context: WindowContext) -> None:
@@ -63,7 +67,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
 
     def _connect(self) -> None:
         # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
-        self._is_seen = False
+        self._is_in_front = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
         self._analysis.changed.connect(lambda: self.follow_drag(self._session.active_view))
         self._session.scrub_changed.connect(self._ask_digits)
@@ -76,11 +80,11 @@ class LaboratoryCommands(SafeOverrides, QObject):
 
     @Panel("laboratoryDock", "Lab", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
-        """Return the content of the dock; called when it is first looked at."""
+        """Return the content of the dock; called when the dock is first shown."""
         self._panel = laboratory.panel.LaboratoryPanel(
             self._analysis, self._context.actions["plotErrors"], parent
         )
-        self._panel.cost_shown.connect(lambda: self._ask_cost(self._session.active_view))
+        self._panel.cost_opened.connect(lambda: self._ask_cost(self._session.active_view))
         self._panel.render_view(self._session.active_view)
         return self._panel
 
@@ -102,8 +106,8 @@ class LaboratoryCommands(SafeOverrides, QObject):
         checked=lambda state: state.window.analysis.laboratory.on,
     )
     def _toggle(self) -> None:
-        """Compute the curve with few digits, by several methods, and see which of them fail."""
-        # In a presentation it may be on and out of sight: then it is called for.
+        """Compute the curve with few digits by several methods, to see which of them fail."""
+        # In a presentation it may be on and hidden: then it is shown.
         if not (self._settings.on and self._dock.isVisible()):
             self._open()
         else:
@@ -125,17 +129,17 @@ class LaboratoryCommands(SafeOverrides, QObject):
     def _toggle_errors(self) -> None:
         """Plot the error of each method of the laboratory over t."""
         if self._context.store.state.error_plot:
-            # What it plots is computed here.
+            # The laboratory computes the plotted errors.
             self._open()
 
     def _follow_visibility(self, visible: bool) -> None:
-        self._is_seen = visible
+        self._is_in_front = visible
         if visible and self._context.window.isVisible():
             self._switch(True)
             self._ask_cost(self._session.active_view)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Switch the laboratory off when its dock is closed, not when something else hides it."""
+        """Switch the laboratory off when its dock is closed, but not when the dock is hidden."""
         if event.type() == QEvent.Type.Close and isinstance(watched, QDockWidget):
             self._switch(False)
         return super().eventFilter(watched, event)
@@ -143,7 +147,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
     # Computing
 
     def follow_drag(self, view: CurveView) -> bool:
-        """Compute anew once things have settled, if curve or settings are other ones."""
+        """Compute anew, after a pause, if curve or settings have changed; return whether it is on."""
         settings = self._settings
         if not settings.on:
             if self._asked is not None:
@@ -182,7 +186,7 @@ class LaboratoryCommands(SafeOverrides, QObject):
                 self._panel.render_digits(None)
             return
         if t is None:
-            t = max(trial.outcomes, key=lambda each: each.worst[0]).worst[1]
+            t = max(trial.outcomes, key=lambda outcome: outcome.worst[0]).worst[1]
         self._digits_task.ask(lambda _report: analysis.laboratory.digits_at(trial.view, trial.settings, t))
 
     def _show_digits(self, digits: Digits | None) -> None:
@@ -190,8 +194,8 @@ class LaboratoryCommands(SafeOverrides, QObject):
             self._panel.render_digits(digits)
 
     def _ask_cost(self, view: CurveView) -> None:
-        """Measure for another number of points, if somebody looks; a time is not worth more than that."""
-        if self._panel is None or not (self._is_seen and self._panel.shows_cost) or not view.is_current:
+        """Measure for another number of points, if the page is in front: costs depend on nothing else."""
+        if self._panel is None or not (self._is_in_front and self._panel.shows_cost) or not view.is_current:
             return
         if self._costed is None or _size(self._costed) != _size(view):
             self._costed = view
@@ -213,7 +217,8 @@ class LaboratoryCommands(SafeOverrides, QObject):
         heading = ""
         if trial is not None and self._settings.on and trial.view.source.visible:
             traces = tuple(
-                Trace(each.pieces, each.calculation.style, each.calculation.label) for each in trial.outcomes
+                Trace(outcome.pieces, outcome.calculation.style, outcome.calculation.label)
+                for outcome in trial.outcomes
             )
             heading = "computing…" if busy else _heading(trial.settings)
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, heading, faded=busy)
@@ -234,10 +239,10 @@ class LaboratoryCommands(SafeOverrides, QObject):
 
 
 def _heading(settings: LaboratorySettings) -> str:
-    what = {RoundedPart.COEFFICIENTS: "Coefficients", RoundedPart.DATA: "Data"}.get(
+    computed = {RoundedPart.COEFFICIENTS: "Coefficients", RoundedPart.DATA: "Data"}.get(
         settings.rounding, "Computed"
     )
-    text = f"{what} with {settings.digits} digits"
+    text = f"{computed} with {settings.digits} digits"
     if settings.decimals is not None:
         text += f", data to {settings.decimals} decimals"
     if settings.shift:
@@ -247,6 +252,15 @@ def _heading(settings: LaboratorySettings) -> str:
 
 def _size(view: CurveView) -> tuple[int, int]:
     return len(view.parameters), view.source.family.derivatives
+
+
+def error_plot(trial: Trial) -> PlotData:
+    """Return the plot of the errors of a trial over t."""
+    lines = [
+        analysis.plot.PlotLine(outcome.calculation.label, trial.t, outcome.errors, outcome.calculation.style)
+        for outcome in trial.outcomes
+    ]
+    return analysis.plot.plot_of(TITLE, lines, analysis.plot.Scale.LOG)
 
 
 COMMAND_SETS = (LaboratoryCommands,)

@@ -1,4 +1,4 @@
-"""The stability laboratory: few digits, rounded data, shifted t, and what each method makes of them."""
+"""Panel of the laboratory: digits, rounded data, a shift of t, and the results of each method."""
 
 from __future__ import annotations
 
@@ -26,36 +26,35 @@ from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import action_button, choice_box, named, push_button
 from ...widgets.fields import NumberEdit, read_number
 from ...widgets.frames import Scrolled
-from .cost_panel import CostPanel
-from .digits_table import DigitsTable
-from .method_table import MethodTable
+from .cost import CostPanel
+from .tables import DigitsTable, MethodTable
 
 _LARGEST_SHIFT = 1e9
 
 _WHAT_TIP = (
-    "Every step, as on a pocket calculator; or once only the coefficients of each method, "
-    "or the data, with exact arithmetic before and after"
+    "Round every step, as a pocket calculator does; or only the coefficients of each method, "
+    "or only the data, with exact arithmetic before and after"
 )
-_DATA_TIP = "Round points, parameters and derivatives before anything is computed"
+_DATA_TIP = "Round points, parameters and derivatives before the computation"
 _SHIFT_TIP = (
-    "Let t run from t₀ + 100: the same curve, ruined first where powers of t are used. "
-    "The document stays as it is"
+    "Add 100 to every t: the same curve, but methods with powers of t lose their digits. "
+    "The document does not change"
 )
 
 _PAGE = QSize(2000, 72)
-"""Largest minimum size of a page: all of its width."""
+"""Largest minimum size of a page: its whole width, and little height."""
 
 
 class LaboratoryPanel(QTabWidget):
-    """The controls of the experiment, what came out, and what it costs.
+    """Controls of the experiment, its results, and the page on costs.
 
     Signals
     -------
-    cost_shown
-        The page on costs is in front now.
+    cost_opened
+        The person brings the page on costs to the front.
     """
 
-    cost_shown = Signal()
+    cost_opened = Signal()
 
     def __init__(self, analysis: Analysis, plot_errors: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,23 +64,23 @@ class LaboratoryPanel(QTabWidget):
         self._plot_errors = plot_errors
         self.cost = CostPanel()
         self.table, self.digits = MethodTable(), DigitsTable()
-        self.what = choice_box(
-            "roundWhat", "What is rounded", _WHAT_TIP, (each.label for each in RoundedPart)
-        )
+        self.what = choice_box("roundWhat", "Rounded part", _WHAT_TIP, (part.label for part in RoundedPart))
         self.slider = self._make_slider()
         self.digits_text = Label(name="digitsValue", is_html=True)
         self.rounding = choice_box("roundData", "Round the data", _DATA_TIP, _data_choices())
-        self.shift_button = push_button("shiftButton", "", _SHIFT_TIP, "Shift the parameters by 100, or back")
+        self.shift_button = push_button(
+            "shiftButton", "", _SHIFT_TIP, "Shift the parameters by 100, or undo the shift"
+        )
         self.shift_button.setCheckable(True)
-        tip = "What is added to every t, for the experiment only"
+        tip = "Number to add to every t, in the experiment only"
         self.shift_field = NumberEdit("shiftField", "Shift t by", tip, _shift_of)
         self.words = Label(name="laboratoryWords", wordWrap=True)
         self.note = Label(name="laboratoryNote", wordWrap=True)
         self.state = Label(name="laboratoryState")
         self.addTab(_Page(self._accuracy_page(), "accuracyPage"), "Accuracy")
         self.addTab(_Page(self.cost, "costPage"), "Cost")
-        self.setTabToolTip(0, "How many digits each method loses")
-        self.setTabToolTip(1, "How many operations each way takes, and how long")
+        self.setTabToolTip(0, "Number of digits that each method loses")
+        self.setTabToolTip(1, "Operations and time that each method takes")
         self._connect()
         self._render_settings()
 
@@ -91,8 +90,8 @@ class LaboratoryPanel(QTabWidget):
         slider = named(
             QSlider(Qt.Orientation.Horizontal),
             "digitsSlider",
-            "Significant digits that are kept",
-            "Significant decimal digits that are kept",
+            "Significant digits",
+            "Number of significant decimal digits to compute with",
         )
         slider.setRange(LEAST_DIGITS, MOST_DIGITS)
         slider.setPageStep(1)
@@ -139,11 +138,11 @@ class LaboratoryPanel(QTabWidget):
         self.shift_button.clicked.connect(self._toggle_shift)
         self.shift_field.entered.connect(self._set_shift)
         self.shift_field.refused.connect(self._refuse_shift)
-        self.table.chosen.connect(self._choose_methods)
-        self.currentChanged.connect(lambda page: self.cost_shown.emit() if page == 1 else None)
+        self.table.methods_changed.connect(self._set_methods)
+        self.currentChanged.connect(lambda page: self.cost_opened.emit() if page == 1 else None)
         self._analysis.changed.connect(self._render_settings)
 
-    # What the person does
+    # Changes by the person
 
     @property
     def _settings(self) -> LaboratorySettings:
@@ -164,12 +163,12 @@ class LaboratoryPanel(QTabWidget):
         self.note.setText(reason)
         self.note.show()
 
-    def _choose_methods(self, chosen: frozenset[Calculation]) -> None:
-        # The methods of other families stay as they were chosen.
-        others = frozenset(each for each in self._settings.methods if not self.table.offers(each))
-        self._change(methods=chosen | others)
+    def _set_methods(self, methods: frozenset[Calculation]) -> None:
+        # The methods of other families stay selected.
+        others = frozenset(method for method in self._settings.methods if not self.table.offers(method))
+        self._change(methods=methods | others)
 
-    # What is shown
+    # Rendering
 
     @property
     def shows_cost(self) -> bool:
@@ -184,42 +183,42 @@ class LaboratoryPanel(QTabWidget):
         self.digits_text.setText(f"<b>{settings.digits}</b> digits")
         self.rounding.setCurrentIndex(0 if settings.decimals is None else settings.decimals + 1)
         self.shift_button.setChecked(settings.shift != 0)
-        self.shift_button.setText("Shift t back" if settings.shift else f"Shift t by {USUAL_SHIFT:g}")
+        self.shift_button.setText("Undo Shift" if settings.shift else f"Shift t by {USUAL_SHIFT:g}")
         self.shift_field.show_number(settings.shift)
 
     def render_view(self, view: CurveView) -> None:
-        """Offer the methods of the family."""
+        """Show the methods of the family."""
         self.table.render_methods(calculations(view), self._settings.methods)
 
     def render_trial(
         self, trial: Trial | None, lebesgue: float | None, *, busy: bool, problem: str = ""
     ) -> None:
-        """Show what came out; muted while something else is being computed."""
+        """Show the results of a trial; muted while another one is computed."""
         self.state.setText("computing…" if busy else "")
         self.table.render_trial(trial, lebesgue, faded=busy)
-        said = (trial_words(trial), growth_words(trial)) if trial is not None else (problem,)
-        self.words.setText(" ".join(filter(None, said)))
+        sentences = (trial_words(trial), growth_words(trial)) if trial is not None else (problem,)
+        self.words.setText(" ".join(filter(None, sentences)))
         self.words.setEnabled(not busy)
         self.note.setText(trial.note if trial is not None else "")
         self.note.setVisible(bool(self.note.text()))
 
     def render_digits(self, digits: Digits | None) -> None:
-        """Show the very digits at one t."""
+        """Show the computed digits at one t."""
         self.digits.render_digits(digits, self._settings.digits)
 
 
 def _data_choices() -> list[str]:
     return [
-        "Data as they are",
+        "Data not rounded",
         *(f"Data to {count_of(decimals, 'decimal')}" for decimals in range(MOST_DECIMALS + 1)),
     ]
 
 
 class _Page(Scrolled[QWidget]):
-    """A page that scrolls up and down.
+    """Page that scrolls vertically.
 
-    Nothing is cut off at the side: it asks for the width of its content and of the scroll bar. (Where type is
-    enlarged for a projector, the content may be wider than the dock, and is scrolled.)
+    It asks for the width of its content and of the scroll bar, so that nothing is cut off at the side. (Where
+    text is enlarged for a projector, the content may be wider than the dock, and scrolls.)
     """
 
     def __init__(self, content: QWidget, name: str) -> None:
@@ -231,7 +230,7 @@ class _Page(Scrolled[QWidget]):
 
 
 def _shift_of(text: str) -> float:
-    """Return the shift that was typed."""
+    """Return the shift in a typed text."""
     shift = read_number(text)
     if abs(shift) > _LARGEST_SHIFT:
         raise ExpressionError("A shift must lie between −1e9 and 1e9.")

@@ -1,4 +1,4 @@
-"""Lessons: opens their documents, goes from step to step, and sees whether a goal is met."""
+"""Commands of the lessons: open documents, go from step to step, check goals."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ class _Visit:
 class LessonCommands:
     """The lessons of one window.
 
-    Nothing of it is imported or read before the dock is first opened. A lesson is known by where its document
-    began: undo goes back to the lesson before, and to the step that it was left at.
+    No lesson is imported or read before the dock is first opened. The origin of the document identifies the
+    lesson, so that Undo goes back to the lesson before, and to the step at which it was left.
     """
 
     def __init__(self, context: WindowContext) -> None:
@@ -55,7 +55,7 @@ class LessonCommands:
         self._visits: dict[DocumentOrigin, _Visit] = {}
         self._switched_on: list[str] = []
         self._dock = context.docks["lessonsDock"]
-        self._dock.visibilityChanged.connect(lambda shown: context.store.change(lessons=shown))
+        self._dock.visibilityChanged.connect(lambda visible: context.store.change(lessons=visible))
 
     def render_panel(self, view: CurveView) -> None:
         """Tick the goal when the curve meets it."""
@@ -76,21 +76,21 @@ class LessonCommands:
         return self._visits.setdefault(self._context.session.files.beginning, _Visit())
 
     def open(self, name: str) -> None:
-        """Begin the lesson of this name."""
+        """Start the lesson with this name."""
         self._dock.show()
-        # In a window that is not on the screen yet nothing is shown; but the panel follows the document.
+        # In a window that is not visible yet the dock is not built, but the panel must follow the document.
         self._dock.fill()
-        self._begin([lesson.name for lesson in self._lessons].index(name))
+        self._start([lesson.name for lesson in self._lessons].index(name))
 
     @Panel("lessonsDock", "Lessons", LEFT, on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when the dock is first shown."""
         panel = self._panel = lessons.panel.LessonPanel(self._lessons, parent)
-        panel.lesson_chosen.connect(self._begin)
-        panel.again_wanted.connect(self._begin_again)
-        panel.step_chosen.connect(self._go)
+        panel.lesson_wanted.connect(self._start)
+        panel.restart_wanted.connect(self._start_again)
+        panel.step_wanted.connect(self._go)
         panel.action_wanted.connect(self._trigger)
-        # Now, and so after the window itself, which shows the usual part of another document.
+        # After the window itself, which fits the view to another document.
         self._context.session.opened.connect(self._follow_document)
         return panel
 
@@ -100,23 +100,23 @@ class LessonCommands:
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda state: state.window.lessons)
     def _toggle(self) -> None:
-        """Learn why a curve goes where it goes, in eleven lessons."""
+        """Learn in eleven lessons why a curve goes where it goes."""
         self._dock.setVisible(not self._context.store.state.lessons)
 
-    def _begin(self, number: int) -> None:
-        """Open a lesson's document; what was there before stays in the history, or is asked about."""
+    def _start(self, number: int) -> None:
+        """Open the document of a lesson; the work before stays in the history, or the person is asked."""
         lesson = self._lessons[number]
         self._context.files.open_example(lesson.document, f"Lesson {number + 1}: {lesson.title}")
 
-    def _begin_again(self) -> None:
+    def _start_again(self) -> None:
         session = self._context.session
         if self._lesson is not None and (session.undo_stack.count() or session.files.path is not None):
-            self._context.files.open_example(self._lesson.document, "Begin Again")
+            self._context.files.open_example(self._lesson.document, "Start Again")
         else:
             self._go(0)
 
     def _switch_all_off(self) -> None:
-        """Put away what another lesson, or somebody before it, has switched on."""
+        """Switch off all analysis that another lesson or the person has switched on."""
         for switch, _action in self._context.actions.of_menu(ANALYSIS):
             if not switch.group and self._context.actions.is_on(switch.name):
                 self._trigger(switch.name)
@@ -125,9 +125,9 @@ class LessonCommands:
         self._switched_on.clear()
 
     def _follow_document(self) -> None:
-        """Show the lesson whose document is open now, at the step where it was left; else the gallery."""
+        """Show the lesson whose document is open, at the step where it was left; else the list of lessons."""
         copied = self._context.session.files.beginning.copied
-        lesson = next((each for each in self._lessons if each.document == copied), None)
+        lesson = next((lesson for lesson in self._lessons if lesson.document == copied), None)
         if lesson is None:
             if self._lesson is not None:
                 self._go(_GALLERY)
@@ -141,14 +141,14 @@ class LessonCommands:
         self._context.central.fit_panes(whole=True)
 
     def _go(self, step: int) -> None:
-        """Go to a step of the lesson that is open; beyond its end, to the next lesson."""
+        """Go to a step of the open lesson; beyond its end, to the next lesson."""
         if self._lesson is None:
             return
         if step == len(self._lesson.steps):
-            self._begin(self._lessons.index(self._lesson) + 1)
+            self._start(self._lessons.index(self._lesson) + 1)
             return
         if step == _GALLERY:
-            self._switch_off(but=())
+            self._switch_off(keep=())
             self._lesson = None
             assert self._panel is not None
             self._panel.show_gallery()
@@ -160,18 +160,18 @@ class LessonCommands:
     def _show(self, step: int) -> None:
         assert self._panel is not None
         assert self._lesson is not None
-        self._switch_off(but=self._lesson.steps[step].show)
+        self._switch_off(keep=self._lesson.steps[step].show)
         self._visit.step = step
         self._panel.show_step(self._lesson, step, is_last=self._lesson is self._lessons[-1])
         self._set_up(self._lesson.steps[step])
         self.render_panel(self._context.session.active_view)
 
-    def _switch_off(self, but: Collection[str]) -> None:
-        """Switch off what the step before has switched on, `but` what the next one shows as well."""
+    def _switch_off(self, keep: Collection[str]) -> None:
+        """Switch off the actions of the step before, except those to keep."""
         for name in self._switched_on:
-            if name not in but and self._context.actions.is_on(name):
+            if name not in keep and self._context.actions.is_on(name):
                 self._context.actions[name].trigger()
-        self._switched_on = [name for name in self._switched_on if name in but]
+        self._switched_on = [name for name in self._switched_on if name in keep]
 
     def _activate(self, name: str) -> None:
         session = self._context.session

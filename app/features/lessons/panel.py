@@ -1,4 +1,4 @@
-"""The gallery of lessons, and the lesson that is being taken."""
+"""Panel of the lessons: the list, and one step of a lesson."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ from .lesson import Lesson
 
 _MARGIN = 10
 _LEAST_WIDTH = 256
-"""No title of the gallery is cut off."""
+"""Width in pixels that no title in the list exceeds."""
 
 
 class LessonPanel(QWidget):
-    """Shows the gallery, or one step of a lesson.
+    """Panel with the list of lessons, or with one step of a lesson.
 
     Signals
     -------
-    lesson_chosen
-        The lesson of this number is wanted.
-    step_chosen
-        Another step of the lesson is wanted; −1 is the gallery, the number of steps the next lesson.
-    again_wanted
-        The lesson is to begin again, with its document as it comes.
+    lesson_wanted
+        The person selects the lesson with this number.
+    step_wanted
+        The person goes to another step; −1 is the list, the number of steps the next lesson.
+    restart_wanted
+        The person starts the lesson again, with its original document.
     action_wanted
-        A link in the text names this action.
+        The person follows a link that names this action.
     """
 
-    lesson_chosen = Signal(int)
-    step_chosen = Signal(int)
-    again_wanted = Signal()
+    lesson_wanted = Signal(int)
+    step_wanted = Signal(int)
+    restart_wanted = Signal()
     action_wanted = Signal(str)
 
     def __init__(self, lessons: Sequence[Lesson], parent: QWidget | None = None) -> None:
@@ -57,46 +57,46 @@ class LessonPanel(QWidget):
         self.goal = Label(name="lessonGoal", wordWrap=True, is_html=True)
         self.goal.setFrameShape(QFrame.Shape.StyledPanel)
         self.goal.setMargin(8)
-        self.gallery_button = _button("lessonGallery", "All Lessons", "Back to the list of lessons")
+        self.gallery_button = _button("lessonGallery", "All Lessons", "Show the list of lessons")
         self.again_button = _button(
-            "lessonAgain", "Begin Again", "Begin this lesson again; Undo goes back to what you have now"
+            "lessonAgain", "Start Again", "Start this lesson again; Undo restores your work"
         )
-        self.back_button = _button("lessonBack", "Back", "The step before")
-        self.next_button = _button("lessonNext", "Next", "The next step")
+        self.back_button = _button("lessonBack", "Back", "Go to the step before")
+        self.next_button = _button("lessonNext", "Next", "Go to the next step")
         self._title = Label(name="lessonTitle", wordWrap=True, is_html=True)
-        self._place = Label(name="lessonPlace")
+        self._position = Label(name="lessonPlace")
         self._pages = QStackedWidget()
         self._pages.addWidget(self.gallery)
         self._pages.addWidget(self._make_page())
         column_of(self._pages, margins=0, parent=self)
-        self.gallery_button.clicked.connect(lambda: self.step_chosen.emit(-1))
-        self.again_button.clicked.connect(self.again_wanted)
-        self.back_button.clicked.connect(lambda: self.step_chosen.emit(self._step - 1))
-        self.next_button.clicked.connect(lambda: self.step_chosen.emit(self._step + 1))
+        self.gallery_button.clicked.connect(lambda: self.step_wanted.emit(-1))
+        self.again_button.clicked.connect(self.restart_wanted)
+        self.back_button.clicked.connect(lambda: self.step_wanted.emit(self._step - 1))
+        self.next_button.clicked.connect(lambda: self.step_wanted.emit(self._step + 1))
 
     def _make_gallery(self, lessons: Sequence[Lesson]) -> QScrollArea:
         cards = QWidget()
-        shown = [self._card(number, lesson) for number, lesson in enumerate(lessons, start=1)]
-        column_of(*shown, 1, margins=4, spacing=0, parent=cards)
+        buttons = [self._card(number, lesson) for number, lesson in enumerate(lessons, start=1)]
+        column_of(*buttons, 1, margins=4, spacing=0, parent=cards)
         gallery = named(QScrollArea(), "lessonList", "Lessons")
         gallery.setFrameShape(QFrame.Shape.NoFrame)
         gallery.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         gallery.setWidgetResizable(True)
-        # The keyboard goes to its cards, which show that they have the focus.
+        # The cards take the keyboard focus, and show it.
         gallery.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         gallery.setWidget(cards)
         return gallery
 
     def _card(self, number: int, lesson: Lesson) -> QCommandLinkButton:
         card = QCommandLinkButton(f"{number}  {lesson.title}", lesson.summary)
-        named(card, f"lesson{number}", f"Lesson {number}: {lesson.title}", "Begin this lesson")
-        # The style's green arrow is a colour with no meaning here.
+        named(card, f"lesson{number}", f"Lesson {number}: {lesson.title}", "Start this lesson")
+        # Without the green arrow of the style.
         card.setIcon(QIcon())
-        card.clicked.connect(lambda: self.lesson_chosen.emit(number - 1))
+        card.clicked.connect(lambda: self.lesson_wanted.emit(number - 1))
         return card
 
     def _make_text(self) -> QTextBrowser:
-        text = named(QTextBrowser(), "lessonText", "What to do in this step")
+        text = named(QTextBrowser(), "lessonText", "Text of this step")
         text.setFrameShape(QFrame.Shape.NoFrame)
         text.document().setDocumentMargin(_MARGIN)
         text.setOpenLinks(False)
@@ -106,7 +106,7 @@ class LessonPanel(QWidget):
     def _make_page(self) -> QWidget:
         page = QWidget()
         top = row_of(self.gallery_button, self.again_button, 1)
-        bottom = row_of((self.back_button, 1), self._place, (self.next_button, 1))
+        bottom = row_of((self.back_button, 1), self._position, (self.next_button, 1))
         column_of(top, self._title, (self.text, 1), self.goal, bottom, margins=_MARGIN, parent=page)
         return page
 
@@ -117,15 +117,15 @@ class LessonPanel(QWidget):
     # Rendering
 
     def show_gallery(self) -> None:
-        """Show all lessons."""
+        """Show the list of lessons."""
         self._pages.setCurrentIndex(0)
 
     def show_step(self, lesson: Lesson, step: int, *, is_last: bool) -> None:
-        """Show one step of a lesson; after its end comes the next lesson, unless it is the last one."""
+        """Show one step of a lesson; “Next” leads to the next lesson after the last step."""
         self._step = step
         self._pages.setCurrentIndex(1)
         self._title.setText(f"<b>{html_of(lesson.title)}</b>")
-        self._place.setText(f"{step + 1} of {len(lesson.steps)}")
+        self._position.setText(f"{step + 1} of {len(lesson.steps)}")
         self.text.setMarkdown(f"### {lesson.steps[step].title}\n\n{lesson.steps[step].text}")
         self.back_button.setEnabled(step > 0)
         at_end = step + 1 == len(lesson.steps)
@@ -134,9 +134,9 @@ class LessonPanel(QWidget):
         self.show_result(None, reached=False)
 
     def show_result(self, result: GoalResult | None, *, reached: bool) -> None:
-        """Show whether the goal of the step is met; None where the step has none.
+        """Show whether the goal of the step is met; hide the goal for None.
 
-        A goal that was reached once stays ticked: what comes after may lead away from it.
+        A goal that was reached once stays ticked: later changes may lead away from it.
         """
         self.goal.setVisible(result is not None)
         if result is not None:

@@ -1,4 +1,4 @@
 """Warnings that teach, in a badge of the status line.
 
-- ``commands``: when one is shown.  ``teaching_badge``: the badge.
+- ``commands``: the badge, and the rules that show and hide it.
 """
