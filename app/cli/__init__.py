@@ -1,11 +1,12 @@
 """The command line: the editor, and commands that need no window.
 
 - ``command_line``: which command it is.  ``output``: results, refusals and progress.
-  ``documents``: documents and families of the files that it names.
+  ``documents``, ``families``: documents and curve families in the files that it names.
 - ``commands``: the parsers of the commands without a window.  ``options``: their options.
   ``rendering``, ``converting`` and ``info``: what each of them does.
-- ``start``: the editor's start.  ``display``: whether there is a screen for it.
-  ``application``: Qt's application.  ``windows``: the windows, and what surrounds them until the end.
+- ``start``: the editor's start.  ``lessons``: the same with a lesson.
+  ``display``: whether there is a screen for it.  ``application``: Qt's application.
+  ``windows``: the windows, and what surrounds them until the end.
 """
 
 import lazy_loader as lazy

@@ -2,8 +2,9 @@
 from . import application as application
 from . import commands as commands
 from . import converting as converting
-from . import documents as documents
+from . import families as families
 from . import info as info
+from . import lessons as lessons
 from . import rendering as rendering
 from . import start as start
 from . import windows as windows

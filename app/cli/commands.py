@@ -90,7 +90,7 @@ def _convert(options: argparse.Namespace) -> int:
 
 
 def _lesson(options: argparse.Namespace) -> int:
-    return cli.start.lesson(options.name)
+    return cli.lessons.lesson(options.name)
 
 
 _COMMAND_OF = {"render": _render, "convert": _convert, "info": _info, "lesson": _lesson}

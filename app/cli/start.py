@@ -1,4 +1,4 @@
-"""The start of the editor, with documents or with a lesson."""
+"""The start of the editor, with the documents of the command line."""
 
 from __future__ import annotations
 
@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING
 
 from .. import cli
 from ..families import FAMILIES
-from ..features.lessons.lesson import LessonError, find_lesson, lesson_names, load_lesson
 from ..storage.files import StorageError
 from ..storage.open_file import is_large
 from ..window.given_files import given_files
 from .display import NO_DISPLAY, has_display, missing_library
 from .documents import load_document
-from .output import RefusalError, say
+from .output import RefusalError
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
@@ -90,18 +89,3 @@ def no_garbage_sought() -> Iterator[None]:
         gc.freeze()
         gc.set_threshold(_YOUNG, *gc.get_threshold()[1:])
         gc.enable()
-
-
-# Lessons
-
-
-def lesson(name: str | None) -> int:
-    """Open the editor with a lesson, by its name or number; without one list them."""
-    if name is None:
-        for number, each in enumerate(lesson_names(), start=1):
-            say(f"{number:2}  {each.partition('_')[2]:28}{load_lesson(each).title}")
-        return 0
-    try:
-        return edit((), find_lesson(name))
-    except LessonError as problem:
-        raise RefusalError(str(problem)) from None
