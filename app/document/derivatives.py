@@ -1,4 +1,14 @@
-"""The derivatives that a point may carry, and the rules that estimate those that nobody set."""
+"""Derivatives of points, and the rules that estimate them where nobody has set them.
+
+To add a rule: a function of ``curvecore`` that computes the estimates (its name stands in the late names of
+``curvecore/__init__.pyi``), and a member of `VelocityRule`, `AccelerationRule` or `JerkRule` below; menus,
+the palette, boxes, files and views read the member. A rule that is not linear in the points names with
+`changes` a second function, for its Jacobian times moves of the points, and says in `linearised` which
+effects of points that gives. Where the rule has kinks, or treats each coordinate by itself, that function
+takes ``one_sided``, and `growth_holds` says for which points the growth of errors holds.
+``curvecore/limited_tangents.py`` has two. A rule for the parameters is a member of `ParametrizationKind`
+(``model``) in the same way.
+"""
 
 from __future__ import annotations
 

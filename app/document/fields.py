@@ -3,6 +3,15 @@
 A field is described where it is declared: ``width: Annotated[float | None, at_least(0), "Stroke width"]``.
 `plain_numbers` converts the numbers of such fields, the validation of files and changes checks the
 requirements, and the history names the fields.
+
+To add a field to the document: a line in ``model`` or ``style`` with its requirement and its name for
+people::
+
+    width: Annotated[float | None, at_least(0), LENGTH, "Stroke width"] = None
+
+Files, `Session.change`, conversion from unit to unit and the names of undo steps read the line, and
+``tests/document/test_fields.py`` tests it. The rest of its meaning is an edit beside the others of its kind,
+the panel that shows it and, for a style, ``app/qt`` (screen and print), ``app/exchange/svg`` and TikZ.
 """
 
 from __future__ import annotations

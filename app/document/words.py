@@ -1,6 +1,9 @@
 """Words for people: labels of members, numbers, amounts, lists; and sums of decimals as people write them.
 
 Rounding happens here and nowhere else: a displayed number is a view, the value stays exact.
+
+An enumeration that people see is a `NamedEnum`: each member has its label, `BESSEL = "bessel", "Bessel
+(parabola)"`. Numbers on the screen have a true minus; files, the clipboard and typed fields a plain one.
 """
 
 from __future__ import annotations

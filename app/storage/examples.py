@@ -1,4 +1,7 @@
-"""The sketch that the first window shows, and the examples that come with the program."""
+"""The curve that the first window shows, and the examples that come with the program.
+
+To add an example: save a document in ``resources/examples``. File > Examples lists the folder.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,14 @@
 """The columns of the point table: a record for each. No Qt.
 
-Table, header, tooltips, widths, copying, typing, filling, pasting and resetting read these records. To add a
-column is to add its record to `COLUMNS`.
+Table, header, tooltips, widths, copying, typing, filling, pasting and resetting read these records.
+
+To add a column: a record in `COLUMNS`, with `get` and, where the number can be changed, `set`::
+
+    Column(name="r", tip="Distance from the origin", get=distances, set=at_distance)
+
+A column with an `order` is a part of a point, from which pasted rows make new points. One without is a number
+of its own: a paste fills it afterwards, or skips it where it is computed; Delete calls `reset`. `derivatives`
+limits it to families with derivatives. ``tests/gui/test_table_columns.py`` adds two.
 """
 
 from __future__ import annotations
