@@ -80,6 +80,7 @@ from curvecore.families.floater_hormann import FloaterHormannCurve as FloaterHor
 from curvecore.families.hermite import HermiteCurve as HermiteCurve
 from curvecore.families.hermite import QuinticHermiteCurve as QuinticHermiteCurve
 from curvecore.families.hermite import SepticHermiteCurve as SepticHermiteCurve
+from curvecore.families.hermite import hermite_functions as hermite_functions
 from curvecore.families.lagrange import LagrangeCurve as LagrangeCurve
 from curvecore.families.setting import FamilySetting as FamilySetting
 from curvecore.fitting.fit import fit as fit

@@ -240,7 +240,7 @@ def odd_values(value: object, place: str = "document", known: object = None) -> 
 
 
 def _odd_setting(value: object, place: str) -> list[str]:
-    return [] if type(value) in (int, str) else [f"{place} = {value!r}, a {type(value).__name__}"]
+    return [] if type(value) in (int, str) else odd_values(value, place)
 
 
 def _odd_items(items: tuple[object, ...], place: str, known: object) -> list[str]:

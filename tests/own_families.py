@@ -12,7 +12,7 @@ from app.families import FAMILIES
 FILES = sorted((Path(__file__).parent / "data" / "families").glob("*.py"))
 OWN = ("tests_averaging", "tests_cosine_steps", "tests_gaussian", "tests_multiquadric")
 """Those of which nothing but functions of t is known, and which are no polynomials."""
-EVERY = (*(family.name for family in FAMILIES), *OWN, "tests_natural_spline")
+EVERY = (*(family.name for family in FAMILIES), *OWN, "tests_natural_spline", "cardinal_spline")
 """The names of all families that are tried; those of files are there only while a test has them."""
 
 

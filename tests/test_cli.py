@@ -511,6 +511,21 @@ def test_convert_takes_settings_of_the_family_and_info_tells_them(tmp_path, caps
     assert "hermite alone, which has no settings" in capsys.readouterr().err
 
 
+def test_convert_and_info_take_real_settings_of_a_family_file(tmp_path, capsys):
+    table, curve = tmp_path / "bell.csv", tmp_path / "bell.curve.json"
+    table.write_text("x,y\n" + "\n".join(f"{x},{1 / (1 + x * x)}" for x in range(-5, 6)))
+    file = ["--families", str(Path(__file__).parent / "data" / "families" / "cardinal_spline.py")]
+    convert = ["convert", *file, str(table), str(curve), "--family", "cardinal_spline", "--setting"]
+    assert main([*convert, "tension=-0.35"]) == 0
+    capsys.readouterr()
+    assert main(["info", *file, "--json", str(curve)]) == 0
+    assert json.loads(capsys.readouterr().out)["curves"][0]["settings"] == {"tension": -0.35}
+    assert main(["info", *file, str(curve)]) == 0
+    assert re.search(r"^  tension +-0\.35$", capsys.readouterr().out, re.MULTILINE)
+    assert main([*convert, "tension=1.5"]) == 1
+    assert "cardinal_spline with tension= and a number from -1 to 1" in capsys.readouterr().err
+
+
 @each_row(
     ("typed", "name"),
     [

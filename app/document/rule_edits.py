@@ -15,7 +15,7 @@ from .constraints import rescaled
 from .derivatives import DERIVATIVES, EstimateRule
 from .limits import EditError, checked, not_after
 from .model import Curve, Document, ParametrizationKind, Point
-from .words import number
+from .words import number, with_minus
 
 # Family and rules
 
@@ -26,13 +26,14 @@ def set_family(document: Document, curve: int, family: Family) -> Document:
 
 
 def set_family_setting(document: Document, curve: int, name: str, value: SettingValue) -> Document:
-    """Choose a setting of the curve's family."""
+    """Set a setting of the curve's family."""
     old = document.curves[curve]
     setting = old.family.settings.named(name)
     if setting is None:
         raise EditError(f"{old.family.label} has no setting “{name}”.")
     if not setting.allows(value):
-        raise EditError(f"{setting.label} must be {setting.requirement}.")
+        requirement = with_minus(setting.requirement) if setting.limits else setting.requirement
+        raise EditError(f"{setting.label} must be {requirement}.")
     chosen = old.family.settings.without_defaults({**old.settings, name: value})
     return document if chosen == old.settings else document.with_curve(curve, replace(old, settings=chosen))
 

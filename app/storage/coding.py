@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from types import NoneType
 
-from ..families import FAMILIES, ChosenSettings, Family, may_be_name
+from ..families import FAMILIES, ChosenSettings, Family, SettingValue, may_be_name
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
 """The names that msgspec has for the values of JSON in its own refusals."""
 
 
-def encode_hook(value: object) -> str | float | dict[str, int | str]:
+def encode_hook(value: object) -> str | float | dict[str, SettingValue]:
     """Return what stands for a value: the name of a family, a number of NumPy's as one of Python's."""
     if isinstance(value, ChosenSettings):
         return dict(value)

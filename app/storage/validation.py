@@ -276,7 +276,7 @@ def _settings_problem(family: Family, settings: Mapping[str, object]) -> str:
         if setting := family.settings.named(name):
             is_allowed, requirement = setting.allows(value), setting.requirement
         elif family.is_missing and may_be_name(name):
-            is_allowed, requirement = _may_be_setting(value), "a whole number or a word"
+            is_allowed, requirement = _may_be_setting(value), "a number or a word"
         else:
             return f" has a key that {family} does not know: {_shortened_json(name)}"
         if not is_allowed:
@@ -285,7 +285,7 @@ def _settings_problem(family: Family, settings: Mapping[str, object]) -> str:
 
 
 def _may_be_setting(value: object) -> bool:
-    return may_be_name(value) or (type(value) is int and abs(value) <= MAX_MAGNITUDE)
+    return may_be_name(value) or (type(value) in (int, float) and abs(value) <= MAX_MAGNITUDE)  # type: ignore[arg-type]
 
 
 def _shortened_json(value: object) -> str:

@@ -494,3 +494,39 @@ class SepticHermiteCurve(PiecewiseHermite):
     ) -> None:
         jets = stacked_jets(points, velocities=velocities, accelerations=accelerations, jerks=jerks)
         self._keep(jets, parameters)
+
+
+def hermite_functions(t: ArrayLike, parameters: ArrayLike, order: int = 0) -> FloatArray:
+    """Return the functions of cubic Hermite pieces: for families that make velocities of their points.
+
+    Parameters
+    ----------
+    t : float or array_like of any shape
+        Finite, inside the domain or not. At a parameter the piece to the right counts.
+    parameters : array_like, shape (n,)
+        t_i, finite and strictly increasing; n >= 2.
+    order : int, optional
+        Order of the derivative with respect to t, at least 0.
+
+    Returns
+    -------
+    ndarray, shape (*shape of t, n, 2)
+        ``[..., i, 0]`` belongs to the point p_i, ``[..., i, 1]`` to the velocity v_i, per unit of t.
+
+    Raises
+    ------
+    CurveError
+        If an argument does not have the shape or values above.
+
+    See Also
+    --------
+    HermiteCurve : The curve with given velocities; its `basis` are these functions.
+
+    Examples
+    --------
+    >>> from curvecore import hermite_functions
+    >>> hermite_functions(0.5, [0, 1]).tolist()
+    [[0.5, 0.125], [0.5, -0.125]]
+    """
+    none = np.zeros((np.size(parameters), 1))
+    return HermiteCurve(none, none, parameters).basis(t, order)

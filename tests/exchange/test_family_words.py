@@ -18,7 +18,12 @@ pytestmark = pytest.mark.usefixtures("own_families")
 
 
 def other_value(setting):
-    values = [value for value, _ in setting.choices] or list(range(setting.limits[0], setting.limits[1] + 1))
+    if setting.choices:
+        values = [value for value, _ in setting.choices]
+    elif setting.is_whole:
+        values = range(setting.limits[0], setting.limits[1] + 1)
+    else:
+        values = [sum(setting.limits) / 3 + 1 / 7]  # with digits to the last one
     return next(value for value in values if value != setting.default)
 
 

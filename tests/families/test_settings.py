@@ -125,6 +125,39 @@ def test_settings_of_the_registry_are_sound(name):
 # Documents
 
 
+@pytest.fixture
+def spline_document():
+    return Document((make_curve(POINTS, family=FAMILIES.named("cardinal_spline")),))
+
+
+def test_a_real_setting_is_stored_as_a_number(spline_document):
+    tense = rule_edits.set_family_setting(spline_document, 0, "tension", 0.35)
+    assert b'"settings": {"tension": 0.35}' in encode(tense)
+    assert decode(encode(tense)) == tense
+    assert view_of(tense.curves[0]).curve.chosen == {"tension": 0.35}
+    third = rule_edits.set_family_setting(spline_document, 0, "tension", 1 / 3)
+    assert decode(encode(third)).curves[0].settings["tension"] == 1 / 3
+    # The default, whichever way it is written, is left out.
+    for zero in (0, 0.0, -0.0):
+        assert rule_edits.set_family_setting(tense, 0, "tension", zero) == spline_document
+
+
+def test_a_real_setting_in_a_file_may_be_a_whole_number(spline_document):
+    tense = decode(with_settings(spline_document, '{"tension": 1}'))
+    assert tense == rule_edits.set_family_setting(spline_document, 0, "tension", 1.0)
+    assert view_of(tense.curves[0]).curve.chosen == {"tension": 1.0}
+    assert b'"settings": {"tension": 1}' in encode(tense)
+
+
+def test_a_real_setting_outside_of_its_limits_is_refused(spline_document):
+    with pytest.raises(limits.EditError, match=r"^Tension must be a number from −1 to 1\.$"):
+        rule_edits.set_family_setting(spline_document, 0, "tension", 1.5)
+    with pytest.raises(FormatError, match=r"settings\.tension must be a number from -1 to 1, not 1\.5"):
+        decode(with_settings(spline_document, '{"tension": 1.5}'))
+    with pytest.raises(FormatError, match=r'settings\.tension must be a number from -1 to 1, not "tight"'):
+        decode(with_settings(spline_document, '{"tension": "tight"}'))
+
+
 def test_the_document_holds_what_is_not_the_default(document):
     chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     assert dict(chosen.curves[0].settings) == {"amount": 5}
@@ -278,6 +311,13 @@ def test_a_missing_family_keeps_its_settings(document):
     chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     text = encode(chosen).replace(b"tests_swaying", b"not_here")
     assert encode(decode(text)) == text
-    for bad in (b'{"Amount!": 5}', b'{"amount": 5.5}', b'{"amount": true}', b'{"amount": 1000000000000000}'):
+    real = text.replace(b'{"amount": 5}', b'{"amount": 5.5}')
+    assert encode(decode(real)) == real
+    for bad in (
+        b'{"Amount!": 5}',
+        b'{"amount": 1e300}',
+        b'{"amount": true}',
+        b'{"amount": 1000000000000000}',
+    ):
         with pytest.raises(FormatError, match=r"curves\[0\]\.settings"):
             decode(text.replace(b'{"amount": 5}', bad))

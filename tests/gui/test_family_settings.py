@@ -1,5 +1,6 @@
 """Settings of a family in the form of the curve: typed, dragged, stepped, chosen, undone."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -133,6 +134,56 @@ def test_the_slider_is_stepped(swaying):
     assert chosen(swaying) == {"amount": 3}
     QTest.keyClick(handle, Qt.Key.Key_Left)
     assert chosen(swaying) == {}
+
+
+@pytest.fixture
+def spline(editor):
+    curve = make_curve(POINTS, family=FAMILIES.named("cardinal_spline"))
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.show_dock("curveDock")
+    return editor
+
+
+def test_a_real_setting_is_typed_and_undone(spline):
+    tension = widget(spline, QLineEdit, "settingTension")
+    handle = widget(spline, QSlider, "settingTensionSlider")
+    assert (tension.text(), handle.value(), handle.maximum()) == ("0", 20, 40)
+    assert tension.toolTip() == "0: Catmull-Rom; 1: rests in every point (−1 to 1, Enter to set)"
+    enter(spline, tension, "-1/3")
+    assert chosen(spline) == {"tension": -1 / 3}
+    assert spline.session.active_view.curve.chosen == {"tension": -1 / 3}
+    assert spline.session.undo_stack.undoText() == "Set tension to −0.333333"
+    assert handle.value() == 13
+    spline.window.canvas.setFocus()
+    assert tension.text() == "−0.3333"
+    spline.trigger("undo")
+    assert chosen(spline) == {}
+    assert tension.text() == "0"
+
+
+def test_a_real_setting_outside_of_its_limits_is_refused(spline):
+    enter(spline, widget(spline, QLineEdit, "settingTension"), "1.5")
+    problem = widget(spline, QLabel, "curveProblem").text()
+    assert problem == "⚠ Tension must be a number from −1 to 1."
+    assert chosen(spline) == {}
+
+
+def test_the_slider_of_a_real_setting_moves_by_its_step_and_a_drag_is_one_step(spline):
+    handle = widget(spline, QSlider, "settingTensionSlider")
+    handle.setFocus()
+    for tension in (0.05, 0.1, 0.15):
+        QTest.keyClick(handle, Qt.Key.Key_Right)
+        assert chosen(spline) == {"tension": tension}
+    steps = spline.session.undo_stack.count()
+    handle.setSliderDown(True)
+    handle.setSliderPosition(40)
+    assert spline.session.active_view.curve.chosen == {"tension": 1.0}
+    assert np.abs(spline.session.active_view.curve.evaluate(0.0, 1)).max() < 1e-9
+    handle.setSliderPosition(0)
+    handle.setSliderDown(False)
+    assert chosen(spline) == {"tension": -1.0}
+    assert spline.session.undo_stack.count() == steps + 1
+    assert spline.session.undo_stack.undoText() == "Set tension to −1"
 
 
 def test_a_choice_is_chosen_and_undone(swaying):

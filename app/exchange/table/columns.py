@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Curve
-from ...families import FAMILIES, NO_SETTINGS, ChosenSettings, Family, FamilySetting, SettingValue
+from ...families import FAMILIES, NO_SETTINGS, ChosenSettings, Family, SettingValue
 from ..errors import ExchangeError
 
 ROLES = ("t", "x", "y", *(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy"))
@@ -296,11 +296,7 @@ def _read_setting(family: Family, pair: str) -> tuple[str, SettingValue]:
     if setting is None:
         known = ", ".join(f"{family} {each.name}={each.default}" for each in family.settings.all)
         raise ValueError(known or f"{family} alone, which has no settings")
-    value = _value(setting, text)
+    value = setting.value_of(text)
     if not setting.allows(value):
         raise ValueError(f"{family} with {name}= and {setting.requirement}")
     return name, value
-
-
-def _value(setting: FamilySetting, text: str) -> SettingValue:
-    return int(text) if setting.limits is not None and text.removeprefix("-").isdecimal() else text

@@ -19,7 +19,7 @@ from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
 from ...workbench.form_edits import FormEdits, SliderGesture
-from .panel import CurveSettings, choice_of, step_of
+from .panel import CurveSettings, NumberField, choice_of, step_of
 
 _RULES = tuple((of, rule) for of in DERIVATIVES for rule in of.rules)
 
@@ -58,6 +58,10 @@ def _setting_action(each: tuple[Family, FamilySetting]) -> Action:
     )
 
 
+def _name_at_position(setting: FamilySetting, field: NumberField, position: int) -> str:
+    return step_of(setting, field.value_at(position))
+
+
 class CurveSettingsCommands:
     """Keeps the form in step with the active curve.
 
@@ -88,13 +92,17 @@ class CurveSettingsCommands:
     def _follow_sliders(self) -> None:
         self._gestures = []
         for setting, field in self.panel.settings.numbers.items():
-            with_value, step = partial(self._with_value, setting.name), partial(step_of, setting)
-            self._gestures.append(SliderGesture(self._session, field.slider, with_value, step))
+            edit = partial(self._at_position, setting, field)
+            name = partial(_name_at_position, setting, field)
+            self._gestures.append(SliderGesture(self._session, field.slider, edit, name))
             field.slider.sliderPressed.connect(lambda: self._hold_ghost(True))
             field.slider.drag_ended.connect(lambda: self._hold_ghost(False))
 
-    def _with_value(self, name: str, document: Document, value: int) -> Document:
-        return set_family_setting(document, self._session.active_index, name, value)
+    def _at_position(
+        self, setting: FamilySetting, field: NumberField, document: Document, position: int
+    ) -> Document:
+        value = field.value_at(position)
+        return set_family_setting(document, self._session.active_index, setting.name, value)
 
     @action_for_each(_RULES, _rule_action)
     def _use_rule(self, each: tuple[Derivative, EstimateRule]) -> None:

@@ -15,7 +15,7 @@ from ...document import curve_edits, point_edits, rule_edits
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.model import Document
 from ...document.selection import NONE_SELECTED
-from ...document.words import count_of, digits_of_range, number
+from ...document.words import count_of, digits_of_range, number, with_minus
 from ...families import FamilySetting, SettingValue
 from ...qt.labels import Label
 from ...view_model.curve.curve_view import CurveView, ParametricCurve
@@ -27,12 +27,16 @@ from ...widgets.number_text import decimal_mark
 from ...widgets.sliders import LiveSlider
 
 _FIELD_WIDTH = 56
-"""Pixels of the field of a whole number: the slider has the rest of the row."""
+"""Pixels of the field of a number: the slider has the rest of the row."""
+
+_DIGITS = 4
+"""Significant digits of a real number while nobody has the cursor in its field."""
 
 
 def step_of(setting: FamilySetting, value: SettingValue) -> str:
     """Return the name of a step in the history: Set degree of blending to 5."""
-    return f"Set {setting.title} to {setting.text_of(value)}"
+    text = setting.text_of(value)
+    return f"Set {setting.title} to {text if isinstance(value, str) else with_minus(text)}"
 
 
 def _widget_name(setting: FamilySetting) -> str:
@@ -40,25 +44,27 @@ def _widget_name(setting: FamilySetting) -> str:
 
 
 class NumberField:
-    """A whole number: typed, or set by a slider.
+    """A number, whole or real: typed, or set by a slider that moves by steps of the setting.
 
     Attributes
     ----------
     edit, slider
-        The field and the slider.
+        The field and the slider, whose positions count the steps from the least number.
     row, entry
         What stands in the form, and what is typed into.
     """
 
-    def __init__(self, setting: FamilySetting, limits: tuple[int, int]) -> None:
+    def __init__(self, setting: FamilySetting, limits: tuple[float, float]) -> None:
         name, label = _widget_name(setting), setting.label
-        reach = f"({limits[0]} to {limits[1]}"
-        self.edit = NumberEdit(name, label, f"{setting.tip} {reach}, Enter to set)".strip())
+        self._setting, (self._least, self._most) = setting, limits
+        self._step = setting.step or (1 if setting.is_whole else (self._most - self._least) / 100)
+        reach = with_minus(" to ".join(map(setting.text_of, limits)))
+        self.edit = NumberEdit(name, label, f"{setting.tip} ({reach}, Enter to set)".strip())
         self.edit.setFixedWidth(_FIELD_WIDTH)
         slider = LiveSlider()
-        tip = f"{setting.tip} {reach}; Escape cancels a drag)".strip()
+        tip = f"{setting.tip} ({reach}; Escape cancels a drag)".strip()
         self.slider = named(slider, f"{name}Slider", f"{label}, slider", tip)
-        self.slider.setRange(*limits)
+        self.slider.setRange(0, self._position_of(self._most))
         self.slider.setPageStep(1)
         self._value: SettingValue | None = setting.default
         self.slider.drag_ended.connect(self._show)
@@ -70,10 +76,22 @@ class NumberField:
         self._value = value
         self._show()
 
+    def value_at(self, position: int) -> SettingValue:
+        """Return the number at a position of the slider."""
+        # Twelve digits: 3 steps of 0.05 are 0.15.
+        value = min(float(f"{self._least + position * self._step:.12g}"), self._most)
+        return int(value) if self._setting.is_whole else value
+
+    def _position_of(self, value: float) -> int:
+        return round((value - self._least) / self._step)
+
     def _show(self) -> None:
-        self.edit.show_text("" if self._value is None else str(self._value))
-        if not self.slider.isSliderDown() and isinstance(self._value, int):
-            self.slider.setValue(self._value)
+        if not isinstance(self._value, int | float):
+            self.edit.show_text("")
+            return
+        self.edit.show_number(self._value, None if self._setting.is_whole else _DIGITS)
+        if not self.slider.isSliderDown():
+            self.slider.setValue(self._position_of(self._value))
 
 
 class ChoiceField:
@@ -113,7 +131,7 @@ class SettingFields(QObject):
     Attributes
     ----------
     numbers
-        The fields of whole numbers, by their settings.
+        The fields of numbers, by their settings.
     """
 
     chosen = Signal(object, object)
@@ -126,7 +144,7 @@ class SettingFields(QObject):
 
     @property
     def numbers(self) -> dict[FamilySetting, NumberField]:
-        """The fields of whole numbers, by their settings."""
+        """The fields of numbers, by their settings."""
         return {setting: field for setting, field in self._fields.items() if isinstance(field, NumberField)}
 
     def render_view(self, view: CurveView) -> None:
@@ -162,7 +180,9 @@ class SettingFields(QObject):
         if isinstance(field, ChoiceField):
             field.box.activated.connect(lambda place: self.chosen.emit(setting, field.value_at(place)))
         else:
-            field.edit.entered.connect(lambda value: self.chosen.emit(setting, _whole(value)))
+            field.edit.entered.connect(
+                lambda value: self.chosen.emit(setting, _whole(value) if setting.is_whole else value)
+            )
 
 
 def _field_of(setting: FamilySetting) -> NumberField | ChoiceField:
