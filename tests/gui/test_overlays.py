@@ -336,8 +336,8 @@ def test_a_press_on_the_legend_is_meant_for_the_canvas(editor):
     canvas, shown = editor.window.canvas, editor.window.canvas.drawing.annotations.legend
     place = canvas.to_plane(QPointF(shown.geometry().center()))
     # It would make way for the point, on a slow machine before the press.
-    pace = shown._soon.interval()
-    shown._soon.setInterval(NEVER_MS)
+    pace = shown._move_timer.interval()
+    shown._move_timer.setInterval(NEVER_MS)
     editor.drag_point(7, place)
     label = shown.findChildren(QLabel)[1]
     start = label.mapFrom(shown, shown.rect().center())
@@ -349,6 +349,6 @@ def test_a_press_on_the_legend_is_meant_for_the_canvas(editor):
     ):
         act(label, *(() if act is QTest.mouseMove else (Qt.MouseButton.LeftButton,)), pos=at)
         QApplication.processEvents()
-    shown._soon.setInterval(pace)
+    shown._move_timer.setInterval(pace)
     moved = np.subtract(editor.point(7), place) / editor.pixel
     assert moved == pytest.approx((-80, 60), abs=3)
