@@ -11,17 +11,17 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 RESERVED = {
-    Qt.Key.Key_Escape: "steps back from whatever is going on",
-    Qt.Key.Key_Tab: "walks from one thing to the next",
-    Qt.Key.Key_Backtab: "walks from one thing to the one before",
-    Qt.Key.Key_Space: "held, makes the mouse pan",
-    Qt.Key.Key_E: "held, takes the ticks of the t-rail along",
-    Qt.Key.Key_Left: "moves what is selected",
-    Qt.Key.Key_Right: "moves what is selected",
-    Qt.Key.Key_Up: "moves what is selected",
-    Qt.Key.Key_Down: "moves what is selected",
-    Qt.Key.Key_Return: "confirms what was typed",
-    Qt.Key.Key_Enter: "confirms what was typed",
+    Qt.Key.Key_Escape: "cancels what is going on, or steps back",
+    Qt.Key.Key_Tab: "goes to the next point or field",
+    Qt.Key.Key_Backtab: "goes to the previous point or field",
+    Qt.Key.Key_Space: "pans with the mouse while held",
+    Qt.Key.Key_E: "moves the following ticks of the t-rail along while held",
+    Qt.Key.Key_Left: "moves the selection",
+    Qt.Key.Key_Right: "moves the selection",
+    Qt.Key.Key_Up: "moves the selection",
+    Qt.Key.Key_Down: "moves the selection",
+    Qt.Key.Key_Return: "confirms typed input",
+    Qt.Key.Key_Enter: "confirms typed input",
 }
 """Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
 
@@ -75,10 +75,12 @@ class Keymap(QObject):
         """
         for key in binding.defaults:
             if reason := refusal(key):
-                raise ValueError(f"“{binding.text}” cannot come with its key: {reason}")
+                raise ValueError(f"“{binding.text}” cannot have its default key: {reason}")
             other = self._came_with.setdefault(key.toString(), binding)
             if other is not binding:
-                raise ValueError(f"“{other.text}” and “{binding.text}” both come with {native(key)}.")
+                raise ValueError(
+                    f"“{other.text}” and “{binding.text}” both have the default key {native(key)}."
+                )
         self._bindings[binding.action.objectName()] = binding
         _bind(binding.action, binding.defaults)
 
@@ -216,7 +218,7 @@ def why_not(action: QAction) -> str:
     if reason := action.property(_REASON):
         return str(reason)
     needs, name = action.property(_NEEDS), full_name_of(action).removesuffix("…")
-    return f"“{name}” needs {needs}." if needs else f"“{name}” is not possible here."
+    return f"“{name}” needs {needs}." if needs else f"“{name}” is not available here."
 
 
 def full_name_of(action: QAction) -> str:
@@ -232,7 +234,7 @@ def refusal(key: QKeySequence) -> str:
     held = combination.keyboardModifiers()
     plain = held in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier)
     if plain and combination.key() in RESERVED:
-        return f"{native(key)} {RESERVED[combination.key()]}; choose other keys."
+        return f"{native(key)} {RESERVED[combination.key()]}; choose another key."
     return ""
 
 

@@ -224,7 +224,7 @@ VIEW_SHOWN = VIEW.section()
 VIEW_PANELS = VIEW.section("Panels", is_separated=False)
 VIEW_FOCUS = VIEW.section("Keyboard Focus", is_separated=False)
 VIEW_PRESENTATION = VIEW.section()
-VIEW_SIZE = VIEW.section("Size of the Drawing", is_separated=False)
+VIEW_SIZE = VIEW.section("Drawing Size", is_separated=False)
 VIEW_THEME = VIEW.section("Theme", is_separated=False)
 
 HELP = Menu("Help")

@@ -1,4 +1,8 @@
-"""Conditions of actions: the words for the person, and the predicate."""
+"""Conditions of actions, as words and as a predicate.
+
+The words complete the sentence “Close Curve” needs …: "at least two points". Where that is no good English,
+`why` is the whole sentence: "Nothing to undo."
+"""
 
 from __future__ import annotations
 
@@ -16,34 +20,34 @@ class Need(msgspec.Struct, frozen=True):
     Attributes
     ----------
     words
-        What must be there, to follow "needs"; empty where nothing short says it.
+        Noun phrase for the sentence “Action” needs …; empty where only `why` says it.
     is_met
-        Whether it is there.
+        Whether the condition is met.
     why
-        What is said where it is missing, as a sentence; empty for the usual one.
+        Sentence shown where the condition is not met, or a function that returns it; empty for the usual one.
     is_so
-        Whether it is missing because what is wanted is so already: that is told, and no refusal.
+        Whether the action would do what is done already: that is a message, not a refusal.
     """
 
     words: str
     is_met: Callable[[ActionState], bool]
-    why: Callable[[ActionState], str] | None = None
+    why: Callable[[ActionState], str] | str = ""
     is_so: bool = False
 
     def reason(self, state: ActionState) -> str:
-        """Return what is said where it is missing; empty for the usual sentence."""
-        return self.why(state) if self.why is not None else ""
+        """Return the sentence shown where the condition is not met; empty for the usual one."""
+        return self.why if isinstance(self.why, str) else self.why(state)
 
 
 NOTHING = Need("", lambda _state: True)
 SOME_CURVE = Need("a curve", lambda state: not state.is_blank)
 CHOSEN = Need(
-    "a curve that is chosen or edited",
+    "a selected curve",
     lambda state: state.has_selected_curve or state.is_blank,
-    why=lambda _state: NONE_SELECTED,
+    why=NONE_SELECTED,
 )
 HIGHLIGHTED = Need(
-    "a curve or a point",
+    "a selected curve or point",
     lambda state: state.has_selected_curve and not state.is_blank,
     why=lambda state: "" if state.is_blank else NONE_SELECTED,
 )
@@ -57,11 +61,11 @@ HERMITE_POINTS = Need(
     "selected points of a Hermite curve",
     lambda state: state.selected_count > 0 and state.has_derivatives and state.is_current,
 )
-CURVE_THROUGH_TWO = Need("a curve through two points or more", lambda state: state.is_current)
+CURVE_THROUGH_TWO = Need("a curve with at least two points", lambda state: state.is_current)
 CURVE_DRAWN = Need(CURVE_THROUGH_TWO.words, lambda state: state.has_curve)
 UNLOCKED_CURVE = Need(
-    "a curve through two points or more that is not locked",
+    "an unlocked curve with at least two points",
     lambda state: state.is_current and not state.is_locked,
 )
-TWO_POINTS = Need("two points or more", lambda state: state.point_count > 1)
+TWO_POINTS = Need("at least two points", lambda state: state.point_count > 1)
 SECOND_CURVE = Need("a second curve", lambda state: state.curve_count > 1)

@@ -12,10 +12,10 @@ from .groups import shape_around
 from .model import Curve, Document, Point, Vector
 from .point_group import PointGroup, group_points
 
-NONE_SELECTED = "No curve is chosen; click one, or press Ctrl+A for all."
+NONE_SELECTED = "No curve is selected. Click one, or press Ctrl+A to select all."
 """What is said to whoever wants something of a curve while none is edited and none chosen."""
 
-NONE_SELECTABLE = "Everything is hidden or locked; the list of curves shows and unlocks it."
+NONE_SELECTABLE = "All curves are hidden or locked. Show or unlock them in the list of curves."
 """What is said where all curves are asked for, and none is seen and free."""
 
 

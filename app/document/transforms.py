@@ -231,12 +231,12 @@ class Reference(NamedEnum):
         super().__init__(value, label)
         self.tip = tip
 
-    EACH_OTHER = "each_other", "Each other", "Align chosen curves to the box around them"
-    FIRST = "first", "The first chosen", "Align chosen curves to the first of them: the one edited, if one is"
-    LAST = "last", "The last chosen", "Align chosen curves to the one that was chosen last"
-    LARGEST = "largest", "The largest", "Align chosen curves to the largest of them"
-    SMALLEST = "smallest", "The smallest", "Align chosen curves to the smallest of them"
-    DRAWING = "drawing", "All curves", "Align chosen curves to the box around all curves"
+    EACH_OTHER = "each_other", "Each other", "Align the selected curves to the box around them"
+    FIRST = "first", "The first selected", "Align the selected curves to the edited or the first selected one"
+    LAST = "last", "The last selected", "Align the selected curves to the last selected one"
+    LARGEST = "largest", "The largest", "Align the selected curves to the largest one"
+    SMALLEST = "smallest", "The smallest", "Align the selected curves to the smallest one"
+    DRAWING = "drawing", "All curves", "Align the selected curves to the box around all curves"
 
     @property
     def is_around(self) -> bool:

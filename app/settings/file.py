@@ -32,12 +32,14 @@ class SettingsFile:
         self.complaint = ""
         self._settings = _open(store)
         if not isinstance(store, QSettings) and _set_aside_damaged(Path(self._settings.fileName())):
-            self.complaint = f"{self._settings.fileName()} was damaged and set aside; the defaults are used."
+            self.complaint = (
+                f"{self._settings.fileName()} was damaged and has been set aside. Default settings are used."
+            )
             # What the first one has read of it is forgotten.
             self._settings.sync()
             self._settings = _open(store)
         if self._settings.status() is not QSettings.Status.NoError:
-            self.complaint = f"{self._settings.fileName()} cannot be read; the defaults are used."
+            self.complaint = f"{self._settings.fileName()} cannot be read. Default settings are used."
 
     def value(self, key: str) -> object:
         """Return what is stored, None where there is nothing, or nothing that Python knows."""
@@ -45,7 +47,7 @@ class SettingsFile:
             return self._settings.value(key)
         except Exception:
             # PySide raises a RuntimeError for the types of QVariant that have no counterpart.
-            self.complain(key, "it is of a foreign type")
+            self.complain(key, "its type is unknown")
             return None
 
     def text(self, key: str) -> str:
@@ -53,7 +55,7 @@ class SettingsFile:
         stored = self.value(key)
         if stored is None or isinstance(stored, str):
             return stored or ""
-        self.complain(key, "it is not a text")
+        self.complain(key, "it is not text")
         return ""
 
     def layout(self, key: str) -> QByteArray:
@@ -70,7 +72,7 @@ class SettingsFile:
 
     def complain(self, key: str, reason: str) -> None:
         """Say that the value of `key` cannot be used."""
-        self.complaint = f"The remembered {key} is not usable ({reason}); the default is used."
+        self.complaint = f"The saved setting {key} cannot be used ({reason}). The default is used."
 
 
 def _open(store: Path | QSettings | None) -> QSettings:

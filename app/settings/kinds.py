@@ -123,7 +123,7 @@ class Choice(TextSetting[Member]):
             return kind(text)
         except ValueError:
             known = enumerated([member.value for member in kind])
-            raise _UnusableError(f"“{text}” is none of {known}") from None
+            raise _UnusableError(f"“{text}” is not one of {known}") from None
 
     def _stored(self, value: Member) -> object:
         return value.value
@@ -137,7 +137,7 @@ class Switch(TextSetting[bool]):
 
     def _parse(self, text: str) -> bool:
         if text not in _SWITCHES:
-            raise _UnusableError(f"“{text}” is neither on nor off")
+            raise _UnusableError(f"“{text}” is neither “on” nor “off”")
         return text == "on"
 
     def _stored(self, value: bool) -> object:
@@ -152,7 +152,7 @@ class Height(TextSetting[int]):
 
     def _parse(self, text: str) -> int:
         if not (text.isdecimal() and len(text) < 6):
-            raise _UnusableError(f"“{text}” is no height")
+            raise _UnusableError(f"“{text}” is not a height")
         return int(text)
 
     def _stored(self, value: int) -> object:
@@ -179,7 +179,7 @@ class Distance(TextSetting[float]):
             distance = math.nan
         if distance == 0 or _LEAST_SPACING <= distance <= _GREATEST_SPACING:
             return distance
-        raise _UnusableError(f"“{text}” is no distance")
+        raise _UnusableError(f"“{text}” is not a distance")
 
     def _stored(self, value: float) -> object:
         return repr(float(value))
@@ -209,7 +209,7 @@ class SavedStyle(TextSetting[Style]):
             style = msgspec.convert(known, Style)
             check_fields(style, "style")
         except (msgspec.MsgspecError, FormatError):
-            raise _UnusableError("it is no style") from None
+            raise _UnusableError("it is not a style") from None
         return style
 
     def _stored(self, value: Style) -> object:
@@ -226,7 +226,7 @@ class SavedCurve(TextSetting[Curve]):
         try:
             curve = decode(text.encode()).curves[0]
         except FormatError:
-            raise _UnusableError("it is no curve") from None
+            raise _UnusableError("it is not a curve") from None
         # Its family may have been in a file that was given to another start.
         return self.default if curve.family.is_missing else curve
 
@@ -263,7 +263,7 @@ class Text(TextSetting[str]):
 
     def _parse(self, text: str) -> str:
         if not text.isprintable():
-            raise _UnusableError("it has characters that cannot be shown")
+            raise _UnusableError("it contains characters that cannot be displayed")
         return text[: self.longest]
 
 
@@ -277,7 +277,7 @@ class Keys(Setting[dict[str, str]]):
             found = None
         if isinstance(found, dict) and all(isinstance(keys, str) for keys in found.values()):
             return found
-        file.complain(self.key, "they are not a list of keys")
+        file.complain(self.key, "it is not a list of keys")
         return {}
 
     def __set__(self, owner: Remembering, value: Mapping[str, str]) -> None:
@@ -306,7 +306,7 @@ class Several(Setting[frozenset[Member]]):
         if found or not words:
             return found
         known = ", ".join(member.value for member in self.kind)
-        file.complain(self.key, f"“{stored}” names nothing of {known}")
+        file.complain(self.key, f"“{stored}” contains none of {known}")
         return frozenset(self.kind)
 
     def __set__(self, owner: Remembering, value: Collection[Member]) -> None:

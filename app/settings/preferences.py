@@ -59,13 +59,15 @@ class Preferences:
         Where they are kept.
     """
 
-    theme_mode = Choice("theme", ThemeMode.SYSTEM, "Theme", "Light or dark colours", "themeBox")
+    theme_mode = Choice(
+        "theme", ThemeMode.SYSTEM, "Theme", "Light or dark colours of the window and the canvas", "themeBox"
+    )
     """Light, dark, or as the system has it."""
 
     unit_name = Text(
         "grid/unit",
-        "Unit when new",
-        "What a length of one is called in new documents; type any name (File > Document… for this one)",
+        "Unit of new documents",
+        "Unit of length in new documents; type any name. File › Document… sets the unit of this document",
         longest=12,
         usual=USUAL_UNITS,
         note=_note_of_unit,
@@ -75,24 +77,22 @@ class Preferences:
 
     grid_spacing = Distance(
         "grid/spacing",
-        "Grid when new",
-        "Spacing of the grid in new documents: “adaptive”, or a distance in the plane (Enter to set)",
+        "Grid of new documents",
+        "Grid spacing of new documents: “adaptive”, or a distance in the plane (Enter to set)",
         none="adaptive",
-        refusal="The grid needs a distance greater than 0, or “adaptive”.",
+        refusal="Enter a grid spacing greater than 0, or “adaptive”.",
         widget="gridSpacing",
     )
     """Distance of the lines of a new document's grid; 0 where it adapts to the zoom."""
 
-    snap_kinds = Several(
-        "snap/kinds", SnapKind, "Snap to", "Points that are dragged snap to this: {}", "snap_{}"
-    )
+    snap_kinds = Several("snap/kinds", SnapKind, "Snap to", "Snap dragged points to: {}", "snap_{}")
     """Targets that dragged and added points snap to."""
 
     pencil = Choice(
         "pencil/detail",
         PencilDetail.MEDIUM,
         "Pencil",
-        "How near a curve comes to the line that was drawn",
+        "Largest distance between the curve and the drawn line",
         "pencilBox",
     )
     """The distance of a curve from what the pencil draws."""

@@ -25,12 +25,12 @@ REACH = 8.0
 class SnapKind(NamedEnum):
     """Kind of thing to snap to."""
 
-    GRID = "grid", "The grid"
+    GRID = "grid", "Grid"
     GUIDES = "guides", "Guides"
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
     MIDDLES = "middles", "Midpoints of segments"
-    LEVEL = "level", "Level or plumb with the neighbours"
+    LEVEL = "level", "Align with neighbours"
 
 
 class Snapping(msgspec.Struct, frozen=True):

@@ -145,7 +145,7 @@ class CommandPalette(OverlayFrame):
 
     def _look_up(self, typed: str) -> None:
         self._model.show(_ranked(self._commands, typed))
-        self._note.setText("" if self._model.rowCount() else "Nothing is called like that.")
+        self._note.setText("" if self._model.rowCount() else "No command matches.")
         self._note.setVisible(bool(self._note.text()))
         self.list.setVisible(not self._note.text())
         if self._model.rowCount():
@@ -233,7 +233,7 @@ class _SearchField(SafeOverrides, QLineEdit):
     def __init__(self, palette: CommandPalette) -> None:
         super().__init__(palette)
         self._owner = palette
-        tip = "Type letters of a command; ↑ ↓ choose, Enter does it, Escape closes"
+        tip = "Type a few letters of a command; ↑ ↓ select, Enter runs it, Escape closes"
         named(self, "paletteSearch", "Search for a command", tip)
         self.setPlaceholderText("What do you want to do?")
 
@@ -261,7 +261,7 @@ class _SearchField(SafeOverrides, QLineEdit):
 
 
 def _command_list() -> QListView:
-    view = named(QListView(), "paletteList", "Commands found", "Click to do it")
+    view = named(QListView(), "paletteList", "Matching commands", "Click to run the command")
     view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     view.setUniformItemSizes(True)
     view.setFrameShape(QFrame.Shape.NoFrame)

@@ -279,10 +279,10 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
     if not geometry.isEmpty() and not (window.restoreGeometry(geometry) and _is_usable(window.size())):
         window.resize(usual)
     if not state.isEmpty() and not window.restoreState(state):
-        preferences.refuse("window/state", "it is no layout")
+        preferences.refuse("window/state", "it is not a layout")
     parts = preferences.splitter_state
     if not parts.isEmpty() and not splitter.restoreState(parts):
-        preferences.refuse("window/splitter", "it is no layout")
+        preferences.refuse("window/splitter", "it is not a layout")
     hide_idle_docks(window)
     if floating_docks(window):
         when_first_shown(window, lambda: _lift(window))

@@ -125,7 +125,7 @@ class Menus:
             )
         self.recent.setEnabled(True)
         if self.recent.isEmpty():
-            self.recent.addAction("No files yet").setEnabled(False)
+            self.recent.addAction("No recent files").setEnabled(False)
         else:
             self.recent.addSeparator()
             self.recent.addActions(self._actions.in_section(FILE_RECENT))
@@ -153,7 +153,7 @@ def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
 
 
 def _name_panel(action: QAction, title: str) -> None:
-    action.setStatusTip(f"Bring the panel {title} to the front, or put it away")
+    action.setStatusTip(f"Show or hide the {title} panel")
     set_full_name(action, f"{title} Panel")
 
 

@@ -13,8 +13,8 @@ from ..tools.tool import TOOLS
 from ..view_model.curve.curve_view import CurveView
 from ..workbench.context import WindowContext
 
-_GREETING = "Drag a point and watch its functions below. {} adds points, {} shows all keys."
-_EMPTY = "Press P, then click on the canvas to add points; two of them make a curve."
+_GREETING = "Drag a point and watch its basis functions below. {} adds points, {} shows all keys."
+_EMPTY = "Press P, then click on the canvas to add points. Two points make a curve."
 _BEGINNINGS = frozenset(each.beginning or _EMPTY for each in TOOLS)
 
 
@@ -132,4 +132,4 @@ class Messages(QObject):
             return self._image_problem, True
         if view.source.visible or not self._session.selected.is_editing:
             return self._greeting, False
-        return f"“{view.source.display_name}” is hidden; it is drawn faintly while you edit it.", False
+        return f"“{view.source.display_name}” is hidden. It is drawn faintly while you edit it.", False

@@ -61,7 +61,7 @@ class PreferencesDialog(FittedDialog):
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        tip = "Close; what you changed is in force already (Esc)"
+        tip = "Close; changes are in effect already (Esc)"
         named(close, "closePreferences", "Close the preferences", tip)
         # Enter confirms what is typed in a field; it must not press this.
         close.setAutoDefault(False)
@@ -115,11 +115,11 @@ class ShortcutEditor(SafeOverrides, QWidget):
         self.recorder = _recorder()
         self.note = Label(name="shortcutNote", wordWrap=True)
         self._caption = Label()
-        self.take = push_button("takeKeys", "Take Them Over", "Give these keys to this action instead")
-        self.keep = push_button("keepKeys", "Leave Them", "Leave these keys where they are")
-        self.clear = push_button("clearKeys", "No Keys", "Take the keys of this action away")
-        self.reset = push_button("resetKeys", "Reset", "Give this action the keys it came with")
-        self.reset_all = push_button("resetAllKeys", "Reset All", "Give every action the keys it came with")
+        self.take = push_button("takeKeys", "Reassign", "Assign these keys to this action instead")
+        self.keep = push_button("keepKeys", "Cancel", "Leave these keys with the other action")
+        self.clear = push_button("clearKeys", "Remove Keys", "Remove the keys of this action")
+        self.reset = push_button("resetKeys", "Reset", "Restore the default keys of this action")
+        self.reset_all = push_button("resetAllKeys", "Reset All", "Restore the default keys of all actions")
         self._lay_out()
         self._connect()
         self._fill()
@@ -230,7 +230,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
 
     def _begin_recording_at(self, _row: int, _column: int) -> None:
         self._clear_wish()
-        self.note.setText("Press the keys; Escape leaves them as they are.")
+        self.note.setText("Press the new keys, or Escape to keep the current ones.")
         self.recorder.clear()
         self.recorder.setFocus()
 
@@ -255,7 +255,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
 
     def _ask_about(self, key: QKeySequence, owner: str) -> None:
         self._wanted = key
-        self._warn(f"{native(key)} belongs to {self._keymap.bindings[owner].text}.")
+        self._warn(f"{native(key)} is assigned to {self._keymap.bindings[owner].text}.")
         for button in (self.take, self.keep):
             button.show()
         self.reset_all.hide()
@@ -274,7 +274,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
         names = " and ".join(self._keymap.bindings[owner].text for owner in taken if owner is not None)
         self._keymap.reset(name)
         if names:
-            self._warn(f"{names} had to give keys back.")
+            self._warn(f"Keys were removed from {names}.")
 
     def _clear_wish(self) -> None:
         self._wanted = None
@@ -296,7 +296,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
 
 def _search_field() -> QLineEdit:
     label = "Search for an action or a key"
-    field = named(QLineEdit(), "shortcutSearch", label, "Letters of an action, or a key such as Ctrl+S")
+    field = named(QLineEdit(), "shortcutSearch", label, "A few letters of an action, or a key such as Ctrl+S")
     field.setPlaceholderText(label)
     field.setClearButtonEnabled(True)
     return field
@@ -304,7 +304,7 @@ def _search_field() -> QLineEdit:
 
 def _table() -> QTableWidget:
     table = QTableWidget(0, len(_HEADERS))
-    named(table, "shortcutTable", "Actions and their keys", "Click an action to record other keys for it")
+    named(table, "shortcutTable", "Actions and their keys", "Click an action to record new keys for it")
     table.setHorizontalHeaderLabels(list(_HEADERS))
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

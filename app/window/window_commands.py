@@ -36,7 +36,7 @@ class ProgramCommands:
 
     @action("commandPalette", "Command Palette…", HELP_ALL, "Ctrl+Shift+P", "search", during_gesture=True)
     def _toggle_palette(self) -> None:
-        """Find anything that can be done, by a few letters of its name."""
+        """Find any command by a few letters of its name."""
         if self._palette is None:
             self._palette = window.command_palette.CommandPalette(
                 self._context.central.canvas, self._commands
@@ -70,12 +70,12 @@ class ProgramCommands:
 
     @action("editShortcuts", "Keyboard Shortcuts…", HELP_ALL, icon="keyboard")
     def _edit_shortcuts(self) -> None:
-        """Choose which keys do what."""
+        """Change the keys of actions."""
         self._open_dialog().show_shortcuts()
 
     @action("preferences", "Preferences…", EDIT_PROGRAM, "Ctrl+,", "settings")
     def _show_preferences(self) -> None:
-        """Theme, unit, grid, snapping and keys."""
+        """Set theme, unit, grid, snapping and keys."""
         self._open_dialog().tabs.setCurrentIndex(0)
 
     def _open_dialog(self) -> window.preferences_dialog.PreferencesDialog:

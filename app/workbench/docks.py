@@ -248,7 +248,7 @@ class LateDock(Dock):
                 self.widget().setStyleSheet(sheet)
 
 
-_FLOAT_TIP, _DOCK_TIP = "Float: a window of its own", "Dock: back into the window"
+_FLOAT_TIP, _DOCK_TIP = "Float as a separate window", "Dock in the window"
 
 
 class DockTitle(FollowsTheme, QWidget):
@@ -269,7 +269,7 @@ class DockTitle(FollowsTheme, QWidget):
             f"{name}Float", f"Float {title}", _FLOAT_TIP, icon_size=ICON, flat=True
         )
         self.close_button = tool_button(
-            f"{name}Close", f"Close {title}", "Close; View › Panels brings it back", icon_size=ICON, flat=True
+            f"{name}Close", f"Close {title}", "Close; View › Panels shows it again", icon_size=ICON, flat=True
         )
         self.float_button.setCheckable(True)
         self.float_button.clicked.connect(lambda: dock.setFloating(not dock.isFloating()))

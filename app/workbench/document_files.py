@@ -71,8 +71,8 @@ def _question_about(session: Session) -> tuple[str, str]:
     name = short_name(title_of(session)) if is_named else "the sketch"
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if files.has_changes:
-        return f"Save the changes to {name}?", f"{why}Without saving they are lost."
-    return f"Save {name} as it is shown here?", f"{why}Without saving, what is shown here is lost."
+        return f"Save the changes to {name}?", f"{why}They are lost if you do not save them."
+    return f"Save {name} as shown here?", f"{why}The document shown here is lost if you do not save it."
 
 
 StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
@@ -203,8 +203,8 @@ class DocumentFiles:
                 if self._session.files.beginning is begun:
                     self._open(path, opener, remember=True, is_read=True)
                 else:
-                    why = "for another document was opened meanwhile"
-                    self._session.refuse(f"{path.name} was not opened, {why}.")
+                    why = "because another document was opened in the meantime"
+                    self._session.refuse(f"{path.name} was not opened {why}.")
             finally:
                 self._end_opening()
 
@@ -247,7 +247,7 @@ class DocumentFiles:
         read = partial(files.open_copy, text=text)
         is_open = self._open(path, read, remember=False, asks=files.path is not None)
         if is_open and leaves_work:
-            session.offer("What you had before is kept.", "goBack")
+            session.offer("Your previous work is kept.", "goBack")
         return is_open
 
     def _open(
@@ -300,7 +300,7 @@ class DocumentFiles:
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog asked about the name without the suffix, if it asked at all.
-            reason = f"“{path.name}” is there already. Choose it in the list to replace it."
+            reason = f"“{path.name}” exists already. To replace it, select it in the list of files."
         if not reason:
             return path
         self.refused(path, f"{path.name} was not saved. {reason}", StorageError(reason))
@@ -327,7 +327,7 @@ class DocumentFiles:
             self.refused(path, _sentence(f"{path.name} was not saved", problem), problem)
             return False
         self._remember(path)
-        kept = " The old version is kept beside it." if was_older else ""
+        kept = " The old version is kept in the same folder." if was_older else ""
         self._session.say(f"Saved {path.name}.{kept}")
         return True
 
@@ -430,4 +430,4 @@ def why_not_saved_as(name: str) -> str:
     if not name.endswith(others):
         return ""
     title = format_of(name, FORMATS.written).title
-    return f"A document is saved as {SUFFIX}. File › Export writes a {title}."
+    return f"Documents are saved as {SUFFIX}. To write a {title}, use File › Export."

@@ -86,7 +86,7 @@ class FileWork:
     def refuse_second(self) -> bool:
         """Say that one thing is done at a time, and return True, while something is being done."""
         if self.jobs.is_busy:
-            self._session.refuse(f"{self.jobs.title} is still going on; stop it first.")
+            self._session.refuse(f"{self.jobs.title} is still running. Stop it first.")
         return self.jobs.is_busy
 
     def refuse(self, path: Path, what: str, problem: Exception) -> None:
@@ -108,7 +108,7 @@ class FileWork:
             # Other work may begin as soon as this has ended.
             title, leave = self.jobs.title, self._stopped
             stopped = self.jobs.cancel()
-            end = "was stopped; nothing has changed" if stopped else "cannot be stopped any more"
+            end = "was stopped. Nothing has changed" if stopped else "can no longer be stopped"
             self._session.say(f"{title} {end}.")
             if stopped:
                 leave()

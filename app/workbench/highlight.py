@@ -85,8 +85,8 @@ def _say_change(context: WindowContext, what: ClipboardSelection, deleted: Seque
     session = context.session
     words, most = what.points.count_label, max(each.residual or 0.0 for each in fitted)
     if keeps_shape(most, [each.curve for each in fitted]):
-        session.say(f"Deleted {words}: shape kept.")
+        session.say(f"Deleted {words}. The shape is unchanged.")
     else:
         length = f"{number(most, 2)} {session.document.unit}".rstrip()
         key = key_or_name(context.actions["deleteLeavingHandles"])
-        session.say(f"Deleted {words}: the shape changed by up to {length}; {key} leaves the handles.")
+        session.say(f"Deleted {words}. The shape changed by up to {length}; {key} keeps the handles instead.")

@@ -48,7 +48,7 @@ class SentenceBar(OverlayFrame):
         self._is_warning = False
         self.sign, self.sentence = Label(), Label(name=f"{kind}Text", wordWrap=True)
         self.sentence.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        words = "Put this message away"
+        words = "Dismiss this message"
         self.close_button = tool_button(close_name, words, words, flat=True)
         self.close_button.clicked.connect(self._put_away)
         keep_pointer(self.close_button)
@@ -119,7 +119,7 @@ class MessageBar(SentenceBar):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__("message", "closeMessage", parent)
-        words = "What can be done about it"
+        words = "Suggested action"
         self._offers = [tool_button(name, words, words, icon_size=14) for name in _OFFERS]
         for button in self._offers:
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -158,10 +158,10 @@ class StatusLine(SafeOverrides, QStatusBar):
 
 
 _LEBESGUE_TIP = (
-    "Lebesgue constant: how much errors in the points can grow on the curve, "
-    "with the velocities and accelerations that are estimated from them"
+    "Lebesgue constant: the factor by which errors of the points can grow on the curve, "
+    "including the velocities and accelerations estimated from them"
 )
-_HOLDS_TIP = "; it is that of small errors in x or y, whichever grow more, and another one for other points"
+_HOLDS_TIP = "; it holds for small errors in x or y, whichever grow more, and depends on the points"
 
 """Milliseconds after which numbers are written that change with every move: nobody reads faster."""
 

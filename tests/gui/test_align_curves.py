@@ -172,7 +172,7 @@ def test_a_group_that_is_alone_is_aligned_as_one(four):
     assert four.session.selected.chosen == {0, 1, 2}
     for action in ("alignCentre", "distributeHorizontally", "distributeGapsVertically"):
         assert not four.action(action).isEnabled()
-    assert "(a group is one)" in four.action("alignCentre").toolTip()
+    assert "(a group counts as one)" in four.action("alignCentre").toolTip()
     four.trigger("alignToDrawing")
     before = boxes(four)
     four.trigger("openTransform")
@@ -209,7 +209,7 @@ def test_what_needs_more_curves_says_so(four):
     four.session.selected.set_curves({0, 1})
     assert four.action("alignLeft").isEnabled()
     assert not four.action("distributeHorizontally").isEnabled()
-    assert "three selected points or chosen curves" in four.action("distributeHorizontally").toolTip()
+    assert "three selected points or curves" in four.action("distributeHorizontally").toolTip()
     assert not four.action("distributeGapsVertically").isEnabled()
 
 

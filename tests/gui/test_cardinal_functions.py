@@ -155,7 +155,7 @@ def test_the_growth_by_akimas_rule_is_shown_as_that_at_these_points(editor):
     editor.trigger("plotLebesgue")
     editor.session.commit(Document((worse,)), "Begin")
     assert label(editor, "lebesgueConstant") == "Λ 9.16 at these points"
-    assert "another one for other points" in editor.window.findChild(QLabel, "lebesgueConstant").toolTip()
+    assert "depends on the points" in editor.window.findChild(QLabel, "lebesgueConstant").toolTip()
     (plot,) = editor.window.central["plotPanel"].pane.canvas.plots
     assert plot.levels[0].name == "Lebesgue constant Λ = 9.16 at these points"
     uniform = Parametrization(ParametrizationKind.UNIFORM)

@@ -147,14 +147,14 @@ def test_the_action_chooses_all(five):
     # Once more is harmless, and no warning.
     five.key(Qt.Key.Key_A, CTRL | SHIFT)
     assert chosen(five) == "BACDE"
-    assert (five.status, five.window.status_line.is_refusal) == ("All 5 curves are chosen.", False)
+    assert (five.status, five.window.status_line.is_refusal) == ("All 5 curves are selected.", False)
     assert undo_text(five) == "Begin"
 
 
 def test_the_list_tells_a_screen_reader(five):
     choose(five, "BD")
     told = [heard(five, row) for row in (0, 1, 3)]
-    assert [text.partition("points")[2] for text in told] == ["", ", chosen, edited", ", chosen"]
+    assert [text.partition("points")[2] for text in told] == ["", ", selected, edited", ", selected"]
 
 
 # Choosing on the canvas
@@ -679,7 +679,7 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
     verb = "Raise" if name == "raiseCurve" else "Lower"
     assert (names(five), chosen(five)) == (order, "BD")
     assert undo_text(five) == f"{verb} 2 curves"
-    assert five.status.startswith("2 curves: one step to the ")
+    assert five.status.startswith("Moved 2 curves one step to the ")
     assert five.curve.name == "B"
     five.trigger("undo")
     assert (names(five), chosen(five)) == ("ABCDE", "BD")

@@ -312,7 +312,7 @@ def test_a_rational_curve_is_followed_and_this_is_said_before_and_after(drawn, c
     text = entry.text().replace("&", "")
     within = float(text.removeprefix("Convert to Hermite, Within "))
     assert within == pytest.approx(1e-4 * size, rel=0.3)
-    assert f"it changes by about {within:g} at most" in entry.toolTip()
+    assert f"it changes by at most about {within:g}" in entry.toolTip()
     assert not conversions("BSpline").isEnabled()
     assert (
         "does not consist of polynomials, and a B-spline curve does"

@@ -49,7 +49,7 @@ def test_a_point_of_a_circle_is_deleted_and_it_stays_one(editor):
     view = editor.session.active_view
     # The best cubic over half a circle with these directions is 0.0133 off.
     assert distance(before, view) == pytest.approx(0.0133, abs=3e-4)
-    said = "Deleted 1 point: the shape changed by up to 0.013 mm; Ctrl+Del leaves the handles."
+    said = "Deleted 1 point. The shape changed by up to 0.013 mm; Ctrl+Del keeps the handles instead."
     assert editor.status == said
     assert [kind_at(view, index) for index in (0, 1)] == [SMOOTH] * 2
     # Quarters are 0.0003 off: what was not touched is the same.
@@ -87,7 +87,10 @@ def test_lines_stay_lines_and_what_rules_estimate_is_estimated(editor):
 
 @pytest.mark.parametrize(
     ("keys", "said"),
-    [("F7", "F7 leaves the handles."), ("", "“Delete, Leaving the Handles” leaves the handles.")],
+    [
+        ("F7", "F7 keeps the handles instead."),
+        ("", "“Delete, Leaving the Handles” keeps the handles instead."),
+    ],
 )
 def test_what_is_said_names_the_key_that_somebody_has_chosen(editor, keys, said):
     editor.session.commit(Document((circle(4),), unit="mm"), "Begin")

@@ -95,7 +95,7 @@ def test_all_are_those_that_are_seen_and_free(whole):
     document = whole.session.document
     for keys in (CTRL, CTRL | Qt.KeyboardModifier.ShiftModifier):
         whole.key(Qt.Key.Key_A, keys)
-        assert whole.status == "Everything is hidden or locked; the list of curves shows and unlocks it."
+        assert whole.status == "All curves are hidden or locked. Show or unlock them in the list of curves."
         assert chosen(whole) == ""
     whole.key(Qt.Key.Key_Delete)
     assert whole.session.document is document

@@ -285,7 +285,10 @@ def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp
     assert only_dialog(editor).windowTitle() == "Import b.csv (2 of 3)"
     editor.new()
     assert dialogs(editor) == []
-    assert editor.status == "b.csv and c.csv were not imported, for another document was opened meanwhile."
+    assert (
+        editor.status
+        == "b.csv and c.csv were not imported because another document was opened in the meantime."
+    )
     drop(editor, *paths[:2])
     dialog = only_dialog(editor)
     assert dialog.windowTitle() == "Import a.csv (1 of 2)"

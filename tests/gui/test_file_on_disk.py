@@ -313,7 +313,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
     left = path.read_bytes() if path.exists() else None
     QTimer.singleShot(0, lambda: answer(QMessageBox.StandardButton.Cancel))
     assert not saved.window.close()
-    assert asked[0][0] == "Save drawing.curve.json as it is shown here?"
+    assert asked[0][0] == "Save drawing.curve.json as shown here?"
     assert words in asked[0][1]
     # The window knows it now, without waiting for the watch.
     assert saved.file_bar.text
@@ -784,7 +784,7 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     )
     editor.session.commit(move_points(editor.session.document, 0, [0], (1.0, 0.0)), "Move")
     editor.trigger("saveDocument")
-    assert editor.status == "Saved drawing.curve.json. The old version is kept beside it."
+    assert editor.status == "Saved drawing.curve.json. The old version is kept in the same folder."
     assert path.with_name("drawing.curve.json.v0.bak").read_bytes() == old
     editor.trigger("saveDocument")
     assert editor.status == "Saved drawing.curve.json."
@@ -844,7 +844,7 @@ def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path
     save(tmp_path / "there.curve.json", THEIRS)
     answer_dialog(saved, tmp_path / "there")
     saved.trigger("saveDocumentAs")
-    assert "“there.curve.json” is there already." in saved.file_bar.text
+    assert "“there.curve.json” exists already." in saved.file_bar.text
     assert load(tmp_path / "there.curve.json") == THEIRS
     assert saved.session.files.is_modified
 

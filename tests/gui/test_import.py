@@ -635,7 +635,7 @@ def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
     assert dialog_of(editor, kind) is None
     assert [len(curve.points) for curve in editor.session.document.curves] == [0]
     assert not editor.session.files.is_modified
-    assert editor.status == f"{name} was not imported, for another document was opened meanwhile."
+    assert editor.status == f"{name} was not imported because another document was opened in the meantime."
     # And one that is read for a document that has gone.
     editor.window.commands[ImportCommands].import_files([path])
     editor.new()
@@ -687,7 +687,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert not editor.window.context.work.jobs.is_busy
     assert not bar.isVisible()
-    assert editor.status == "Reading busy.svg was stopped; nothing has changed."
+    assert editor.status == "Reading busy.svg was stopped. Nothing has changed."
     assert editor.session.document is before
     assert not editor.action("cancelWork").isEnabled()
 
@@ -697,7 +697,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path, monkeypatch):
     chosen = [str(tmp_path / "other.csv")]
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
     editor.trigger("importFile")
-    assert editor.status == "Reading busy.svg is still going on; stop it first."
+    assert editor.status == "Reading busy.svg is still running. Stop it first."
     shown_bar(editor)
     QTest.keyClick(editor.window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
     assert not editor.window.context.work.jobs.is_busy
@@ -713,7 +713,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     shown_bar(editor)
     editor.trigger("cancelWork")
     assert not editor.window.context.work.jobs.is_busy
-    assert "nothing has changed" in editor.status
+    assert "Nothing has changed" in editor.status
     until(lambda: not stopped_tasks())
     assert old.read_text(encoding="utf-8") == "mine"
     assert [each.name for each in tmp_path.iterdir()] == ["out.csv"]

@@ -154,7 +154,7 @@ def test_an_inner_point_beside_an_end_joins_nothing(arcs):
     arcs.click(LEFT[2])
     arcs.click(RIGHT[1], keys=SHIFT)
     arcs.key(Key.Key_J, CTRL)
-    assert arcs.status.startswith("Select one end each of two open curves")
+    assert arcs.status.startswith("Select only one end of each of two open curves")
     assert arcs.session.document == begun
 
 

@@ -53,7 +53,7 @@ def test_a_large_document_is_opened_beside_the_window(editor, large):
     editor.trigger("cancelWork")
     assert not editor.window.context.work.jobs.is_busy
     assert editor.session.document is before
-    assert "Opening many.curve.json was stopped; nothing has changed." in editor.status
+    assert "Opening many.curve.json was stopped. Nothing has changed." in editor.status
 
     told.clear()
 
@@ -175,7 +175,9 @@ def test_another_document_that_was_opened_meanwhile_stays(editor, large):
     editor.session.new()
     editor.wait_for_work()
     assert editor.session.files.path is None
-    assert editor.status == "many.curve.json was not opened, for another document was opened meanwhile."
+    assert (
+        editor.status == "many.curve.json was not opened because another document was opened in the meantime."
+    )
 
 
 def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):

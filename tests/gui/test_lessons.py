@@ -268,7 +268,7 @@ def test_undo_goes_back_from_the_next_lesson(editor, qtbot):
         click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.curve.name == "Eight points"
     assert not editor.session.files.is_modified
-    assert editor.message == "What you had before is kept."
+    assert editor.message == "Your previous work is kept."
     editor.fit()
     editor.drag_point(1, to=(1.3, 1.5))
     assert editor.message == ""

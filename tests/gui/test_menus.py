@@ -230,4 +230,4 @@ def test_what_is_hidden_can_be_shown_again_by_the_menu_of_a_row(row_menu, editor
     editor.choose("showAll")
     assert all(curve.visible for curve in editor.session.document.curves)
     editor.key(Qt.Key.Key_H, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
-    assert editor.status == "Nothing is hidden."
+    assert editor.status == "No curve is hidden."

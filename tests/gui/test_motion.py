@@ -460,7 +460,7 @@ def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, tmp_pa
     stop = editor.window.findChild(QToolButton, "cancelJobButton")
     QTest.mouseClick(stop, LEFT)
     assert not editor.window.context.work.jobs.is_busy
-    assert editor.status == "Writing film.gif was stopped; nothing has changed."
+    assert editor.status == "Writing film.gif was stopped. Nothing has changed."
     assert not stop.isVisible()
     assert list(tmp_path.iterdir()) == []
 

@@ -11,7 +11,7 @@ from app.actions.menus import ANALYSIS, CURVE, EDIT
 from app.widgets.sliders import LiveSlider
 from app.window.connect import all_actions
 
-NO_CURVE = "No curve is chosen; click one, or press Ctrl+A for all."
+NO_CURVE = "No curve is selected. Click one, or press Ctrl+A to select all."
 CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 BY_THEMSELVES = {
@@ -131,7 +131,8 @@ def test_a_digit_leaves_curves_that_are_chosen_as_wholes_and_the_toolbar_changes
     none.key(Qt.Key.Key_5)
     assert none.session.document is before
     assert none.status == (
-        "Enter edits “A”; then the same key makes it septic Hermite. The toolbar changes all that are chosen."
+        "Press Enter to edit “A”; then the same key makes it septic Hermite. "
+        "The toolbar changes all selected curves."
     )
     none.trigger("familySepticHermite")
     families = [curve.family.name for curve in none.session.document.curves]

@@ -269,13 +269,13 @@ def test_no_key_of_a_wrong_type_stops_a_start(qtbot, tmp_path):
             settings.setValue(key, value)
         preferences = Preferences(settings)
         values = values_of(preferences)
-        assert "is not usable" in preferences.complaint, name
+        assert "cannot be used" in preferences.complaint, name
         if values in seen:
             # So would the window be.
             continue
         seen.append(values)
         editor = Editor(qtbot, preferences=Preferences(settings))
-        assert "is not usable" in editor.status, name
+        assert "cannot be used" in editor.status, name
         editor.drag_point(1, to=(2, 3))
         assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel), name
     assert len(seen) > 4
@@ -321,7 +321,7 @@ def test_a_layout_that_is_none_gives_the_default_and_a_word(qtbot, store, conten
     preferences = Preferences(store)
     preferences.window_geometry = preferences.window_state = preferences.splitter_state = layout
     editor = Editor(qtbot, preferences=preferences)
-    assert "is not usable" in editor.status
+    assert "cannot be used" in editor.status
     assert min(editor.window.splitter.sizes()[:2]) > 100  # the third part is hidden
     assert editor.window.point_table.isVisible()
 
@@ -353,4 +353,4 @@ def test_a_setting_is_one_line(store):
     store.write_text("[tests]\nbeeps=perhaps\ncorner=light\n", encoding="utf-8")
     broken = _WithOneMore(store)
     assert (broken.beeps, broken.corner) == (True, ThemeMode.LIGHT)
-    assert "“perhaps” is neither on nor off" in broken.complaint
+    assert "“perhaps” is neither “on” nor “off”" in broken.complaint

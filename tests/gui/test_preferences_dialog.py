@@ -146,9 +146,9 @@ def test_the_rows_stand_in_the_order_of_the_settings(dialog):
     kinds = list(zip(labels, map("snap_{}".format, names), strict=True))
     assert rows_of(dialog)[: 5 + len(kinds)] == [
         ("Theme", "themeBox"),
-        ("Unit when new", "unitBox"),
+        ("Unit of new documents", "unitBox"),
         ("", "unitBoxNote"),
-        ("Grid when new", "gridSpacing"),
+        ("Grid of new documents", "gridSpacing"),
         ("", "preferencesProblem"),
         *kinds,
     ]

@@ -61,9 +61,9 @@ def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expecte
 
 
 SO_ALREADY = [
-    (Qt.Key.Key_PageUp, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
-    (Qt.Key.Key_Home, CTRL | SHIFT, "Nothing is in front of it: it is at the top already."),
-    (Qt.Key.Key_End, CTRL | SHIFT, "Nothing is behind it: it is at the bottom already."),
+    (Qt.Key.Key_PageUp, CTRL | SHIFT, "The curve is already at the top."),
+    (Qt.Key.Key_Home, CTRL | SHIFT, "The curve is already at the top."),
+    (Qt.Key.Key_End, CTRL | SHIFT, "The curve is already at the bottom."),
     (Qt.Key.Key_4, ALT, "That is straight already."),
 ]
 
@@ -106,7 +106,7 @@ def test_in_an_empty_document_there_is_nothing_to_copy_or_to_delete(editor):
     editor.trigger("selectTool")
     for key, held, name in OF_NOTHING:
         editor.key(key, held)
-        assert editor.status == f"“{name}” needs a curve or a point.", name
+        assert editor.status == f"“{name}” needs a selected curve or point.", name
         assert editor.window.status_line.is_refusal, name
 
 
@@ -164,7 +164,7 @@ def test_what_has_no_need_says_a_plain_sentence(line):
     action = line.action("fitView")
     action.setEnabled(False)
     line.key(Qt.Key.Key_F)
-    assert line.status == "“Fit View” is not possible here."
+    assert line.status == "“Fit View” is not available here."
     action.setEnabled(True)
 
 

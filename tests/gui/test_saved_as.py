@@ -26,7 +26,7 @@ def save_as(editor, tmp_path, monkeypatch):
 def test_nothing_of_ours_has_the_name_of_another_format(editor, save_as, tmp_path, name):
     save_as(name)
     assert editor.file_bar.text.startswith(
-        f"{name} was not saved. A document is saved as .curve.json. File › E"
+        f"{name} was not saved. Documents are saved as .curve.json. To write a "
     )
     assert (list(tmp_path.glob("[!.]*")), editor.session.files.is_modified) == ([], True)
     save_as("logo v1.2")

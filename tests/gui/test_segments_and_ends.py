@@ -52,7 +52,7 @@ def test_a_closed_curve_opens_where_a_segment_is_deleted_and_then_falls_apart(ri
     ring.choose("deleteSegmentHere")
     names = [(curve.name, len(curve.points)) for curve in ring.session.document.curves]
     assert names == [("Ring a", 2), ("Ring b", 3)]
-    assert ring.status.startswith("Deleted segment: 2 curves are left, shape kept")
+    assert ring.status.startswith("Deleted segment: 2 curves remain, shape kept")
     ring.trigger("undo")
     ring.trigger("undo")
     assert ring.curve.is_closed

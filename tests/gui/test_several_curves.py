@@ -309,13 +309,13 @@ def test_every_part_of_a_row_says_what_a_click_does(three):
     view = list_of(three).view
     tips = [view.parts.tip_at(row_place(three, 1, spot)) for spot in Spot]
     assert tips == [
-        "Choose the colour of “B”",
+        "Set the colour of “B”",
         "“B”: Hermite, 4 points. Double-click to rename, drag to reorder;"
         " right-click › Edit Curve shows its points.",
         "Lock “B”",
         "Hide “B”",
     ]
-    assert "Click a row" in view.parts.tip_at(QPoint(5, view.viewport().height() - 2))
+    assert "Click to select a curve" in view.parts.tip_at(QPoint(5, view.viewport().height() - 2))
 
 
 def test_the_list_is_read_aloud(three):
@@ -385,7 +385,7 @@ def test_a_locked_curve_refuses_gestures_and_edits_with_a_sentence(three):
 
 def test_a_hidden_curve_that_is_edited_is_explained(three):
     three.trigger("curveVisible")
-    assert three.message == "“B” is hidden; it is drawn faintly while you edit it."
+    assert three.message == "“B” is hidden. It is drawn faintly while you edit it."
     # It is not edited while it is only chosen.
     active = three.session.active_index
     three.session.selected.choose([active])
@@ -432,7 +432,7 @@ def test_joining_alone_says_what_is_missing(three):
     for row in (0, 2):
         three.click_in_list(row, Spot.EYE)
     three.trigger("joinCurve")
-    assert three.status == "There is no other open, visible curve whose start could follow."
+    assert three.status == "There is no other visible open curve to join."
 
 
 def test_a_locked_curve_is_not_joined(three):

@@ -140,7 +140,7 @@ def test_combined_curves_are_one_shape_whose_hole_is_a_hole(rings):
     click_row(rings, "Inner", CTRL)
     rings.key(Qt.Key.Key_K, CTRL)
     assert (shapes(rings), undo_text(rings)) == (["Shape 1", "Shape 1", ""], "Combine 2 curves")
-    assert rings.status == "“Shape 1” is one shape of 2 curves; the even-odd rule keeps its holes open."
+    assert rings.status == "“Shape 1” is a shape of 2 curves; the even-odd rule keeps its holes open."
     assert {curve.style for curve in rings.session.document.curves[:2]} == {
         replace(RING, fill_rule=FillRule.EVENODD)
     }
@@ -383,12 +383,12 @@ def test_what_is_folded_tells_that_a_part_of_it_is_chosen(ring):
     fold(ring, "Shape 1")
     ring.session.selected.choose(())
     click_row(ring, "Inner")
-    assert heard(ring, 1).endswith(", chosen")
+    assert heard(ring, 1).endswith(", selected")
     fold(ring, "Shape 1")
-    assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, something in it is chosen"
+    assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, contains selected curves"
     image.append(seen_in_list(ring, "Shape 1"))
     click_row(ring, "Shape 1")
-    assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, chosen"
+    assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, selected"
     image.append(seen_in_list(ring, "Shape 1"))
     dots = [[each == LIGHT.accent.name() for each in row].count(True) for row in image]
     assert [dot > 2 for dot in dots] == [False, True, False]
@@ -490,7 +490,7 @@ def test_a_group_has_an_entry_that_chooses_all(group):
     assert rows(group) == ["Group 1", "  Side", "  Inner", "Outer"]
     group.key(Qt.Key.Key_G, CTRL | SHIFT)
     assert (groups(group), chosen(group)) == ([(), (), ()], {"Inner", "Side"})
-    assert (group.status, undo_text(group)) == ("Group 1 is taken apart.", "Ungroup Group 1")
+    assert (group.status, undo_text(group)) == ("Ungrouped Group 1.", "Ungroup Group 1")
 
 
 def test_groups_are_in_groups_with_shapes_in_them(group):
@@ -778,7 +778,7 @@ def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
 def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):
     edited.escape()
     assert chosen_as_wholes(edited) == {"Outer", "Inner"}
-    assert edited.status.startswith("“Shape 1” is chosen, and edited no longer")
+    assert edited.status.startswith("“Shape 1” is selected as a whole")
     edited.key(Qt.Key.Key_Delete)
     assert (names(edited), edited.status) == (["Side"], "Deleted “Shape 1”.")
 

@@ -79,7 +79,7 @@ def test_recorded_keys_work_at_once_everywhere(editor, keys):
 
 def test_a_conflict_is_named_and_waits_for_an_answer(editor, keys):
     record(keys, "fitView", Qt.Key.Key_S, CTRL)
-    assert "Ctrl+S belongs to Save" in keys.note.text()
+    assert "Ctrl+S is assigned to Save" in keys.note.text()
     assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
     assert keys.take.isVisible()
     keys.keep.click()
@@ -106,7 +106,7 @@ def test_escape_leaves_the_keys_as_they_are(editor, keys):
 @pytest.mark.parametrize("key", [Qt.Key.Key_Space, Qt.Key.Key_Left, Qt.Key.Key_Return, Qt.Key.Key_E])
 def test_keys_of_the_drawing_are_refused_with_the_reason(editor, keys, key):
     record(keys, "fitView", key)
-    assert "choose other keys" in keys.note.text()
+    assert "choose another key" in keys.note.text()
     assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
 
 
@@ -135,7 +135,7 @@ def test_no_keys_at_all(editor, keys):
     keys.choose("redo")
     keys.clear.click()
     assert editor.action("redo").shortcuts() == []
-    assert editor.action("redo").toolTip() == "Do the step again\nNeeds a step that was taken back"
+    assert editor.action("redo").toolTip() == "Do the step again\nNothing to redo."
 
 
 def test_they_are_remembered(qtbot, tmp_path):
@@ -171,9 +171,13 @@ def test_a_remembered_key_is_kept_from_an_action_that_comes_with_it_since(qtbot,
 @pytest.mark.parametrize(
     ("text", "key", "reason"),
     [
-        ("Count", "Ctrl+S", "“Save” and “Count” both come with Ctrl+S."),
-        ("Count", "F5, F", "“Count” and “Fit View” both come with F."),
-        ("Count", "E", "“Count” cannot come with its key: E held, takes the ticks of the t-rail along;"),
+        ("Count", "Ctrl+S", "“Save” and “Count” both have the default key Ctrl+S."),
+        ("Count", "F5, F", "“Count” and “Fit View” both have the default key F."),
+        (
+            "Count",
+            "E",
+            "“Count” cannot have its default key: E moves the following ticks",
+        ),
     ],
 )
 @pytest.mark.usefixtures("qapp")

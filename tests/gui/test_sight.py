@@ -49,7 +49,7 @@ def test_fit_shows_the_picture_while_there_are_no_points(editor, red):
     editor.add_point(image.x + image.width / 10, image.y)
     editor.fit()
     assert not in_sight(editor, *corners)
-    assert "without points the reference image" in editor.action("fitView").toolTip()
+    assert "the reference image where there are no points" in editor.action("fitView").toolTip()
 
 
 @pytest.fixture

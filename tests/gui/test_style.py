@@ -245,11 +245,11 @@ def test_what_cannot_be_is_refused_in_the_form_and_stays_to_be_mended(editor, pa
     click(panel, "lineJoin_miter")
     before, problem = styles(editor), child(panel, QLabel, "styleProblem")
     for field, typed, said in (
-        ("strokeWidth", "-1", "A line is 0 wide or wider"),
-        ("strokePaintHex", "no colour", "A colour is written as #0072b2"),
-        ("fillOpacity", "120", "From 0 % to 100 %"),
-        ("miterLimit", "0.5", "The limit is 1 or greater"),
-        ("dashList", "0 0", "not all of them 0"),
+        ("strokeWidth", "-1", "Type a width of at least 0"),
+        ("strokePaintHex", "no colour", "Type a colour as #0072b2"),
+        ("fillOpacity", "120", "from 0 % to 100 %"),
+        ("miterLimit", "0.5", "Type a limit of at least 1"),
+        ("dashList", "0 0", "not all 0"),
     ):
         enter(editor, panel, field, typed)
         assert not problem.isHidden(), field
@@ -630,8 +630,8 @@ def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor,
     editor.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in editor.session.document.curves] == ["Leaf", "Root"]
     before, steps = editor.session.document, editor.session.undo_stack.count()
-    assert child(panel, QLabel, "styleSubject").text() == "What is drawn next"
-    note = "Nothing is chosen: this is for what is drawn next. Click a curve, or press Ctrl+A for all."
+    assert child(panel, QLabel, "styleSubject").text() == "The next curve"
+    note = "No curve is selected: this style is for the next curve. Click a curve, or press Ctrl+A for all."
     assert child(panel, QLabel, "styleNote").text() == note
     assert not editor.action("copyStyle").isEnabled()
     assert not editor.action("pasteStyle").isEnabled()
@@ -642,7 +642,7 @@ def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor,
     assert editor.session.document is before
     assert editor.session.undo_stack.count() == steps
     editor.trigger("rectangleTool")
-    assert child(panel, QLabel, "styleSubject").text() == "What is drawn next"
+    assert child(panel, QLabel, "styleSubject").text() == "The next curve"
     assert text_of(panel, "strokeWidth") == "0.25 cm"
     editor.fit()
     editor.drag((1, 1), (3, 3))
@@ -743,7 +743,7 @@ def test_dots_are_chosen_with_ends_that_show_them_and_typed_ones_that_are_not_se
     enter(editor, panel, "dashList", "4 1 0 1")
     click(panel, "lineCap_butt")
     assert note.isVisible()
-    assert "not seen with butt ends" in note.text()
+    assert "invisible with butt ends" in note.text()
     assert styles(editor)[1].dash == (4.0, 1.0, 0.0, 1.0)
     click(panel, "lineCap_square")
     assert not note.isVisible()

@@ -167,7 +167,7 @@ def test_the_button_of_the_menu_shows_the_family_in_use(editor_with, width):
     assert (button.isChecked(), button.text(), button.toolTip()) == (
         False,
         "Families",
-        "Further families of curves",
+        "More families of curves",
     )
     family = FAMILIES[4]
     QTimer.singleShot(0, lambda: choose_in_menu(editor, family))
@@ -175,7 +175,7 @@ def test_the_button_of_the_menu_shows_the_family_in_use(editor_with, width):
     editor.settle()
     assert editor.curve.family == family
     assert (button.isChecked(), button.text()) == (True, "Invented")
-    assert button.toolTip() == "Further families of curves; in use: Invented no. 1"
+    assert button.toolTip() == "More families of curves; in use: Invented no. 1"
     assert button.icon().cacheKey() == editor.action(family.action_name).icon().cacheKey()
     assert button.width() == before
     assert all_are_seen(editor)

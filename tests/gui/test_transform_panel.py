@@ -114,7 +114,7 @@ def test_it_follows_the_selection_and_drags(leaf):
 def test_without_points_there_is_nothing_to_set(leaf):
     leaf.session.new()
     leaf.settle()
-    assert label(leaf, "transformWhat") == "Nothing chosen"
+    assert label(leaf, "transformWhat") == "Nothing selected"
     assert not any(field(leaf, name).isEnabled() for name in ("X", "Width", "Angle", "Turn"))
     assert not any(button.isEnabled() for button in whole_buttons(leaf))
 
@@ -124,7 +124,7 @@ def test_with_nothing_chosen_its_buttons_are_off_like_its_fields(leaf):
     for _ in range(2):
         leaf.escape()
     leaf.settle()
-    assert label(leaf, "transformWhat") == "Nothing chosen"
+    assert label(leaf, "transformWhat") == "Nothing selected"
     assert not any(button.isEnabled() for button in whole_buttons(leaf))
 
 

@@ -340,5 +340,5 @@ def test_while_the_picture_is_moved_it_says_so(arch, tmp_path):
     arch.window.commands[ImageCommands].trace(tmp_path / "shot.png")
     arch.trigger("moveImage")
     arch.key(Key.Key_G)
-    assert arch.status == "The image is being moved now; Escape goes back to the points."
+    assert arch.status == "Move Image is in use. Press Escape to go back to the points."
     assert not arch.window.canvas.is_dragging

@@ -88,7 +88,7 @@ def test_leaving_is_said_and_no_points_are_shown(three):
     three.hover((1.5, 4.4))
     assert "Escape: whole curves" in three.window.status_line.hint
     three.escape()
-    assert three.status == "“B” is chosen, and edited no longer; clicks choose whole curves, Enter edits one."
+    assert three.status == "“B” is selected as a whole. Press Enter to edit its points."
     assert not shows_points(three)
     three.key(RETURN)
     assert state(three) == (True, "", "B")
@@ -110,8 +110,8 @@ def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
     assert (selected.is_editing, chosen(whole), selected.group.parts) == (True, "AC", ())
     whole.escape()
     assert (selected.is_editing, chosen(whole)) == (False, "AC")
-    assert whole.status.startswith("2 curves are chosen, and edited no longer")
-    assert whole.status.endswith("Enter edits them.")
+    assert whole.status.startswith("2 curves are selected as wholes")
+    assert whole.status.endswith("Press Enter to edit their points.")
     # By the action it goes the same way.
     for is_editing in (True, False):
         whole.trigger("editCurve")
@@ -190,7 +190,7 @@ def test_the_list_and_the_sheet_say_what_is_chosen(whole):
     told = [heard(whole, row) for row in range(3)]
     assert [text.rpartition("points")[2] for text in told] == ["", "", ""]
     whole.click(on_curve(whole, 2))
-    assert heard(whole, 2).endswith(", chosen")
+    assert heard(whole, 2).endswith(", selected")
     whole.trigger("showShortcuts")
     texts = [label.text() for label in whole.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
     assert "<b>Now: 1 curve selected</b>" in texts
@@ -262,20 +262,20 @@ def test_with_none_chosen_the_keys_say_so(whole):
     before = whole.session.document
     whole.hover((1.5, 4.4))
     whole.key(Qt.Key.Key_G)
-    assert whole.status == "No curve is chosen; click one, or press Ctrl+A for all."
+    assert whole.status == "No curve is selected. Click one, or press Ctrl+A to select all."
     whole.key(Qt.Key.Key_Left)
     assert whole.session.document is before
 
 
 def test_what_was_said_of_the_choice_goes_with_it(whole):
     whole.hover((1.5, 4.4))
-    assert whole.status == "No curve is chosen."
+    assert whole.status == "No curve is selected."
     whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
     assert chosen(whole) == "ABC"
     assert whole.status == whole.window.status_line.hint
     whole.escape()
     whole.key(Qt.Key.Key_G)
-    assert whole.status == "No curve is chosen; click one, or press Ctrl+A for all."
+    assert whole.status == "No curve is selected. Click one, or press Ctrl+A to select all."
     assert whole.window.status_line.is_refusal
     whole.trigger("selectAll")
     assert not whole.window.status_line.is_refusal
@@ -563,7 +563,7 @@ def test_a_duplicate_looks_as_what_it_is_made_from_and_is_chosen(whole):
     whole.trigger("duplicateCurve")
     assert [curve.style.stroke for curve in whole.session.document.curves] == ["", "", "#d55e00", "#d55e00"]
     assert state(whole) == (False, "C copy", "C copy")
-    assert whole.status == "“C copy” lies on the original and is chosen; a drag moves it."
+    assert whole.status == "“C copy” lies on the original and is selected. Drag it to move it."
 
 
 def test_a_duplicate_of_the_edited_curve_keeps_its_colour_and_has_its_points_selected(three):

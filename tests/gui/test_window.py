@@ -259,7 +259,7 @@ def test_recent_files_are_listed(editor, tmp_path):
     QTest.mouseClick(recent, Qt.MouseButton.LeftButton, pos=place)
     assert editor.window.preferences.recent_files == []
     recent.aboutToShow.emit()
-    assert [action.text() for action in recent.actions()] == ["&No files yet"]
+    assert [action.text() for action in recent.actions()] == ["&No recent files"]
     assert path.is_file()
 
 

@@ -254,7 +254,7 @@ def test_another_document_has_no_views_of_the_one_before(drawing):
     drawing.new()
     drawing.trigger("previousView")
     drawing.trigger("previousView")
-    assert drawing.status == "Nothing else was seen before."
+    assert drawing.status == "There is no previous view."
 
 
 def test_with_nothing_chosen_there_is_nothing_to_zoom_to(drawing):
@@ -263,4 +263,4 @@ def test_with_nothing_chosen_there_is_nothing_to_zoom_to(drawing):
     assert not drawing.action("fitSelection").isEnabled()
     drawing.key(Qt.Key.Key_3, CTRL)
     assert drawing.window.canvas.pixel_map.box == before
-    assert drawing.status == "No curve is chosen; click one, or press Ctrl+A for all."
+    assert drawing.status == "No curve is selected. Click one, or press Ctrl+A to select all."

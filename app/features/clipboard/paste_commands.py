@@ -137,7 +137,7 @@ class PasteCommands:
             found, arrival = made
             now = replace(self._target(place), pixel=target.pixel)
             if self._session.files.beginning is not beginning:
-                self._session.refuse("Not pasted, for another document was opened meanwhile.")
+                self._session.refuse("Not pasted because another document was opened in the meantime.")
             else:
                 self._add(arrival if now == target else _filled(now, found), found.remarks)
 

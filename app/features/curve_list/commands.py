@@ -53,8 +53,8 @@ from .model import RowMarks
 from .panel import CurveList
 from .row_drag import Drop
 
-_HIDDEN = Need("", lambda state: state.is_any_hidden, lambda _state: "Nothing is hidden.", is_so=True)
-_LOCKED = Need("", lambda state: state.is_any_locked, lambda _state: "Nothing is locked.", is_so=True)
+_HIDDEN = Need("", lambda state: state.is_any_hidden, "No curve is hidden.", is_so=True)
+_LOCKED = Need("", lambda state: state.is_any_locked, "No curve is locked.", is_so=True)
 
 
 class CurveListCommands:
@@ -109,7 +109,7 @@ class CurveListCommands:
     )
     @also(CURVE_MENU(13), CHOSEN_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
-        """Add a copy of the curve, or of all that are selected, in the same place."""
+        """Add a copy of each selected curve in the same position."""
         session, order = self._session, sorted(highlighted_curves(self._context))
         document = session.document
         added = duplicate_curves(document, order)
@@ -127,14 +127,14 @@ class CurveListCommands:
                 session.selected.set_curves(added.indices)
         if is_edited:
             copy = session.active_curve.name
-            session.say(f"“{copy}” lies on the original; all its points are selected, drag one to move it.")
+            session.say(f"“{copy}” lies on the original, with all points selected. Drag one to move it.")
             return
         name = common_name(session.document, added.indices)
         if name is not None:
-            session.say(f"“{name}” lies on the original and is chosen; a drag moves it.")
+            session.say(f"“{name}” lies on the original and is selected. Drag it to move it.")
         else:
             copies = f"Copies of {count_label(document, order)}"
-            session.say(f"{copies} lie on the originals and are chosen; drag one, or G, moves them.")
+            session.say(f"{copies} lie on the originals and are selected. Drag one to move them.")
 
     @action(
         "deleteCurve",
@@ -146,7 +146,7 @@ class CurveListCommands:
     )
     @also(CURVE_MENU(30), CHOSEN_MENU(15), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
-        """Delete the curve, or all that are selected."""
+        """Delete the selected curves."""
         self._delete_all(highlighted_curves(self._context))
 
     def _delete_all(self, curves: frozenset[int]) -> None:
@@ -165,7 +165,7 @@ class CurveListCommands:
     @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
     @also(CURVE_LIST_MENU(10))
     def _rename(self) -> None:
-        """Give the curve another name."""
+        """Rename the curve in the list."""
         self._dock.bring_up()
         self.panel.view.edit_name(self.panel.view.current)
 
@@ -180,7 +180,7 @@ class CurveListCommands:
     )
     @also(CURVE_MENU(21), CHOSEN_MENU(50), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
-        """Show or hide the curve, or all that are selected."""
+        """Show or hide the selected curves."""
         self._rows.switch_visible_of(frozenset({self._session.active_index}))
 
     @action(
@@ -194,7 +194,7 @@ class CurveListCommands:
     )
     @also(CURVE_MENU(22), CHOSEN_MENU(51), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
-        """Keep the curve, or all that are selected, safe from changes."""
+        """Lock or unlock the selected curves: locked curves cannot be changed."""
         self._rows.switch_locked_of(frozenset({self._session.active_index}))
 
     @action(
@@ -209,7 +209,7 @@ class CurveListCommands:
     )
     @also(CURVE_LIST_MENU(16))
     def _show_all(self) -> None:
-        """Show all curves that are hidden."""
+        """Show all hidden curves."""
         self._session.change("Show all", show_all)
 
     @action(
@@ -223,13 +223,13 @@ class CurveListCommands:
     )
     @also(CURVE_LIST_MENU(17))
     def _unlock_all(self) -> None:
-        """Free all curves that are locked."""
+        """Unlock all locked curves."""
         self._session.change("Unlock all", unlock_all)
 
     @action("curveColour", "Colour…", CURVE_COLOUR, icon="palette", full_name="Curve Colour…")
     @also(CURVE_MENU(20), CURVE_LIST_MENU(11))
     def _choose_colour(self) -> None:
-        """Choose the colour of the curve, or of all that are selected."""
+        """Set the colour of the selected curves."""
         self.panel.choose_colour(frozenset({self._session.active_index}))
 
     # Choosing
@@ -243,7 +243,7 @@ class CurveListCommands:
     )
     @also(CANVAS_MENU(12))
     def _choose_all(self) -> None:
-        """Choose all curves that are seen and not locked, to move, scale, colour or delete them together."""
+        """Select all visible, unlocked curves, to move, scale, colour or delete them together."""
         session, document = self._session, self._session.document
         free, count = selectable_curves(document), len(document.curves)
         if not free:
@@ -251,11 +251,11 @@ class CurveListCommands:
             return
         session.selected.set_curves(free)
         if len(free) < count:
-            session.say(f"{count_label(document, free)} chosen; what is hidden or locked is not.")
+            session.say(f"{count_label(document, free)} selected. Hidden and locked curves are not selected.")
         else:
             name = common_name(document, free)
             what = f"All {count_label(document, free)} are" if name is None else f"“{name}” is"
-            session.say(f"{what} chosen.")
+            session.say(f"{what} selected.")
 
 
 class RowEdits:

@@ -100,10 +100,10 @@ class RowMarks(NamedTuple):
         """Return what of this is to be said of an entry, after its name and facts."""
         is_with_edited = self.is_editing and self.active in entry.places
         if self.has_chosen_within(entry):
-            return ", the edited curve is in it" if is_with_edited else ", something in it is chosen"
+            return ", contains the edited curve" if is_with_edited else ", contains selected curves"
         if not self.is_chosen_whole(entry):
             return ""
-        return ", chosen, edited" if is_with_edited else ", chosen"
+        return ", selected, edited" if is_with_edited else ", selected"
 
 
 def entries_of(nodes: Sequence[Node], are_open: Collection[Key]) -> Iterator[Entry]:

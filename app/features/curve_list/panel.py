@@ -151,7 +151,7 @@ def colour_menu(
     menu.addSeparator()
     other = menu.addAction("Other Colour…", choose_other)
     other.setObjectName("colour_Other")
-    other.setToolTip("Choose any colour; it is seen at once")
+    other.setToolTip("Choose any colour, with a live preview")
     inside = menu.addMenu("Fill")
     inside.setObjectName("fillMenu")
     inside.setToolTipsVisible(True)

@@ -109,7 +109,7 @@ class RowParts:
 def _spot_tip(spot: Spot, row: Row, theme: Theme) -> str:
     moved = adjustment_of(theme.paper.name(), row.style.colour)
     tips = {
-        Spot.SWATCH: f"Choose the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
+        Spot.SWATCH: f"Set the colour of “{row.name}”" + (f"; it is {moved}" if moved else ""),
         Spot.NAME: f"“{row.name}”: {row.facts}. Double-click to rename, drag to reorder;"
         " right-click › Edit Curve shows its points.",
         Spot.LOCK: f"{'Unlock' if row.locked else 'Lock'} “{row.name}”",
@@ -203,7 +203,7 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         what = self._model.entries[index.row()].node.kind.name.lower()
-        tip = f"Name of the {what} (Enter to set, Escape to leave it)"
+        tip = f"Name of the {what} (Enter to set, Escape to cancel)"
         return named(QLineEdit(parent), "curveNameEditor", f"Name of the {what}", tip)
 
     def updateEditorGeometry(self, editor: QWidget, option: QStyleOptionViewItem, index: Index) -> None:

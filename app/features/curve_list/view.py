@@ -67,9 +67,9 @@ class CurveListView(ClaimsKeys, QListView):
         self._drag = RowDrag(self, model, self.parts, partial(self._fold, is_open=True))
         self.setModel(model)
         tip = (
-            "The curve in front is at the top. Click a row to choose it, or to edit its curve while one is"
-            " edited; right-click › Edit Curve shows its points. Double-click to rename, drag to another"
-            " place; Ctrl or Shift+click chooses several. Left and Right fold shapes and groups"
+            "The front curve is at the top. Click to select a curve, or to edit it while another one is"
+            " edited; right-click › Edit Curve shows its points. Double-click to rename, drag to reorder;"
+            " Ctrl or Shift+click selects several. Left and Right fold shapes and groups"
         )
         named(self, "curveList", "Curves", tip)
         self._delegate = RowDelegate(self, model, self.parts)

@@ -44,13 +44,13 @@ Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
 _CURVE_IN_FRONT = Need(
     "a curve in front of this one",
     lambda state: state.has_curve_in_front,
-    why=lambda _state: "Nothing is in front of it: it is at the top already.",
+    why="The curve is already at the top.",
     is_so=True,
 )
 _CURVE_BEHIND = Need(
     "a curve behind this one",
     lambda state: state.has_curve_behind,
-    why=lambda _state: "Nothing is behind it: it is at the bottom already.",
+    why="The curve is already at the bottom.",
     is_so=True,
 )
 
@@ -71,7 +71,7 @@ class OrderCommands:
         needs=_CURVE_IN_FRONT,
     )
     def _raise(self) -> None:
-        """Move the curve up in the list: it is drawn in front of the next one."""
+        """Move the selected curves one step to the front."""
         self._put("Raise {}", order_after_step, 1, "one step to the front")
 
     @action(
@@ -84,7 +84,7 @@ class OrderCommands:
         needs=_CURVE_BEHIND,
     )
     def _lower(self) -> None:
-        """Move the curve down in the list: it is drawn behind the next one."""
+        """Move the selected curves one step to the back."""
         self._put("Lower {}", order_after_step, -1, "one step to the back")
 
     @action(
@@ -98,8 +98,8 @@ class OrderCommands:
         keywords="bring to front order",
     )
     def _raise_to_top(self) -> None:
-        """Move the curve to the top of the list, or of its group: it is drawn in front of all there."""
-        self._put("Raise {} to top", order_at_end, 1, "at the top")
+        """Move the selected curves to the front of the document, or of their group."""
+        self._put("Raise {} to top", order_at_end, 1, "to the top")
 
     @action(
         "lowerToBottom",
@@ -112,8 +112,8 @@ class OrderCommands:
         keywords="send to back order",
     )
     def _lower_to_bottom(self) -> None:
-        """Move the curve to the bottom of the list, or of its group: it is drawn behind all there."""
-        self._put("Lower {} to bottom", order_at_end, -1, "at the bottom")
+        """Move the selected curves to the back of the document, or of their group."""
+        self._put("Lower {} to bottom", order_at_end, -1, "to the bottom")
 
     def _put(self, name: str, arrange: Arrange, way: int, where: str) -> None:
         """Put what is chosen elsewhere in the order, as one step."""
@@ -121,7 +121,7 @@ class OrderCommands:
         document = reorder_curves(session.document, arrange(session.document, session.selected.curves, way))
         active = index_of(document, session.active_curve)
         if session.change(name.format(what), lambda _: document, active=active):
-            session.say(f"{what}: {where}.")
+            session.say(f"Moved {what} {where}.")
 
     @action(
         "nextCurve",
@@ -131,7 +131,7 @@ class OrderCommands:
         needs=SECOND_CURVE,
     )
     def _go_on(self) -> None:
-        """Edit the next curve down the list."""
+        """Edit the next curve in the list."""
         self._walk(-1)
 
     @action(
@@ -142,7 +142,7 @@ class OrderCommands:
         needs=SECOND_CURVE,
     )
     def _go_back(self) -> None:
-        """Edit the next curve up the list."""
+        """Edit the previous curve in the list."""
         self._walk(1)
 
     def _walk(self, step: int) -> None:
@@ -172,12 +172,12 @@ class ShapeCommands:
         "Ctrl+K, Ctrl+Alt+K",
         "combine",
         full_name="Combine Curves",
-        needs=Need("two chosen curves or more", lambda state: state.can_combine),
+        needs=Need("at least two selected curves", lambda state: state.can_combine),
         keywords="compound path, hole, make shape, counter",
     )
     @also(CURVE_MENU(40))
     def _combine(self) -> None:
-        """Make one shape of the chosen curves: one fill, with holes where one lies within another."""
+        """Combine the selected curves to one shape with one fill; a curve inside another one is a hole."""
         session, curves = self._session, _meant(self._session)
         views = [session.views[place] for place in sorted(curves)]
         has_holes = fills_holes([view.polyline for view in views if view.has_curve])
@@ -185,7 +185,7 @@ class ShapeCommands:
         if self._put(f"Combine {name_or_count(session.document, curves)}", made):
             name = session.active_curve.shape
             rule = "; the even-odd rule keeps its holes open" if has_holes else ""
-            session.say(f"“{name}” is one shape of {count_of(len(made.indices), 'curve')}{rule}.")
+            session.say(f"“{name}” is a shape of {count_of(len(made.indices), 'curve')}{rule}.")
 
     @action(
         "breakApart",
@@ -199,24 +199,24 @@ class ShapeCommands:
     )
     @also(CURVE_MENU(41))
     def _break_apart(self) -> None:
-        """Make a curve of its own of each curve of the shape."""
+        """Break the selected shapes apart into separate curves."""
         session, curves = self._session, _meant(self._session)
         what = name_or_count(session.document, curves)
         if session.change(f"Break {what} apart", lambda document: break_apart(document, curves)):
             self._choose(curves)
-            session.say(f"{count_of(len(curves), 'curve')} now, each with a fill of its own.")
+            session.say(f"{count_of(len(curves), 'curve')}; each has its own fill now.")
 
     @action(
         "deleteContour",
-        "Delete This Curve Alone",
+        "Delete Only This Curve",
         ARRANGE_SHAPES,
         icon="delete",
-        full_name="Delete This Curve of the Shape",
+        full_name="Delete Only This Curve of the Shape",
         needs=Need("a shape of several curves", lambda state: state.is_in_shape),
         keywords="remove hole, contour, subpath",
     )
     def _delete_contour(self) -> None:
-        """Delete the curve that is edited, and leave the others of its shape."""
+        """Delete the edited curve and keep the other curves of its shape."""
         session, place = self._session, self._session.active_index
         session.change(
             f"Delete {session.active_curve.name}",
@@ -237,7 +237,7 @@ class ShapeCommands:
     )
     @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
-        """Gather the chosen curves in a group, which is chosen and moved as one."""
+        """Group the selected curves, to select and move them as one."""
         session, curves = self._session, _meant(self._session)
         made = group_curves(session.document, curves)
         if self._put(f"Group {name_or_count(session.document, curves)}", made):
@@ -256,7 +256,7 @@ class ShapeCommands:
     )
     @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
-        """Take the chosen group apart, or the one around the curve; shapes stay whole."""
+        """Ungroup the selected group, or the group of the curve; shapes are kept."""
         session, curves = self._session, _meant(self._session)
         nodes = groups_to_ungroup(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
@@ -265,7 +265,7 @@ class ShapeCommands:
             if is_done:
                 self._choose([place for node in nodes for place in node.indices])
         if is_done:
-            session.say(f"{what} is taken apart." if len(nodes) == 1 else f"{what} are taken apart.")
+            session.say(f"Ungrouped {what}.")
 
     # Both
 

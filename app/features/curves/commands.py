@@ -55,7 +55,7 @@ class CurveCommands:
     @action("newCurve", "New Curve", CURVE_NEW, "Ctrl+Shift+N", "plus")
     @also(CANVAS_MENU(22), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
-        """Add a curve to the document."""
+        """Add a curve and draw it with the pen."""
         session, place = self._session, len(self._session.document.curves)
         fresh = curve_edits.new_curve_like(session.document, session.model, Parametrization())
         if session.change(
@@ -77,7 +77,7 @@ class CurveCommands:
         keywords="knot insertion, elevate degree elevation, refine, add control point",
     )
     def _insert(self) -> None:
-        """Insert a point on the curve; the shape stays, with manual parameters where a rule would move it."""
+        """Insert a point on the curve, keeping its shape; the parameters become manual where needed."""
         self._at_scrub(self.insert_at)
 
     @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
@@ -96,7 +96,7 @@ class CurveCommands:
     )
     @also(POINT_MENU(17))
     def _insert_between(self) -> None:
-        """Insert a point in the middle of each segment between selected neighbours; the shape stays."""
+        """Insert a point in the middle of each segment between selected points, keeping the shape."""
         session, views, made = self._session, self._session.views, dict[int, Halved]()
         segments = {
             curve: segments_between(views[curve].source, indices)
@@ -105,7 +105,7 @@ class CurveCommands:
         group = group_points((curve, frozenset(each)) for curve, each in segments.items())
         if not group.parts:
             session.refuse(
-                "Select two neighbouring points, or double-click the curve where a point shall be."
+                "Select two neighbouring points, or double-click the curve to insert a point there."
             )
             return
 
@@ -137,7 +137,7 @@ class CurveCommands:
         t = self._session.scrub.t
         if t is None:
             self._session.refuse(
-                "Select inner points, or put the scrub line (T) where on the curve it shall be."
+                "Select inner points, or move the scrub line (T) to the position on the curve."
             )
         else:
             act(t)
@@ -153,7 +153,7 @@ class CurveCommands:
     )
     @also(POINT_MENU(20), CURVE_LIST_BUTTONS(14))
     def _split(self) -> None:
-        """Split the curves at all selected points, or the curve at the scrub line."""
+        """Split the curves at the selected points, or the curve at the scrub line."""
         cuts = {
             curve: found
             for curve, indices in self._session.selected.group.parts
@@ -199,13 +199,13 @@ class CurveCommands:
     )
     @also(CURVE_MENU(11), CURVE_LIST_MENU(33), CURVE_LIST_BUTTONS(15))
     def _reverse(self) -> None:
-        """Run through the curve, all of its shape or all that are chosen as wholes the other way."""
+        """Reverse the direction of the curve, of all curves of its shape, or of the selected curves."""
         session, view = self._session, self._session.active_view
         several = self._several_whole
         views = [session.views[place] for place in several] or [view]
         if not all(each.is_current for each in views):
             problem = next(each.problem for each in views if not each.is_current)
-            session.refuse(f"There is no curve to reverse. {problem}")
+            session.refuse(f"The curve cannot be reversed. {problem}")
         elif several:
             turned = {place: reversed_curve(session.views[place]).curve for place in several}
             what = whole_curves(session.document, several)
@@ -233,7 +233,7 @@ class CurveCommands:
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
     def _toggle_closed(self) -> None:
-        """Let the curve return smoothly to its first point, or open it; also all of its shape or chosen."""
+        """Close the curve smoothly, or open it, with all curves of its shape or selection."""
         session, views = self._session, self._session.views
         closed, places = not session.active_curve.is_closed, self._several_whole or [session.active_index]
         what = whole_curves(session.document, places)
@@ -288,13 +288,13 @@ class SegmentCommands:
     )
     @also(POINT_MENU(22))
     def _delete_between(self) -> None:
-        """Delete the segments between selected neighbours: a closed curve opens, an open one splits."""
+        """Delete the segments between selected points: a closed curve opens, an open curve splits."""
         session = self._session
         segments = segments_between(session.active_curve, session.selection)
         if segments:
             self._delete(segments)
         else:
-            session.refuse("Select two neighbouring points, or click with the right button on the segment.")
+            session.refuse("Select two neighbouring points, or right-click the segment.")
 
     @PlaceAction("deleteSegmentHere", "Delete Segment", like="deleteSegment")
     def delete_at(self, t: float) -> None:
@@ -312,7 +312,7 @@ class SegmentCommands:
         if session.change(f"Delete {what} of {session.active_curve.name}", edit):
             session.selected.set_points([])
             count = len(made[-1].curves)
-            left = f"{count} curves are left" if count > 1 else "the curve is open"
+            left = f"{count} curves remain" if count > 1 else "the curve is open"
             session.say(f"Deleted {what}: {left}, {made[-1].sentence}")
 
 

@@ -63,13 +63,13 @@ class JoinCommands:
         CURVE_LIST_BUTTONS(13),
     )
     def _join(self) -> None:
-        """Join two selected ends, or the nearest ends of chosen curves; else the end to the nearest start."""
+        """Join two selected ends, the nearest ends of selected curves, or the end to the nearest start."""
         session = self._session
         link = link_of(session.views, session.selected.group)
         if link is not None:
             self._join_ends(link)
         elif len(session.selected.group.parts) > 1:
-            session.refuse("Select one end each of two open curves, and nothing else, to join them there.")
+            session.refuse("Select only one end of each of two open curves to join them there.")
         elif len(session.selected.chosen) > 1:
             self._join_chosen()
         else:
@@ -87,7 +87,7 @@ class JoinCommands:
     )
     @also(POINT_MENU(23))
     def _merge(self) -> None:
-        """Make one point of two selected ends, in the middle between them; their handles go along."""
+        """Merge two selected ends into one point halfway between them; their handles move along."""
         session = self._session
         link = link_of(session.views, session.selected.group)
         if link is not None:
@@ -116,7 +116,7 @@ class JoinCommands:
         is_open = (place for place in session.selected.chosen if not views[place].source.is_closed)
         curves = sorted(place for place in is_open if len(views[place].points))
         if len(curves) < 2:
-            session.refuse("Choose two open curves or more to join them; closed ones have no ends.")
+            session.refuse("Select at least two open curves to join them. Closed curves have no ends.")
             return
         kept = session.active_index if session.active_index in curves else curves[-1]
         self._make(
@@ -127,7 +127,7 @@ class JoinCommands:
         session, index = self._session, self._session.active_index
         partner = self._nearest_start()
         if partner is None:
-            session.refuse("There is no other open, visible curve whose start could follow.")
+            session.refuse("There is no other visible open curve to join.")
             return
         link = (End(index, is_last=True), End(partner, is_last=False))
         self._make({index, partner}, index, lambda kept: joined_by(session.views, [link], kept))

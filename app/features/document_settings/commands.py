@@ -54,7 +54,7 @@ class DocumentSettingsCommands:
             if before is not None and before[0] != document.unit and self._panel is not None:
                 name = f"are in {document.unit}" if document.unit else "have no unit"
                 note = exchange.units.note_of_unknown(document.unit)
-                self._session.say(f"Lengths {name} now; the numbers stay as they are. {note}".rstrip())
+                self._session.say(f"Lengths {name} now; the numbers are unchanged. {note}".rstrip())
         self._render_panel()
 
     def _render_panel(self) -> None:
@@ -71,7 +71,7 @@ class DocumentSettingsCommands:
         document, preferences = self._session.document, self._preferences
         preferences.unit_name, preferences.grid_spacing = document.unit, document.grid_spacing
         preferences.new_style = self._session.active_curve.style
-        self._session.say("New documents begin with this unit and grid, and with the style of this curve.")
+        self._session.say("New documents will use this unit and grid, and the style of this curve.")
         self._render_panel()
 
     @action(
@@ -83,7 +83,7 @@ class DocumentSettingsCommands:
         keywords="properties unit millimetres inches grid spacing new setup",
     )
     def _show(self) -> None:
-        """Show unit and grid of this document, and what new ones begin with."""
+        """Set unit and grid of this document and of new ones."""
         self._dock.bring_up()
 
 

@@ -25,7 +25,7 @@ from ...widgets.preference_fields import PreferenceField, field_of
 _UNIT = Text(
     "",
     "Unit",
-    "What a length of one is called in this document; type any name. Numbers stay as they are",
+    "Unit of length in this document; type any name. Numbers are not converted",
     longest=LONGEST_UNIT,
     usual=USUAL_UNITS,
     note=note_of_unknown,
@@ -36,7 +36,7 @@ _GRID = Distance(
     "Grid spacing",
     "“adaptive”, or a distance in the plane (Enter to set)",
     none="adaptive",
-    refusal="The grid needs a distance greater than 0, or “adaptive”.",
+    refusal="Enter a grid spacing greater than 0, or “adaptive”.",
     widget="documentGrid",
 )
 
@@ -59,7 +59,7 @@ class DocumentPanel(FieldForm):
             _GRID, partial(self._ask, "grid spacing", set_grid_spacing)
         )
         self._usual = Label(name="newDocuments", wordWrap=True)
-        tip = "Let new documents begin with this unit and grid, and their curve with this one's style"
+        tip = "Use this unit, this grid and the style of this curve in new documents"
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.made_usual)
         form = form_of(*self._unit.rows, *self._grid.rows)
@@ -79,9 +79,9 @@ class DocumentPanel(FieldForm):
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)
         grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
-        line = "the default style" if style == Style() else "a style of their own"
+        line = "the default style" if style == Style() else "a saved style"
         named = f"“{unit}”" if unit else NO_UNIT
-        self._usual.setText(f"New documents begin with unit {named}, {grid} and {line}.")
+        self._usual.setText(f"New documents use unit {named}, {grid} and {line}.")
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""

@@ -96,9 +96,7 @@ class WorkCommands:
         EDIT_WORK,
         "Ctrl+.",
         "stop",
-        needs=Need(
-            "something that is being read, written or computed", lambda state: state.window.is_working
-        ),
+        needs=Need("", lambda state: state.window.is_working, "Nothing is running."),
     )
     def _cancel(self) -> None:
         """Stop reading, writing or computing; nothing changes."""

@@ -89,7 +89,7 @@ class HistoryCommands:
         EDIT_HISTORY,
         "Ctrl+Z",
         "undo",
-        needs=Need("a step to take back", lambda state: state.can_undo),
+        needs=Need("", lambda state: state.can_undo, "Nothing to undo."),
         during_gesture=True,
     )
     @also(TOOLBAR(20))
@@ -114,7 +114,7 @@ class HistoryCommands:
         icon="history",
         full_name="Go Back to What Was Before the Lesson",
         needs=Need(
-            "work that was left for a lesson or an example",
+            "work that was replaced by a lesson or an example",
             lambda state: state.can_go_back,
         ),
     )
@@ -132,7 +132,7 @@ class HistoryCommands:
         EDIT_HISTORY,
         "Ctrl+Shift+Z, Ctrl+Y",
         "redo",
-        needs=Need("a step that was taken back", lambda state: state.can_redo),
+        needs=Need("", lambda state: state.can_redo, "Nothing to redo."),
     )
     @also(TOOLBAR(21))
     def _redo(self) -> None:

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 # Readers and dialogs are imported when they are wanted: at the start nobody waits for them.
 
-_NOT_IMPORTED = "{} not imported, for another document was opened meanwhile."
+_NOT_IMPORTED = "{} not imported because another document was opened in the meantime."
 
 
 class ImportCommands:

@@ -131,9 +131,7 @@ class ExportCommands:
 
 _WIDTH = 1600
 
-_ANY_CURVE = Need(
-    "a curve through two points or more", lambda state: state.has_curve or state.curve_count > 1
-)
+_ANY_CURVE = Need("a curve with at least two points", lambda state: state.has_curve or state.curve_count > 1)
 
 
 class CopyCommands:

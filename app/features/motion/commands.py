@@ -113,7 +113,7 @@ class MotionCommands:
         MOTION_RUN,
         icon="stop",
         full_name="Stop Motion",
-        needs=Need("a motion that is shown", lambda state: state.window.motion_shown),
+        needs=Need("", lambda state: state.window.motion_shown, "No motion is shown."),
     )
     def _stop(self) -> None:
         """End the motion (Escape)."""

@@ -85,7 +85,7 @@ class OwnFamilyCommands(QObject):
         FILE_FAMILY_MORE,
         icon="play",
         full_name="Use the New Family",
-        needs=Need("a family file just written or used", lambda state: state.window.offers_family),
+        needs=Need("a family file that was just written or used", lambda state: state.window.offers_family),
     )
     def _use_offered(self) -> None:
         """Run the template just written, or draw the curve by the family that a file has just brought."""
@@ -101,7 +101,7 @@ class OwnFamilyCommands(QObject):
         FILE_FAMILY_MORE,
         icon="stop",
         full_name="Stop the Family File",
-        needs=Need("a family file that is running", lambda state: state.window.runs_family_file),
+        needs=Need("", lambda state: state.window.runs_family_file, "No family file is running."),
     )
     def _stop(self) -> None:
         """Stop the file of families that is running; nothing changes."""

@@ -292,7 +292,7 @@ class PointCommands:
         "Reset Derivatives to Estimated",
         POINTS_VELOCITIES,
         icon="reset",
-        needs=Need("selected points with a derivative that was set", lambda state: state.has_explicit),
+        needs=Need("selected points with a derivative set by hand", lambda state: state.has_explicit),
     )
     def _reset_derivatives(self) -> None:
         """Let the rules estimate the derivatives of the selected points again."""

@@ -170,7 +170,7 @@ class ImageCommands:
         "Move Image",
         FILE_IMAGE,
         icon="move",
-        needs=Need("a reference image that is not locked", lambda state: state.is_image_locked is False),
+        needs=Need("an unlocked reference image", lambda state: state.is_image_locked is False),
     )
     @also(IMAGE_BUTTONS(10))
     def _toggle_moving(self) -> None:

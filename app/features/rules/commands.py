@@ -74,7 +74,7 @@ def _edited(family: Family) -> Need:
 
     def why(state: ActionState) -> str:
         then = f"then the same key makes it {family.title}"
-        return f"Enter edits “{state.curve_name}”; {then}. The toolbar changes all that are chosen."
+        return f"Press Enter to edit “{state.curve_name}”; {then}. The toolbar changes all selected curves."
 
     return Need("an edited curve", lambda state: state.is_editing or state.is_blank, why=why)
 
@@ -165,7 +165,7 @@ class RuleCommands:
         ):
             closes = next(each.title for each in FAMILIES if each.curve_class.can_close)
             said.insert(
-                0, f"{family.subject} cannot close smoothly; it is shown open, and closes again as {closes}."
+                0, f"{family.subject} cannot close smoothly. It is drawn open, and closes again as {closes}."
             )
         if said:
             self._session.say(" ".join(said))
@@ -176,10 +176,10 @@ class RuleCommands:
             family.action_name.replace("family", "convertTo"),
             f"Convert to {family.label}, Keeping the Shape",
             CURVE_CONVERT,
-            tip=f"Write the same curve as {family.a_curve}, where it is one: the shape stays",
+            tip=f"Convert to {family.a_curve} of the same shape, where possible",
             when_opened=lambda session: _outlook(session, family),
             needs=Need(
-                "a curve of another family that is not locked",
+                "an unlocked curve of another family",
                 lambda state: UNLOCKED_CURVE.is_met(state) and state.family != family,
             ),
         ),
@@ -213,7 +213,7 @@ class RuleCommands:
         def edit(document: Document) -> Document:
             view = session.active_view
             if kind is ParametrizationKind.MANUAL and not view.is_current:
-                raise EditError("There are no parameters to start from; mend the points first.")
+                raise EditError("There are no parameters to start from. Correct the points first.")
             return rule_edits.set_parametrization(
                 document, session.active_index, kind, view.parameters.tolist()
             )
@@ -226,13 +226,13 @@ class RuleCommands:
         CURVE_PARAMETERS,
         icon="lock",
         needs=Need(
-            "parameters that a rule gives",
+            "parameters given by a rule",
             lambda state: state.is_current and state.parametrization is not ParametrizationKind.MANUAL,
         ),
     )
     @also(CURVE_MENU(14), RAIL_MENU(21))
     def _freeze_parameters(self) -> None:
-        """Keep the parameters as they are: make them manual."""
+        """Keep the current parameters as manual ones."""
         session = self._session
         parameters = session.active_view.parameters.tolist()
         session.change(
@@ -246,12 +246,12 @@ class RuleCommands:
         CURVE_PARAMETERS,
         icon="spline",
         needs=Need(
-            "parameters that are not uniform",
+            "parameters other than uniform ones",
             lambda state: state.parametrization is not ParametrizationKind.UNIFORM,
         ),
     )
     def _use_uniform(self) -> None:
-        """Space the parameters evenly, wherever the points lie."""
+        """Space the parameters evenly, regardless of the positions of the points."""
         self._use_parametrization(ParametrizationKind.UNIFORM)
 
     def _with_alpha(self, document: Document, position: int) -> Document:
@@ -264,12 +264,12 @@ class RuleCommands:
 def _outlook(session: Session, family: Family) -> Opened:
     """Return what a conversion does to the curve of the moment."""
     found = view_model.convert.outlook(session.active_view, family)
-    text, tip = f"Convert to {family.label}, ", f"Write the same curve as {family.a_curve}: the shape stays"
+    text, tip = f"Convert to {family.label}, ", f"Convert to {family.a_curve} of the same shape"
     if not found.within:
         return Opened(f"{text}Keeping the Shape", tip, found.refusal)
     within = number(found.within, 1)
-    follow = f"Follow the curve, which does not consist of polynomials, with {family.a_curve}"
-    return Opened(f"{text}Within {within}", f"{follow}: it changes by about {within} at most")
+    follow = f"Approximate the curve, which is not a polynomial, with {family.a_curve}"
+    return Opened(f"{text}Within {within}", f"{follow}; it changes by at most about {within}")
 
 
 def _alpha_step(position: int) -> str:

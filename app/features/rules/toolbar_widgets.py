@@ -22,7 +22,7 @@ from ...widgets.sliders import LiveSlider
 STEPS = 100
 """Positions of the slider from α 0 to 1."""
 
-_RULE_TIP = "The rule that gives the parameters t"
+_RULE_TIP = "Rule for the parameters t"
 _SLIDER_TIP = "Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length"
 _SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 56
 
@@ -153,7 +153,7 @@ def _has_alpha(kind: ParametrizationKind) -> bool:
     return kind.alpha is not None or "alpha" in kind.takes
 
 
-_WORD, _FAMILIES_TIP = "Families", "Further families of curves"
+_WORD, _FAMILIES_TIP = "Families", "More families of curves"
 _ICON, _ARROW, _BESIDES = 20, 22, 36
 """Pixels along the sides of the icon, and of what stands beside it alone, and beside icon and word."""
 

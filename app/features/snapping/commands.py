@@ -23,7 +23,7 @@ from ...tools.snapping import SnapKind
 from ...workbench.context import WindowContext
 from .. import snapping
 
-_SOME_GUIDE = Need("a guide", lambda state: state.has_guides)
+_SOME_GUIDE = Need("", lambda state: state.has_guides, "There are no guides.")
 _BESIDE = 6
 """Pixels between the field and the guide, or the ruler."""
 
@@ -116,7 +116,7 @@ class GuideCommands:
         full_name="Show Rulers",
     )
     def _toggle_rulers(self) -> None:
-        """Show rulers above the canvas and at its left, or plain axes."""
+        """Show rulers above and at the left of the canvas, or plain axes."""
 
     @switch(
         "guides_shown",
@@ -128,7 +128,7 @@ class GuideCommands:
         keywords="hide guidelines",
     )
     def _toggle(self) -> None:
-        """Show or hide the guides, which are dragged out of the rulers; nothing snaps to hidden ones."""
+        """Show or hide the guides. Drag guides out of the rulers; hidden guides are not snapped to."""
 
     @action("clearGuides", "Clear Guides", VIEW_GUIDES, needs=_SOME_GUIDE, keywords="remove all guides")
     def _clear(self) -> None:
@@ -166,16 +166,14 @@ class SnapCommands:
     )
     @also(TOOLBAR(62), CANVAS_MENU(32))
     def _toggle(self) -> None:
-        """Snap to grid, guides, points and curves, or not; also in mid-drag."""
+        """Turn snapping to grid, guides, points and curves on or off, also during a drag."""
         store = self._context.store
         # Another window may have remembered other kinds meanwhile.
         store.read_preferences()
         on = not store.state.snapping.on
         store.change(snap_on=on)
         self._context.session.say(
-            "Points snap now; % again: they move freely."
-            if on
-            else "Points move freely now; % again: they snap."
+            "Snapping is on. Press % to turn it off." if on else "Snapping is off. Press % to turn it on."
         )
 
     @action_for_each(
@@ -184,7 +182,7 @@ class SnapCommands:
             f"snapTo{kind.value.capitalize()}",
             kind.label,
             VIEW_SNAP_TO,
-            tip=f"What snaps is drawn to this: {kind.label.lower()}",
+            tip=f"Snap to this target: {kind.label.lower()}",
             full_name=f"Snap To: {kind.label}",
             checked=lambda state: kind in state.window.snapping.kinds,
             keywords="magnet",
@@ -197,8 +195,8 @@ class SnapCommands:
         kinds = store.state.snapping.kinds ^ {kind}
         store.change(snap_kinds=kinds)
         is_on, what = kind in kinds, kind.label.lower()
-        does = f"Points snap to this now: {what}." if is_on else f"Points snap to this no longer: {what}."
-        self._context.session.say(does if store.state.snapping.on else f"{does} % turns snapping on.")
+        does = f"Snapping to this target is {'on' if is_on else 'off'}: {what}."
+        self._context.session.say(does if store.state.snapping.on else f"{does} Press % to turn snapping on.")
 
 
 COMMAND_SETS = (GuideCommands, SnapCommands)

@@ -18,7 +18,7 @@ from ...widgets.controls import named
 from ...widgets.frames import OverlayFrame
 from ...widgets.number_text import read_length, typed_text
 
-_TIP = "Where the guide lies: a number or an expression, with a unit if you like, such as 20, 1/3 or 1 in"
+_TIP = "Position of the guide: a number or an expression, with an optional unit, such as 20, 1/3 or 1 in"
 _WIDTH = 110
 
 
@@ -82,7 +82,7 @@ class GuideField(OverlayFrame):
         self._axis, self._unit = Axis.X, ""
         self._now = 0.0
         self._corner: Callable[[], QPoint] = lambda: QPoint(0, 0)
-        self.edit = named(_PlaceEdit(), "guidePlace", "Place of the guide", _TIP)
+        self.edit = named(_PlaceEdit(), "guidePlace", "Position of the guide", _TIP)
         self.edit.entered.connect(self._enter)
         self.edit.given_up.connect(self.close_field)
         self.edit.textEdited.connect(lambda: self._say(""))

@@ -74,8 +74,8 @@ class UsedColours:
 
 
 _PAINTS = ("fill", "stroke")
-_NEXT = "what is drawn next"
-_HOW_TO_CHOOSE = "Nothing is chosen: this is for what is drawn next. Click a curve, or press {} for all."
+_NEXT = "the next curve"
+_HOW_TO_CHOOSE = "No curve is selected: this style is for the next curve. Click a curve, or press {} for all."
 
 
 class StyleCommands:
@@ -227,7 +227,7 @@ class StyleCommands:
     )
     @also(CURVE_MENU(23), CHOSEN_MENU(40), CURVE_LIST_MENU(14))
     def _show(self) -> None:
-        """Show colour, width, ends, corners, dashes and fill of the curve, or of all that are selected."""
+        """Set colour, width, ends, corners, dashes and fill of the selected curves."""
         self._dock.bring_up()
         if self._panel is not None:
             self._panel.fill.edit.setFocus()
@@ -242,7 +242,7 @@ class StyleCommands:
         keywords="exchange switch colour colors paint outline reverse",
     )
     def _swap(self) -> None:
-        """Paint the inside as the line is now, and the line as the inside, with their opacities."""
+        """Swap the paints and opacities of fill and stroke."""
         self._edit(_PAINTS, swap_paints, what="Swap fill and stroke")
 
 
@@ -256,7 +256,7 @@ def _note_on(styles: Iterable[Style], theme: Theme) -> str:
 STYLE = "application/x-curvebench-style"
 """MIME type of a style, as JSON."""
 
-_NOTHING_TO_PASTE = "There is no style on the clipboard; Copy Style puts one there, and so does copied SVG."
+_NOTHING_TO_PASTE = "There is no style on the clipboard. Use Copy Style, or copy SVG."
 
 
 class StyleClipboardCommands:
@@ -276,7 +276,7 @@ class StyleClipboardCommands:
     )
     @also(CHOSEN_MENU(41))
     def _copy(self) -> None:
-        """Copy stroke and fill of the curve that is edited."""
+        """Copy stroke and fill of the active curve."""
         session, data = self._session, QMimeData()
         data.setData(STYLE, msgspec.json.encode(session.active_curve.style))
         put_on_clipboard(data)
@@ -293,7 +293,7 @@ class StyleClipboardCommands:
     )
     @also(CHOSEN_MENU(42))
     def _paste(self) -> None:
-        """Give the curve, or all that are selected, the stroke and the fill that were copied.
+        """Apply the copied stroke and fill to the selected curves.
 
         Of curves, or of an SVG, those of the first.
         """

@@ -43,7 +43,7 @@ def read_paint(text: str) -> str:
     is_code = len(word) in (3, 6) and all(letter in "0123456789abcdef" for letter in word)
     colour = QColor.fromString(f"#{word}" if is_code else word)
     if not colour.isValid() or colour.alpha() < 255:
-        raise ExpressionError("A colour is written as #0072b2, by a name such as “teal”, “ink” or “none”.")
+        raise ExpressionError("Type a colour as #0072b2, a name such as “teal”, “ink” or “none”.")
     return colour.name()
 
 
@@ -77,7 +77,7 @@ class PaintField(FollowsTheme, QWidget):
         self._recent: tuple[str, ...] = ()
         self._swatches: dict[str, QToolButton] = {}
         self._popup: ColourPopup | None = None
-        tip = f"{label}: choose any colour; it is seen at once, Escape cancels"
+        tip = f"{label}: choose any colour, with a live preview; Escape cancels"
         self._button = tool_button(f"{name}Button", f"{label}, choose a colour", tip, icon_size=_PICTURE)
         # The same with a colour and with the dots of several.
         self._button.setFixedSize(_PICTURE + 13, _PICTURE + 7)
@@ -214,7 +214,7 @@ class DashField(QWidget):
         self._box = choice_box("dashBox", "Dashes", tip, (*_PRESETS, _OWN))
         self._box.setMinimumContentsLength(6)
         self._box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        tip = "Lengths of dashes and gaps in turn, in multiples of the width, such as 4 2 (Enter to set)"
+        tip = "Alternating lengths of dashes and gaps, in multiples of the width, such as 4 2 (Enter to set)"
         self.edit = NumberEdit("dashList", "List of dashes", tip, _read)
         self._value: object = ()
         self.edit.setMinimumWidth(_LEAST)
@@ -247,9 +247,9 @@ class DashField(QWidget):
 def _read(text: str) -> Sequence[float]:
     lengths = tuple(read_number(word) for word in text.replace(";", " ").split())
     if len(lengths) > LARGEST_DASHES:
-        raise ExpressionError(f"There may be {LARGEST_DASHES} dashes and gaps at most.")
+        raise ExpressionError(f"Type at most {LARGEST_DASHES} dashes and gaps.")
     if any(length < 0 for length in lengths) or (lengths and not any(lengths)):
-        raise ExpressionError("Dashes and gaps are 0 or longer, and not all of them 0.")
+        raise ExpressionError("Dashes and gaps must be 0 or longer, and not all 0.")
     return lengths
 
 
@@ -300,7 +300,7 @@ def read_percent(text: str) -> float:
     """Return the share from 0 to 1 that a text such as "40 %" means; raise ExpressionError for others."""
     share = read_number(text.replace("%", " ")) / 100
     if not 0 <= share <= 1:
-        raise ExpressionError("From 0 % to 100 %.")
+        raise ExpressionError("Type a value from 0 % to 100 %.")
     return share
 
 

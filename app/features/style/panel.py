@@ -26,7 +26,7 @@ AUTO = "auto"
 
 _NARROW = 44
 
-_UNSEEN_DOTS = "Dashes of length 0 are not seen with butt ends."
+_UNSEEN_DOTS = "Dashes of length 0 are invisible with butt ends."
 
 _LEAST_WIDTH = 1e-9
 """Width of a line that counts as none: the first step from there is a tenth of the unit."""
@@ -73,14 +73,16 @@ class StylePanel(FieldForm):
         self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
         self.fill = PaintField("fillPaint", "Fill")
         self.stroke = PaintField("strokePaint", "Stroke")
-        self._rule = ChoiceRow("fillRule", "Fill rule", "What is inside where curves cross", FillRule)
-        self._cap = ChoiceRow("lineCap", "Line ends", "Ends of lines and dashes", LineCap)
-        self._join = ChoiceRow("lineJoin", "Line corners", "Corners of lines", LineJoin)
+        self._rule = ChoiceRow(
+            "fillRule", "Fill rule", "Regions that are filled where curves cross", FillRule
+        )
+        self._cap = ChoiceRow("lineCap", "Line ends", "Shape of the ends of lines and dashes", LineCap)
+        self._join = ChoiceRow("lineJoin", "Line corners", "Shape of the corners of lines", LineJoin)
         self._make_numbers()
         self._dash = DashField()
         self.opacities = {
-            "fill_opacity": PercentField("fillOpacity", "Fill opacity", "How much of the fill is seen"),
-            "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "How much of the line is seen"),
+            "fill_opacity": PercentField("fillOpacity", "Fill opacity", "Opacity of the fill"),
+            "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "Opacity of the line"),
         }
         self._shown: tuple[object, ...] = ()
         self._lay_out(buttons, swap)
@@ -91,7 +93,7 @@ class StylePanel(FieldForm):
         self._width = NumberEdit(
             "strokeWidth",
             "Width of the line",
-            "Width of the line, as 0.5 mm or 1/8; “auto” is the usual line, whatever the zoom "
+            "Width of the line, such as 0.5 mm or 1/8; “auto” draws the default width at every zoom "
             "(Enter to set; ↑ ↓ by a tenth)",
             self._read_width,
             _next_width,
@@ -99,12 +101,12 @@ class StylePanel(FieldForm):
         self._limit = NumberEdit(
             "miterLimit",
             "Miter limit",
-            "Longest miter, in multiples of the width (Enter to set)",
+            "Largest length of a miter, in multiples of the width (Enter to set)",
             _read_limit,
         )
         self._limit.setFixedWidth(_NARROW)
         self._offset = NumberEdit(
-            "dashOffset", "Start of the dashes", "Where the dashes begin, in multiples of the width"
+            "dashOffset", "Start of the dashes", "Start of the dash pattern, in multiples of the width"
         )
         self._offset.setFixedWidth(_NARROW)
 
@@ -169,7 +171,7 @@ class StylePanel(FieldForm):
             return None
         width = read_length(text, self._unit)
         if width < 0:
-            raise ExpressionError("A line is 0 wide or wider, or “auto”.")
+            raise ExpressionError("Type a width of at least 0, or “auto”.")
         return width
 
     # Rendering: nothing here writes back
@@ -259,7 +261,7 @@ def _next_width(width: float, count: int) -> float:
 def _read_limit(text: str) -> float:
     limit = read_number(text)
     if limit < 1:
-        raise ExpressionError("The limit is 1 or greater.")
+        raise ExpressionError("Type a limit of at least 1.")
     return limit
 
 

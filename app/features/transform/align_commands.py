@@ -50,16 +50,16 @@ class _Distribution(NamedTuple):
 
 
 _ALIGNMENTS = (
-    _Alignment(Edge.LEFT, ARRANGE_ALIGN_ACROSS, "one vertical, that of the leftmost edge", 10),
-    _Alignment(Edge.CENTRE, ARRANGE_ALIGN_ACROSS, "one vertical, halfway", 11),
-    _Alignment(Edge.RIGHT, ARRANGE_ALIGN_ACROSS, "one vertical, that of the rightmost edge", 12),
-    _Alignment(Edge.TOP, ARRANGE_ALIGN_UP, "one horizontal, that of the top", 13),
-    _Alignment(Edge.MIDDLE, ARRANGE_ALIGN_UP, "one horizontal, halfway", 14),
-    _Alignment(Edge.BOTTOM, ARRANGE_ALIGN_UP, "one horizontal, that of the bottom", 15),
+    _Alignment(Edge.LEFT, ARRANGE_ALIGN_ACROSS, "on the left edge", 10),
+    _Alignment(Edge.CENTRE, ARRANGE_ALIGN_ACROSS, "on a vertical line through the centre", 11),
+    _Alignment(Edge.RIGHT, ARRANGE_ALIGN_ACROSS, "on the right edge", 12),
+    _Alignment(Edge.TOP, ARRANGE_ALIGN_UP, "on the top edge", 13),
+    _Alignment(Edge.MIDDLE, ARRANGE_ALIGN_UP, "on a horizontal line through the middle", 14),
+    _Alignment(Edge.BOTTOM, ARRANGE_ALIGN_UP, "on the bottom edge", 15),
 )
 
-_CENTRES = "Space the selected points, or the centres of the chosen curves, evenly from {}"
-_GAPS = "Make the gaps between the chosen curves the same from {}"
+_CENTRES = "Space the selected points, or the centres of the selected curves, evenly from {}"
+_GAPS = "Make the gaps between the selected curves equal from {}"
 _DISTRIBUTIONS = tuple(
     _Distribution(axis, spacing, way, tip.format(ends), place + axis)
     for spacing, tip, place in ((Spacing.CENTRES, _CENTRES, 20), (Spacing.GAPS, _GAPS, 22))
@@ -87,12 +87,12 @@ def _count(state: ActionState) -> int:
     return state.selected_count or state.chosen_count
 
 
-TWO = Need("two selected points or chosen curves, or more (a group is one)", _can_align)
+TWO = Need("at least two selected points or curves (a group counts as one)", _can_align)
 THREE = Need(
-    "three selected points or chosen curves, or more (a group is one)", lambda state: _count(state) > 2
+    "at least three selected points or curves (a group counts as one)", lambda state: _count(state) > 2
 )
 THREE_CURVES = Need(
-    "three chosen curves or more (a group is one)",
+    "at least three selected curves (a group counts as one)",
     lambda state: not state.selected_count and state.chosen_count > 2,
 )
 
@@ -111,7 +111,7 @@ class AlignCommands:
             each.section,
             "",
             f"align-{each.edge.value}",
-            f"Put the selected points, or the chosen curves, on {each.tip}",
+            f"Align the selected points or curves {each.tip}",
             f"Align {each.edge.name.capitalize()}",
             needs=TWO,
         ),

@@ -51,25 +51,25 @@ class _Turn(NamedTuple):
 _TRANSFORMS = (
     _Transform(
         TransformKind.MOVE, "Move", "G",
-        "Move what is selected or chosen, or else all points, with the pointer; type x, Tab, y",
+        "Move the selection, or else all points, with the pointer; type x, Tab, y",
     ),
     _Transform(
         TransformKind.SCALE, "Scale", "S",
-        "Scale what is selected or chosen, or else all points, with the pointer; type a factor, or x, Tab, y",
+        "Scale the selection, or else all points, with the pointer; type a factor, or x, Tab, y",
     ),
     _Transform(
         TransformKind.ROTATE, "Rotate", "R",
-        "Rotate what is selected or chosen, or else all points, with the pointer; type the angle",
+        "Rotate the selection, or else all points, with the pointer; type an angle",
     ),
     _Transform(
         TransformKind.SKEW, "Skew", "Shift+R",
-        "Skew what is selected or chosen, or else all points, with the pointer; type the angle; Y: upright",
+        "Skew the selection, or else all points, with the pointer; type an angle; Y: vertically",
     ),
 )  # fmt: skip
 
 _FLIPS = (
-    _Flip("horizontally", 0, "H", "Mirror what is selected or chosen, or else all points: left is right"),
-    _Flip("vertically", 1, "Shift+V", "Mirror what is selected or chosen, or else all points: top is bottom"),
+    _Flip("horizontally", 0, "H", "Flip the selection, or else all points, left to right"),
+    _Flip("vertically", 1, "Shift+V", "Flip the selection, or else all points, top to bottom"),
 )
 
 _TURNS = (
@@ -78,7 +78,7 @@ _TURNS = (
 )
 
 _BOX = Need(
-    "two selected points or more, or a chosen curve",
+    "at least two selected points, or a selected curve",
     lambda state: state.active_selected_count > 1 or state.chosen_count > 0,
 )
 
@@ -117,7 +117,7 @@ class SelectionCommands:
     )
     def _begin(self, each: _Transform) -> None:
         if self._context.store.state.moves_image:
-            self._session.refuse("The image is being moved now; Escape goes back to the points.")
+            self._session.refuse("Move Image is in use. Press Escape to go back to the points.")
         else:
             self._context.central.canvas.begin_transform(each.kind)
 
@@ -146,7 +146,7 @@ class SelectionCommands:
             ARRANGE_TRANSFORM,
             each.key,
             each.icon,
-            f"Rotate what is selected or chosen, or else all points, to the {each.way}",
+            f"Rotate the selection, or else all points, by {abs(each.degrees):g}° to the {each.way}",
             needs=CURVE_WITH_POINTS,
             keywords="turn quarter clockwise",
         ),
@@ -170,14 +170,14 @@ class SelectionCommands:
 
     @action(
         "turnGrips",
-        "Grips That Rotate and Skew",
+        "Rotate and Skew Grips",
         ARRANGE_BOX,
         needs=_BOX,
         checked=lambda state: state.grips_turn,
         keywords="shear slant second click box",
     )
     def _turn_grips(self) -> None:
-        """Have the grips of the box rotate and skew, or scale again, as a click on a chosen curve does."""
+        """Switch the grips of the box between scaling and rotating, as a click on a selected curve does."""
         box = self._session.box
         box.set_turns(not box.turns)
 
@@ -202,7 +202,7 @@ class SelectionCommands:
         full_name="Transform Panel: Keep Proportions",
     )
     def _toggle_proportions(self) -> None:
-        """Let the height follow where a width is typed, and the width a height."""
+        """Scale width and height together when one of them is typed."""
 
 
 COMMAND_SETS = (

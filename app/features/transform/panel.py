@@ -23,8 +23,8 @@ from ...widgets.controls import ICON, action_button, choice_box, named, tool_but
 from ...widgets.fields import FieldForm, NumberEdit, read_number
 from ...widgets.number_text import read_length
 
-_EACH_TIME = "Degrees, counterclockwise; Enter turns each time"
-_SKEW = "Degrees: the top goes right, or the right side up; Enter: the top"
+_EACH_TIME = "Degrees, counterclockwise; each Enter rotates"
+_SKEW = "Degrees: the top moves right, or the right side up; Enter skews horizontally"
 
 _CERTAIN = 12
 """Digits of the largest number of the box that are no rounding."""
@@ -99,11 +99,11 @@ class TransformPanel(FieldForm):
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
-        self.x_edit = self._length("X", "x of the chosen place, from which sizes grow", 0)
-        self.y_edit = self._length("Y", "y of the chosen place, from which sizes grow", 1)
+        self.x_edit = self._length("X", "x of the pivot position, from which sizes grow", 0)
+        self.y_edit = self._length("Y", "y of the pivot position, from which sizes grow", 1)
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
-        self.angle_edit = _angle("transformAngle", "Angle", "Degrees that it is turned since it was selected")
+        self.angle_edit = _angle("transformAngle", "Angle", "Rotation since it was selected, in degrees")
         self.turn_edit = _angle("transformTurn", "Rotate by", _EACH_TIME)
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
@@ -117,7 +117,7 @@ class TransformPanel(FieldForm):
         self.reference = choice_box(
             "alignReference",
             "Align to",
-            "What chosen curves are aligned to; points are aligned to each other",
+            "Reference for aligning selected curves; points are aligned to each other",
             (each.label for each in Reference),
             (each.tip for each in Reference),
         )
@@ -128,7 +128,7 @@ class TransformPanel(FieldForm):
 
     def _length(self, label: str, tip: str, place: int) -> NumberEdit:
         """Return the field of one of `_numbers`."""
-        tip = f"{tip}: a number or an expression, with a unit or without, or +10% (Enter to set)"
+        tip = f"{tip}: a number or an expression, with or without a unit, or +10% (Enter to set)"
         return NumberEdit(
             f"transform{label}", label, tip, partial(self._read, lambda: self._numbers()[place])
         )
@@ -303,7 +303,7 @@ class PivotChooser(SafeOverrides, QWidget):
         for place, at in enumerate(NINE):
             words = position_name(*at)
             name = "pivot" + "".join(word.capitalize() for word in words.split())
-            tip = f"Pivot: {words} of the box; X and Y are of it, and transforms are about it"
+            tip = f"Pivot: {words} of the box. X and Y are its position, and transforms are about it"
             button = named(QToolButton(), name, f"Pivot: {words}", tip)
             button.setCheckable(True)
             button.setFixedSize(_SIDE, _SIDE)

@@ -109,7 +109,7 @@ class TransformPanelCommands(QObject):
     def _situation(self) -> Situated:
         target, session = self._target, self._session
         if target.is_nothing:
-            return transform.panel.Situated("Nothing chosen", None, (0.0, 0.0), None, 0.0, "", "")
+            return transform.panel.Situated("Nothing selected", None, (0.0, 0.0), None, 0.0, "", "")
         bounds = target.bounds
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.

@@ -34,9 +34,9 @@ from .zoom import ZoomCommands
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
 
 _THEMES = (
-    (ThemeMode.SYSTEM, "Theme: as the System", "Light or dark, as the system is"),
-    (ThemeMode.LIGHT, "Theme: Light", "Light colours"),
-    (ThemeMode.DARK, "Theme: Dark", "Dark colours"),
+    (ThemeMode.SYSTEM, "Theme: System", "Use the light or dark theme of the system"),
+    (ThemeMode.LIGHT, "Theme: Light", "Use the light theme"),
+    (ThemeMode.DARK, "Theme: Dark", "Use the dark theme"),
 )
 
 
@@ -87,7 +87,7 @@ class ViewCommands:
             session.selected.set_points([])
             name = common_name(session.document, session.selected.curves)
             what = "the curves" if name is None else f"“{name}”"
-            session.say(f"No point is selected; Escape again chooses {what} whole.")
+            session.say(f"No point is selected. Press Escape again to select {what} as a whole.")
         else:
             self._step_out()
 
@@ -97,7 +97,7 @@ class ViewCommands:
         if not selected.is_editing:
             if selected.chosen:
                 selected.choose(())
-                session.say("No curve is chosen.")
+                session.say("No curve is selected.")
             return
         selected.choose(selected.curves)
         session.say(self._told_whole(selected.chosen))
@@ -106,10 +106,11 @@ class ViewCommands:
         """Return the sentence that curves are chosen as wholes, and how their points are edited."""
         document = self._session.document
         name = common_name(document, chosen)
-        are, again = (
-            (f"{name_or_count(document, chosen)} are", "them") if name is None else (f"“{name}” is", "one")
-        )
-        return f"{are} chosen, and edited no longer; clicks choose whole curves, Enter edits {again}."
+        if name is None:
+            return (
+                f"{name_or_count(document, chosen)} are selected as wholes. Press Enter to edit their points."
+            )
+        return f"“{name}” is selected as a whole. Press Enter to edit its points."
 
     @widget_at(TOOLBAR(35))
     def build_more_tools(self) -> ToolbarWidget:
@@ -173,7 +174,7 @@ class ViewCommands:
     )
     @also(TOOLBAR(63), CANVAS_MENU(33))
     def _toggle_scrub(self) -> None:
-        """Show a point running along the curve and the weight of every point."""
+        """Show a point that moves along the curve, and the weight of every point there."""
         session = self._session
         if session.scrub.t is not None or session.active_view.curve is None:
             session.scrub.set(None)
@@ -181,10 +182,11 @@ class ViewCommands:
         start, end = session.active_view.curve.domain
         session.scrub.set(start + 0.4 * (end - start))
         if self._store.state.basis:
-            session.say("Drag the scrub line in the basis panel; every point shows its weight there.")
+            session.say("Drag the scrub line in the basis panel. Every point shows its weight.")
         else:
             session.offer(
-                "Every point shows its weight there; the functions have a line to drag.", "toggleBasis"
+                "Every point shows its weight. Drag the scrub line in the basis panel.",
+                "toggleBasis",
             )
 
     @switch(
@@ -201,26 +203,25 @@ class ViewCommands:
     @switch(
         "with_estimates",
         "toggleEstimates",
-        "Functions with Estimates",
+        "Basis Functions with Estimates",
         VIEW_SHOWN,
         "Shift+F8",
         "cardinal",
-        full_name="Basis Functions with Estimates",
         needs=HERMITE_CURVE,
     )
     def _toggle_estimates(self) -> None:
-        """Show what each point does with the velocities estimated from it, not the family's functions."""
+        """Include the velocities estimated from each point in its basis function."""
 
     @switch(
         "numbered",
         "numberPoints",
-        "Numbers of Points",
+        "Point Numbers",
         VIEW_SHOWN,
         icon="number-points",
         keywords="labels indices colours plain nodes index",
     )
     def _toggle_numbers(self) -> None:
-        """Tell points apart by numbers and colours, or draw them plain."""
+        """Show points with numbers and colours, or plain."""
 
     @switch(
         "side_panel",
@@ -231,7 +232,7 @@ class ViewCommands:
         "panel-right",
     )
     def _toggle_side_panel(self) -> None:
-        """Show or hide the panels at the side."""
+        """Show or hide the side panels."""
 
     def _show_side_panel(self, state: WindowState) -> None:
         window, shown = self._context.window, state.side_panel
@@ -259,9 +260,9 @@ class ViewCommands:
         """Make points, lines and type smaller."""
         self._change_scale(-1)
 
-    @action("usualSize", "Usual Drawing", VIEW_SIZE, "Ctrl+Alt+0")
+    @action("usualSize", "Default Drawing Size", VIEW_SIZE, "Ctrl+Alt+0")
     def _use_usual_scale(self) -> None:
-        """Points, lines and type as they usually are."""
+        """Restore the default size of points, lines and type."""
         self._set_scale(1.0)
 
     def _change_scale(self, step: int) -> None:
@@ -270,7 +271,7 @@ class ViewCommands:
 
     def _set_scale(self, scale: float) -> None:
         self._store.change(scale=scale)
-        self._session.say(f"Drawing at {scale:.0%}.")
+        self._session.say(f"Drawing size: {scale:.0%}.")
 
     def _show_scale(self, scale: float, factor: float) -> None:
         central, docks = self._context.central, self._context.docks
@@ -293,7 +294,7 @@ class ViewCommands:
         "presentation",
     )
     def _toggle_presentation(self) -> None:
-        """Hide everything but canvas and basis functions."""
+        """Hide everything except the canvas and the basis functions."""
 
     def _present(self) -> None:
         context, window = self._context, self._context.window

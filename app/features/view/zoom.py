@@ -76,14 +76,14 @@ class ZoomCommands:
         before = camera.pixel_map.sx
         camera.zoom(factor, self._canvas.zoom_centre)
         if factor != 1 and camera.pixel_map.sx == before:
-            self._context.session.refuse("The drawing cannot be shown at that size.")
+            self._context.session.refuse("The drawing cannot be displayed at that zoom.")
 
     # Actions
 
     @action("fitView", "Fit", VIEW_ZOOM, "F", "fit", full_name="Fit View")
     @also(TOOLBAR(60), CANVAS_MENU(30), ZOOM_MENU(20))
     def _fit(self) -> None:
-        """Show all visible curves; without points the reference image."""
+        """Show all visible curves, or the reference image where there are no points."""
         self._past.begin_move()
         self._context.central.fit()
 
@@ -98,7 +98,7 @@ class ZoomCommands:
     )
     @also(ZOOM_MENU(21))
     def _fit_selection(self) -> None:
-        """Show the selected points, or else the selected curves, as large as there is room for."""
+        """Zoom to the selected points, or else to the selected curves."""
         self._past.begin_move()
         session, framing = self._context.session, self._canvas.framing
         if parts := session.selected.group.parts:
@@ -109,12 +109,12 @@ class ZoomCommands:
 
     @action("zoomIn", "Zoom In", VIEW_ZOOM_STEPS, "Ctrl+=, Ctrl++, +, =", "zoom-in")
     def _zoom_in(self) -> None:
-        """Zoom in on the canvas, about the pointer if that is over it."""
+        """Zoom in on the canvas, about the pointer where it is over the canvas."""
         self._zoom(ZOOM_STEP)
 
     @action("zoomOut", "Zoom Out", VIEW_ZOOM_STEPS, "Ctrl+-, -", "zoom-out")
     def _zoom_out(self) -> None:
-        """Zoom out on the canvas, about the pointer if that is over it."""
+        """Zoom out on the canvas, about the pointer where it is over the canvas."""
         self._zoom(1 / ZOOM_STEP)
 
     @action(
@@ -128,7 +128,7 @@ class ZoomCommands:
     )
     @also(ZOOM_MENU(10))
     def _use_full_size(self) -> None:
-        """Show the curves at true size."""
+        """Show the curves at actual size."""
         self._zoom_to(1.0)
 
     @action(
@@ -136,9 +136,9 @@ class ZoomCommands:
     )
     @also(ZOOM_MENU(30))
     def _go_back(self) -> None:
-        """Show again what was seen before the last zoom or pan."""
+        """Go back to the view before the last zoom or pan."""
         if not self._past.go_back():
-            self._context.session.refuse("Nothing else was seen before.")
+            self._context.session.refuse("There is no previous view.")
 
 
 PIXELS_WITHOUT_UNIT = 100.0
@@ -161,8 +161,8 @@ def words_about_full_size(unit: str, dots_per_inch: float) -> str:
     """Return what 100 % means here, as a sentence."""
     pixels = number(pixels_at_full_size(unit, dots_per_inch), 3)
     if known := known_unit(unit):
-        return f"100 % is true size on this screen: 1 {known} is {pixels} pixels."
-    return f"Without a unit of length 100 % shows a length of 1 as {pixels} pixels."
+        return f"100 % is actual size on this screen: 1 {known} is {pixels} pixels."
+    return f"Without a unit of length, 100 % draws a length of 1 as {pixels} pixels."
 
 
 def per_cent_text(share: float) -> str:
@@ -183,7 +183,7 @@ def read_zoom(text: str) -> float:
     """
     value = read_number(text.replace("%", " "))
     if value <= 0:
-        raise ExpressionError("A zoom is greater than 0, such as 250 %.")
+        raise ExpressionError("Type a zoom greater than 0, such as 250 %.")
     return value / 100
 
 
@@ -251,7 +251,7 @@ class ZoomField(QWidget):
         self._soon.stop()
         edit, text = self.edit, per_cent_text(self._share)
         edit.show_text(text)
-        edit.setToolTip(f"Zoom: type one, such as 250 %. {self._about}")
+        edit.setToolTip(f"Zoom: type a value such as 250 %. {self._about}")
         width = max(edit.fontMetrics().horizontalAdvance(each) for each in (text, _WIDEST)) + 14
         if width != edit.width():
             edit.setFixedWidth(width)
