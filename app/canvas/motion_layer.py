@@ -20,7 +20,7 @@ from ..plotting.plot_widget import PlotWidget
 from ..plotting.text import clear_of, inside, size_of, write_on_plate
 from ..view_model.line_styles import DASHED
 from ..view_model.motion import (
-    OWN,
+    ACTIVE,
     TRAIL,
     Dot,
     Role,
@@ -82,14 +82,14 @@ class MotionLayer(Layer):
                 painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_dot(self, painter: QPainter, pixel_map: PixelMap, dot: Dot) -> None:
-        x, y = pixel_map.point(*dot.place)
+        x, y = pixel_map.point(*dot.position)
         if not is_near(x, y):
             return
         for arrow in dot.arrows:
             colour = curve_colour(colour_of(dot, arrow), self.theme)
             label = f"{dot.role.title} {arrow.text}".strip()
             self._paint_arrow(painter, pixel_map, (x, y), pixel_map.point(*arrow.tip), colour, label)
-        if dot.role is not OWN:
+        if dot.role is not ACTIVE:
             painter.setPen(QPen(self.theme.paper, 1.5 * self.scale))
             painter.setBrush(self._colour(dot.role))
             radius = dot.role.radius * self.scale

@@ -87,7 +87,7 @@ def _toggle_kind(event: ToolEvent, index: int) -> None:
     kind = toggled(view, index)
 
     def edit(document: Document) -> Document:
-        return replace_curve(document, active, kind.made(view, [index]))
+        return replace_curve(document, active, kind.apply(view, [index]))
 
     if session.change(f"{kind.step} point {index}", edit):
         session.say(f"{kind.title} at point {index}; a double click toggles corner and smooth.")

@@ -29,7 +29,7 @@ from .geometry import at_knots, polygon_length
 from .reshape import Reshaped, change_of_shape, inserted_index, refuse_without_curve, with_point_inserted
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24
-"""Points up to which it takes a millisecond at each move of the pointer.
+"""Points up to which a preview takes a millisecond at each move of the pointer.
 
 Beyond some 40 points a Lagrange curve by the distances swings so wildly that flattening it takes 5 to 80 ms.
 """
@@ -38,22 +38,21 @@ Beyond some 40 points a Lagrange curve by the distances swings so wildly that fl
 def with_point_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
     """Return the document with a new last point on its curve `curve`, which `view` shows.
 
-    What was set before is rescaled so that handles stay. The point that was the last one of an open curve
-    gets a segment on its other side, and its velocity shrinks until neither handle is longer than it was
-    drawn.
-    The handle of a point that stood alone is the one ahead of it, and stays.
+    Derivatives that were set are rescaled so that handles stay. The point that was the last one of an open
+    curve gets a segment on its other side, and its velocity shrinks until neither handle is longer than it
+    was drawn. The handle of the only point of a curve is the one ahead of it, and stays.
 
     Raises
     ------
     EditError
-        If the position is not one that a document may hold.
+        If a document may not hold the position.
     """
     t = appended_parameter(view, Point(*position)) if view.source.is_manual else None
     return with_points_appended(document, curve, view, [Point(*position, t=t)])
 
 
 Appending = Callable[[Document, int, CurveView, Vector], Document]
-"""Adds a last point to a curve of a document, which a view shows."""
+"""A function that adds a last point to a curve of a document, given its view."""
 
 
 def with_points_appended(
@@ -64,7 +63,7 @@ def with_points_appended(
     Raises
     ------
     EditError
-        If they are not what a document may hold.
+        If a document may not hold them.
     """
     count = len(view.source.points)
     scale = scale_of(view, replace(view.source, points=(*view.source.points, *points)))
@@ -72,11 +71,11 @@ def with_points_appended(
     document = insert_points(document, curve, count + 1, points[1:])
     if view.source.is_closed:
         return document
-    return _kept_short(document, curve, view, [count - 1])
+    return _with_short_handles(document, curve, view, [count - 1])
 
 
 def is_quick(view: CurveView) -> bool:
-    """Whether what would become of a curve can be shown at each move of the pointer."""
+    """Whether a preview of a curve with one more point can be drawn at each move of the pointer."""
     most = _MOST_LOCAL if view.source.family.curve_class.is_local else _MOST_GLOBAL
     return len(view.source.points) <= most
 
@@ -92,8 +91,8 @@ def view_with_point(
 ) -> CurveView | None:
     """Return the view of curve `curve` of the document, which `view` shows, with a last point at `position`.
 
-    None where there is no such curve, or where it would take too long. `previous` is the view that this
-    returned last; it lends what did not change. `append` says how the point is added.
+    None where there is no such curve, or where it would take too long. `previous` is the last result, which
+    lends what did not change; `append` adds the point.
     """
     if not view.source.points or not is_quick(view):
         return None
@@ -106,7 +105,7 @@ def view_with_point(
 
 
 def with_closed(document: Document, index: int, view: CurveView, closed: bool) -> Document:
-    """Return the document with its curve `index`, which `view` shows, closed or open; what was set stays.
+    """Return the document with its curve `index`, which `view` shows, closed or open; handles stay.
 
     Raises
     ------
@@ -122,7 +121,7 @@ def with_closed(document: Document, index: int, view: CurveView, closed: bool) -
 
 
 def _ends_where_it_starts(curve: Curve) -> bool:
-    """Whether the last point of an open curve is at the place of the first, with nothing set there."""
+    """Whether the last point of an open curve lies on the first, with no derivatives set."""
     first, last = curve.points[:1], curve.points[-1:]
     is_loop = len(curve.points) > curve.family.least_to_close and first[0].position == last[0].position
     return is_loop and curve.family.curve_class.can_close and not any(derivatives_of(last[0]))
@@ -137,13 +136,14 @@ def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
         If the curve cannot be closed.
     """
     document = with_closed(document, curve, view, closed=True)
-    return _kept_short(document, curve, view, [0, len(view.source.points) - 1])
+    return _with_short_handles(document, curve, view, [0, len(view.source.points) - 1])
 
 
-def _kept_short(document: Document, curve: int, view: CurveView, ends: Collection[int]) -> Document:
-    """Shrink what was set at the ends of `view`, which have a segment more now, to the longer of the two.
+def _with_short_handles(document: Document, curve: int, view: CurveView, ends: Collection[int]) -> Document:
+    """Return the document with short handles at the ends of `view`, which have one more segment now.
 
-    The handles of a corner are free of each other, and both stay as they were drawn.
+    Derivatives shrink by the longer of the two segments. The handles of a corner are independent, and both
+    stay as they were drawn.
     """
     grown = document.curves[curve]
     ends = [index for index in ends if _is_set(view.source, index)]
@@ -157,8 +157,8 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
     for index in ends:
         drawn = view.spacing(index, ahead=index == 0)
         if drawn:
-            # From what was drawn, not from what the new parameters have made of it: the factor is for both.
-            behind, ahead = (float(each) / drawn for each in (h[index - 1], h[index]))
+            # From the handle as drawn, not as the new parameters have changed it: the factor is for both.
+            behind, ahead = (float(length) / drawn for length in (h[index - 1], h[index]))
             point = _corner_beside_line(view.source, index)
             if not point.corner:
                 behind = ahead = max(behind, ahead)
@@ -167,11 +167,11 @@ def _kept_short(document: Document, curve: int, view: CurveView, ends: Collectio
 
 
 def _corner_beside_line(curve: Curve, index: int) -> Point:
-    """Return a point at an end; beside a line as a corner, whose other side is left to the rules."""
+    """Return a point at an end; beside a line as a corner, whose other side the rules estimate."""
     point, is_first = curve.points[index], index == 0
     if point.corner or not is_straight_beside(curve, index, ahead=is_first):
         return point
-    free = {each.name if is_first else each.after: None for each in DERIVATIVES}
+    free = {derivative.name if is_first else derivative.after: None for derivative in DERIVATIVES}
     return replace(point.as_corner(), **free)
 
 
@@ -183,9 +183,9 @@ def _is_set(curve: Curve, index: int) -> bool:
 
 
 def scale_of(before: CurveView, after: Curve) -> float:
-    """Return how much longer in t the points of `before` are in `after`, where they come first.
+    """Return the factor by which the points of `before` span more of t in `after`, where they come first.
 
-    One where no rule moves them, where there is no curve to keep, or where their parameters all but meet.
+    One where no rule moves them, where there is no curve, or where their parameters nearly coincide.
     """
     if before.source.is_manual or not before.is_current:
         return 1.0
@@ -206,15 +206,15 @@ def _parameters_alone(curve: Curve) -> FloatArray:
 
 
 def appended_parameter(before: CurveView, point: Point) -> float:
-    """Return a manual parameter for a point appended to `before`: as fast as the curve so far.
+    """Return a manual parameter for a point appended to `before`, at the mean speed of the curve so far.
 
     A closed curve's last segment is divided in proportion to the distances.
     """
     t = before.parameters
     if len(t) == 0 or not before.is_current:
         rule = before.source.parametrization
-        given = [each.t for each in before.source.points if each.t is not None]
-        # After a lone point the whole interval: its handle was drawn for that.
+        given = [earlier.t for earlier in before.source.points if earlier.t is not None]
+        # After the only point the whole interval: its handle was drawn for that.
         step = rule.end - rule.start if len(given) == 1 else 1.0
         return given[-1] + step if given else rule.start
     last = len(before.points) - 1
@@ -231,15 +231,15 @@ def appended_parameter(before: CurveView, point: Point) -> float:
 
 
 class Halved(msgspec.Struct, frozen=True):
-    """A curve with segments halved, the points that were made, and where those are now that were given."""
+    """A curve with segments halved, the indices of the new points, and the new indices of given points."""
 
-    made: Reshaped
+    reshaped: Reshaped
     new: frozenset[int]
     old: frozenset[int]
 
 
 def with_midpoints(view: CurveView, segments: Collection[int], points: Collection[int]) -> Halved:
-    """Return the curve with a point in the middle of each of these segments, and the places of `points` then.
+    """Return the curve with a point in the middle of each of these segments, and the new indices of `points`.
 
     Its shape is kept as far as it is by one point; see `reshape.with_point_inserted`.
 
@@ -250,7 +250,7 @@ def with_midpoints(view: CurveView, segments: Collection[int], points: Collectio
     """
     refuse_without_curve(view)
     now, new, old, steps, middles = view, frozenset[int](), frozenset(points), list[Reshaped](), list[float]()
-    # From the last on: what lies behind keeps its place, whatever a rule makes of the parameters.
+    # From the last one: points before it keep their indices, whatever a rule makes of the parameters.
     for segment in sorted(segments, reverse=True):
         t = _middle(now, segment)
         index = inserted_index(now, t)
@@ -262,22 +262,22 @@ def with_midpoints(view: CurveView, segments: Collection[int], points: Collectio
     moved, left_rule = (
         any(getattr(step, name) for step in steps) for name in ("parameters_moved", "left_rule")
     )
-    # Where each keeps the shape, all do up to their sum.
+    # The changes of the single steps add up.
     residual = sum(step.residual for step in steps)
     if moved:
         residual = change_of_shape(view, now, np.sort(np.append(view.parameters, middles)))
-    made = replace(steps[-1], residual=residual, parameters_moved=moved, left_rule=left_rule)
-    return Halved(made, new, old)
+    reshaped = replace(steps[-1], residual=residual, parameters_moved=moved, left_rule=left_rule)
+    return Halved(reshaped, new, old)
 
 
 def _middle(view: CurveView, segment: int) -> float:
     """Return the parameter between a point and the next one."""
     assert view.curve is not None
-    places, end = view.curve.places, view.curve.domain[1]
-    after = places[segment + 1] if segment + 1 < len(places) else end
-    return float(places[segment] + after) / 2
+    parameters, end = view.curve.places, view.curve.domain[1]
+    after = parameters[segment + 1] if segment + 1 < len(parameters) else end
+    return float(parameters[segment] + after) / 2
 
 
 def _shifted(points: frozenset[int], index: int) -> frozenset[int]:
-    """Return the places of points after another one came before `index`."""
-    return frozenset(each + (each >= index) for each in points)
+    """Return the indices of points after one was inserted at `index`."""
+    return frozenset(point + (point >= index) for point in points)

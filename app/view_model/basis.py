@@ -33,7 +33,7 @@ SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""
 
 _MANY = 100
-"""Functions of a Lagrange curve from which on those before a parameter moved are made use of."""
+"""Functions of a Lagrange curve from which on those from before a parameter moved are used."""
 
 _MOST_FINE = 400
 """Segments above which each is narrower than a few pixels, and sampled only at its ends and thirds."""
@@ -77,7 +77,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     scales
         The factors of the B_ir, (k, R).
     known
-        Makes the functions of a Lagrange curve after a few parameters moved; None where they are few.
+        Computes the functions of a Lagrange curve after a few parameters moved; None where they are few.
     """
 
     curve: ParametricCurve
@@ -123,12 +123,12 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.t[start:end], np.concatenate([behind, ahead])
 
     def inside_support(self, index: int) -> slice:
-        """Return which samples of a curve that is not piecewise may show more of knot `index` than zeros."""
+        """Return the samples where the function of knot `index` may differ from 0; not if piecewise."""
         return self._inside_supports([index])[0]
 
     @cached_property
     def supports(self) -> list[slice]:
-        """The same of all knots."""
+        """Those slices of all knots."""
         return self._inside_supports(range(self.count))
 
     def _inside_supports(self, knots: Iterable[int]) -> list[slice]:
@@ -149,8 +149,8 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """Return (t, scaled B) of knot `index` of a piecewise curve, all kinds (m, R), sampled finely."""
         segments = np.arange(max(index - 1, 0), min(index + 1, self.count - 1))
         t, values = self.fine_segments(segments, _FINE - 1)
-        own = [values[place, :, index - segment] for place, segment in enumerate(segments.tolist())]
-        return t.ravel(), np.concatenate(own)
+        columns = [values[row, :, index - segment] for row, segment in enumerate(segments.tolist())]
+        return t.ravel(), np.concatenate(columns)
 
     @cached_property
     def most_bent(self) -> float:
@@ -166,11 +166,11 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         """
         assert self.curve.is_local
         start, end = self.curve.parameters[segments], self.curve.parameters[segments + 1]
-        # The last one lies a hair before the joint, so that it is counted to this segment.
+        # The last one lies just before the joint, so that it belongs to this segment.
         t: FloatArray = np.linspace(start, np.nextafter(end, start), chords + 1, axis=1)
-        found = self.curve.local_basis(t.ravel()).values
+        functions = self.curve.local_basis(t.ravel()).values
         scales = np.stack([self.scales[segments], self.scales[segments + 1]], axis=1)
-        return t, found.reshape(*t.shape, 2, self.kinds) * scales[:, None]
+        return t, functions.reshape(*t.shape, 2, self.kinds) * scales[:, None]
 
     def envelope(self, kind: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return (t, least, greatest value of all functions of one kind there); per segment if coarse."""
@@ -178,7 +178,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
         if self.first is None:
             low, high = values.min(axis=1), values.max(axis=1)
             if 2 * self.count > len(self.t):
-                # The functions swing faster than they are sampled: without this the outline would, too.
+                # The functions swing faster than they are sampled: without this so would the outline.
                 low, high = _spread(np.minimum, low), _spread(np.maximum, high)
             return self.t, low, high
         by_segment = values.reshape(self.count - 1, -1).T
@@ -191,11 +191,11 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     def extent(self, kinds: Collection[int]) -> tuple[float, float]:
         """Return the least and the greatest value of the functions of these kinds; (0, 0) for none."""
-        ends = [self._extents[kind] for kind in self.shown_of(kinds)]
+        ends = [self._extents[kind] for kind in self.drawn_kinds(kinds)]
         return (min(low for low, _ in ends), max(high for _, high in ends)) if ends else (0.0, 0.0)
 
-    def shown_of(self, kinds: Collection[int]) -> list[int]:
-        """Return which of these kinds there are to show; where there is but one, it is shown always."""
+    def drawn_kinds(self, kinds: Collection[int]) -> list[int]:
+        """Return the kinds, of these, that the curve has; an only kind is always drawn."""
         return [kind for kind in range(self.kinds) if kind in kinds or self.kinds == 1]
 
     @cached_property
@@ -219,8 +219,8 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the scaled functions of one kind at `t`, one for each knot."""
         values = _functions(self.curve, np.array([t]), self.owners)
-        found: FloatArray = values[0, :, kind] * self.scales[:, kind]
-        return found
+        scaled: FloatArray = values[0, :, kind] * self.scales[:, kind]
+        return scaled
 
 
 def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
@@ -231,9 +231,9 @@ def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
 
 
 def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView | None:
-    """Sample all basis functions of a curve over its domain; None where there is no curve.
+    """Return all basis functions of a curve sampled over its domain; None where there is no curve.
 
-    `previous` lends the functions from before a parameter moved: those that do not depend on it, or are many.
+    `previous` lends functions from before a parameter moved: those that do not depend on it, or are many.
     """
     curve = view.basis_curve
     if curve is None or not view.is_current:
@@ -252,16 +252,16 @@ def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView 
 
 
 def _functions(curve: ParametricCurve, t: FloatArray, owners: tuple[int, ...]) -> FloatArray:
-    """Return the functions of all knots at t (m,), (m, knots, R): of both knots of one point their sum.
+    """Return the functions of all knots at t (m,), (m, knots, R): both knots of one point have their sum.
 
-    Those of the first point of a piecewise curve lie side by side already.
+    Those of the first point of a piecewise curve need no sum.
     """
     values = curve.basis(t)
     return values if curve.is_local else by_point(values, max(owners) + 1)[:, list(owners)]
 
 
 def _are_idle_moves(curve: ParametricCurve, before: ParametricCurve) -> bool:
-    """Whether two curves have the same functions: only parameters that do nothing are other ones."""
+    """Whether two curves have the same functions: only parameters without effect differ."""
     acts = ~curve.idle_parameters
     return (
         not acts.all()
@@ -288,13 +288,13 @@ def _many_functions(
 def _samples_over(curve: ParametricCurve) -> FloatArray:
     start, end = curve.domain
     t = crowded_at_ends(start, end, SAMPLES)
-    # A hair on both sides of a break, where functions may turn or jump.
+    # Just before and at each break, where functions may turn or jump.
     inner = curve.breaks[1:-1]
     return np.sort(np.concatenate([t, inner, np.nextafter(inner, start)])) if len(inner) else t
 
 
 def segment_samples(knots: FloatArray) -> OneSided:
-    """Sample every segment, ends included, so that joints are drawn as sharp as they are."""
+    """Return samples of every segment, ends included, so that joints are drawn sharply."""
     return one_sided(knots, _sample_counts(np.diff(knots)))
 
 
@@ -307,12 +307,12 @@ def _piecewise_view(curve: ParametricCurve, owners: tuple[int, ...], scales: Flo
 
 
 def _sample_counts(spacing: FloatArray) -> IntArray:
-    """Return how many samples each segment gets."""
+    """Return the number of samples of each segment."""
     if len(spacing) < _MOST_UNEVEN:
         counts: IntArray = np.ceil(SAMPLES * spacing / spacing.sum()).astype(int)
         return np.maximum(counts, _LEAST_SAMPLES)
-    each = int(np.clip(4 * SAMPLES // len(spacing), 9, 33)) if len(spacing) < _MOST_FINE else 4
-    return np.full(len(spacing), each)
+    count = int(np.clip(4 * SAMPLES // len(spacing), 9, 33)) if len(spacing) < _MOST_FINE else 4
+    return np.full(len(spacing), count)
 
 
 def basis_scales(curve: ParametricCurve, *, closed: bool = False) -> FloatArray:
@@ -331,21 +331,21 @@ def basis_scales(curve: ParametricCurve, *, closed: bool = False) -> FloatArray:
     longer = np.maximum(spacing[:-1], spacing[1:])
     with np.errstate(divide="ignore", over="ignore", under="ignore"):
         factors: FloatArray = np.array(_FACTORS[len(orders) - 1]) / longer[:, None] ** orders
-    # The square of a spacing may vanish; functions that have vanished with it are drawn as nothing.
+    # The square of a spacing may underflow; functions that vanish with it are not drawn.
     return np.minimum(factors, _MOST_SCALED)
 
 
 def basis_formulas(family: Family) -> tuple[str, ...]:
-    """Return what is drawn of each kind, as formulas; h stands for the longer segment beside the point."""
+    """Return the formulas of the drawn functions, by kind; h is the longer segment beside the point."""
     if not family.derivatives:
         return ("Lᵢ(t)",) if family.curve_class.is_one_polynomial else ("Bᵢ(t)",)
     factors = _FACTORS[family.derivatives][1:]
     functions = ("B₁ ∕ h", "B₂ ∕ h²", "B₃ ∕ h³")
-    return ("B₀", *(f"{factor:g}·{each}" for factor, each in zip(factors, functions, strict=False)))
+    return ("B₀", *(f"{factor:g}·{formula}" for factor, formula in zip(factors, functions, strict=False)))
 
 
 def weights_at(view: CurveView, t: float) -> FloatArray:
-    """Return what every point counts at `t`, with the derivatives that are estimated from it, (n,)."""
+    """Return the weight of every point at `t`, with the derivatives that are estimated from it, (n,)."""
     if view.cardinal is not None:
         return np.asarray(view.cardinal.basis(t))
     assert view.basis_curve is not None
@@ -354,15 +354,15 @@ def weights_at(view: CurveView, t: float) -> FloatArray:
     return weights
 
 
-_MOST_EACH = 64
-"""Points up to which every function is sampled; of more, the least and the greatest at each t."""
+_MOST_SAMPLED = 64
+"""Points up to which every function is sampled; of more, the least and the greatest value at each t."""
 
-_SEEN, _FINE = 12, 33
-"""Segments to either side of its point in which a function can be told from 0, and samples of each."""
+_SUPPORT, _FINE = 12, 33
+"""Segments to either side of its point in which a function differs visibly from 0; samples of each."""
 
 
 class CardinalView(BasisView, frozen=True, eq=False, dict=True):
-    """Cardinal functions Cᵢ(t) as the panel draws them: one of each knot, and no others.
+    """Cardinal functions Cᵢ(t) as the panel draws them, one for each knot.
 
     Attributes
     ----------
@@ -377,11 +377,11 @@ class CardinalView(BasisView, frozen=True, eq=False, dict=True):
     @property
     def is_coarse(self) -> bool:
         """Whether the samples are those of the outline alone."""
-        return self.count > _MOST_EACH
+        return self.count > _MOST_SAMPLED
 
     def fine_functions(self, index: int) -> tuple[FloatArray, FloatArray]:
-        """Return (t, C) of the point at knot `index`, (m, 1), as far from it as it can be seen."""
-        knots = self.curve.parameters[max(index - _SEEN, 0) : index + _SEEN + 1]
+        """Return (t, C) of the point at knot `index`, (m, 1), where it differs visibly from 0."""
+        knots = self.curve.parameters[max(index - _SUPPORT, 0) : index + _SUPPORT + 1]
         t = np.concatenate([np.linspace(*ends, _FINE) for ends in pairwise(knots.tolist())])
         return t, self._at(t)[:, [self.owners[index]]]
 
@@ -399,13 +399,13 @@ class CardinalView(BasisView, frozen=True, eq=False, dict=True):
 
 
 def cardinal_view(view: CurveView) -> CardinalView | None:
-    """Sample the cardinal functions of a piecewise curve over its domain; None where there are none."""
+    """Return the cardinal functions of a piecewise curve sampled over its domain; None without any."""
     curve, cardinal = view.basis_curve, view.cardinal
     if curve is None or cardinal is None:
         return None
     t = segment_samples(curve.parameters).t
     owners = tuple(view.owner(knot) for knot in range(len(curve.parameters)))
-    if len(owners) <= _MOST_EACH:
+    if len(owners) <= _MOST_SAMPLED:
         values = cardinal.basis(t)[:, list(owners)]
     else:
         # All the others are 0 there.
@@ -423,8 +423,7 @@ def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
 def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
     """Return the Lebesgue constant Λ of the points of a curve; infinite where it is beyond all floats.
 
-    `basis` lends functions, of which many take long. What is on screen may still be the functions of another
-    curve.
+    `basis` lends functions, for many take long to compute; those on the screen may belong to another curve.
     """
     if not view.is_current or view.basis_curve is None:
         return math.nan
@@ -432,7 +431,7 @@ def growth_of_points(view: CurveView, basis: BasisView | None = None) -> float:
 
 
 def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
-    """Return the Lebesgue constant where velocities and accelerations stay as they are."""
+    """Return the Lebesgue constant of the data, with velocities and accelerations fixed."""
     if not view.is_current or view.basis_curve is None:
         return math.nan
     if view.basis_curve.is_positive:
@@ -443,9 +442,9 @@ def growth_of_data(view: CurveView, basis: BasisView | None = None) -> float:
 
 
 def _lends(basis: BasisView, view: CurveView) -> bool:
-    """Whether these are dense functions, and of this curve: family, settings and parameters decide."""
-    own = view.basis_curve
-    if own is None or basis.curve.is_local or basis.curve.functions_key != own.functions_key:
+    """Whether these are dense functions of this curve: same family, settings and parameters."""
+    functions = view.basis_curve
+    if functions is None or basis.curve.is_local or basis.curve.functions_key != functions.functions_key:
         return False
     if view.source.is_closed:
         return False  # the samples may be those of an open curve
@@ -453,7 +452,7 @@ def _lends(basis: BasisView, view: CurveView) -> bool:
 
 
 def growths_of_points(views: Sequence[CurveView]) -> list[float]:
-    """Return the Lebesgue constants Λ of the points of many current curves in a fraction of the time."""
+    """Return the Lebesgue constants Λ of the points of many current curves, computed together."""
     bases = [view.cardinal for view in views]
     following = [basis for basis in bases if basis is not None and basis.follows]
     constants = map(unbounded, lebesgue_constants(following))
@@ -468,17 +467,17 @@ def growths_of_points(views: Sequence[CurveView]) -> list[float]:
 
 
 _STEP = 1e-5
-"""Step of the differences as a share of the narrower gap: what is left out is its square."""
+"""Step of the differences as a share of the narrower gap: their error is its square."""
 
 
 def parameter_moves(view: CurveView, piece: int, t: FloatArray) -> FloatArray:
-    """Return dc/dt_i at t (m,) of one piece of a current curve, (m, k, 2): points and what was set stay.
+    """Return dc/dt_i at t (m,) of one piece of a current curve, (m, k, 2), with points and set values fixed.
 
     The basis functions enter in closed form, the estimates by central differences.
     """
     core = view.pieces[piece]
     moves = np.zeros((len(t), len(view.parameters), 2))
-    first = sum(len(each.parameters) - 1 for each in view.pieces[:piece])
+    first = sum(len(before.parameters) - 1 for before in view.pieces[:piece])
     moves[:, first : first + len(core.parameters)] = curvecore.parameter_sensitivity(core, t)
     if core.derivatives and core.is_local:
         segment, values = core.local_basis(t)
@@ -490,7 +489,7 @@ def parameter_moves(view: CurveView, piece: int, t: FloatArray) -> FloatArray:
 
 
 def _slopes(view: CurveView) -> Sides:
-    """Return what each parameter i does to the derivatives before and after every knot, (i, k, R - 1, 2)."""
+    """Return the slopes of the derivatives at every knot by each parameter, (i, k, R - 1, 2)."""
     t, gaps = view.parameters, np.diff(view.parameters)
     steps = _STEP * np.minimum(np.append(gaps, np.inf), np.insert(gaps, 0, np.inf))
     changes = []

@@ -1,4 +1,4 @@
-"""Sentences about the basis functions of a curve: what is wrong, measured, and what derivatives are."""
+"""Sentences about the basis functions of a curve: measured defects, and the accuracy of derivatives."""
 
 from __future__ import annotations
 
@@ -8,44 +8,44 @@ from ..document.words import number
 from .curve.curve_view import CurveView
 
 _MOST_KNOTS = 400
-"""Knots up to which the functions are measured: it takes arrays of 640 numbers for each."""
+"""Knots up to which the functions are measured, which takes arrays of 640 numbers for each."""
 
 _PRIMES = ("′", "″", "‴")
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def findings_of(view: CurveView) -> tuple[str, ...]:
-    """Return what is wrong with the functions of a curve, each with the place where it is worst.
+    """Return sentences about defects of the functions of a curve, each with the parameter of the worst case.
 
-    That a curve passes its points by is said only of families that are to run through them. Those of the core
-    are not measured.
+    Points that the curve misses are reported only for families that interpolate. Built-in families are not
+    measured.
     """
     if view.source.family.is_built_in:
         return ()
     curve, functions = view.curve, view.basis_curve
     if curve is None or functions is None or not view.is_current or len(view.parameters) > _MOST_KNOTS:
         return ()
-    found = []
+    findings = []
     if (miss := worst_miss(curve)) and curve.interpolates:
         by = number(miss.distance, 2)
-        found.append(f"The curve misses its points: by up to {by} at point {view.owner(miss.point)}.")
+        findings.append(f"The curve misses its points: by up to {by} at point {view.owner(miss.point)}.")
     if (off := cardinal_defect(functions)) and functions.interpolates:
         value, at = _near(off.value, off.wanted), off.parameter
-        found.append(f"{_b(off.function)}({_sub('t', at)}) = {value} instead of {off.wanted}.")
+        findings.append(f"{_b(off.function)}({_sub('t', at)}) = {value} instead of {off.wanted}.")
     if total := sum_defect(functions):
         by, at_t = number(abs(total.total - 1.0), 2), number(total.t)
-        found.append(f"The functions do not sum to 1: off by up to {by} at t = {at_t}.")
+        findings.append(f"The functions do not sum to 1: off by up to {by} at t = {at_t}.")
     if slope := slope_defect(functions):
         name, at_t = _b(slope.function), number(slope.t)
-        found.append(
+        findings.append(
             f"{name}′ is not the derivative of {name}: {number(slope.said)} at t = {at_t}, "
             f"where the slope is {number(slope.found)}."
         )
-    return tuple(found)
+    return tuple(findings)
 
 
 def remark_on(view: CurveView) -> str:
-    """Return that derivatives are differences, and how good they are; empty where they are not."""
+    """Return a remark on derivatives that are differences, with their digits; empty for exact derivatives."""
     digits = view.pieces[0].difference_digits if view.is_current else ()
     if not digits:
         return ""
@@ -53,13 +53,13 @@ def remark_on(view: CurveView) -> str:
 
 
 def digits_in_words(digits: tuple[int, ...]) -> str:
-    """Return how many digits differences keep of each derivative: c′, c″ to some 9, 8 digits."""
+    """Return the digits that differences keep of each derivative, in words: c′, c″ to some 9, 8 digits."""
     names = (f"c{mark}" for mark in _PRIMES[: len(digits)])
     return f"{', '.join(names)} to some {', '.join(map(str, digits))} digits"
 
 
 def _near(value: float, wanted: int) -> str:
-    """Return a value with as many digits as it takes to tell it from the one that was wanted."""
+    """Return a value with enough digits to differ from the wanted one."""
     return next(
         (text for text in (number(value, digits) for digits in (3, 6, 10)) if text != str(wanted)), ""
     )

@@ -49,27 +49,27 @@ from .curve.curve_view import CurveView, view_of
 from .geometry import segment_at, size_of
 
 _ROUNDING, _LEAST_SUM = 1e-9, 0.1
-"""The most by which a sum of functions is off 1 by rounding, and the least by which a shift is divided."""
+"""Largest rounding of a sum of functions from 1, and the least sum by which a shift is divided."""
 
 _MAX_STEPS = 8
 
 
 class Bend:
-    """A curve grabbed at one place; made at the press, it bends the curve at every move.
+    """A curve grabbed at one point; created at the press, it bends the curve at every move.
 
     Parameters
     ----------
     view
         A current view.
     t
-        The grabbed place, inside the domain.
+        The grabbed parameter, inside the domain.
     using
         The data that may change.
 
     Raises
     ------
     EditError
-        If the data that may change have no hold on the curve at `t`.
+        If the data that may change have no effect on the curve at `t`.
     """
 
     def __init__(self, view: CurveView, t: float, using: BendWith) -> None:
@@ -87,9 +87,9 @@ class Bend:
         Parameters
         ----------
         target
-            The place for that point.
+            The new position of that point.
         tolerance
-            Largest distance to `target`, in the plane, where a rule makes the answer inexact.
+            Largest distance to `target`, in the plane, where a rule makes the result inexact.
         """
         pull = np.array(target) - self._start
         source = self._view.source
@@ -106,7 +106,7 @@ class Bend:
 
     @cached_property
     def _is_held_by_lines(self) -> bool:
-        """Whether a straight segment beside the grabbed one gives a handle in this its direction."""
+        """Whether a straight segment beside the grabbed one fixes the direction of a handle."""
         curve, (start, end) = self._view.source, ends_of(self._view.source, self._segment)
         return any(
             curve.points[index].tied and is_straight_beside(curve, index, ahead=ahead)
@@ -125,16 +125,16 @@ class Bend:
         return slope_at_rest(self._moved_by, self._size)
 
     def _solved(self, pull: FloatArray, tolerance: float) -> FloatArray | None:
-        """Return the bend that moves the grabbed point by `pull`, None where no few steps lead to it.
+        """Return the bend that moves the grabbed point by `pull`, None where a few steps do not lead to it.
 
         Broyden, Mathematics of Computation 19 (1965) 577–593: the Jacobian of the answer begins as the
-        identity, which it is at frozen parameters, and learns from every step.
+        identity, which it is at frozen parameters, and is updated at every step.
         """
         at, miss, slope, step = np.zeros(2), pull, np.eye(2), pull
         for _ in range(_MAX_STEPS):
             moved = self._moved_by(at + step)
             if moved is None or math.hypot(*(pull - moved)) > 2 * math.hypot(*miss):
-                # Too far for what the Jacobian knows; a shorter step is more like it.
+                # Too far for the Jacobian; it holds better for a shorter step.
                 step = step / 2
                 continue
             left = pull - moved
@@ -154,7 +154,7 @@ class Bend:
         return view, start + self._share * (end - start)
 
     def _moved_by(self, bend: FloatArray) -> FloatArray | None:
-        """Return how far the grabbed point goes with a bend, None without a curve."""
+        """Return the move of the grabbed point by a bend, None without a curve."""
         if (after := self._after(bend)) is None:
             return None
         view, t = after
@@ -163,9 +163,9 @@ class Bend:
         return moved
 
     def _moved_by_all(self, bend: FloatArray) -> float:
-        """Return how far the grabbed point goes, after a bend, for every unit that all points are moved.
+        """Return the move of the grabbed point, after a bend, per unit by which all points move.
 
-        1 where the functions add up to 1; not every family's do.
+        It is 1 where the functions add up to 1, which those of some families do not.
         """
         after = self._after(bend)
         total = float(weights_at(*after).sum()) if after is not None else 1.0
@@ -174,7 +174,7 @@ class Bend:
     def _curve(self, bend: FloatArray, shift: FloatArray | None = None) -> Curve:
         """Return the curve after a bend, and a shift of all points with it."""
         x, y = bend.tolist()
-        changed = with_jet_values(self._view.source, [each.after(x, y) for each in self._hold.changes])
+        changed = with_jet_values(self._view.source, [change.after(x, y) for change in self._hold.changes])
         curve = with_handles_kept(self._view.source, changed)
         if shift is None:
             return curve
@@ -194,7 +194,7 @@ _LEAST_DAMPING, _FIRST_DAMPING = 1e-9, 1e-3
 
 
 class Shares(msgspec.Struct, frozen=True):
-    """A pull divided: what bends the curve, and what shifts all of its points."""
+    """A pull divided into a bend of the curve and a shift of all its points."""
 
     bend: FloatArray
     shift: FloatArray
@@ -231,7 +231,7 @@ def divided(
     size: float,
     slope: FloatArray,
 ) -> Shares:
-    """Divide a pull so that bend and shift together are the least change, or nearly.
+    """Return a pull divided so that bend and shift together are nearly the least change.
 
     Parameters
     ----------
@@ -253,9 +253,9 @@ def divided(
 
 
 def _stages(length: float) -> list[float]:
-    """Return the shares of a pull by which to go: a far pull in steps of three times as far each.
+    """Return the shares of a pull to solve in turn: a far pull in steps of three times as far each.
 
-    None where the curve is so small beside the pull that no number says how far that is: it is moved.
+    No shares where the curve is so small beside the pull that their ratio overflows: then it is shifted.
     """
     if not 0.0 < length < math.inf:
         return []
@@ -264,7 +264,7 @@ def _stages(length: float) -> list[float]:
 
 
 class _Search:
-    """The best bend so far, what it does, and the Jacobian there."""
+    """The best bend so far, its answer, and the Jacobian there."""
 
     def __init__(
         self, answer: Callable[[FloatArray], FloatArray | None], cost: QuadraticCost, slope: FloatArray
@@ -274,7 +274,7 @@ class _Search:
         self._damping = _FIRST_DAMPING
 
     def improve(self, pull: FloatArray) -> None:
-        """Take some steps towards the least change that meets `pull`."""
+        """Take steps towards the least change that meets `pull`."""
         least = self._cost.of(self.bend, pull - self.answer)
         self._damping = min(self._damping, _FIRST_DAMPING)
         for _ in range(_STEPS):
@@ -296,7 +296,7 @@ class _Search:
 def slope_at_rest(answer: Callable[[FloatArray], FloatArray | None], size: float) -> FloatArray:
     """Return the Jacobian of `answer` at no bend, by differences; where there is none, the identity."""
     h = _DIFFERENCE * size
-    columns = [answer(np.array(way) * h) for way in ((1.0, 0.0), (0.0, 1.0))]
+    columns = [answer(np.array(unit) * h) for unit in ((1.0, 0.0), (0.0, 1.0))]
     if columns[0] is None or columns[1] is None:
         return np.eye(2)
     return np.column_stack([columns[0], columns[1]]) / h
@@ -309,16 +309,16 @@ def broyden(slope: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArr
 
 
 _LEAST_HOLD = 1e-4
-"""b·b below which the data have no hold on the curve: they would change a hundred times as much as it."""
+"""b·b below which the data count as having no effect: they would change a hundred times as much."""
 
 _PRICE_OF_POINTS = 5.0
-"""The cost of a way of a point on the curve, that of a handle being 1, where it is grabbed far from it.
+"""The cost of an offset of a point on the curve grabbed far from it, against 1 for a handle.
 
-More would keep points better and swing the segments next door more: they share the velocity.
+A higher cost would keep points better and swing the neighbouring segments more: they share the velocity.
 """
 
 _NEAR = 0.25
-"""The share of a segment within which a point is the cheaper the nearer it is: handles do not swing there."""
+"""Share of a segment within which a nearer point costs less: handles do not swing there."""
 
 
 class BendWith(Enum):
@@ -330,7 +330,7 @@ class BendWith(Enum):
 
 
 class DatumChange(msgspec.Struct, frozen=True):
-    """A value of the document, and by how much it changes for every unit that the curve moves at t."""
+    """A value of the document, and its change per unit by which the curve moves at t."""
 
     value: JetValue
     rate: float
@@ -342,9 +342,9 @@ class DatumChange(msgspec.Struct, frozen=True):
 
 
 class Hold(msgspec.Struct, frozen=True):
-    """The changes of the data, and the hold they have on the curve: Σ b_i² of what the norm is taken of.
+    """The changes of the data, and the strength of their effect on the curve: Σ b_i² in the norm.
 
-    `price` is what the way of a point counts in that norm.
+    `price` is the cost of the offset of a point in that norm.
     """
 
     changes: tuple[DatumChange, ...]
@@ -353,7 +353,7 @@ class Hold(msgspec.Struct, frozen=True):
 
 
 def has_handles(view: CurveView) -> bool:
-    """Whether a curve can be bent between its points while these stay."""
+    """Whether a curve can be bent between its points while the points stay."""
     family = view.source.family
     return bool(family.derivatives) and family.curve_class.is_local
 
@@ -364,7 +364,7 @@ def required_hold(view: CurveView, t: float, using: BendWith) -> Hold:
     Raises
     ------
     EditError
-        If they have none.
+        If their effect is too weak.
     """
     segment = segment_at(view.parameters, t)
     if not has_handles(view):
@@ -376,9 +376,11 @@ def required_hold(view: CurveView, t: float, using: BendWith) -> Hold:
     if hold.strength < _LEAST_HOLD:
         if using is BendWith.DERIVATIVES:
             raise EditError(
-                "The handles have no hold on the curve so close to a point; with Alt the point comes along."
+                "Handles cannot bend the curve so close to a point. Hold Alt to move the point with it."
             )
-        raise EditError("The points have no hold on the curve so close to a point; grab it farther away.")
+        raise EditError(
+            "Points cannot bend the curve so close to a point. Drag it farther away from the point."
+        )
     return hold
 
 
@@ -395,13 +397,13 @@ def _hold_of_segment(view: CurveView, t: float, segment: int, *, ends_stay: bool
     assert view.basis_curve is not None
     basis = view.basis_curve.basis(np.array([t]))[0]
     start, end = view.parameters[segment : segment + 2].tolist()
-    h, strength, found = end - start, 0.0, []
-    for knot, ahead, way in ((segment, True, t - start), (segment + 1, False, end - t)):
-        price = None if ends_stay else _price(way / h)
+    h, strength, data = end - start, 0.0, []
+    for knot, ahead, distance in ((segment, True, t - start), (segment + 1, False, end - t)):
+        price = None if ends_stay else _price(distance / h)
         rates, force = _least_change(view, knot, basis[knot], h if ahead else -h, price)
         strength += float(force @ rates)
-        found += [(knot, order, rate, ahead) for order, rate in enumerate(rates.tolist(), int(ends_stay))]
-    changes = (_change(view, knot, order, rate, strength, ahead=ahead) for knot, order, rate, ahead in found)
+        data += [(knot, order, rate, ahead) for order, rate in enumerate(rates.tolist(), int(ends_stay))]
+    changes = (_change(view, knot, order, rate, strength, ahead=ahead) for knot, order, rate, ahead in data)
     return Hold(tuple(changes), strength, _PRICE_OF_POINTS)
 
 
@@ -413,11 +415,11 @@ def _price(share: float) -> float:
 def _least_change(
     view: CurveView, knot: int, weights: FloatArray, h: float, price: float | None
 ) -> tuple[FloatArray, FloatArray]:
-    """Return how the data at `knot` change for every unit of force, and what they do per unit of each.
+    """Return the changes of the data at `knot` per unit of force, and the effect per unit of each.
 
-    h < 0 where the segment lies behind. Without a price the point stays.
-    The change is measured by the ways of the Bézier control points that depend on the data, on both sides of
-    a smooth point: a handle that is short here may be a long one there.
+    h < 0 where the segment lies behind. Without a price the point stays. The change is measured by the
+    offsets of the Bézier control points that depend on the data, on both sides of a smooth point: a handle
+    that is short on one side may be long on the other.
     """
     kinds, first = len(weights), int(price is None)
     # The data of unit h, so that nothing depends on the unit of time.

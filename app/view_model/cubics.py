@@ -25,29 +25,29 @@ from ..document.limits import EditError
 from ..document.model import Point, Vector
 
 SMOOTH = 1e-9
-"""By how much of the path's size a control point may move to make a joint smooth."""
+"""Share of the size of the path by which a control point may move to make a joint smooth."""
 
 WRITTEN_BY_PROGRAMS = math.radians(1.0)
 EXACT = 1e-7
-"""Angles by which a handle may be turned to be tied to the other: of numbers in files, and of our own."""
+"""Angles by which a handle may be turned to be tied to the other: in files, and in documents."""
 
 _TURNED = 5e-4
-"""Share of the path's size by which the tip of such a handle may move.
+"""Share of the size of the path by which the tip of such a handle may move.
 
 Coordinates of two decimals in an icon of 24 units turn one that is a unit long by 0.6°, and move its tip by
-4e-4. A corner of 1° is not seen, and the curve moves by 4/9 of that at most: a fifth of a pixel where it
+4e-4. A corner of 1° is not visible, and the curve moves by 4/9 of that at most: a fifth of a pixel where it
 fills a thousand.
 """
 
 _ALIKE = 0.01
-"""Share by which handles differ in length that are meant to be equally long."""
+"""Share by which the lengths of handles of equal length may differ."""
 
 CORNER, TIED, EVEN = "csz"
-"""Letters by which programs say what a point is meant to be: free, smooth, or symmetric as well."""
+"""Letters that programs write for the kinds of points: free, smooth, or symmetric as well."""
 
 _SHORTEST = 2.0**-48
 
-_FASTEST = 1e3  # how much a segment's speed may differ from that of the first after a corner
+_FASTEST = 1e3  # factor between the speed of a segment and that of the first after a corner
 
 
 class Joints:
@@ -58,14 +58,13 @@ class Joints:
     smooth
         For each piece, whether the joint at its end is smooth.
     tied
-        Whether the velocities there are tied: not of smooth joints whose handles are equally long, unless
-        they need not be so.
+        Whether the velocities there are tied: not at smooth joints whose handles are always equally long.
     even
-        Whether tied handles are to be equally long.
+        Whether tied handles are equally long.
     steps
         For each piece its length in t.
     moved
-        By how much a control point is moved at most.
+        The largest distance by which a control point is moved.
     """
 
     def __init__(
@@ -88,7 +87,7 @@ class Joints:
         after = np.roll(leaving, -1, axis=0)
         self._smoothen(arriving, after, lengths, closed)
         if min(self.steps) < _SHORTEST * sum(self.steps):
-            # At the speeds of smooth joints the shortest piece would be no part of t.
+            # At the speeds of smooth joints the shortest piece would vanish in t.
             self.smooth, self.steps, self.moved = [False] * count, lengths.copy(), 0.0
         self.tied = self._tied(arriving, after, tolerance / SMOOTH)
         if not closed:
@@ -97,19 +96,19 @@ class Joints:
         self.even = list(self.tied & alike & (self._letters == EVEN))
 
     def _smoothen(self, arriving: FloatArray, after: FloatArray, lengths: FloatArray, closed: bool) -> None:
-        """Make the joints smooth that can be, one after the other, by the lengths in t of their pieces."""
+        """Make joints smooth where possible, one after the other, by the lengths in t of their pieces."""
         count, apart = len(lengths), self._apart(arriving, after)
         candidates = (apart <= self._tolerance) & (self._letters != CORNER)
         if not closed:
             candidates[-1] = False
-        # A closed path is followed from one of its corners, so that no corner is made where it begins.
+        # A closed path is followed from one of its corners, so that its start does not become a corner.
         first = int(np.argmin(candidates)) + 1 if not candidates.all() else 0
-        for place in range(first, first + count):
-            here, following = place % count, (place + 1) % count
+        for step_index in range(first, first + count):
+            here, following = step_index % count, (step_index + 1) % count
             if not candidates[here]:
                 continue
             step = self._fitting_step(arriving[here], after[here], here, lengths[following])
-            last = place == first + count - 1
+            last = step_index == first + count - 1
             if step is None or (last and not self._agrees(step, following, after[here])):
                 continue
             self.smooth[here] = True
@@ -118,26 +117,26 @@ class Joints:
                 self.steps[following] = step
 
     def _tied(self, arriving: FloatArray, leaving: FloatArray, size: float) -> list[bool]:
-        """Return which joints have handles on one line, of different lengths or beside a straight piece."""
+        """Return the mask of joints with handles on one line, of two lengths or beside a line."""
         a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
         with np.errstate(all="ignore"):
             cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / (a * b)
         goes_on = (np.einsum("kd,kd->k", arriving, leaving) > 0) & (cross <= self._most_turned)
-        way = np.minimum(a, b) / 3 * cross
+        miss = np.minimum(a, b) / 3 * cross
         # Behind and ahead of each joint.
         straight = np.abs(arriving - np.roll(leaving, 1, axis=0)).max(axis=1) <= SMOOTH * size
         beside_line = straight | np.roll(straight, -1)
         is_one = are_alike(a, b) & ~beside_line & (self._letters != TIED)
         is_smooth = np.array(self.smooth)
         goes_on &= self._letters != CORNER
-        found = np.where(is_smooth, goes_on & ~is_one, goes_on & (way <= _TURNED * size))
-        self.moved = max(self.moved, float(way[found & ~is_smooth].max(initial=0.0)))
-        ties: list[bool] = found.tolist()
+        tied = np.where(is_smooth, goes_on & ~is_one, goes_on & (miss <= _TURNED * size))
+        self.moved = max(self.moved, float(miss[tied & ~is_smooth].max(initial=0.0)))
+        ties: list[bool] = tied.tolist()
         return ties
 
     @staticmethod
     def _apart(arriving: FloatArray, leaving: FloatArray) -> FloatArray:
-        """Return how far the next control point is from the line of the one before; inf if it turns back."""
+        """Return distances of control points from the lines of those before; inf where these turn back."""
         a, b = np.hypot(*arriving.T), np.hypot(*leaving.T)
         with np.errstate(all="ignore"):
             cross = np.abs(arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]) / a / 3
@@ -155,13 +154,13 @@ class Joints:
         return step if 1 / _FASTEST < step / length < _FASTEST else None
 
     def _agrees(self, step: float, following: int, leaving: FloatArray) -> bool:
-        """Whether the round trip of a closed path gives its first segment the length that it has."""
+        """Whether following a closed path around gives its first segment the length that it has."""
         change = abs(step / float(self.steps[following]) - 1) * float(np.hypot(*leaving)) / 3
         return change <= self._tolerance
 
 
 def are_alike(one: FloatArray, other: FloatArray) -> BoolArray:
-    """Return of which handles the two lengths are meant to be the same."""
+    """Return the mask of the handles whose two lengths are the same within the digits of files."""
     return np.asarray(np.abs(one - other) <= _ALIKE * np.maximum(one, other))
 
 
@@ -216,7 +215,7 @@ class CubicPoints(msgspec.Struct, frozen=True):
     points
         With velocities, and manual parameters from 0 to 1.
     moved
-        By how much the curve is another one at most: joints were made smooth.
+        The largest change of the curve where joints were made smooth.
     """
 
     points: tuple[Point, ...]
@@ -233,9 +232,9 @@ def points_of_cubics(
     closed
         Whether the last piece ends where the first begins, on purpose.
     most_turned
-        Angle by which a handle is turned where it nearly goes on from the one before.
+        Largest angle by which a handle is turned to continue the one before.
     letters
-        One of `cubic_joints` for each point, which is such a one where it can be; others say nothing.
+        `CORNER`, `TIED` or `EVEN` for each point, which is of that kind where possible; others are ignored.
 
     Raises
     ------

@@ -1,8 +1,8 @@
-"""Points deleted from curves whose velocities are set, with the shape kept as far as can be.
+"""Points deleted from curves whose velocities are set, with the shape kept as far as possible.
 
-What lies between points that stay is the same segment as before; where points went, one segment comes in the
-place of several: with their directions at its ends, and as near to them as lengths allow. Where rules
-estimate everything, they do so of the points that are left.
+Segments between points that stay do not change; where points were deleted, one segment replaces several: with
+their directions at its ends, and as near to them as lengths allow. Where rules estimate all derivatives, they
+estimate those of the remaining points.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ SAME = 1e-9
 """Share of the largest derivative of an order up to which two of them are the same."""
 
 _UNSEEN = 1e-4
-"""The same for what a rule estimates: it stays an estimate where it changes by less."""
+"""The same for estimates: a derivative stays an estimate where it changes by less."""
 
 _ROUNDS = 3
-"""Times that a look is taken at what rules estimate otherwise since something was set."""
+"""Rounds in which derivatives are set, each of which may change estimates of others."""
 
 Derivatives = list[Vector]
 """Derivatives at one side of a point, by their orders from 1 on."""
@@ -58,7 +58,9 @@ def _has(view: CurveView, index: int, side: Derivatives, ahead: int) -> bool:
     """Whether a point has these derivatives on a side."""
     now = [view.derivative_of(index, order, ahead=bool(ahead)) for order in range(1, len(side) + 1)]
     within = SAME if any(derivatives_of(view.source.points[index])) else _UNSEEN
-    return all(own is not None and _alike(own, each, within) for own, each in zip(now, side, strict=True))
+    return all(
+        value is not None and _alike(value, wanted, within) for value, wanted in zip(now, side, strict=True)
+    )
 
 
 def _alike(one: Sequence[float], other: Sequence[float], within: float = SAME) -> bool:
@@ -67,17 +69,17 @@ def _alike(one: Sequence[float], other: Sequence[float], within: float = SAME) -
 
 
 def with_sides(point: Point, before: Derivatives | None, after: Derivatives | None) -> Point:
-    """Return a point with derivatives set on the sides where there is curve; one that was smooth still is."""
+    """Return a point with derivatives set on its sides with curve; a smooth point stays smooth."""
     before, after = before or after or [], after or before or []
     if not point.corner and all(map(_alike, before, after)):
         return point.with_derivatives(before, ())
     was_corner = point.corner and not point.tied
-    made = replace(point.as_corner(), tied=False).with_derivatives(before, after)
-    return made if was_corner else tie_if_parallel(made)
+    changed = replace(point.as_corner(), tied=False).with_derivatives(before, after)
+    return changed if was_corner else tie_if_parallel(changed)
 
 
 _SAMPLES = 24
-"""Places along a segment that its successor comes near to."""
+"""Samples of a segment that the new one is fitted to."""
 
 
 class Deletion(msgspec.Struct, frozen=True):
@@ -88,7 +90,7 @@ class Deletion(msgspec.Struct, frozen=True):
     curve
         The curve.
     residual
-        The largest distance of the curve before from it, where points went; None where nothing was fitted.
+        The largest distance of the curve before from the new segments; None where nothing was fitted.
     """
 
     curve: Curve
@@ -96,9 +98,9 @@ class Deletion(msgspec.Struct, frozen=True):
 
 
 class _Segment(msgspec.Struct, frozen=True):
-    """A segment of the curve afterwards, by its points there, and the segments before that it stands for.
+    """A segment of the new curve, by its points, and the segments of the old curve that it replaces.
 
-    `start` and `end` are knots of the curve before, `end` after `start`: beyond the last, around.
+    `start` and `end` are knots of the old curve, `end` after `start`: on a closed curve beyond the last.
     """
 
     index: int
@@ -109,7 +111,7 @@ class _Segment(msgspec.Struct, frozen=True):
 
     @property
     def is_new(self) -> bool:
-        """Whether it stands for several."""
+        """Whether it replaces several segments."""
         return self.end > self.start + 1
 
 
@@ -118,52 +120,52 @@ def without_points(view: CurveView, indices: Collection[int]) -> Deletion:
     plain = delete_points(Document((view.source,)), 0, indices).curves[0]
     after = view_of(plain)
     segments = list(_segments(view, plain, indices)) if _can_keep(view, after) else []
-    if not any(each.is_new and _is_set(view, each) for each in segments):
+    if not any(segment.is_new and _is_set(view, segment) for segment in segments):
         return Deletion(plain)
     try:
-        made = _with_jets(view, after, segments, _fitted_jets)
+        kept = _with_jets(view, after, segments, _fitted_jets)
     except (CurveError, np.linalg.LinAlgError):
         return Deletion(plain)
-    return Deletion(made, _largest_change(view, view_of(made), segments))
+    return Deletion(kept, _largest_change(view, view_of(kept), segments))
 
 
-def without_points_but_handles(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve of a view without the points `indices`, with the handles beside them where they are.
+def without_points_keeping_handles(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve of a view without the points `indices`, with the handles beside them unchanged.
 
-    The derivatives there are others, for they are per unit of t and the segment is longer. Where rules
-    estimate everything there is no handle to leave.
+    The derivatives there change, for they are per unit of t and the segment is longer. Where rules estimate
+    all derivatives there is no handle to keep.
     """
     plain = delete_points(Document((view.source,)), 0, indices).curves[0]
     after = view_of(plain)
     segments = list(_segments(view, plain, indices)) if _is_same_kind(view, after) else []
-    if not any(_is_set(view, each) for each in segments):
+    if not any(_is_set(view, segment) for segment in segments):
         return plain
     return _with_jets(view, after, segments, _jets_at_ends)
 
 
 _JetsOf = Callable[[CurveView, _Segment], FloatArray]
-"""The jets that a segment afterwards is to have at both ends, per unit of its own length, (2, R, 2)."""
+"""A function to the jets of a new segment at both ends, per unit of its own length, (2, R, 2)."""
 
 
 def _with_jets(view: CurveView, after: CurveView, segments: Sequence[_Segment], new_jets: _JetsOf) -> Curve:
-    """Return the curve afterwards with segments as they were, and these jets where points went."""
+    """Return the new curve with unchanged segments as they were, and these jets at the ends of new ones."""
     wanted = dict[tuple[int, bool], Derivatives]()
     powers = np.arange(view.source.family.derivatives + 1.0)[:, None]
-    for each in segments:
-        if each.is_new and not _is_set(view, each):
+    for segment in segments:
+        if segment.is_new and not _is_set(view, segment):
             continue
-        h = float(after.parameters[each.index + 1] - after.parameters[each.index])
-        jets = (new_jets if each.is_new else _jets_at_ends)(view, each) * h**-powers
-        for point, ahead, jet in ((each.begins, True, jets[0]), (each.ends, False, jets[1])):
+        h = float(after.parameters[segment.index + 1] - after.parameters[segment.index])
+        jets = (new_jets if segment.is_new else _jets_at_ends)(view, segment) * h**-powers
+        for point, ahead, jet in ((segment.begins, True, jets[0]), (segment.ends, False, jets[1])):
             wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
     return with_wanted(after.source, wanted)
 
 
 def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Segment]) -> float:
-    """Return how far a curve is from what became of it, at most, segment by segment."""
+    """Return the largest distance of two curves, segment by segment."""
     assert before.curve is not None
     assert after.curve is not None
-    same = [(each.start, each.index) for each in segments if not each.is_new]
+    same = [(segment.start, segment.index) for segment in segments if not segment.is_new]
     moved = 0.0
     if same:
         old, new = (
@@ -171,44 +173,44 @@ def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Seg
             for view, which in zip((before, after), np.array(same).T, strict=True)
         )
         moved = float(np.hypot(*(before.curve.evaluate(old) - after.curve.evaluate(new)).T).max())
-    for each in segments:
-        if each.is_new:
-            between = after.parameters[each.index : each.index + 2]
-            moved = max(moved, farthest(after.curve, _places(before, each), *between.tolist()))
+    for segment in segments:
+        if segment.is_new:
+            between = after.parameters[segment.index : segment.index + 2]
+            moved = max(moved, farthest(after.curve, _samples_along(before, segment), *between.tolist()))
     return moved
 
 
 def _can_keep(view: CurveView, after: CurveView) -> bool:
-    """Whether the shape of what is left can be kept: velocities can be set, and parameters scale with it."""
+    """Whether the shape of the rest can be kept: velocities can be set, and parameters scale with it."""
     source = view.source
     return _is_same_kind(view, after) and (source.is_manual or source.parametrization.exponent is not None)
 
 
 def _is_same_kind(view: CurveView, after: CurveView) -> bool:
-    """Whether there are velocities to be set, in a curve that is as closed as before."""
+    """Whether velocities can be set, in a curve that is closed if it was closed before."""
     is_as_closed = view.source.is_closed == after.source.is_closed
     return bool(view.source.family.derivatives) and view.is_current and after.is_current and is_as_closed
 
 
 def _segments(view: CurveView, after: Curve, indices: Collection[int]) -> Iterator[_Segment]:
-    """Yield the segments of the curve afterwards."""
+    """Yield the segments of the new curve."""
     count = len(view.source.points)
-    kept = [index for index in range(count) if index not in indices]
-    ends = [*kept[1:], kept[0] + count] if after.is_closed else kept[1:]
-    for index, (start, end) in enumerate(zip(kept, ends, strict=False)):
-        yield _Segment(index, index, (index + 1) % len(kept), start, end)
+    remaining = [index for index in range(count) if index not in indices]
+    ends = [*remaining[1:], remaining[0] + count] if after.is_closed else remaining[1:]
+    for index, (start, end) in enumerate(zip(remaining, ends, strict=False)):
+        yield _Segment(index, index, (index + 1) % len(remaining), start, end)
 
 
 def _is_set(view: CurveView, segment: _Segment) -> bool:
-    """Whether something of the segments was set by hand that a segment stands for."""
+    """Whether any derivative in the segments that a new one replaces was set by hand."""
     points = view.source.points
-    between = [points[each % len(points)] for each in range(segment.start, segment.end + 1)]
+    between = [points[index % len(points)] for index in range(segment.start, segment.end + 1)]
     is_set = any(between[0].explicit_sides(1)[1:]) or any(between[-1].explicit_sides(1)[:1])
-    return is_set or any(any(derivatives_of(each)) for each in between[1:-1])
+    return is_set or any(any(derivatives_of(index)) for index in between[1:-1])
 
 
 def _jets_at_ends(view: CurveView, segment: _Segment) -> FloatArray:
-    """Return jets by which handles are where those at both ends were before."""
+    """Return jets with the handles that the old curve has at both ends."""
     powers = np.arange(view.source.family.derivatives + 1.0)[:, None]
     count = len(view.source.points)
     start, end = _side(view, segment.start, ahead=True), _side(view, segment.end, ahead=False)
@@ -217,21 +219,22 @@ def _jets_at_ends(view: CurveView, segment: _Segment) -> FloatArray:
 
 
 def _fitted_jets(view: CurveView, segment: _Segment) -> FloatArray:
-    """Return jets by which one segment comes as near to several as it can."""
+    """Return the jets of the segment that is nearest to several."""
     orders = view.source.family.derivatives + 1
-    places = _places(view, segment)
+    samples = _samples_along(view, segment)
     lines = [
-        is_straight(view.source, each % len(view.source.points)) for each in range(segment.start, segment.end)
+        is_straight(view.source, segment_index % len(view.source.points))
+        for segment_index in range(segment.start, segment.end)
     ]
     if all(lines):
         jets = np.zeros((2, orders, 2))
-        jets[:, 0], jets[:, 1] = places[[0, -1]], places[-1] - places[0]
+        jets[:, 0], jets[:, 1] = samples[[0, -1]], samples[-1] - samples[0]
         return jets
-    return segment_near(view.source.family, places, _directions(view, segment, places))
+    return segment_near(view.source.family, samples, _directions(view, segment, samples))
 
 
 def _side(view: CurveView, knot: int, *, ahead: bool) -> FloatArray:
-    """Return the jet on one side of a knot of the curve before, (R, 2)."""
+    """Return the jet on one side of a knot of the old curve, (R, 2)."""
     assert view.sides is not None
     jet: FloatArray = view.sides[ahead][knot % len(view.source.points)]
     return jet
@@ -241,23 +244,23 @@ def _spacing(view: CurveView, segment: int) -> float:
     return float(view.parameters[segment + 1] - view.parameters[segment])
 
 
-def _places(view: CurveView, segment: _Segment) -> FloatArray:
-    """Return places along the segments before, as many on each, (m, 2)."""
-    count, found = len(view.source.points), []
+def _samples_along(view: CurveView, segment: _Segment) -> FloatArray:
+    """Return samples along the old segments, as many on each, (m, 2)."""
+    count, samples = len(view.source.points), []
     assert view.curve is not None
-    for each in range(segment.start, segment.end):
-        start, end = view.parameters[each % count : each % count + 2]
-        found.append(view.curve.evaluate(np.linspace(start, end, _SAMPLES + 1))[:-1])
+    for index in range(segment.start, segment.end):
+        start, end = view.parameters[index % count : index % count + 2]
+        samples.append(view.curve.evaluate(np.linspace(start, end, _SAMPLES + 1))[:-1])
     last = view.points[segment.end % count]
-    return np.vstack([*found, last])
+    return np.vstack([*samples, last])
 
 
-def _directions(view: CurveView, segment: _Segment, places: FloatArray) -> FloatArray:
-    """Return the directions at the ends of some segments, (2, 2); without a handle that of the curve."""
-    ways = np.array([_side(view, segment.start, ahead=True)[1], _side(view, segment.end, ahead=False)[1]])
-    lengths = np.hypot(ways[:, 0], ways[:, 1])
-    size = float(np.ptp(places, axis=0).max())
-    chords = np.array([places[1] - places[0], places[-1] - places[-2]])
-    ways = np.where((lengths > SAME * size)[:, None], ways, chords)
-    directions: FloatArray = ways / np.hypot(ways[:, 0], ways[:, 1])[:, None]
+def _directions(view: CurveView, segment: _Segment, samples: FloatArray) -> FloatArray:
+    """Return the directions at the ends of the old segments, (2, 2); without a handle that of the curve."""
+    handles = np.array([_side(view, segment.start, ahead=True)[1], _side(view, segment.end, ahead=False)[1]])
+    lengths = np.hypot(handles[:, 0], handles[:, 1])
+    size = float(np.ptp(samples, axis=0).max())
+    chords = np.array([samples[1] - samples[0], samples[-1] - samples[-2]])
+    handles = np.where((lengths > SAME * size)[:, None], handles, chords)
+    directions: FloatArray = handles / np.hypot(handles[:, 0], handles[:, 1])[:, None]
     return directions

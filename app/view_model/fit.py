@@ -34,12 +34,12 @@ from ..tasks.progress import Report, part, silent
 from .cubics import CORNER, RELATIVE_TOLERANCE, points_of_cubics
 from .curve.curve_view import CurveView
 
-SCATTERED = "The data scatter so far; more points would follow that alone."
+SCATTERED = "The data scatter this much; more points would only follow the noise."
 
 _MANY, _FEW = 1000, 300
-"""Places on a curve that are enough to say what it looks like; points of which it is not said by these alone.
+"""Samples that are enough to describe a curve, and points from which on the points alone describe it.
 
-Places between points that have errors would make a smooth curve of the errors.
+Samples between points that have errors would make a smooth curve of the errors.
 """
 
 
@@ -49,22 +49,22 @@ class Fitted(NamedTuple):
     Attributes
     ----------
     curve
-        The curve; its parameters are its own, so that it stays as it was fitted.
+        The curve; its parameters are manual, so that it stays as it was fitted.
     core
-        The same as the core has it.
+        The same curve in the core.
     deviation, root_mean_square
         The largest distance of the data from it, and the root of the mean of the squares.
-    place
+    farthest
         The datum that is farthest away.
     is_scattered
-        Whether it is so far off because the data have errors as large as that.
+        Whether the deviation is due to errors of the data.
     """
 
     curve: Curve
     core: ParametricCurve
     deviation: float
     root_mean_square: float
-    place: Vector
+    farthest: Vector
     is_scattered: bool
 
     @property
@@ -92,14 +92,14 @@ class Data(NamedTuple):
 
 
 def is_of_points_alone(view: CurveView) -> bool:
-    """Whether the points of a curve are what is fitted: of many, or where it may swing between them."""
+    """Whether the fit uses the points of a curve alone: of many, or where it may swing between them."""
     return not view.source.family.curve_class.is_local or len(view.parameters) >= _FEW
 
 
 def data_of(view: CurveView) -> Data:
-    """Return what a curve shows: its points and, where these are few and the curve calm, places between.
+    """Return the points of a curve and, where these are few and it does not swing, samples between them.
 
-    A curve whose functions reach far may swing between its points as nobody meant it to.
+    A curve whose functions reach far may swing between its points unintendedly.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def fitted_to_curve(
 ) -> Fitted:
     """Return a curve of few points near another, over its interval, of the family and style of `model`.
 
-    `keeps_times` leaves every place its t, so that a motion stays the same; else only the shape counts.
+    `keeps_times` keeps the t of every sample, so that a motion stays the same; else only the shape counts.
 
     Raises
     ------
@@ -158,8 +158,8 @@ def fitted(
 ) -> Fitted:
     """Return the curve of the family, style and interval of `model` that is near `points`, (m, 2).
 
-    Closed where the model is. `times` are parameters of the data, which are kept; see `curvecore.fit` for
-    the rest.
+    It is closed where the model is. `times` are parameters of the data, which are kept; see `curvecore.fit`
+    for the rest.
 
     Raises
     ------
@@ -170,14 +170,14 @@ def fitted(
     if model.family.is_missing:
         raise EditError(model.family.problem)
     is_closed = model.closed and model.family.curve_class.can_close
-    found = _fit(model, data, count, tolerance, times, report, is_closed=is_closed)
+    fit = _fit(model, data, count, tolerance, times, report, is_closed=is_closed)
     rule = model.parametrization
-    span = (rule.start, rule.end) if times is None else found.curve.domain
-    own = _points(found.curve, span, is_closed=is_closed)
+    span = (rule.start, rule.end) if times is None else fit.curve.domain
+    points_of_fit = _points(fit.curve, span, is_closed=is_closed)
     parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
-    curve = replace(model, points=own, parametrization=parametrization, closed=is_closed)
-    x, y = data[found.worst].tolist()
-    return Fitted(curve, found.curve, found.deviation, found.root_mean_square, (x, y), found.is_scattered)
+    curve = replace(model, points=points_of_fit, parametrization=parametrization, closed=is_closed)
+    x, y = data[fit.worst].tolist()
+    return Fitted(curve, fit.curve, fit.deviation, fit.root_mean_square, (x, y), fit.is_scattered)
 
 
 def _fit(
@@ -216,11 +216,11 @@ def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Po
     times = start + (core.parameters - first) * stretch
     times[-1] = end
     joints = {0: (jets[-1][-1], jets[0][0])} if is_closed else {}
-    place = 0
+    row = 0
     for before, after in pairwise(jets):
-        place += len(before) - 1
-        joints[place] = (before[-1], after[0])
-    rows = list(chain(jets[0][:1], *(each[1:] for each in jets)))
+        row += len(before) - 1
+        joints[row] = (before[-1], after[0])
+    rows = list(chain(jets[0][:1], *(rows_of_piece[1:] for rows_of_piece in jets)))
     return tuple(
         _point(joints.get(index, (jet, jet)), float(t), may_turn=index in joints)
         for index, (jet, t) in enumerate(zip(rows, times, strict=True))
@@ -229,14 +229,16 @@ def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Po
 
 
 def _point(sides: tuple[FloatArray, FloatArray], t: float, *, may_turn: bool) -> Point:
-    before, after = (each.tolist() for each in sides)
+    before, after = (derivative.tolist() for derivative in sides)
     is_corner = may_turn and before != after
     x, y = before[0]
     point = Point(x, y, t=t, corner=is_corner)
-    given = {each.name: tuple(value) for each, value in zip(DERIVATIVES, before[1:], strict=False)}
+    given = {
+        derivative.name: tuple(value) for derivative, value in zip(DERIVATIVES, before[1:], strict=False)
+    }
     if is_corner:
         ahead = zip(DERIVATIVES, after[1:], strict=False)
-        given |= {each.after: tuple(value) for each, value in ahead}
+        given |= {derivative.after: tuple(value) for derivative, value in ahead}
     return replace(point, **given)
 
 
@@ -245,103 +247,105 @@ _STEPS = 6
 """Steps of Newton's to the feet of perpendiculars."""
 
 _LEAST = 1e-3
-"""Share of the chord below which a length is none: the curve would stop there."""
+"""Share of the length below which a speed counts as none: the curve would stop there."""
 
 
-def segment_near(family: Family, places: FloatArray, directions: FloatArray) -> FloatArray:
-    """Return the jets, (2, R, 2), of the segment over [0, 1] that is near to all `places` (m, 2).
+def segment_near(family: Family, positions: FloatArray, directions: FloatArray) -> FloatArray:
+    """Return the jets, (2, R, 2), of the segment over [0, 1] that is nearest to `positions` (m, 2).
 
     `directions` are those at its ends, (2, 2), of length one.
     """
-    steps = np.hypot(*np.diff(places, axis=0).T)
+    steps = np.hypot(*np.diff(positions, axis=0).T)
     length = float(steps.sum())
     u = np.concatenate([[0.0], np.cumsum(steps)]) / length
-    best, least = _thirds(family, places, directions, length), math.inf
+    best, least = _thirds(family, positions, directions, length), math.inf
     for _ in range(_ROUNDS):
-        jets = _solved(family, places, directions, u, length)
+        jets = _solved(family, positions, directions, u, length)
         curve = family.curve_class.from_jets(jets, np.array([0.0, 1.0]))
-        u = _feet(curve, places, u, 0.0, 1.0)
-        away = _largest(curve.evaluate(u) - places)
+        u = _feet(curve, positions, u, 0.0, 1.0)
+        away = _largest(curve.evaluate(u) - positions)
         if away < least:
             best, least = jets, away
     return best
 
 
-def farthest(curve: ParametricCurve, places: FloatArray, start: float, end: float) -> float:
-    """Return how far places (m, 2) are from a curve between two parameters, at which first and last lie."""
-    t = np.linspace(start, end, 4 * len(places))
-    apart = places[:, None] - curve.evaluate(t)[None]
+def farthest(curve: ParametricCurve, positions: FloatArray, start: float, end: float) -> float:
+    """Return the largest distance of positions (m, 2) from a curve between the parameters of its ends."""
+    t = np.linspace(start, end, 4 * len(positions))
+    apart = positions[:, None] - curve.evaluate(t)[None]
     feet = t[np.argmin(np.einsum("mnd,mnd->mn", apart, apart), axis=1)]
     for _ in range(_STEPS):
-        feet = _feet(curve, places, feet, start, end)
-    return _largest(curve.evaluate(feet) - places)
+        feet = _feet(curve, positions, feet, start, end)
+    return _largest(curve.evaluate(feet) - positions)
 
 
-def _largest(ways: FloatArray) -> float:
-    return float(np.hypot(ways[:, 0], ways[:, 1]).max())
+def _largest(offsets: FloatArray) -> float:
+    return float(np.hypot(offsets[:, 0], offsets[:, 1]).max())
 
 
-def _thirds(family: Family, places: FloatArray, directions: FloatArray, length: float) -> FloatArray:
-    """Return jets of a segment that is run through at an even pace."""
+def _thirds(family: Family, positions: FloatArray, directions: FloatArray, length: float) -> FloatArray:
+    """Return the jets of a segment that is passed at an even pace."""
     jets = np.zeros((2, family.derivatives + 1, 2))
-    jets[:, 0], jets[:, 1] = places[[0, -1]], length * directions
+    jets[:, 0], jets[:, 1] = positions[[0, -1]], length * directions
     return jets
 
 
 def _solved(
-    family: Family, places: FloatArray, directions: FloatArray, u: FloatArray, length: float
+    family: Family, positions: FloatArray, directions: FloatArray, u: FloatArray, length: float
 ) -> FloatArray:
-    """Return the jets of the segment that is nearest to the places at the parameters `u`."""
-    jets = _thirds(family, places, directions, length)
+    """Return the jets of the segment that is nearest to the positions at the parameters `u`."""
+    jets = _thirds(family, positions, directions, length)
     functions = family.curve_class.from_jets(jets, np.array([0.0, 1.0])).basis(u)
-    rest = places - functions[:, :, 0] @ jets[:, 0]
+    rest = positions - functions[:, :, 0] @ jets[:, 0]
     # Columns: the two speeds, then x and y of each higher derivative at each end; rows: x, then y.
     speeds = np.stack([np.outer(directions[end], functions[:, end, 1]).ravel() for end in (0, 1)], axis=1)
     higher = functions[:, :, 2:].reshape(len(u), -1)
     free = np.kron(np.eye(2), higher)
-    found = np.linalg.lstsq(np.hstack([speeds, free]), rest.T.ravel(), rcond=None)[0]
-    if found[:2].min() < _LEAST * length:
+    solution = np.linalg.lstsq(np.hstack([speeds, free]), rest.T.ravel(), rcond=None)[0]
+    if solution[:2].min() < _LEAST * length:
         return jets
-    jets[:, 1] = found[:2, None] * directions
-    jets[:, 2:] = np.moveaxis(found[2:].reshape(2, 2, -1), 0, -1)
+    jets[:, 1] = solution[:2, None] * directions
+    jets[:, 2:] = np.moveaxis(solution[2:].reshape(2, 2, -1), 0, -1)
     return jets
 
 
-def _feet(curve: ParametricCurve, places: FloatArray, u: FloatArray, start: float, end: float) -> FloatArray:
-    """Return parameters nearer to the feet of the perpendiculars from places to a curve; the ends stay."""
-    away, velocity, bend = curve.evaluate(u) - places, curve.evaluate(u, 1), curve.evaluate(u, 2)
+def _feet(
+    curve: ParametricCurve, positions: FloatArray, u: FloatArray, start: float, end: float
+) -> FloatArray:
+    """Return parameters nearer to the feet of the perpendiculars from positions to a curve; the ends stay."""
+    away, velocity, bend = curve.evaluate(u) - positions, curve.evaluate(u, 1), curve.evaluate(u, 2)
     slope = (away * velocity).sum(axis=1)
     rise = (velocity * velocity).sum(axis=1) + (away * bend).sum(axis=1)
     step = np.divide(slope, rise, out=np.zeros_like(u), where=rise > 0.0)
     furthest = 0.1 * (end - start)
     moved = np.clip(u - np.clip(step, -furthest, furthest), start, end)
     moved[[0, -1]] = start, end
-    there = curve.evaluate(moved) - places
+    there = curve.evaluate(moved) - positions
     is_nearer = (there * there).sum(axis=1) < (away * away).sum(axis=1)
     nearer: FloatArray = np.where(is_nearer, moved, u)
     return nearer
 
 
 SHARE = 0.002
-"""How far a curve may be from what it was, as a share of the size of all that is simplified."""
+"""Largest deviation of a simplified curve, as a share of the size of all curves to simplify."""
 
 _TURN = cos(radians(20.0))
 """Cosine of the angle from which a joint is a corner."""
 
 _LONG = 4.0
-"""Tolerances that the pieces at a corner are long, at least: else it is a tremble."""
+"""Least length of the pieces at a corner, in tolerances: shorter ones are jitter."""
 
 _STRAIGHT = 1e-9
-"""Of the length of a piece, by which its handles may be off the straight way."""
+"""Largest distance of a handle from the chord of a straight piece, as a share of its length."""
 
 _NEARLY_ON = radians(0.1)
-"""By how much handles of a point that is no corner are turned into one line, in radians."""
+"""Largest angle by which handles of a smooth point are turned into one line, in radians."""
 
 _ANY = "a"
-"""Letter of a point that is what its handles make of it."""
+"""Letter of a point whose handles decide its kind."""
 
-_PLACES = 16
-"""Places on a piece that say what it looks like."""
+_SAMPLES_A_PIECE = 16
+"""Samples of a piece that describe it."""
 
 
 class Simplified(msgspec.Struct, frozen=True):
@@ -352,9 +356,9 @@ class Simplified(msgspec.Struct, frozen=True):
     document
         The document.
     before, after
-        How many points the curves had that are changed, and have now.
+        The numbers of points of the changed curves, before and after.
     deviation
-        How far these are from what they were at most.
+        The largest distance of these curves from the old ones.
     """
 
     document: Document
@@ -366,26 +370,26 @@ class Simplified(msgspec.Struct, frozen=True):
 def simplified(
     document: Document, views: Sequence[CurveView], curves: Collection[int], report: Report = silent
 ) -> Simplified:
-    """Return the document with fewer points in those of some curves where that can be.
+    """Return the document with fewer points in the curves `curves`, where that is possible.
 
     Raises
     ------
     EditError
-        If none of them has more points than it takes.
+        If none of them can do with fewer points.
     """
-    places = sorted(place for place in curves if _can_be_simpler(views[place]))
-    tolerance = SHARE * size_of([views[place] for place in places])
-    made, before, after, deviation = document, 0, 0, 0.0
-    for done, place in enumerate(places):
-        share = part(report, done / len(places), (done + 1) / len(places))
-        curve, off = _simpler(views[place], tolerance, share)
-        count, left = len(document.curves[place].points), len(curve.points)
+    indices = sorted(index for index in curves if _can_be_simpler(views[index]))
+    tolerance = SHARE * size_of([views[index] for index in indices])
+    result, before, after, deviation = document, 0, 0, 0.0
+    for done, index in enumerate(indices):
+        share = part(report, done / len(indices), (done + 1) / len(indices))
+        curve, off = _simpler(views[index], tolerance, share)
+        count, left = len(document.curves[index].points), len(curve.points)
         if left < count and off <= tolerance:
-            made = made.with_curve(place, curve)
+            result = result.with_curve(index, curve)
             before, after, deviation = before + count, after + left, max(deviation, off)
     if not before:
-        raise EditError("No curve of these takes fewer points than it has.")
-    return Simplified(made, before, after, deviation)
+        raise EditError("None of the curves keeps its shape with fewer points.")
+    return Simplified(result, before, after, deviation)
 
 
 def size_of(views: Sequence[CurveView]) -> float:
@@ -400,7 +404,7 @@ def _can_be_simpler(view: CurveView) -> bool:
 
 
 def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, float]:
-    """Return a curve near another one, and how far off it is at most."""
+    """Return a simpler curve near another one, and its largest deviation."""
     assert view.curve is not None
     closed = view.source.is_closed
     path = curvecore.cubic_path(view.curve, max(RELATIVE_TOLERANCE * size_of([view]), 1e-300))
@@ -409,18 +413,18 @@ def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, 
         # It begins at a corner.
         pieces, corners = np.roll(pieces, -corners[0], axis=0), corners - corners[0]
     cuts = [*(corners if closed and len(corners) else [0, *corners]), len(pieces)]
-    found, letters, off = list[FloatArray](), "", float(path.deviation)
+    runs, letters, off = list[FloatArray](), "", float(path.deviation)
     for index, (start, end) in enumerate(pairwise(cuts)):
         share = part(report, index / len(cuts), (index + 1) / len(cuts))
         run, deviation = _run(pieces[start:end], tolerance, share, closed=closed and not len(corners))
-        found.append(run)
+        runs.append(run)
         letters += (CORNER if len(corners) else _ANY) + _ANY * (len(run) - 1)
         off = max(off, path.deviation + deviation)
     letters += "" if closed else CORNER
-    points = points_of_cubics(np.concatenate(found), closed=closed, most_turned=_NEARLY_ON, letters=letters)
+    points = points_of_cubics(np.concatenate(runs), closed=closed, most_turned=_NEARLY_ON, letters=letters)
     rule = Parametrization(ParametrizationKind.MANUAL)
-    made = replace(view.source.with_family(HERMITE), points=points.points, parametrization=rule)
-    return made, off + points.moved
+    simpler = replace(view.source.with_family(HERMITE), points=points.points, parametrization=rule)
+    return simpler, off + points.moved
 
 
 def _corners(pieces: FloatArray, tolerance: float, *, closed: bool) -> IntArray:
@@ -434,26 +438,26 @@ def _corners(pieces: FloatArray, tolerance: float, *, closed: bool) -> IntArray:
 
 
 def _directions(pieces: FloatArray, sign: int) -> FloatArray:
-    """Return the directions in which pieces begin, of length 1; 0 where they go nowhere."""
-    ways, missing = np.zeros((len(pieces), 2)), np.ones(len(pieces), dtype=np.bool_)
+    """Return the directions in which pieces begin, of length 1; 0 for a piece without length."""
+    directions, missing = np.zeros((len(pieces), 2)), np.ones(len(pieces), dtype=np.bool_)
     for index in range(1, 4):
         steps = sign * (pieces[:, index] - pieces[:, 0])
         lengths = np.linalg.norm(steps, axis=1)
         new = missing & (lengths > 0)
-        ways[new] = steps[new] / lengths[new, None]
+        directions[new] = steps[new] / lengths[new, None]
         missing &= ~new
-    return ways
+    return directions
 
 
 def _run(pieces: FloatArray, tolerance: float, report: Report, *, closed: bool) -> tuple[FloatArray, float]:
-    """Return fewer pieces near those between two corners, and how far they are off at most."""
+    """Return fewer pieces near those between two corners, and their largest deviation."""
     if not closed and _is_straight(pieces):
         return np.linspace(pieces[0, 0], pieces[-1, 3], 4)[None], 0.0
     if len(pieces) == 1:
         return pieces, 0.0
     data = np.concatenate(list(_sampled(pieces)))
     try:
-        found = curvecore.fit(
+        fitted_run = curvecore.fit(
             data,
             HERMITE.curve_class,
             tolerance=tolerance,
@@ -463,26 +467,26 @@ def _run(pieces: FloatArray, tolerance: float, report: Report, *, closed: bool) 
         )
     except CurveError as problem:
         raise EditError(f"A curve could not be fitted: {problem}.") from problem
-    made = curvecore.bezier_segments(found.curve)
-    is_better = len(made) < len(pieces) and found.deviation <= tolerance
-    return (made, float(found.deviation)) if is_better else (pieces, 0.0)
+    segments = curvecore.bezier_segments(fitted_run.curve)
+    is_better = len(segments) < len(pieces) and fitted_run.deviation <= tolerance
+    return (segments, float(fitted_run.deviation)) if is_better else (pieces, 0.0)
 
 
 def _sampled(pieces: FloatArray) -> Iterator[FloatArray]:
-    """Yield places on pieces, the end of the last one too."""
-    s = np.arange(_PLACES) / _PLACES
+    """Yield samples of pieces, and the end of the last one."""
+    s = np.arange(_SAMPLES_A_PIECE) / _SAMPLES_A_PIECE
     weights = np.stack([(1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s * s * (1 - s), s**3], axis=1)
     yield np.einsum("mw,kwd->kmd", weights, pieces).reshape(-1, 2)
     yield pieces[-1:, 3]
 
 
 def _is_straight(pieces: FloatArray) -> bool:
-    """Whether pieces lie on one straight line, each going on from the one before."""
-    places = pieces.reshape(-1, 2)
-    way = places[-1] - places[0]
-    length = float(np.hypot(*way))
+    """Whether pieces lie on one straight line in one direction."""
+    positions = pieces.reshape(-1, 2)
+    chord = positions[-1] - positions[0]
+    length = float(np.hypot(*chord))
     if not length:
         return False
-    off = (places - places[0]) @ np.array([-way[1], way[0]])
-    along = (places - places[0]) @ way
+    off = (positions - positions[0]) @ np.array([-chord[1], chord[0]])
+    along = (positions - positions[0]) @ chord
     return bool(np.abs(off).max() <= _STRAIGHT * length**2 and (np.diff(along) >= 0).all())

@@ -1,4 +1,4 @@
-"""Several curves made one, end to start or by chosen ends, with their shapes kept."""
+"""Several curves made one, end to start or by selected ends, with their shapes kept."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Joined(Reshaped, frozen=True):
     Attributes
     ----------
     seams
-        The points at which they meet; both ends of a segment that leads from one to another.
+        The points at which they meet; both ends of a segment that connects two of them.
     """
 
     seams: frozenset[int] = frozenset()
@@ -48,19 +48,19 @@ class Joined(Reshaped, frozen=True):
 # End to start
 
 
-def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
+def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined:
     """Join the end of each curve to the start of the next: one curve, its parameters one after the other.
 
     All keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
-    there differ; else a straight segment leads from one to the other, at the mean of the speeds on both
-    sides, or one that goes on from the curves where the family has no derivatives to make corners with.
+    there differ; else a straight segment connects them, at the mean of the speeds on both sides, or a smooth
+    one where the family has no derivatives to make corners with.
 
     Parameters
     ----------
-    kept
-        Which of them lends its name, its style and its rules.
+    model
+        The index of the curve that lends its name, its style and its rules.
     is_closed
-        Whether the end of the last is joined to the start of the first, too.
+        Whether the end of the last is joined to the start of the first.
 
     Raises
     ------
@@ -79,8 +79,10 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
         seams.add(0)
         points, seams = _met(points, waits[-1]), seams | ({len(points) - 1} if waits[-1] else set())
     if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(points)):
-        raise EditError("The parameters of the second curve lie too close together to follow the first's.")
-    curve = part_of(parts[kept], points, last, parts[kept].name)
+        raise EditError(
+            "The parameters of the second curve are too close together to follow the first curve."
+        )
+    curve = part_of(parts[model], points, last, parts[model].name)
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
     if curve.family.derivatives and (lines := [*_bridges(parts, waits)]):
@@ -91,7 +93,7 @@ def joined(*views: CurveView, kept: int = 0, is_closed: bool = False) -> Joined:
 
 
 def _shifts(views: Sequence[CurveView], waits: Sequence[float]) -> list[float]:
-    """Return by how much the parameters of each curve are shifted to come after those of the one before."""
+    """Return the shifts of the parameters that put each curve after the one before."""
     steps = (
         float(before.parameters[-1]) + wait - float(after.parameters[0])
         for (before, after), wait in zip(pairwise(views), waits, strict=False)
@@ -115,7 +117,7 @@ def _meet(first: CurveView, second: CurveView) -> bool:
 def _one_after_the_other(
     parts: Sequence[Curve], shifts: Sequence[float], waits: Sequence[float]
 ) -> tuple[list[Point], set[int]]:
-    """Return the points of curves with their parameters shifted, and the places where the curves meet."""
+    """Return the points of curves with their parameters shifted, and the indices where the curves meet."""
     points, seams = list(parts[0].points), set[int]()
     for part, shift, wait in zip(parts[1:], shifts[1:], waits, strict=False):
         later = [replace(point, t=(point.t or 0.0) + shift) for point in part.points]
@@ -127,7 +129,7 @@ def _one_after_the_other(
 
 
 def _bridges(parts: Sequence[Curve], waits: Sequence[float]) -> Iterator[int]:
-    """Yield the segments that lead from one curve to the next."""
+    """Yield the segments that connect one curve to the next."""
     last = -1
     for part, wait in zip(parts, waits, strict=False):
         last += len(part.points)
@@ -138,7 +140,7 @@ def _bridges(parts: Sequence[Curve], waits: Sequence[float]) -> Iterator[int]:
 
 
 def _met(points: Sequence[Point], wait: float) -> list[Point]:
-    """Return the points of a curve whose end goes on at its start."""
+    """Return the points of a curve whose end continues at its start."""
     ending, start = points[-1].without_corner(), beginning(points[0])
     if wait:
         return [start, *points[1:-1], ending]
@@ -150,17 +152,19 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
         if not view.is_current:
             raise EditError(f"“{view.source.name}” cannot be joined. {view.problem}")
         if view.source.is_closed:
-            raise EditError(f"“{view.source.name}” is closed and has no end; open it first.")
+            raise EditError(f"“{view.source.name}” is closed and has no ends. Open it first.")
     one, other = first.source.family, second.source.family
     if one.curve_class.is_one_polynomial or other.curve_class.is_one_polynomial:
-        raise EditError(f"Two polynomials make no third; choose {titles_with_derivatives()} for both curves.")
+        raise EditError(
+            f"Two polynomials cannot become one; choose {titles_with_derivatives()} for both curves."
+        )
     if one != other:
-        first_kind, second_kind = (each.full_title.partition(" ")[0] for each in (one, other))
+        first_kind, second_kind = (member.full_title.partition(" ")[0] for member in (one, other))
         raise EditError(f"One curve is {first_kind}, the other {second_kind}; choose one family for both.")
 
 
 def _speed_at_seam(first: CurveView, second: CurveView) -> float:
-    """Return the speed for the way from one curve to the other, positive."""
+    """Return the speed of the segment from one curve to the other, positive."""
     assert first.curve is not None
     assert second.curve is not None
     velocities = [
@@ -176,11 +180,13 @@ def _speed_at_seam(first: CurveView, second: CurveView) -> float:
 
 
 def _merged(end: Point, start: Point) -> Point:
-    """Return the point where a curve ends and another starts: smooth where they go on in one direction.
+    """Return the point where a curve ends and another starts: smooth where their directions agree.
 
-    A corner where not, and a point like any other where all goes on alike.
+    It is a corner where they differ, and an ordinary point where all derivatives agree.
     """
-    before, after = ([getattr(point, each.name) for each in DERIVATIVES] for point in (end, start))
+    before, after = (
+        [getattr(point, derivative.name) for derivative in DERIVATIVES] for point in (end, start)
+    )
     if all(map(_alike, before, after)):
         return end
     return tie_if_parallel(end.as_corner().with_derivatives(before, after))
@@ -210,8 +216,8 @@ def _refuse_another_shape(views: Sequence[CurveView], residual: float) -> None:
     if not family.interpolates:
         other = f"Convert both to {titles_with_derivatives()} first, keeping the shape."
     raise EditError(
-        f"Two {family.title} curves cannot be joined: they would become another curve, up to "
-        f"{number(residual, 2)} away. {other}"
+        f"Two {family.title} curves cannot be joined: the result would be off by up to "
+        f"{number(residual, 2)}. {other}"
     )
 
 
@@ -231,11 +237,11 @@ class End(NamedTuple):
 
 
 Link = tuple[End, End]
-"""Two ends that are to become one point, or that a segment is to connect."""
+"""Two ends that become one point, or that a segment connects."""
 
 
 def link_of(views: Sequence[CurveView], group: PointGroup) -> Link | None:
-    """Return the two ends of open curves that a group consists of, None where it is another."""
+    """Return the two ends of open curves that a group consists of, None for any other group."""
     ends = []
     for curve, indices in group.parts if group.count == 2 else ():
         last = len(views[curve].points) - 1
@@ -254,14 +260,14 @@ def nearest_links(views: Sequence[CurveView], curves: Sequence[int]) -> list[Lin
         If there are too many.
     """
     if len(curves) > MOST_JOINED:
-        raise EditError(f"At most {MOST_JOINED} curves are joined at once.")
+        raise EditError(f"At most {MOST_JOINED} curves can be joined at once.")
     ends = [End(curve, is_last) for curve in curves for is_last in (False, True)]
-    places = np.array([views[end.curve].points[-1 if end.is_last else 0] for end in ends])
+    positions = np.array([views[end.curve].points[-1 if end.is_last else 0] for end in ends])
     one, other = np.triu_indices(len(ends), 1)
-    nearest = np.argsort(np.hypot(*(places[one] - places[other]).T), kind="stable")
+    nearest = np.argsort(np.hypot(*(positions[one] - positions[other]).T), kind="stable")
     links, free = list[Link](), {end: end.other for end in ends}
     for a, b in zip(one[nearest].tolist(), other[nearest].tolist(), strict=True):
-        # Of a chain the two free ends know each other: it is not to bite its own tail.
+        # The two free ends of a chain refer to each other, so that it does not close.
         if ends[a] in free and ends[b] in free and free[ends[a]] != ends[b]:
             links.append((ends[a], ends[b]))
             far, further = free.pop(ends[a]), free.pop(ends[b])
@@ -272,11 +278,11 @@ def nearest_links(views: Sequence[CurveView], curves: Sequence[int]) -> list[Lin
 
 
 def joined_by(
-    views: Sequence[CurveView], links: Sequence[Link], kept: int, *, is_ring: bool = False
+    views: Sequence[CurveView], links: Sequence[Link], model: int, *, is_ring: bool = False
 ) -> Joined:
-    """Join curves by their ends; `kept` lends its direction, its name, its style and its rules.
+    """Join curves by their ends; `model` lends its direction, its name, its style and its rules.
 
-    Two ends of one curve close it; and with `is_ring` so do those that are left, where they meet.
+    Two ends of one curve close it; with `is_ring` the remaining ends are joined where they meet.
 
     Raises
     ------
@@ -284,23 +290,25 @@ def joined_by(
         As `joined`.
     """
     if len({end.curve for link in links for end in link}) == 1:
-        return joined(views[kept], is_closed=True)
+        return joined(views[model], is_closed=True)
     partners = {end: partner for a, b in links for end, partner in ((a, b), (b, a))}
-    before, after = (list(_beyond(End(kept, is_last), partners)) for is_last in (False, True))
-    turned = [*((end, not end.is_last) for end in reversed(before)), (End(kept, is_last=False), False)]
+    before, after = (list(_beyond(End(model, is_last), partners)) for is_last in (False, True))
+    turned = [*((end, not end.is_last) for end in reversed(before)), (End(model, is_last=False), False)]
     turned += [(end, end.is_last) for end in after]
-    made = [_turned(views[end.curve]) if is_turned else (views[end.curve], 0.0) for end, is_turned in turned]
-    chain = [view for view, _ in made]
-    whole = joined(*chain, kept=len(before), is_closed=is_ring and _meet(chain[-1], chain[0]))
-    residual = max(whole.residual, *(residual for _, residual in made))
+    oriented = [
+        _turned(views[end.curve]) if is_turned else (views[end.curve], 0.0) for end, is_turned in turned
+    ]
+    chain = [view for view, _ in oriented]
+    whole = joined(*chain, model=len(before), is_closed=is_ring and _meet(chain[-1], chain[0]))
+    residual = max(whole.residual, *(residual for _, residual in oriented))
     _refuse_another_shape(chain, residual)
     return replace(whole, residual=residual)
 
 
 def brought_together(views: Sequence[CurveView], link: Link) -> tuple[list[CurveView], float]:
-    """Return the views of all curves with two ends in the middle between them, and how far each end went.
+    """Return the views of all curves with two ends moved to the middle between them, and the distance.
 
-    Their handles go along.
+    Handles move with the ends.
     """
     met = list(views)
     one, other = (views[end.curve].source.points[-1 if end.is_last else 0].position for end in link)
@@ -313,7 +321,7 @@ def brought_together(views: Sequence[CurveView], link: Link) -> tuple[list[Curve
 
 
 def _beyond(end: End, partners: Mapping[End, End]) -> Iterator[End]:
-    """Yield the ends at which curves begin that follow an end, one after the other."""
+    """Yield the ends at which the following curves begin, one after the other."""
     while (partner := partners.get(end)) is not None:
         yield partner
         end = partner.other
@@ -321,5 +329,5 @@ def _beyond(end: End, partners: Mapping[End, End]) -> Iterator[End]:
 
 def _turned(view: CurveView) -> tuple[CurveView, float]:
     refuse_without_curve(view)
-    made = reversed_curve(view)
-    return view_of(made.curve), made.residual
+    result = reversed_curve(view)
+    return view_of(result.curve), result.residual

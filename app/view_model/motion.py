@@ -35,13 +35,13 @@ STATIONS = 60
 """Equal steps of time from one end of a curve to the other; trails are dots at some of them."""
 
 
-def round_of(duration: float, repeat: Repeat) -> float:
-    """Return the seconds after which everything begins again."""
+def round_duration(duration: float, repeat: Repeat) -> float:
+    """Return the seconds after which the motion repeats."""
     return 2.0 * duration if repeat is Repeat.PING_PONG else duration
 
 
 def folded(seconds: FloatArray, duration: float, repeat: Repeat) -> FloatArray:
-    """Return how far along its way, in seconds from the start of the curve, the dot is at `seconds` >= 0."""
+    """Return the time on the curve, in seconds from its start, of the dot at `seconds` >= 0 of the motion."""
     if repeat is Repeat.ONCE:
         return np.minimum(seconds, duration)
     if repeat is Repeat.LOOP:
@@ -51,19 +51,19 @@ def folded(seconds: FloatArray, duration: float, repeat: Repeat) -> FloatArray:
 
 
 def runs_back(seconds: float, duration: float, repeat: Repeat) -> bool:
-    """Whether the dot is on its way back."""
+    """Whether the dot runs backwards."""
     return repeat is Repeat.PING_PONG and bool(np.fmod(seconds, 2.0 * duration) > duration)
 
 
 class Course:
-    """The way of a dot along one curve.
+    """The run of a dot along one curve: parameters and derivatives at times.
 
     Parameters
     ----------
     curve
         Its domain gives the duration.
     pace
-        By arc length the dot is equally fast everywhere; a curve without length is run through by t.
+        By arc length the dot has a constant speed; a curve without length is run through by t.
 
     Attributes
     ----------
@@ -115,7 +115,7 @@ class Course:
         return np.asarray(self._stations[indices])
 
     def moments_at(self, t: FloatArray, *, back: bool = False) -> Samples:
-        """Return the dot at parameters (m,), with its derivatives per second; on the way back against t."""
+        """Return the dot at parameters (m,), with its derivatives per second; backwards with `back`."""
         with np.errstate(all="ignore"):
             points, velocities, accelerations = (self.curve.evaluate(t, order) for order in (0, 1, 2))
             if self._lengths is not None:
@@ -126,7 +126,7 @@ class Course:
 def _at_even_speed(
     velocities: FloatArray, accelerations: FloatArray, speed: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return velocity and acceleration of a dot with this speed: all of the latter is due to the bend."""
+    """Return velocity and acceleration of a dot with constant speed: the latter is due to the bend alone."""
     # Not the squares of lengths: they would overflow at 1e154.
     length = np.hypot(velocities[:, 0], velocities[:, 1])[:, None]
     rests = length == 0.0
@@ -143,20 +143,20 @@ _SHARE = 0.25
 """The longest arrow against the size of the curve."""
 
 _LONGEST = 3.0
-"""The most by which an acceleration surpasses nine tenths of all: at a cusp it would be infinite."""
+"""Largest factor of an acceleration over nine tenths of all: at a cusp it would be infinite."""
 
 _SAMPLES = 121
 
 
 class Role(msgspec.Struct, frozen=True):
-    """The curve that a dot runs along: the edited one, or one that is compared with it.
+    """The curve that a dot runs along: the active one, or one that is compared with it.
 
     Attributes
     ----------
     families
-        Those whose curve it is, where several are the same; none for the edited curve.
+        The families of the curve, several where their curves are the same; none for the active curve.
     radius
-        Of the dot, in pixels: where they meet, a ring of each is seen.
+        Radius of the dot, in pixels: where dots meet, a ring of each is visible.
     """
 
     families: tuple[Family, ...] = ()
@@ -169,19 +169,19 @@ class Role(msgspec.Struct, frozen=True):
 
     @property
     def colour(self) -> str:
-        """A colour that each theme has a shade of, that of the ghost; empty for the accent."""
+        """The colour of the ghost, which each theme has a shade of; empty for the accent."""
         return Ghost(family=self.families[0]).style.colour if self.families else ""
 
 
-OWN = Role()
-"""The dot of the edited curve."""
+ACTIVE = Role()
+"""The role of the dot of the active curve."""
 
 _SMALLEST, _RING = 7.5, 2.5
-"""Radius of the dot on top of others, and how much more each one below it has."""
+"""Radius of the dot on top of others, and the step to each one below it."""
 
 
 class ArrowKind(enum.Enum):
-    """The derivative that an arrow shows: the letter beside its tip, and its colour."""
+    """The derivative of an arrow: the letter beside its tip, and its colour."""
 
     def __init__(self, letter: str, colour: str) -> None:
         self.letter, self.colour = letter, colour
@@ -191,7 +191,7 @@ class ArrowKind(enum.Enum):
 
 
 class Arrow(msgspec.Struct, frozen=True):
-    """An arrow from a dot to a tip in the plane, and what is written there."""
+    """An arrow from a dot to a tip in the plane, and the text there."""
 
     kind: ArrowKind
     tip: tuple[float, float]
@@ -199,23 +199,23 @@ class Arrow(msgspec.Struct, frozen=True):
 
 
 class Dot(msgspec.Struct, frozen=True, eq=False):
-    """A dot, where it has been, and how fast it is.
+    """A dot with its trail, its arrows and its speed.
 
     Attributes
     ----------
     trail
-        The places (k, 2) where it was at equal steps of time, the latest first.
+        Its last positions (k, 2) at equal steps of time, the latest first.
     speed, pull
         The lengths of velocity and acceleration, per second.
     """
 
     role: Role
     t: float
-    place: tuple[float, float]
+    position: tuple[float, float]
     trail: FloatArray
     arrows: tuple[Arrow, ...]
     speed: float
-    pull: float
+    acceleration: float
 
 
 class Scales(msgspec.Struct, frozen=True):
@@ -233,8 +233,8 @@ def scales_of(courses: list[Course]) -> Scales:
         for course in courses
     ]
     speed = usual_length(np.vstack([moments.velocities for moments in sampled]), _LONGEST)
-    pull = usual_length(np.vstack([moments.accelerations for moments in sampled]), _LONGEST)
-    return Scales(*(_SHARE * size / longest if longest > 0.0 else 0.0 for longest in (speed, pull)))
+    acceleration = usual_length(np.vstack([moments.accelerations for moments in sampled]), _LONGEST)
+    return Scales(*(_SHARE * size / longest if longest > 0.0 else 0.0 for longest in (speed, acceleration)))
 
 
 def dot_at(
@@ -242,17 +242,17 @@ def dot_at(
     seconds: float,
     repeat: Repeat,
     scales: Scales,
-    role: Role = OWN,
+    role: Role = ACTIVE,
     kinds: tuple[ArrowKind, ...] = tuple(ArrowKind),
 ) -> Dot:
-    """Return the dot after `seconds` of its motion; without arrows it leaves no trail either."""
+    """Return the dot after `seconds` of its motion; without arrows it has no trail."""
     t = course.parameters_at(folded(np.array([seconds]), course.duration, repeat))
     now = course.moments_at(t, back=runs_back(seconds, course.duration, repeat))
-    place = (float(now.points[0, 0]), float(now.points[0, 1]))
+    position = (float(now.points[0, 0]), float(now.points[0, 1]))
     trail = _trail(course, seconds, repeat) if kinds else np.empty((0, 2))
-    speed, pull = math.hypot(*now.velocities[0]), math.hypot(*now.accelerations[0])
-    arrow = partial(_arrow, now, place, scales)
-    return Dot(role, float(t[0]), place, trail, tuple(arrow(kind) for kind in kinds), speed, pull)
+    speed, acceleration = math.hypot(*now.velocities[0]), math.hypot(*now.accelerations[0])
+    arrow = partial(_arrow, now, position, scales)
+    return Dot(role, float(t[0]), position, trail, tuple(arrow(kind) for kind in kinds), speed, acceleration)
 
 
 def dots_at(courses: dict[Role, Course], seconds: float, repeat: Repeat, scales: Scales) -> list[Dot]:
@@ -260,20 +260,20 @@ def dots_at(courses: dict[Role, Course], seconds: float, repeat: Repeat, scales:
     compared = len(courses) > 1
     kinds = (ArrowKind.ACCELERATION,) if compared else tuple(ArrowKind)
     return [
-        dot_at(course, seconds, repeat, scales, role, () if compared and role is OWN else kinds)
+        dot_at(course, seconds, repeat, scales, role, () if compared and role is ACTIVE else kinds)
         for role, course in courses.items()
     ]
 
 
 def colour_of(dot: Dot, arrow: Arrow) -> str:
-    """Return the colour of an arrow: what it shows, or where two are compared, whose it is."""
+    """Return the colour of an arrow: of its derivative, or in a comparison of its dot."""
     return dot.role.colour or arrow.kind.colour
 
 
 def _trail(course: Course, seconds: float, repeat: Repeat) -> FloatArray:
-    """Return the last places at multiples of one step: the dots of a trail stay where they are."""
-    whole = round_of(STATIONS, repeat)
-    # Counted within two rounds: a motion that goes on for days has no better memory.
+    """Return the last positions at multiples of one step, so that the dots of a trail do not move."""
+    whole = round_duration(STATIONS, repeat)
+    # Counted within two rounds, so that a motion of days loses no digits.
     steps = seconds * STATIONS / course.duration
     if repeat is Repeat.ONCE or steps < whole:
         last = int(np.ceil(min(steps, whole))) - 1
@@ -284,18 +284,18 @@ def _trail(course: Course, seconds: float, repeat: Repeat) -> FloatArray:
     return course.stations(folds.astype(np.intp))
 
 
-def _arrow(now: Samples, place: tuple[float, float], scales: Scales, kind: ArrowKind) -> Arrow:
+def _arrow(now: Samples, position: tuple[float, float], scales: Scales, kind: ArrowKind) -> Arrow:
     is_velocity = kind is ArrowKind.VELOCITY
     x, y = (now.velocities if is_velocity else now.accelerations)[0].tolist()
     scale = scales.velocity if is_velocity else scales.acceleration
-    tip = (place[0] + scale * x, place[1] + scale * y)
-    return Arrow(kind, tip, f"|{kind.letter}| {in_three_digits(math.hypot(x, y))}")
+    tip = (position[0] + scale * x, position[1] + scale * y)
+    return Arrow(kind, tip, f"|{kind.letter}| {three_digits(math.hypot(x, y))}")
 
 
 def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: float) -> FloatArray:
     """Return shaft and barbs as segments (3, 4) = x1, y1, x2, y2.
 
-    A short arrow has a small head, so that its shaft is seen.
+    A short arrow has a small head, so that its shaft is visible.
     """
     along = np.subtract(tip, start)
     length = float(np.hypot(*along))
@@ -305,22 +305,22 @@ def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: f
     return np.array([[*tip, *end] for end in ends])
 
 
-def in_three_digits(value: float) -> str:
-    """Return a number in three digits, as it stands beside an arrow."""
+def three_digits(value: float) -> str:
+    """Return a number in three digits, for the text beside an arrow."""
     return f"{value:#.3g}".rstrip(".").replace("e+", "e")
 
 
 def rivals_of(view: CurveView, compared: Collection[Family]) -> dict[Role, CurveView]:
-    """Return the curves of some families through the points of `view`, and its own, where they exist.
+    """Return the curves of some families through the points of `view`, and that of its own family.
 
-    The largest dot first. Those that are the same have one role; without families there are none.
+    The largest dot comes first. Curves that are the same have one role; without families there are none.
     """
     same: list[tuple[CurveView, list[Family]]] = []
     for family in timed_families() if compared else ():
-        is_own = family == view.source.family
-        if not is_own and family not in compared:
+        is_active = family == view.source.family
+        if not is_active and family not in compared:
             continue
-        rival = view if is_own else view_of(view.source.with_family(family))
+        rival = view if is_active else view_of(view.source.with_family(family))
         known = next((families for other, families in same if coincide(other, rival)), None)
         if known is not None:
             known.append(family)
@@ -328,15 +328,15 @@ def rivals_of(view: CurveView, compared: Collection[Family]) -> dict[Role, Curve
             same.append((rival, [family]))
     largest = _SMALLEST + _RING * (len(same) - 1)
     return {
-        Role(tuple(families), largest - _RING * place): rival for place, (rival, families) in enumerate(same)
+        Role(tuple(families), largest - _RING * index): rival for index, (rival, families) in enumerate(same)
     }
 
 
-def jumps_in_words(views: dict[Role, CurveView]) -> str:
-    """Return what the accelerations of curves that are compared do at the joints, as measured."""
+def jump_sentences(views: dict[Role, CurveView]) -> str:
+    """Return sentences about measured jumps of the acceleration of compared curves at the joints."""
     titles: dict[str, list[str]] = {}
     for role, view in views.items():
-        titles.setdefault(_jump_in_words(view), []).append(role.title)
+        titles.setdefault(_jump_sentence(view), []).append(role.title)
     return "  ".join(f"{', '.join(names)}: {words}" for words, names in titles.items())
 
 
@@ -345,7 +345,7 @@ def _is_estimated(view: CurveView) -> bool:
     return rule is VelocityRule.NATURAL_SPLINE and not any(point.velocity for point in view.source.points)
 
 
-def _jump_in_words(view: CurveView) -> str:
+def _jump_sentence(view: CurveView) -> str:
     assert view.curve is not None
     is_one = view.source.family.curve_class.is_one_polynomial
     joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
@@ -364,4 +364,4 @@ def _jump_in_words(view: CurveView) -> str:
     worst = int(np.argmax(sizes))
     where = f"at {len(jumping)} of {len(joints)} joints, most" if len(joints) > 1 else "at its joint,"
     point = view.owner(jumping[worst].joint)
-    return f"acceleration jumps {where} at point {point} by {in_three_digits(sizes[worst])}."
+    return f"acceleration jumps {where} at point {point} by {three_digits(sizes[worst])}."

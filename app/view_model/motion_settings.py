@@ -1,4 +1,4 @@
-"""The settings of a dot that runs along a curve: speed, pace, and what follows at the end."""
+"""The settings of a dot that runs along a curve: speed, pace, and repetition at the end."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 def timed_families() -> tuple[Family, ...]:
-    """Return the families whose curves are at the points at the t_i: those can be compared in motion."""
+    """Return the families whose curves pass the points at the t_i, which can be compared in motion."""
     return tuple(family for family in FAMILIES if family.interpolates)
 
 
 class Repeat(enum.StrEnum):
-    """The ways to go on at the end of the curve."""
+    """What the dot does at the end of the curve."""
 
     ONCE = "once"
     LOOP = "loop"
@@ -25,7 +25,7 @@ class Repeat(enum.StrEnum):
 
 
 class Pace(enum.StrEnum):
-    """The quantities that may grow evenly with time."""
+    """The quantity that grows evenly with time."""
 
     PARAMETER = "t"
     LENGTH = "length"

@@ -36,7 +36,7 @@ from .split import split
 
 
 def copied(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return a curve of the points at `indices` alone; each carries the parameter that is in force."""
+    """Return a curve of the points at `indices` alone; each has the parameter that is in force."""
     rules = view.source.parametrization
     t = view.parameters.tolist() if view.is_current else [None] * len(view.source.points)
     if view.source.is_manual and not view.is_current:
@@ -50,8 +50,8 @@ def copied(view: CurveView, indices: Collection[int]) -> Curve:
 def appended(view: CurveView, pasted: Sequence[Point]) -> Curve:
     """Return the curve of `view` with `pasted` appended.
 
-    Their own parameters count as distances in t. Under a rule they get others, and the derivatives are
-    rescaled so that the handles of the points pasted together keep their proportions.
+    Of their parameters only the spacings count. Under a rule they get others, and the derivatives are
+    rescaled so that the handles of the pasted points keep their proportions.
     """
     document, count = Document((view.source,)), len(view.source.points)
     if view.source.is_manual:
@@ -64,19 +64,19 @@ def appended(view: CurveView, pasted: Sequence[Point]) -> Curve:
 
 
 def _later(view: CurveView, pasted: Sequence[Point]) -> list[Point]:
-    """Return `pasted` with manual parameters after those of the curve, the distances in t kept."""
+    """Return `pasted` with manual parameters after those of the curve, with the same spacings."""
     first = appended_parameter(view, pasted[0])
-    own = [point.t for point in pasted]
-    steps = [t - own[0] for t in own if t is not None and own[0] is not None]
+    parameters = [point.t for point in pasted]
+    steps = [t - parameters[0] for t in parameters if t is not None and parameters[0] is not None]
     if len(steps) < len(pasted):
         last = view.source.points[-1].t if view.source.points else None
         step = first - last if last is not None else 1.0
-        steps = [step * place for place in range(len(pasted))]
+        steps = [step * index for index in range(len(pasted))]
     return [replace(point, t=first + step) for point, step in zip(pasted, steps, strict=True)]
 
 
 def _factor(pasted: Sequence[Point], after: CurveView) -> float:
-    """Return how much longer in t the way through the pasted points is than it was."""
+    """Return the factor by which the pasted points span more of t than before."""
     first, last = pasted[0].t, pasted[-1].t
     if first is None or last is None or not last > first or not after.is_current:
         return 1.0
@@ -86,25 +86,25 @@ def _factor(pasted: Sequence[Point], after: CurveView) -> float:
 
 
 def appended_with_parameters(view: CurveView, pasted: Sequence[Point], first_row: int) -> Curve:
-    """Return the curve with `pasted` appended at the parameters they carry; all become manual.
+    """Return the curve with `pasted` appended at their own parameters; all become manual.
 
-    `first_row` is the number of the first one's row in the text, for messages.
+    `first_row` is the number of the row of the first point in the text, for messages.
     """
     refuse_unordered(pasted, first_row)
     count = len(view.source.points)
     if count and not (view.source.is_manual or view.is_current):
-        raise EditError(f"There are no parameters to go on from. {view.problem}")
-    own = [point.t or 0.0 for point in view.source.points]
+        raise EditError(f"The curve has no parameters to continue from. {view.problem}")
+    present = [point.t or 0.0 for point in view.source.points]
     if view.is_current:
-        own = view.parameters[:count].tolist()
+        present = view.parameters[:count].tolist()
     new = [point.t or 0.0 for point in pasted]
-    if own and not new[0] > own[-1]:
+    if present and not new[0] > present[-1]:
         raise EditError(
-            f"Row {first_row}: t must be greater than {number(own[-1], 6)}, the t of the last point, "
+            f"Row {first_row}: t must be greater than {number(present[-1], 6)}, the t of the last point, "
             f"not {number(new[0], 6)}."
         )
     document = insert_points(Document((view.source,)), 0, count, pasted)
-    return freeze_parameters(document, 0, [*own, *new]).curves[0]
+    return freeze_parameters(document, 0, [*present, *new]).curves[0]
 
 
 def refuse_unordered(pasted: Sequence[Point], first_row: int) -> None:
@@ -130,27 +130,29 @@ def points_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Point, ...]:
         return tuple(Point(x, y) for x, y in rows)
     if width == 3:
         return tuple(Point(x, y, t=t) for t, x, y in rows)
-    found = "this is one column" if width == 1 else f"these are {width} columns"
-    raise EditError(f"Points are two columns, x y, or three, t x y; {found}. The point table takes them all.")
+    columns = "this is one column" if width == 1 else f"these are {width} columns"
+    raise EditError(
+        f"Points have two columns, x y, or three, t x y; {columns}. The point table accepts all of them."
+    )
 
 
 def as_new_curve(like: Curve, pasted: Sequence[Point], name: str) -> Curve:
     """Return a curve of `pasted` with the family and tangent rules of `like`; manual where they carry t.
 
-    Otherwise its parameters are those of every new curve: interval and rule of another say nothing of it.
+    Otherwise it has the parameters of every new curve: interval and rule of another curve do not apply.
     """
     curve = replace(make_curve((), name=name, family=like.family), points=tuple(pasted))
     timed = all(point.t is not None for point in pasted)
     kind = ParametrizationKind.MANUAL if timed else ParametrizationKind.CHORD_LENGTH
-    own = replace(curve, parametrization=Parametrization(kind), settings=like.settings)
-    return own.with_rules_of(like)
+    ruled = replace(curve, parametrization=Parametrization(kind), settings=like.settings)
+    return ruled.with_rules_of(like)
 
 
 def copied_as_new_curve(copy: Curve, name: str) -> Curve:
     """Return a curve of points that were copied with their rules; its parameters span 0 … 1.
 
-    Under a rule the parameters that came along are only distances; the rule gives its own. Manual ones are
-    mapped, and the derivatives with them: the shape is that of the copy.
+    Under a rule the copied parameters are dropped; the rule gives others. Manual ones are mapped, and the
+    derivatives with them: the shape is that of the copy.
     """
     if not copy.is_manual or len(copy.points) < 2:
         points = tuple(replace(point, t=None) for point in copy.points)
@@ -160,23 +162,23 @@ def copied_as_new_curve(copy: Curve, name: str) -> Curve:
 
 
 def parts_of(views: Sequence[CurveView], group: PointGroup) -> list[Curve]:
-    """Return curves of the points of a group alone; a curve itself where all its points are in it.
+    """Return curves of the points of a group alone; whole curves where all their points are in the group.
 
-    One point of a curve is none.
+    A single point of a curve gives no curve.
     """
-    found = []
+    curves = []
     for curve, indices in group.parts:
         view = views[curve]
         part = view.source if len(indices) == len(view.source.points) else part_of(view, indices)
         if part is not None:
-            found.append(part)
-    return found
+            curves.append(part)
+    return curves
 
 
 def part_of(view: CurveView, indices: Collection[int]) -> Curve | None:
-    """Return a curve of some points alone; None for fewer than two, which are none, and for all of them.
+    """Return a curve of some points alone; None for fewer than two, and for all points.
 
-    Neighbours on a curve of pieces keep the shape that they have there.
+    Neighbours on a piecewise curve keep the shape between them.
     """
     if not 1 < len(indices) < len(view.source.points):
         return None
@@ -186,26 +188,26 @@ def part_of(view: CurveView, indices: Collection[int]) -> Curve | None:
 
 
 def _cut_out(view: CurveView, first: int, last: int) -> Curve | None:
-    """Return the curve from one point to another, in its shape; None where it cannot be cut there."""
+    """Return the part of the curve from one point to another; None where it cannot be cut there."""
     kind = view.source.family.curve_class
     if view.source.is_closed or kind.is_one_polynomial or not kind.interpolates:
         return None
     try:
         if last < len(view.source.points) - 1:
-            view = view_of(split(view, _place(view, last)).curves[0])
+            view = view_of(split(view, _parameter(view, last)).curves[0])
         if first > 0:
-            view = view_of(split(view, _place(view, first)).curves[1])
+            view = view_of(split(view, _parameter(view, first)).curves[1])
     except EditError:
         return None
     return replace(view.source, visible=True, locked=False)
 
 
-def _place(view: CurveView, index: int) -> float:
-    places = view.curve.places if view.curve is not None else view.parameters
-    return float(places[index])
+def _parameter(view: CurveView, index: int) -> float:
+    knots = view.curve.places if view.curve is not None else view.parameters
+    return float(knots[index])
 
 
-class Arrival(msgspec.Struct, frozen=True):
+class AddedCurves(msgspec.Struct, frozen=True):
     """A document with curves that were added to it.
 
     Attributes
@@ -219,79 +221,81 @@ class Arrival(msgspec.Struct, frozen=True):
     """
 
     document: Document
-    places: range
+    indices: range
     views: tuple[CurveView, ...] = ()
 
     @property
     def curves(self) -> tuple[Curve, ...]:
         """The curves that were added."""
-        return self.document.curves[self.places.start : self.places.stop]
+        return self.document.curves[self.indices.start : self.indices.stop]
 
 
-def with_curves(document: Document, curves: Sequence[Curve]) -> Arrival:
-    """Add curves in front, visible and free, under names of their own.
+def with_curves(document: Document, curves: Sequence[Curve]) -> AddedCurves:
+    """Return the document with curves added in front, visible and unlocked, with unique names.
 
-    A lone curve without points is what a new document begins with; it gives way.
+    The empty curve of a new document is replaced.
     """
     base = without_curve(document, 0) if is_blank(document) else document
     first = len(base.curves)
-    return Arrival(add_curves(base, curves, first), range(first, first + len(curves)))
+    return AddedCurves(add_curves(base, curves, first), range(first, first + len(curves)))
 
 
-class Target(msgspec.Struct, frozen=True):
-    """Place for curves from elsewhere.
+class PasteTarget(msgspec.Struct, frozen=True):
+    """Destination of pasted curves.
 
     Attributes
     ----------
     document
-        What they come into.
-    place
-        Where their middle is to be; None where they are.
+        The document that gets them.
+    position
+        The new position of their middle; None leaves them where they are.
     pixel
-        How exactly.
+        The length of a pixel, to which the position is rounded.
     views
-        Views of curves that may be what comes, too: nothing is computed anew of a copy.
+        Views of curves that may be the originals: nothing is computed again of a copy.
     """
 
     document: Document
-    place: Vector | None = None
+    position: Vector | None = None
     pixel: float = 1.0
     views: Sequence[CurveView] = ()
 
-    def filled(self, curves: Sequence[Curve], told: Callable[[float], object] | None = None) -> Arrival:
-        """Return the document with the curves; where somebody is `told`, it is validated and has views."""
+    def filled(
+        self, curves: Sequence[Curve], progress: Callable[[float], object] | None = None
+    ) -> AddedCurves:
+        """Return the document with the curves; with `progress` it is validated, and has views."""
         added = with_curves(self.document, curves)
         known = {id(view.source.points): view for view in self.views}
         originals = [known.get(id(curve.points)) for curve in added.curves]
-        if self.place is not None:
-            moved_there = centred_at(added, originals, self.place, self.pixel)
+        if self.position is not None:
+            moved_there = centred_at(added, originals, self.position, self.pixel)
             added = replace(added, document=moved_there)
-        if told is None:
+        if progress is None:
             return added
         prevalidate(self.document, added.document)
-        return replace(added, views=tuple(views_ahead(added.curves, told, originals)))
+        return replace(added, views=tuple(views_ahead(added.curves, progress, originals)))
 
 
-def with_parts(document: Document, parts: Sequence[Curve], active: int) -> Arrival:
-    """Add parts of curves in front of the active one and its shape, in the same groups."""
+def with_parts(document: Document, parts: Sequence[Curve], active: int) -> AddedCurves:
+    """Return the document with parts of curves in front of the active one and its shape, in its groups."""
     first, model = shape_of(document, active).stop, document.curves[active]
     alone = [replace(part, shape="", groups=model.groups) for part in parts]
     added = add_curves(document, alone, first, Container(model.groups))
-    return Arrival(added, range(first, first + len(parts)))
+    return AddedCurves(added, range(first, first + len(parts)))
 
 
 def centred_at(
-    added: Arrival, originals: Sequence[CurveView | None], place: Vector, pixel: float
+    added: AddedCurves, originals: Sequence[CurveView | None], position: Vector, pixel: float
 ) -> Document:
-    """Return the document with what was added moved so that its middle is at a place.
+    """Return the document with the added curves moved so that their middle is at a position.
 
-    It is there to a `pixel`, by a clean number: the coordinates get no digits that nobody sees.
+    The offset is rounded to a `pixel`, so that the coordinates get no invisible digits.
     """
-    document, group = added.document, whole_curves(added.document, added.places)
+    document, group = added.document, whole_curves(added.document, added.indices)
     views = [view or view_of(curve) for curve, view in zip(added.curves, originals, strict=True)]
     bounds = around([view.extent[1] for view in views if len(view.points)])
-    if bounds is None or not all(map(math.isfinite, (*place, *bounds.centre))):
+    if bounds is None or not all(map(math.isfinite, (*position, *bounds.centre))):
         return document
     decimals = -math.floor(math.log10(pixel))
-    across, up = (round(to - at, decimals) for to, at in zip(place, bounds.centre, strict=True))
+    across, up = (round(to - at, decimals) for to, at in zip(position, bounds.centre, strict=True))
     return move_group(document, group, (across, up))

@@ -31,7 +31,7 @@ from ..document.model import Curve, Document, Vector
 from .curve.curve_view import CurveView
 
 PARAMETER, POSITION = -1, 0
-"""Orders of what is no derivative."""
+"""Orders of columns that are no derivatives."""
 
 
 def _nothing_estimated(view: CurveView) -> BoolArray:
@@ -50,19 +50,18 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     get
         Returns its numbers (n,), one for each point, in the plane of the document; NaN where there is none.
     set
-        Returns the document (document, curve, view, index, value) with another number for one point, where
-        `view` shows the curve as it was; None if the numbers are computed. Raises `EditError` with the reason
-        where it cannot be.
+        Returns the document (document, curve, view, index, value) with another number for one point, given
+        the view of the old curve; None if the numbers are computed. Raises `EditError` with the reason.
     set_many
-        The same for several points at once (document, curve, view, values by index), where that is not one
-        after the other.
+        The same for several points at once (document, curve, view, values by index), where that differs from
+        setting one after the other.
     is_estimated
-        Returns which of the numbers (n,) a rule estimates.
+        Returns the mask of the numbers (n,) that a rule estimates.
     estimate
-        Returns which rule that is, in words.
+        Returns the name of that rule.
     reset
-        Returns the document (document, curve, indices) where a rule estimates those of some points again;
-        None if none does.
+        Returns the document (document, curve, indices) in which a rule estimates the numbers of some points
+        again; None for a column without estimates.
     after
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
@@ -89,7 +88,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def title(self) -> str:
-        """Its name above a block of numbers that is pasted, where capitals make no difference."""
+        """Its name above a pasted block of numbers, in lower case."""
         return self.name.lower()
 
     @property
@@ -98,12 +97,12 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         return self.order is not None and self.order > POSITION
 
     @property
-    def is_of_the_place(self) -> bool:
-        """Whether it says where the point is, in the plane or along the curve."""
+    def is_position(self) -> bool:
+        """Whether it is a coordinate or the parameter of the point."""
         return self.order is not None and self.order <= POSITION
 
     def at(self, index: int) -> str:
-        """Return what it holds of a point, as "x of point 3"."""
+        """Return the name of its number of a point: "x of point 3"."""
         return f"{self.name} of point {index}"
 
     def put(self, document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
@@ -112,7 +111,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         Raises
         ------
         EditError
-            If they are computed, or not what a document may hold.
+            If they are computed, or a document may not hold them.
         """
         if self.set is None:
             raise EditError(f"{self.name} is computed and cannot be set.")
@@ -136,7 +135,7 @@ def known_titles() -> set[str]:
 # The parameter
 
 
-def _parameters_shown(view: CurveView) -> FloatArray:
+def _displayed_parameters(view: CurveView) -> FloatArray:
     count = len(view.source.points)
     if view.is_current:
         return np.array(view.parameters[:count])
@@ -150,11 +149,11 @@ def _set_parameter(document: Document, curve: int, view: CurveView, index: int, 
 
 
 def _set_parameters(document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
-    """Freeze the parameters with the given ones among them; those of points that were appended must be."""
+    """Return the document with manual parameters, the given ones among them; appended points need theirs."""
     count = len(document.curves[curve].points)
-    kept = [] if len(values) == count else _parameters_in_force(view)[: len(view.source.points)]
+    present = [] if len(values) == count else _parameters_in_force(view)[: len(view.source.points)]
     parameters = [
-        limits.checked(float(values[index]), "A t") if index in values else kept[index]
+        limits.checked(float(values[index]), "A t") if index in values else present[index]
         for index in range(count)
     ]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
@@ -166,19 +165,19 @@ def _set_parameters(document: Document, curve: int, view: CurveView, values: Map
 
 
 def _closing(view: CurveView, parameters: Sequence[float]) -> float:
-    """Return where a closed curve returns to its start: where it did, or a mean step after the last point."""
+    """Return the parameter of the return to the start: the present one, or a mean step after the last."""
     end, last = view.source.parametrization.end, parameters[-1]
     return end if end > last else last + (last - parameters[0]) / (len(parameters) - 1)
 
 
 def knot_parameters(view: CurveView) -> list[float]:
     """Return the parameters at the knots: of a closed curve also that of its return to the first point."""
-    own = _parameters_in_force(view)[: len(view.source.points)]
-    return [*own, view.source.parametrization.end] if view.source.is_closed else own
+    parameters = _parameters_in_force(view)[: len(view.source.points)]
+    return [*parameters, view.source.parametrization.end] if view.source.is_closed else parameters
 
 
 def _parameters_in_force(view: CurveView) -> list[float]:
-    """Return the parameters to freeze the others at; of a closed curve, the return included."""
+    """Return the present parameters; of a closed curve, that of the return included."""
     if view.is_current:
         return [float(t) for t in view.parameters]
     given = [point.t for point in view.source.points if view.source.is_manual and point.t is not None]
@@ -193,7 +192,7 @@ def _parameters_in_force(view: CurveView) -> list[float]:
 def shows_ahead(view: CurveView, index: int) -> bool:
     """Whether the table has the derivatives after a corner: at the first point, which has no others.
 
-    At every other corner it has those before it.
+    At every other corner the table has those before it.
     """
     return index == 0 and not view.source.is_closed and view.source.points[0].corner
 
@@ -217,7 +216,7 @@ def _set_position(
 def _set_positions(
     component: int, document: Document, curve: int, _view: CurveView, values: Mapping[int, float]
 ) -> Document:
-    """Put points elsewhere; unlike one that is typed, they leave the handles of the others to themselves."""
+    """Return the document with moved points; unlike a typed coordinate, handles of others may change."""
     points = list(document.curves[curve].points)
     for index, value in values.items():
         x, y = with_component(points[index].position, component, float(value))
@@ -226,12 +225,12 @@ def _set_positions(
 
 
 def _given(order: int, component: int, view: CurveView) -> FloatArray:
-    """Return what the person set, on the side that the table shows, (n,); NaN where nothing is set."""
+    """Return the derivatives that the person set, on the side in the table, (n,); NaN for others."""
     given = view.arrays.given[:, :, order - 1, component]
-    shown = np.array(given[:, 0])
-    if len(shown) and shows_ahead(view, 0):
-        shown[0] = given[0, 1]
-    return shown
+    displayed = np.array(given[:, 0])
+    if len(displayed) and shows_ahead(view, 0):
+        displayed[0] = given[0, 1]
+    return displayed
 
 
 def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
@@ -240,9 +239,9 @@ def _derivatives(order: int, component: int, view: CurveView) -> FloatArray:
     count = len(view.source.points)
     if view.sides is None:
         return np.full(count, np.nan)
-    shown = np.array(view.sides.before[:count, order, component])
-    shown[0] = view.sides[shows_ahead(view, 0)][0, order, component]
-    return shown
+    displayed = np.array(view.sides.before[:count, order, component])
+    displayed[0] = view.sides[shows_ahead(view, 0)][0, order, component]
+    return displayed
 
 
 def _derivative_after(order: int, component: int, view: CurveView, index: int) -> float:
@@ -252,14 +251,14 @@ def _derivative_after(order: int, component: int, view: CurveView, index: int) -
 def _set_derivatives(
     order: int, component: int, document: Document, curve: int, view: CurveView, values: Mapping[int, float]
 ) -> Document:
-    """Fix one component of derivatives; the other one becomes what is shown, set or estimated."""
+    """Return the document with one component of derivatives set; the other component stays as displayed."""
     points = list(document.curves[curve].points)
     for index, value in values.items():
         ahead = shows_ahead(view, index)
-        shown = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
-        if shown is None:
+        present = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
+        if present is None:
             raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
-        given = with_component(shown, component, float(value))
+        given = with_component(present, component, float(value))
         points[index] = with_derivative(document.curves[curve], index, order, given, ahead=ahead)
     return point_edits.set_points(document, curve, points)
 
@@ -280,17 +279,17 @@ def _position_column(component: int) -> Column:
     )
 
 
-def _derivative_column(each: Derivative, component: int) -> Column:
-    order, axis = each.order, "xy"[component]
+def _derivative_column(derivative: Derivative, component: int) -> Column:
+    order, axis = derivative.order, "xy"[component]
     set_many = partial(_set_derivatives, order, component)
     return Column(
-        name=f"{each.letter}{axis}",
-        tip=f"{each.name.capitalize()} {each.unit}, {axis}",
+        name=f"{derivative.letter}{axis}",
+        tip=f"{derivative.name.capitalize()} {derivative.unit}, {axis}",
         get=partial(_derivatives, order, component),
         set=lambda document, curve, view, index, value: set_many(document, curve, view, {index: value}),
         set_many=set_many,
         is_estimated=lambda view: np.isnan(_given(order, 0, view)),
-        estimate=lambda curve: str(getattr(curve, each.rule_field).estimate),
+        estimate=lambda curve: str(getattr(curve, derivative.rule_field).estimate),
         reset=lambda document, curve, indices: point_edits.clear_derivatives(
             document, curve, indices, (order,)
         ),
@@ -305,7 +304,7 @@ COLUMNS: Sequence[Column] = (
     Column(
         name="t",
         tip="Parameter: the curve passes the point at this t",
-        get=_parameters_shown,
+        get=_displayed_parameters,
         set=_set_parameter,
         set_many=_set_parameters,
         order=PARAMETER,

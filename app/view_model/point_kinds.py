@@ -36,30 +36,30 @@ from .append import closed_by_pen, with_point_appended
 from .curve.curve_view import CurveView, view_of
 from .curve.handles import offset_past, pulled_out
 from .curve.point_arrays import PointArrays
-from .reshape import estimates_kept, refuse_without_curve, with_jets
+from .reshape import refuse_without_curve, with_estimates_kept, with_jets
 
 _SAME = 1e-9
 """Share of the largest derivative of an order up to which two of them are the same."""
 
 NO_CORNERS = "the ends of an open curve cannot be corners"
 ONE_SIDED = "the ends of an open curve have one side only"
-"""The words where some of the selected points are such ends."""
+"""Remarks where some of the selected points are such ends."""
 
 
 def inner_points(curve: Curve, indices: Collection[int]) -> list[int]:
-    """Return those of the points `indices` that have curve on both sides, in order."""
+    """Return the points, of `indices`, that have curve on both sides, in order."""
     return sorted(index for index in indices if curve.is_closed or 0 < index < len(curve.points) - 1)
 
 
 def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with corners at these points: both sides are explicit and free, and the shape stays.
+    """Return the curve with corners at these points: both sides explicit and independent, the shape kept.
 
     Ends of an open curve are left out.
 
     Raises
     ------
     EditError
-        If there is no curve, or nothing is left.
+        If there is no curve, or no point is left.
     """
     points = view.source.points
     inner = _inner(view, indices, "a corner needs curve on both sides", NO_CORNERS)
@@ -70,17 +70,17 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
     return _written_down(view, cornered)
 
 
-def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with velocities at these points that go the same way, at speeds of their own.
+def with_smooth_points(view: CurveView, indices: Collection[int]) -> Curve:
+    """Return the curve with velocities of one direction at these points, with independent speeds.
 
-    Each handle keeps its length. They turn to the line from one tip to the other, so that the longer one
-    turns less; beside a straight segment to that line, which stays. A handle that lies on its point is pulled
-    out by a third of the way to the neighbour. Ends of an open curve are left out.
+    Each handle keeps its length. The handles turn to the line from one tip to the other, so that the longer
+    one turns less; beside a straight segment to the line of that segment. A handle that lies on its point is
+    pulled out by a third of the distance to the neighbour. Ends of an open curve are left out.
 
     Raises
     ------
     EditError
-        If there is no curve, or nothing is left.
+        If there is no curve, or no point is left.
     """
     inner = _inner(view, indices, "it has one handle", ONE_SIDED)
     was = view.source.points
@@ -93,10 +93,10 @@ def made_smooth(view: CurveView, indices: Collection[int]) -> Curve:
         if index in corners:
             before, after = _in_one_direction(view, index, before, after)
         points[index] = replace(tie(points[index], before, after), even=False)
-    return _kept(view, replace(curve, points=tuple(points)), new)
+    return _with_estimates_kept(view, replace(curve, points=tuple(points)), new)
 
 
-def made_symmetric(view: CurveView, indices: Collection[int]) -> Curve:
+def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
     """Return the curve with one velocity, and one of each further derivative, on both sides of these points.
 
     Each is the mean of the two; where they are alike already, the shape stays.
@@ -115,10 +115,10 @@ def made_symmetric(view: CurveView, indices: Collection[int]) -> Curve:
     for index in corners:
         means = [_mean(view, index, order) for order in range(1, view.source.family.derivatives + 1)]
         points[index] = points[index].with_derivatives(means, ())
-    return _kept(view, replace(view.source, points=tuple(points)), corners)
+    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), corners)
 
 
-def made_estimated(view: CurveView, indices: Collection[int]) -> Curve:
+def with_estimated_points(view: CurveView, indices: Collection[int]) -> Curve:
     """Return the curve with all derivatives at these points left to the rules."""
     document = Document((view.source,))
     for index in indices:
@@ -127,7 +127,7 @@ def made_estimated(view: CurveView, indices: Collection[int]) -> Curve:
 
 
 def _inner(view: CurveView, indices: Collection[int], needs: str, none: str) -> list[int]:
-    """Return those of these points that have curve on both sides, refusing where there is none."""
+    """Return the points that have curve on both sides; refuse where there is none."""
     for index in indices:
         _refuse_without_tangent(view, index)
     inner = inner_points(view.source, indices)
@@ -139,13 +139,13 @@ def _inner(view: CurveView, indices: Collection[int], needs: str, none: str) -> 
 
 
 def _written_down(view: CurveView, cornered: Mapping[int, Point]) -> Curve:
-    """Return the curve with these corners in place of its points, with all that is estimated there set."""
+    """Return the curve with these corners in place of its points, with their estimates set."""
     if not cornered or view.sides is None:
         return view.source
     points = list(view.source.points)
     for index, point in cornered.items():
         points[index] = with_jets(point, view.sides, index)
-    return _kept(view, replace(view.source, points=tuple(points)), cornered)
+    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), cornered)
 
 
 def _velocity(view: CurveView, index: int, *, ahead: bool) -> Vector:
@@ -190,14 +190,14 @@ def _mean(view: CurveView, index: int, order: int) -> Vector:
     return (x, y)
 
 
-def _kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
-    """Return `changed` with all estimates as they were, except at the points `but`."""
-    own = np.delete(np.arange(len(changed.points)), sorted(but))
-    return estimates_kept(view, changed, own, own)
+def _with_estimates_kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
+    """Return `changed` with all estimates unchanged, except at the points `but`."""
+    others = np.delete(np.arange(len(changed.points)), sorted(but))
+    return with_estimates_kept(view, changed, others, others)
 
 
 def jolts_of(view: CurveView) -> list[int]:
-    """Return the corners at which the velocity goes on, and a derivative above it jumps: no eye sees one."""
+    """Return the corners that are not visible: the velocity is continuous, and a higher derivative jumps."""
     if view.sides is None:
         return []
     before, after = (side[view.corners, 1:] for side in view.sides)
@@ -208,12 +208,12 @@ def jolts_of(view: CurveView) -> list[int]:
 
 
 def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
-    """Return the curve with these segments straight: everything beside them stays.
+    """Return the curve with these segments straight, and nothing else changed.
 
     Raises
     ------
     EditError
-        If there is no curve, or its family has no segments of their own.
+        If there is no curve, or its family is not piecewise.
     """
     if reason := straight_refusal(view.source.family):
         raise EditError(reason)
@@ -226,12 +226,12 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
 def with_line_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
     """Return the document with a new last point on its curve `curve`, which `view` shows, after a line.
 
-    As `appending.with_point_appended`, where the family has no straight segments, or there was no point.
+    As `with_point_appended` where the family has no straight segments, or there was no point.
 
     Raises
     ------
     EditError
-        If the position is not one that a document may hold, or leaves no way for a line.
+        If a document may not hold the position, or the line would have no length.
     """
     return _with_last_straight(with_point_appended(document, curve, view, position), curve, view)
 
@@ -252,11 +252,11 @@ def _with_last_straight(document: Document, curve: int, before: CurveView) -> Do
     last = len(before.source.points) - 1
     if last < 0 or straight_refusal(before.source.family):
         return document
-    made = with_straight_segments(view_of(document.curves[curve]), [last])
-    points = list(made.points)
-    for index in corners_of(made, [last]):
-        points[index] = tied_to_straight_segment(made, index)
-    return document.with_curve(curve, replace(made, points=tuple(points)))
+    straightened = with_straight_segments(view_of(document.curves[curve]), [last])
+    points = list(straightened.points)
+    for index in corners_of(straightened, [last]):
+        points[index] = tied_to_straight_segment(straightened, index)
+    return document.with_curve(curve, replace(straightened, points=tuple(points)))
 
 
 def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
@@ -267,9 +267,9 @@ def segments_between(curve: Curve, indices: Collection[int]) -> list[int]:
 
 
 def with_handle_retracted(view: CurveView, index: int, *, ahead: bool) -> Curve:
-    """Return the curve with the velocity zero on one side of a point, which is a corner then.
+    """Return the curve with the velocity zero on one side of a point, which becomes a corner.
 
-    The other side stays. Where the handle at the other end of the segment is retracted, that is straight.
+    The other side stays. Where the handle at the other end of the segment is retracted, it becomes straight.
 
     Raises
     ------
@@ -292,33 +292,33 @@ Outline = tuple[Vector, ...]
 
 
 class PointKind(msgspec.Struct, frozen=True, kw_only=True):
-    """A kind of point: what its handles do to each other.
+    """A kind of point, which defines how its handles depend on each other.
 
     Attributes
     ----------
     name
-        Its name in the program, and that of its icon.
+        The name in the program, and that of its icon.
     title
-        What people call it.
+        The name on the screen.
     action
-        The name of the action that makes points of it.
+        The name of the action that makes points of this kind.
     key
-        The keys of that, comma separated.
+        The keys of the action, comma separated.
     tip
-        What it is, and what becomes of points that are made so.
+        The effect on the selected points.
     keywords
-        Other words by which the palette finds it.
+        Other words by which the command palette finds it.
     step
-        What the step of the history says before "point 3".
+        The words of the undo step before "point 3".
     one
-        How a point of the kind is named after "point 3, "; empty where nothing needs to be said.
-    made
-        Returns the curve of a view with points of this kind, its shape kept as far as can be; raises
-        `EditError` where it cannot be.
+        The words about a point of this kind after "point 3, "; empty for none.
+    apply
+        Returns the curve of a view with points of this kind, its shape kept as far as possible; raises
+        `EditError` where it cannot.
     are_of
-        Tells which of some points are of this kind, unless of one before it.
+        Returns the mask of points of this kind, unless of one before it.
     outline
-        Corners of its mark, for one as large as a disc of radius 1; none for a disc.
+        Corners of its mark, as large as a disc of radius 1; none for a disc.
     is_open
         Whether its mark has a dot of paper in the middle.
     ends
@@ -333,7 +333,7 @@ class PointKind(msgspec.Struct, frozen=True, kw_only=True):
     keywords: str
     step: str
     one: str
-    made: Callable[[CurveView, Collection[int]], Curve]
+    apply: Callable[[CurveView, Collection[int]], Curve]
     are_of: Callable[[PointArrays], BoolArray]
     outline: Outline = ()
     is_open: bool = False
@@ -352,11 +352,11 @@ CORNER = PointKind(
     title="Corner",
     action="tangentCorner",
     key="Shift+C, Alt+2",
-    tip="A velocity of its own on either side of the selected points: each handle moves alone",
+    tip="Give the selected points independent velocities on both sides: each handle moves alone",
     keywords="cusp sharp break handles",
     step="Corner at",
     one="a corner",
-    made=with_corners,
+    apply=with_corners,
     are_of=lambda points: points.corners & ~points.ties,
     outline=_DIAMOND,
     ends=NO_CORNERS,
@@ -366,11 +366,11 @@ SMOOTH = PointKind(
     title="Smooth",
     action="tangentSmooth",
     key="Shift+S",
-    tip="One direction at the selected points, and a length of its own for each handle; tangent to a line",
+    tip="Align the two handles of each selected point, with independent lengths; tangent to a line",
     keywords="tangent collinear G1 tie handles",
     step="Smooth",
     one="smooth",
-    made=made_smooth,
+    apply=with_smooth_points,
     are_of=lambda points: points.ties & ~points.evens,
     outline=_SQUARE,
     ends=ONE_SIDED,
@@ -380,11 +380,11 @@ SYMMETRIC = PointKind(
     title="Symmetric",
     action="tangentSymmetric",
     key="Shift+Y, Alt+1",
-    tip="One velocity on both sides of the selected points, the mean of two; one handle mirrors the other",
+    tip="Give the selected points one velocity on both sides, the mean of two; the handles mirror each other",
     keywords="smooth C1 mirror equal handles length",
     step="Symmetric",
     one="symmetric",
-    made=made_symmetric,
+    apply=with_symmetric_points,
     are_of=lambda points: np.isfinite(points.given).any(axis=(1, 2, 3)).astype(bool),
     outline=_SQUARE,
     is_open=True,
@@ -398,19 +398,19 @@ ESTIMATED = PointKind(
     keywords="auto smooth automatic reset",
     step="Estimate",
     one="",
-    made=made_estimated,
+    apply=with_estimated_points,
     are_of=lambda points: np.ones(len(points.points), dtype=bool),
 )
 
 POINT_KINDS = (CORNER, SMOOTH, SYMMETRIC, ESTIMATED)
-"""All kinds, in the order of menus and keys; a point is of the first that it is of."""
+"""All kinds, in the order of menus and keys; a point is of the first kind that matches."""
 
 
 def kinds_of(view: CurveView) -> IntArray:
-    """Return for each point the place of its kind in `POINT_KINDS`, (n,).
+    """Return for each point the index of its kind in `POINT_KINDS`, (n,).
 
-    Ends of an open curve have one side, and are corners only for the curve that goes on there. All points of
-    families without velocities are of the last kind: where the curve goes, a rule decides.
+    Ends of an open curve have one side and are no corners. All points of families without velocities are of
+    the last kind.
     """
     kinds, last = np.full(len(view.points), len(POINT_KINDS) - 1, dtype=np.intp), len(view.points) - 1
     if view.source.family.derivatives and view.source.has_derivatives:
@@ -423,22 +423,22 @@ def kinds_of(view: CurveView) -> IntArray:
 
 
 def kind_at(view: CurveView, index: int) -> PointKind:
-    """Return the kind that a point of a curve is of."""
+    """Return the kind of a point of a curve."""
     return POINT_KINDS[kinds_of(view)[index]]
 
 
 def is_breakable(view: CurveView, index: int) -> bool:
-    """Whether a handle of a point moves another one along: it has curve on both sides, and is no corner."""
+    """Whether a handle of a point moves the other one with it: curve on both sides, and no corner."""
     return kind_at(view, index) is not CORNER and bool(inner_points(view.source, [index]))
 
 
 def toggled(view: CurveView, index: int) -> PointKind:
-    """Return the kind that a double click gives a point: a corner becomes smooth, all else a corner."""
+    """Return the kind that a double click gives a point: a corner becomes smooth, any other a corner."""
     return SMOOTH if kind_at(view, index) is CORNER else CORNER
 
 
 def why_no_kinds(family: Family) -> str:
-    """Return why points of a family are of no kind, as a sentence; empty if they are."""
+    """Return a sentence why points of a family are of no kind; empty if they are."""
     if family.derivatives:
         return ""
     return f"{family.subject} has no velocities at its points; choose {titles_with_derivatives()}."

@@ -1,8 +1,8 @@
-"""Other points for the same curve: written down, one more of them, in the other order.
+"""Other points for the same curve: all derivatives set, one point more, the order reversed.
 
-A polynomial that goes through more points than it needs, or a Hermite piece cut where its derivatives
-are known, stays the curve it was. What rounding (or a rule for the parameters) makes of that is measured,
-never assumed: every result carries the largest distance that a point of the curve moved.
+A polynomial through more points than it needs, or a Hermite piece cut where its derivatives are known, stays
+the same curve. The change by rounding, or by a rule for the parameters, is measured, never assumed: every
+result has the largest distance by which a point of the curve moved.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Reshaped(msgspec.Struct, frozen=True):
     residual
         The largest distance by which a point of the curve moved, measured on dense samples.
     parameters_moved
-        Whether the rule gave the points that were there other parameters, and the shape is another for that.
+        Whether the rule gave the old points other parameters, which changed the shape.
     left_rule
         Whether the parameters had to become manual for the shape to stay.
     note
@@ -64,14 +64,14 @@ class Reshaped(msgspec.Struct, frozen=True):
     def sentence(self) -> str:
         """The outcome for the shape."""
         if self.parameters_moved:
-            return f"The parameters moved: largest change {number(self.residual, 2)}."
+            return f"The parameters changed: largest change {number(self.residual, 2)}."
         words = outcome(self.residual, (self.curve,))
         manual = "The parameters are manual now." if self.left_rule else ""
-        return " ".join(each for each in (words[0].upper() + words[1:], manual, self.note) if each)
+        return " ".join(part for part in (words[0].upper() + words[1:], manual, self.note) if part)
 
 
 def baked(view: CurveView) -> Curve:
-    """Return the curve with all that rules gave written down: manual parameters, explicit derivatives."""
+    """Return the curve without rules: manual parameters, explicit derivatives."""
     refuse_without_curve(view)
     document = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist())
     curve = document.curves[0]
@@ -88,7 +88,7 @@ def refuse_without_curve(view: CurveView) -> None:
 
 
 def with_jets(point: Point, sides: Sides, index: int) -> Point:
-    """Return `point` with the derivatives at knot `index` made explicit, on both sides of a corner."""
+    """Return `point` with explicit derivatives, those at knot `index`, on both sides of a corner."""
     before, after = (list(map(_vector, jets[index, 1:])) for jets in sides)
     return point.with_derivatives(before, after) if before else point
 
@@ -101,12 +101,12 @@ def _vector(values: FloatArray) -> Vector:
 
 
 def with_point_inserted(view: CurveView, t: float) -> Reshaped:
-    """Return the curve with one point more, on it at `t`.
+    """Return the curve with one more point, on the curve at `t`.
 
-    The curve stays what it was to rounding: the derivatives at `t` become explicit, and so do those of other
-    points whose estimates the new point would change. Where a rule would move the parameters, and the shape
-    with them, they become manual. Of control points there is one more, and others move. A family that has no
-    such curve keeps the rule, derivatives are stretched along, and the shape changes by the residual.
+    The curve stays the same to rounding: the derivatives at `t` become explicit, and so do those of other
+    points whose estimates the new point would change. Where a rule would change the parameters, and with them
+    the shape, they become manual. Control points get one more, and others move. A family that has no such
+    curve keeps the rule, derivatives are rescaled, and the shape changes by the residual.
 
     Raises
     ------
@@ -114,24 +114,24 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
         If there is no curve, `t` is not inside it, or a point is there already.
     """
     refuse_without_curve(view)
-    index = _place_between(view, t)
+    index = _checked_index(view, t)
     assert view.curve is not None
     longer = view.curve.refined(t)
     if longer is not None:
-        made = through(view, longer)
-        left_rule = made.is_manual and not view.source.is_manual
+        with_knot = through(view, longer)
+        left_rule = with_knot.is_manual and not view.source.is_manual
         at = dense(longer.parameters)
-        return Reshaped(made, largest_distance(view, at, view_of(made), at), left_rule=left_rule)
+        return Reshaped(with_knot, largest_distance(view, at, view_of(with_knot), at), left_rule=left_rule)
     by_rule = _with_point_at(view, index, t)
     if view.source.is_manual or by_rule.keeps_shape:
         return by_rule
     frozen = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
-    kept = _with_point_at(view_of(frozen), index, t)
-    return replace(kept, left_rule=True) if kept.keeps_shape else by_rule
+    frozen_result = _with_point_at(view_of(frozen), index, t)
+    return replace(frozen_result, left_rule=True) if frozen_result.keeps_shape else by_rule
 
 
 def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
-    """Return the curve with a point on it put at a place, under the rule that its parameters have."""
+    """Return the curve with a point of it at `t` inserted at `index`, under the rule of its parameters."""
     curve, point = view.source, _sampled(view, t)
     if is_straight(curve, index - 1):
         # Two straight segments: whichever end of one moves, it stays straight.
@@ -140,8 +140,8 @@ def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
         point = replace(point, t=None)
     grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     if curve.is_manual:
-        own = np.arange(len(curve.points))
-        grown = estimates_kept(view, grown, own, np.where(own < index, own, own + 1))
+        old = np.arange(len(curve.points))
+        grown = with_estimates_kept(view, grown, old, np.where(old < index, old, old + 1))
         after = view_of(grown)
         return Reshaped(grown, change_of_shape(view, after, after.parameters))
     grown = _stretched_along(view, grown, index, t)
@@ -161,37 +161,47 @@ def inserted_index(view: CurveView, t: float) -> int:
 def through(view: CurveView, curve: ParametricCurve, family: Family | None = None) -> Curve:
     """Return the curve of a view with the points and parameters of `curve`, which has the same shape.
 
-    The rule for the parameters stays where it gives this shape; else they become manual. What points carry
-    beside their places stays with those that stay. `curve` is of the same family if none is given.
+    The rule for the parameters stays where it gives this shape; else they become manual. Points that keep
+    their positions keep their other values. `curve` is of the same family if none is given.
     """
-    source, kept = view.source, {point.position: point for point in view.source.points}
+    source, points_before = view.source, {point.position: point for point in view.source.points}
     family = family or source.family
     is_closed = source.is_closed and family.curve_class.can_close
     count = len(curve.parameters) - is_closed
     corners = _corners_of(curve, is_closed=is_closed)
-    places = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
+    rows = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
     points = [
-        replace(kept.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners, tied=False, even=False)
-        for index, ((x, y), t) in enumerate(places)
+        replace(
+            points_before.get((x, y), Point(x, y)),
+            x=x,
+            y=y,
+            t=t,
+            corner=index in corners,
+            tied=False,
+            even=False,
+        )
+        for index, ((x, y), t) in enumerate(rows)
     ]
     start, end = curve.domain
     rule = replace(source.parametrization, start=start, end=end)
-    made = replace(
+    result = replace(
         source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
     )
-    made = with_jet_values(made, _given(curve, len(made.points), has_corner=0 in corners))
-    made = replace(made, points=tuple(_tied_as(kept.get(each.position), each) for each in made.points))
-    if not source.is_manual and (after := view_of(made)).is_current:
+    result = with_jet_values(result, _given(curve, len(result.points), has_corner=0 in corners))
+    result = replace(
+        result, points=tuple(_tied_as(points_before.get(moved.position), moved) for moved in result.points)
+    )
+    if not source.is_manual and (after := view_of(result)).is_current:
         assert after.curve is not None
         t = dense(curve.parameters)
         away = float(np.abs(after.curve.evaluate(t) - curve.evaluate(t)).max())
-        if keeps_shape(away, (made,)):
-            return replace(made, points=tuple(replace(point, t=None) for point in made.points))
-    return replace(made, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
+        if keeps_shape(away, (result,)):
+            return replace(result, points=tuple(replace(point, t=None) for point in result.points))
+    return replace(result, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
 
 
 def _tied_as(before: Point | None, point: Point) -> Point:
-    """Return a point whose velocities are tied again where they were, and still are parallel."""
+    """Return a point with its velocities tied where they were before and are still parallel."""
     if before is None or not before.tied:
         return point
     again = tie_if_parallel(point if point.corner else point.as_corner())
@@ -199,18 +209,18 @@ def _tied_as(before: Point | None, point: Point) -> Point:
 
 
 def _corners_of(curve: ParametricCurve, *, is_closed: bool) -> set[int]:
-    """Return the points at which derivatives before and after are others: where pieces of a chain meet."""
+    """Return the points at which derivatives before and after differ: where pieces of a chain meet."""
     joints = joint_of_row(curve)
-    found = set(joints[1:][np.diff(joints) == 0].tolist())
+    corners = set(joints[1:][np.diff(joints) == 0].tolist())
     first, last = curve.jets[0, 1:], curve.jets[-1, 1:]
     scale = np.abs(curve.jets[:, 1:]).max(axis=(0, 2))[:, None] if len(first) else 0.0
-    return found | {0} if is_closed and (np.abs(first - last) > 1e-10 * scale).any() else found
+    return corners | {0} if is_closed and (np.abs(first - last) > 1e-10 * scale).any() else corners
 
 
 def _given(curve: ParametricCurve, count: int, *, has_corner: bool) -> Iterator[JetValue]:
-    """Yield the derivatives at points, as what the person sets.
+    """Yield the derivatives at points as values to set.
 
-    Of a closed curve, whose last row is its first point again, those before that are of a corner there.
+    Of a closed curve, whose last row is its first point again, that row belongs to a corner there.
     """
     joints = joint_of_row(curve).tolist()
     for row, (joint, jet) in enumerate(zip(joints, curve.jets, strict=True)):
@@ -221,17 +231,17 @@ def _given(curve: ParametricCurve, count: int, *, has_corner: bool) -> Iterator[
             yield JetValue(joint % count, order, ahead, _vector(derivative))
 
 
-def _place_between(view: CurveView, t: float) -> int:
+def _checked_index(view: CurveView, t: float) -> int:
     knots = view.parameters
     if not knots[0] < t < knots[-1]:
-        raise EditError(f"There is no place for a point at t = {number(t, 6)}: it lies outside the curve.")
+        raise EditError(f"No point can be inserted at t = {number(t, 6)}: it is not inside the curve.")
     assert view.curve is not None
     away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
     nearest = int(np.argmin(away))
     if away[nearest] <= 1e-9 * (knots[-1] - knots[0]):
         point = view.owner(nearest)
         what = f"Point {point}" if view.source.family.interpolates else f"The knot at t of point {point}"
-        raise EditError(f"{what} is there already.")
+        raise EditError(f"{what} is already there.")
     return int(np.searchsorted(knots, t))
 
 
@@ -243,8 +253,8 @@ def _sampled(view: CurveView, t: float) -> Point:
     return Point(*position, t=t).with_derivatives(derivatives, ())
 
 
-def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:
-    """Make explicit, as they were in `before`, the estimates that are others in `changed`, and only those.
+def with_estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:
+    """Return `changed` with those estimates set to their old values that would change, and only those.
 
     The points `old` of the curve before are the points `new` of the changed one.
     """
@@ -263,27 +273,27 @@ def estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArr
 
 
 def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> Curve:
-    """Rescale explicit derivatives to the parameters that the rule gives now, so that handles stay."""
+    """Return the curve with explicit derivatives rescaled to the new parameters, so that handles stay."""
     after = view_of(grown)
     refuse_without_curve(after)
     factors = np.diff(after.parameters) / np.diff(np.insert(before.parameters, index, t))
     points = [
-        rescaled_beside(point, *_factors_at(factors, point, place, index, is_closed=grown.is_closed))
-        for place, point in enumerate(grown.points)
+        rescaled_beside(point, *_factors_at(factors, point, position, index, is_closed=grown.is_closed))
+        for position, point in enumerate(grown.points)
     ]
     return replace(grown, points=tuple(points))
 
 
 def _factors_at(
-    factors: FloatArray, point: Point, place: int, inserted: int, *, is_closed: bool
+    factors: FloatArray, point: Point, index: int, inserted: int, *, is_closed: bool
 ) -> tuple[float, float]:
-    """Return the factors of time behind and ahead of a point: at a corner those of the segments there.
+    """Return the factors of t behind and ahead of a point: at a corner those of the segments there.
 
-    Elsewhere that of a segment beside it twice, if possible of one that was not cut.
+    Elsewhere the factor of a segment beside it, if possible of one that was not cut, twice.
     """
     last = len(factors) - 1
-    before = last if is_closed and place == 0 else place - 1
-    beside = [segment for segment in (before, place) if 0 <= segment <= last]
+    before = last if is_closed and index == 0 else index - 1
+    beside = [segment for segment in (before, index) if 0 <= segment <= last]
     if point.corner:
         return float(factors[beside[0]]), float(factors[beside[-1]])
     whole = [segment for segment in beside if segment not in (inserted - 1, inserted)]
@@ -292,7 +302,7 @@ def _factors_at(
 
 
 def change_of_shape(before: CurveView, after: CurveView, old_knots: FloatArray) -> float:
-    """Return how far the curve moved; `old_knots` are the old parameters of the knots of `after`."""
+    """Return the largest change; `old_knots` are the old parameters of the knots of `after`."""
     return largest_distance(before, dense(old_knots), after, dense(after.parameters))
 
 
@@ -300,12 +310,12 @@ def change_of_shape(before: CurveView, after: CurveView, old_knots: FloatArray) 
 
 
 def reversed_curve(view: CurveView) -> Reshaped:
-    """Return the curve run through the other way.
+    """Return the curve in the opposite direction.
 
     Raises
     ------
     EditError
-        If the parameters lie too close together to be turned round.
+        If the parameters are too close together to be reversed.
     """
     curve = reverse_curve(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
     after = view_of(curve)

@@ -31,7 +31,7 @@ _BETWEEN_ENDS = "The curve can be split between its ends, not at them."
 
 
 class Split(msgspec.Struct, frozen=True):
-    """The result of cuts: two curves or more, or one that is open where a closed one was cut once.
+    """The result of cuts: two curves or more, or one open curve where a closed one was cut once.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ def split(view: CurveView, *cuts: float) -> Split:
     Raises
     ------
     EditError
-        If there is no curve, a cut is at its ends, one polynomial has too many points, or the parts would not
+        If there is no curve, a cut is at an end, one polynomial has too many points, or the parts would not
         have the shape of the whole.
     """
     refuse_without_curve(view)
@@ -70,26 +70,26 @@ def split(view: CurveView, *cuts: float) -> Split:
     if parts is None:
         of_one = family.curve_class.is_one_polynomial
         parts = _split_polynomial(view, cuts) if of_one else _split_pieces(view, cuts)
-    made = Split(parts, residual_of_parts(view, parts))
-    if not family.curve_class.is_one_polynomial and not keeps_shape(made.residual, parts):
+    result = Split(parts, residual_of_parts(view, parts))
+    if not family.curve_class.is_one_polynomial and not keeps_shape(result.residual, parts):
         within = view_model.convert.outlook(view, HERMITE).within
-        kept = f"within {number(within, 1)}" if within else "keeping the shape"
+        how = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(
-            f"{family.subject} cannot be split: its parts would be other curves, up to "
-            f"{number(made.residual, 2)} away. Convert it to {HERMITE.title} first, {kept}."
+            f"{family.subject} cannot be split: the parts would be off by up to "
+            f"{number(result.residual, 2)}. Convert it to {HERMITE.title} first, {how}."
         )
-    return made
+    return result
 
 
-def places_between_ends(view: CurveView, indices: Collection[int]) -> list[float]:
-    """Return the t of points, in order, without those at the ends of an open curve."""
-    places = view.curve.places if view.curve is not None else view.parameters
+def parameters_between_ends(view: CurveView, indices: Collection[int]) -> list[float]:
+    """Return the parameters of points, in order, without those at the ends of an open curve."""
+    knots = view.curve.places if view.curve is not None else view.parameters
     last = len(view.source.points) - 1
-    return [float(places[index]) for index in sorted(indices) if view.source.is_closed or 0 < index < last]
+    return [float(knots[index]) for index in sorted(indices) if view.source.is_closed or 0 < index < last]
 
 
 def _restricted(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...] | None:
-    """Return the parts as curves over their own control points; None of a family without such."""
+    """Return the parts as curves over their own control points; None of a family without control points."""
     assert view.curve is not None
     start, end = view.curve.domain
     if not all(start < t < end for t in cuts):
@@ -109,8 +109,8 @@ def _split_polynomial(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ..
     count = len(view.source.points)
     if count > MOST_POINTS_SPLIT:
         raise EditError(
-            f"{view.source.family.subject} of {count} points cannot be split well: each half needs as "
-            f"many points, and beyond {MOST_POINTS_SPLIT} rounding shows. Choose {HERMITE.title} first."
+            f"{view.source.family.subject} of {count} points cannot be split: each half needs as many "
+            f"points, and beyond {MOST_POINTS_SPLIT} rounding shows. Choose {HERMITE.title} first."
         )
     start, end = view.parameters[[0, -1]].tolist()
     if not all(start < t < end for t in cuts):
@@ -126,7 +126,7 @@ def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
     assert view.curve is not None
     t = spread(chebyshev(len(view.source.points)), start, end)
     points = view.curve.evaluate(t)
-    return [Point(x, y, t=each) for (x, y), each in zip(points.tolist(), t.tolist(), strict=True)]
+    return [Point(x, y, t=parameter) for (x, y), parameter in zip(points.tolist(), t.tolist(), strict=True)]
 
 
 def _split_pieces(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
@@ -153,7 +153,7 @@ def _split_pieces(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
 
 
 def _opened(whole: CurveView, at: int) -> list[Point]:
-    """Return the points of a baked closed curve from point `at` once round to it, as those of an open one."""
+    """Return the points of a baked closed curve from point `at` around to it, as those of an open curve."""
     points = whole.source.points
     period = float(whole.parameters[-1] - whole.parameters[0])
     later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
@@ -161,13 +161,13 @@ def _opened(whole: CurveView, at: int) -> list[Point]:
 
 
 def beginning(point: Point) -> Point:
-    """Return `point` as the first of a curve: with what it has after it."""
-    after = [point.explicit_sides(each.order)[1] for each in DERIVATIVES]
+    """Return `point` as the first of a curve, with the derivatives that it has after it."""
+    after = [point.explicit_sides(derivative.order)[1] for derivative in DERIVATIVES]
     return point.without_corner().with_derivatives(after, ())
 
 
 def part_of(curve: Curve, points: Sequence[Point], end: float, name: str) -> Curve:
-    """Return an open curve like another through points with parameters of their own, which go on to `end`."""
+    """Return an open curve like another through points with manual parameters, which go on to `end`."""
     rule = replace(curve.parametrization, kind=ParametrizationKind.MANUAL, start=points[0].t or 0.0, end=end)
     return replace(curve, name=name, points=tuple(points), parametrization=rule, closed=False)
 
@@ -181,7 +181,7 @@ def names_of_parts(name: str, count: int) -> list[str]:
 
 
 def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
-    """Return how far parts of a curve are from it; beyond its end it goes on from its start."""
+    """Return the largest distance of parts from their curve; beyond its end it continues at its start."""
     start, end = view.parameters[[0, -1]].tolist()
     residual = 0.0
     for part in map(view_of, parts):
@@ -192,9 +192,9 @@ def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
 
 
 def without_segments(view: CurveView, segments: Collection[int]) -> Split:
-    """Return what is left of a curve without some segments: a closed one is open then, an open one in parts.
+    """Return the parts of a curve that remain without some segments; a closed curve becomes open.
 
-    Parameters are manual then, and all derivatives explicit. A point without a segment is left out.
+    Parameters become manual, and all derivatives explicit. A point without a segment is left out.
 
     Raises
     ------
@@ -207,18 +207,19 @@ def without_segments(view: CurveView, segments: Collection[int]) -> Split:
     whole = view_of(baked(view))
     runs = [run for run in _runs(whole, segments) if len(run) > 1]
     if not runs:
-        raise EditError("Nothing of the curve would be left; Delete removes it whole.")
+        raise EditError("No segment of the curve would be left. Use Delete to remove the whole curve.")
     names = names_of_parts(view.source.name, len(runs))
     ended = ([beginning(run[0]), *run[1:-1], run[-1].without_corner()] for run in runs)
     parts = (
-        part_of(whole.source, run, run[-1].t or 0.0, each) for run, each in zip(ended, names, strict=True)
+        part_of(whole.source, run, run[-1].t or 0.0, part_name)
+        for run, part_name in zip(ended, names, strict=True)
     )
     curves = tuple(parts)
     return Split(curves, residual_of_parts(view, curves))
 
 
 def _runs(whole: CurveView, segments: Collection[int]) -> Iterator[Sequence[Point]]:
-    """Yield the points of what is left, piece by piece; of a closed curve from where a segment goes on."""
+    """Yield the points of the remaining parts; a closed curve begins after a removed segment."""
     points, first = whole.source.points, 0
     if whole.source.is_closed:
         first = min(segments) + 1
@@ -226,8 +227,8 @@ def _runs(whole: CurveView, segments: Collection[int]) -> Iterator[Sequence[Poin
         again = [replace(point, t=(point.t or 0.0) + period) for point in points[:first]]
         points = (*points[first:], *again)
     run: list[Point] = []
-    for place, point in enumerate(points):
+    for index, point in enumerate(points):
         run.append(point)
-        if (first + place) % len(points) in segments or place == len(points) - 1:
+        if (first + index) % len(points) in segments or index == len(points) - 1:
             yield run
             run = []

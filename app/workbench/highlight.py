@@ -14,7 +14,7 @@ from ..document.words import number
 from ..session import Change
 from ..session.highlight import ClipboardSelection
 from ..view_model.curve.distances import keeps_shape
-from ..view_model.delete import Deletion, without_points, without_points_but_handles
+from ..view_model.delete import Deletion, without_points, without_points_keeping_handles
 from .context import WindowContext
 
 
@@ -63,7 +63,7 @@ def remove(
         return document.with_curve(curve, deleted[-1].curve)
 
     def leaving(document: Document, curve: int, indices: Collection[int]) -> Document:
-        return document.with_curve(curve, without_points_but_handles(session.views[curve], indices))
+        return document.with_curve(curve, without_points_keeping_handles(session.views[curve], indices))
 
     delete = without if keeps_shape else leaving
     change = session.change(

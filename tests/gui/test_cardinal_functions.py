@@ -95,7 +95,7 @@ def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes
     uneven.trigger("toggleEstimates")
     QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
     uneven.trigger("toggleEstimates")
-    assert panel.drawing.basis.shown_of(panel.drawing.functions.kinds) == [0]
+    assert panel.drawing.basis.drawn_kinds(panel.drawing.functions.kinds) == [0]
     uneven.trigger("toggleEstimates")
     QTest.mouseClick(uneven.window.findChild(QToolButton, "positionFunctions"), Qt.MouseButton.LeftButton)
 

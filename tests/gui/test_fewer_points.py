@@ -186,6 +186,6 @@ def test_data_that_scatter_farther_are_said_to(long_fit):
     until(form.apply_button.isEnabled)
     text = form.result.text()
     assert " largest deviation stays at 0.0" in text
-    assert text.endswith("The data scatter so far; more points would follow that alone.")
+    assert text.endswith("The data scatter this much; more points would only follow the noise.")
     QTest.mouseClick(form.apply_button, Qt.MouseButton.LeftButton)
     assert len(long_fit.session.active_curve.points) <= 12

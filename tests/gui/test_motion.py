@@ -31,7 +31,7 @@ from app.exchange.drawing.film import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.player import Player
 from app.features.motion.stage import MotionBar
-from app.view_model.motion import OWN
+from app.view_model.motion import ACTIVE
 from tests.waiting import LIMIT, until
 
 LEFT = Qt.MouseButton.LeftButton
@@ -129,11 +129,11 @@ def test_canvas_and_basis_panel_show_the_same_dot(editor, motion):
     motion.wait(0.3)
     (dot,) = motion.dots
     assert dot.t == pytest.approx(0.3)
-    assert editor.window.canvas.drawing.points.scrub[1:] == pytest.approx(dot.place)
+    assert editor.window.canvas.drawing.points.scrub[1:] == pytest.approx(dot.position)
     assert [arrow.text[:3] for arrow in dot.arrows] == ["|v|", "|a|"]
     curve = editor.session.active_view.curve
     assert dot.speed == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 1)))
-    assert dot.pull == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 2)))
+    assert dot.acceleration == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 2)))
     assert len(dot.trail) == 18
     assert motion.bar.readout.startswith("t 0.300   |v| ")
 
@@ -236,7 +236,7 @@ def test_points_can_be_dragged_while_it_plays(editor, motion):
         motion.wait(0.02)
         (dot,) = motion.dots
         curve = editor.session.active_view.curve
-        assert dot.place == pytest.approx(curve.evaluate(dot.t))
+        assert dot.position == pytest.approx(curve.evaluate(dot.t))
     editor.release((x + 0.5, y + 0.5))
     assert editor.point(2) == pytest.approx((x + 0.5, y + 0.5), abs=editor.pixel)
     assert editor.session.undo_stack.undoText().startswith("Move")
@@ -299,9 +299,9 @@ def test_cubic_beside_quintic(editor, motion):
     assert motion.player.is_playing
     motion.wait(0.3)
     own, cubic, quintic = motion.dots
-    assert own.role is OWN
+    assert own.role is ACTIVE
     assert (cubic.role.families, quintic.role.families) == ((HERMITE,), (QUINTIC_HERMITE,))
-    assert own.place == cubic.place != quintic.place
+    assert own.position == cubic.position != quintic.position
     assert "Hermite: acceleration jumps at 6 of 6 joints" in motion.bar.words
     assert "Quintic: no jump of acceleration." in motion.bar.words
     assert editor.session.document.curves[0].family == HERMITE

@@ -71,5 +71,5 @@ def test_what_has_no_point_too_many_is_left_and_that_is_said(drawing):
     editor.trigger("simplify")
     editor.wait_for_work()
     assert editor.session.document is before
-    assert editor.status == "No curve of these takes fewer points than it has."
+    assert editor.status == "None of the curves keeps its shape with fewer points."
     assert not before.curves[0].locked

@@ -39,7 +39,7 @@ from app.view_model.convert import converted
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.distances import NearestPoint
 from app.view_model.join import joined
-from app.view_model.motion import STATIONS, Course, Pace, jumps_in_words, rivals_of
+from app.view_model.motion import STATIONS, Course, Pace, jump_sentences, rivals_of
 from app.view_model.motion_settings import timed_families
 from app.view_model.reshape import reversed_curve, with_point_inserted
 from app.view_model.split import split
@@ -268,7 +268,7 @@ def test_a_join_keeps_both_shapes_or_is_refused(name):
         family = FAMILIES.named(name)
         assert name not in ("hermite", "quintic_hermite", "tests_cosine_steps")
         assert (
-            "make no third" in made
+            "cannot become one" in made
             if family.curve_class.is_one_polynomial
             else f"Two {family.title} curves" in made
         )
@@ -560,7 +560,7 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
     assert (view.source.family in {each for role in rivals for each in role.families}) is (
         view.source.family.interpolates
     )
-    assert jumps_in_words(rivals)
+    assert jump_sentences(rivals)
 
 
 @each_row("name", EVERY)

@@ -10,7 +10,7 @@ from app.document.rule_edits import set_parametrization
 from app.families import FAMILIES
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import handles_at
-from app.view_model.delete import without_points_but_handles
+from app.view_model.delete import without_points_keeping_handles
 from tests.rows import each_row
 
 PLACES = ((0.0, 0.0), (1.0, 2.0), (3.0, 2.5), (4.0, 0.5), (6.0, 1.0), (5.0, -2.0))
@@ -43,7 +43,7 @@ def test_every_handle_that_stays_is_where_it_was(family, kind, closed, gone):
     values = T if closed else T[:-1]
     document = set_parametrization(Document((curve,)), 0, kind, values)
     before = view_of(document.curves[0])
-    after = view_of(without_points_but_handles(before, gone))
+    after = view_of(without_points_keeping_handles(before, gone))
     assert after.source.is_closed is closed
     was, now = handles(before), handles(after)
     assert len(now) >= 2 * (len(PLACES) - len(gone) - 1)

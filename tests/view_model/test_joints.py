@@ -16,7 +16,7 @@ from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.analysis import joints
 from app.view_model.analysis.joints import JointKind, as_text, certificate_of
 from app.view_model.curve.curve_view import view_of
-from app.view_model.point_kinds import made_smooth
+from app.view_model.point_kinds import with_smooth_points
 from curvecore import joint_report
 from tests.rows import each_row
 
@@ -238,7 +238,7 @@ def test_a_smooth_point_is_certified_and_measured(family, closed):
     """Also where a closed curve returns to its start, and whatever the accelerations are."""
     places = [(0.0, 0.0), (2.0, 3.0), (5.0, 2.0), (4.0, -1.0)]
     before = view_of(replace(make_curve(places, family=family), closed=closed))
-    made = made_smooth(before, range(4))
+    made = with_smooth_points(before, range(4))
     (vx, vy), index = made.points[1].velocity, 0 if closed else 1
     document = point_edits.set_velocity(
         Document((made,)), 0, index, (3 * vx - vy, 3 * vy + 2 * vx), ahead=True

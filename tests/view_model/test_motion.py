@@ -15,7 +15,7 @@ from app.storage.examples import first_sketch
 from app.view_model.curve.curve_view import view_of
 from app.view_model.geometry import usual_length
 from app.view_model.motion import (
-    OWN,
+    ACTIVE,
     STATIONS,
     TRAIL,
     ArrowKind,
@@ -24,9 +24,9 @@ from app.view_model.motion import (
     dot_at,
     dots_at,
     folded,
-    jumps_in_words,
+    jump_sentences,
     rivals_of,
-    round_of,
+    round_duration,
     runs_back,
     scales_of,
 )
@@ -55,7 +55,7 @@ def sketch(family: Family = HERMITE, **fields) -> Curve:
 )
 def test_once_loop_and_ping_pong_are_exact(repeat, expected):
     assert folded(np.arange(0, 4.5, 0.5), 2.0, repeat).tolist() == expected
-    whole = round_of(2.0, repeat)
+    whole = round_duration(2.0, repeat)
     if repeat is not Repeat.ONCE:
         assert np.array_equal(folded(QUARTERS + 4 * whole, 2.0, repeat), folded(QUARTERS, 2.0, repeat))
 
@@ -125,11 +125,11 @@ def test_velocity_turns_round_on_the_way_back_and_acceleration_does_not():
     course = Course(WAVE)
     there, back = (dot_at(course, each, Repeat.PING_PONG, Scales(1, 1)) for each in (1.0, 4.0))
     assert there.t == back.t == 1.0
-    tips = [np.subtract([arrow.tip for arrow in dot.arrows], dot.place) for dot in (there, back)]
+    tips = [np.subtract([arrow.tip for arrow in dot.arrows], dot.position) for dot in (there, back)]
     assert tips[0][0] == pytest.approx(-tips[1][0])
     assert tips[0][1] == pytest.approx(tips[1][1])
     assert tips[0][0] == pytest.approx(WAVE.evaluate(1.0, 1))
-    assert there.arrows[1].text == f"|a| {there.pull:.3g}"
+    assert there.arrows[1].text == f"|a| {there.acceleration:.3g}"
 
 
 def test_the_trail_stays_where_it_is_at_equal_steps_of_time():
@@ -161,7 +161,7 @@ def test_cubic_and_quintic_are_compared_by_their_accelerations():
     assert cubic is view
     assert quintic.source.family == QUINTIC_HERMITE
     assert [role.title for role in rivals] == ["Hermite", "Quintic"]
-    courses = {OWN: Course(view.curve), **{role: Course(each.curve) for role, each in rivals.items()}}
+    courses = {ACTIVE: Course(view.curve), **{role: Course(each.curve) for role, each in rivals.items()}}
     own, *others = dots_at(courses, 0.4, Repeat.LOOP, scales_of(list(courses.values())))
     assert own.arrows == ()
     assert [[arrow.kind for arrow in dot.arrows] for dot in others] == [[ArrowKind.ACCELERATION]] * 2
@@ -171,14 +171,14 @@ def test_the_jumps_are_said_as_they_are_measured():
     # h = 1, v = (1, 0): y'' is 6 (0 - 1) = -6 before the middle and 6 (3 - 1) = 12 after it, x'' is 0.
     points = tuple(Point(float(i), y, velocity=(1.0, 0.0)) for i, y in enumerate((0.0, 1.0, 3.0)))
     rule = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=2.0)
-    text = jumps_in_words(rivals_of(view_of(sketch(points=points, parametrization=rule)), BOTH))
+    text = jump_sentences(rivals_of(view_of(sketch(points=points, parametrization=rule)), BOTH))
     assert text == (
         "Hermite: acceleration jumps at its joint, at point 1 by 18.0.  Quintic: no jump of acceleration."
     )
 
 
 def test_where_there_is_no_jump_the_reason_is_given():
-    text = jumps_in_words(rivals_of(view_of(sketch(velocity_rule=VelocityRule.NATURAL_SPLINE)), BOTH))
+    text = jump_sentences(rivals_of(view_of(sketch(velocity_rule=VelocityRule.NATURAL_SPLINE)), BOTH))
     assert text.startswith(
         "Hermite, Quintic: no jump of acceleration (its velocities are those of the natural spline"
     )
@@ -189,13 +189,13 @@ def test_a_jump_that_rounding_hides_is_not_said_to_be_one():
         Point(*place) for place in ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0), (3.0, 1.0))
     )
     curve = sketch(points=points, velocity_rule=VelocityRule.NATURAL_SPLINE)
-    text = jumps_in_words({OWN: view_of(curve)})
+    text = jump_sentences({ACTIVE: view_of(curve)})
     assert text.endswith("double precision does not decide whether the acceleration jumps at 2 of 3 joints.")
 
 
 def test_two_points_have_no_joints():
     view = view_of(sketch(points=first_sketch().curves[0].points[:2]))
-    assert jumps_in_words(rivals_of(view, BOTH)) == "Hermite, Quintic: no joints."
+    assert jump_sentences(rivals_of(view, BOTH)) == "Hermite, Quintic: no joints."
     assert rivals_of(view_of(sketch(points=())), BOTH) == {}
     assert rivals_of(view, frozenset()) == {}
 

@@ -25,7 +25,7 @@ from ...families import Family
 from ...storage.files import write
 from ...tasks.progress import FINAL, Report, silent
 from ...view_model.curve.curve_view import view_of
-from ...view_model.motion import OWN, Course, Role, rivals_of, round_of
+from ...view_model.motion import ACTIVE, Course, Role, rivals_of, round_duration
 from ...view_model.motion_settings import Pace, Repeat
 from .. import drawing
 from ..errors import ExchangeError
@@ -78,7 +78,7 @@ class Film:
         view = view_of(document.curves[self.curve])
         if not view.is_current or view.curve is None:
             raise ExchangeError(f"There is no curve to run along. {view.problem}")
-        courses = {OWN: Course(view.curve, self.pace)}
+        courses = {ACTIVE: Course(view.curve, self.pace)}
         for role, rival in rivals_of(view, self.compared).items():
             assert rival.curve is not None
             courses[role] = Course(rival.curve, self.pace)
@@ -117,7 +117,7 @@ _LOOK_S = 0.1
 
 def first_round(document: Document, repeat: Repeat) -> float:
     """Return the seconds that one round along the first curve takes at its own speed."""
-    return round_of(Film().courses(document)[OWN].duration, repeat)
+    return round_duration(Film().courses(document)[ACTIVE].duration, repeat)
 
 
 def _missing_for_video() -> str:

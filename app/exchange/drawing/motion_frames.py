@@ -13,14 +13,14 @@ from curvecore.arrays import FloatArray
 
 from ...document.model import Document
 from ...view_model.motion import (
-    OWN,
+    ACTIVE,
     TRAIL,
     Dot,
     Role,
     arrow_segments,
     colour_of,
     dots_at,
-    round_of,
+    round_duration,
     scales_of,
 )
 from ...view_model.motion_settings import Repeat
@@ -53,7 +53,7 @@ class FrameMaker:
         self._film = film
         self._courses = film.courses(document)
         self._scales = scales_of(list(self._courses.values()))
-        self._times = _times(film, self._courses[OWN].duration)
+        self._times = _times(film, self._courses[ACTIVE].duration)
         drawing = drawing_of(film.drawn(document))
         self._frame = self._with_room_for_arrows(drawing.frame)
         self.width = film.width // 2 * 2
@@ -123,13 +123,13 @@ class FrameMaker:
             painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_dot(self, painter: QPainter, dot: Dot) -> None:
-        (place,) = self._pixels(np.array([dot.place])).tolist()
+        (place,) = self._pixels(np.array([dot.position])).tolist()
         for arrow in dot.arrows:
             (tip,) = self._pixels(np.array([arrow.tip])).tolist()
             painter.setPen(QPen(QColor(colour_on(self._paper, colour_of(dot, arrow))), 2.0 * self._scale))
             for segment in arrow_segments(tuple(place), tuple(tip), 9.0 * self._scale).tolist():
                 painter.drawLine(QLineF(*segment))
-        if len(self._courses) > 1 and dot.role is OWN:
+        if len(self._courses) > 1 and dot.role is ACTIVE:
             return
         painter.setPen(QPen(QColor(self._paper), 1.5 * self._scale))
         painter.setBrush(self._colour(dot.role))
@@ -141,6 +141,6 @@ def _times(film: Film, duration: float) -> FloatArray:
     """Return when the frames are, in seconds of the motion; the last and the first are one step apart."""
     if film.repeat is Repeat.ONCE:
         return np.linspace(0.0, duration, film.frames)
-    whole = round_of(duration, film.repeat)
+    whole = round_duration(duration, film.repeat)
     # In the second round, in which the trail reaches over the seam: each frame follows the one before it.
     return np.asarray(whole + np.arange(film.frames) * (whole / film.frames))

@@ -90,7 +90,7 @@ def _hit_function(
     if not start <= t <= end:
         return None
     best: tuple[float, Hit] | None = None
-    for kind in basis.shown_of(kinds):
+    for kind in basis.drawn_kinds(kinds):
         values = basis.value_at(t, kind)
         distances = np.abs(pixel_map.y(values) - pointer.pixel[1])
         # Functions that are zero here lie on top of each other; none of them is meant.

@@ -83,7 +83,7 @@ class FunctionLayer(Layer):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
         if way_to_draw(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
-            kinds = self._basis.shown_of(self.kinds)
+            kinds = self._basis.drawn_kinds(self.kinds)
             painter.setFont(self._number_font())
             self._names.paint(painter, pixel_map, self._basis, kinds, self.theme, self.scale)
         else:
@@ -111,7 +111,7 @@ class FunctionLayer(Layer):
     def _paint_together(self, painter: QPainter, basis: BasisView) -> None:
         """Draw many functions in one go; those near the emphasised ones, and these, in their colours."""
         assert self._lines is not None
-        for kind in basis.shown_of(self.kinds):
+        for kind in basis.drawn_kinds(self.kinds):
             outline = QColor(self.theme.ink)
             outline.setAlphaF(_OUTLINE)
             pen = QPen(outline, self.scale)
@@ -156,7 +156,7 @@ class FunctionLayer(Layer):
         wide = width * self.scale
         kinds = [
             (kind, _pens(basis.point_count, self.theme, opacity, wide, kind))
-            for kind in basis.shown_of(self.kinds)
+            for kind in basis.drawn_kinds(self.kinds)
         ]
         for knot in knots:
             owner = basis.owners[knot]

@@ -26,8 +26,8 @@ from ...storage.format import Decoded, decode_counting
 from ...storage.format_error import FormatError
 from ...tasks.progress import Report, part, silent
 from ...view_model.paste import (
-    Arrival,
-    Target,
+    AddedCurves,
+    PasteTarget,
     appended,
     appended_with_parameters,
     as_new_curve,
@@ -129,11 +129,11 @@ class PasteCommands:
         """Add what is read beside the window to the document that is open; few `points` at once."""
         beginning, target = self._session.files.beginning, self._target(place)
 
-        def work(report: Report) -> tuple[ImportResult, Arrival]:
+        def work(report: Report) -> tuple[ImportResult, AddedCurves]:
             found = read(part(report, 0.0, 0.5))
             return found, _filled(target, found, lambda share: report(0.5 + share / 2, "Computing curves"))
 
-        def done(made: tuple[ImportResult, Arrival]) -> None:
+        def done(made: tuple[ImportResult, AddedCurves]) -> None:
             found, arrival = made
             now = replace(self._target(place), pixel=target.pixel)
             if self._session.files.beginning is not beginning:
@@ -147,12 +147,12 @@ class PasteCommands:
         else:
             self._context.work.start("Reading the drawing", work, done, Path("The drawing"), "pasted")
 
-    def _target(self, place: Vector | None) -> Target:
+    def _target(self, place: Vector | None) -> PasteTarget:
         session, pixel = self._session, self._context.central.canvas.camera.pixel_size
-        return Target(session.committed, place, pixel, session.views)
+        return PasteTarget(session.committed, place, pixel, session.views)
 
-    def _add(self, arrival: Arrival, remarks: Sequence[str]) -> None:
-        session, places = self._session, arrival.places
+    def _add(self, arrival: AddedCurves, remarks: Sequence[str]) -> None:
+        session, places = self._session, arrival.indices
         document, framing = arrival.document, self._context.central.canvas.framing
         name, style = name_or_count(document, places), session.model.style
         session.expect(arrival.views)
@@ -216,7 +216,9 @@ def _known(found: Decoded, _report: Report) -> ImportResult:
     return exchange.cubics_in.ImportResult(found.document, remarks=remarks)
 
 
-def _filled(target: Target, found: ImportResult, told: Callable[[float], object] | None = None) -> Arrival:
+def _filled(
+    target: PasteTarget, found: ImportResult, told: Callable[[float], object] | None = None
+) -> AddedCurves:
     """Return the target with what was read, in the unit of the document."""
     sized = exchange.units.in_unit(found.document, target.document.unit)
     return target.filled(sized.curves, told)

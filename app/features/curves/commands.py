@@ -31,7 +31,7 @@ from ...view_model.append import Halved, with_closed, with_midpoints
 from ...view_model.geometry import segment_at
 from ...view_model.point_kinds import segments_between
 from ...view_model.reshape import Reshaped, reversed_curve
-from ...view_model.split import Split, places_between_ends, split, without_segments
+from ...view_model.split import Split, parameters_between_ends, split, without_segments
 from ...workbench.context import WindowContext
 from .arrange_commands import OrderCommands, ShapeCommands
 from .join_commands import JoinCommands
@@ -111,13 +111,13 @@ class CurveCommands:
 
         def one(document: Document, curve: int, between: Collection[int]) -> Document:
             made[curve] = with_midpoints(views[curve], between, session.selected.group.of(curve))
-            return curve_edits.replace_curve(document, curve, made[curve].made.curve)
+            return curve_edits.replace_curve(document, curve, made[curve].reshaped.curve)
 
         new = count_of(group.count, "point")
         if session.change(f"Insert {new} between", lambda document: group.apply(document, one)):
             kept = {curve: each.old | each.new for curve, each in made.items()}
             session.selected.set_group(group_points(kept.items()))
-            told = (each.made.sentence for each in made.values())
+            told = (each.reshaped.sentence for each in made.values())
             session.say(" ".join(("Inserted", f"{new}.", *told)))
 
     @PlaceAction("splitHere", "Split Here", like="splitCurve")
@@ -157,7 +157,7 @@ class CurveCommands:
         cuts = {
             curve: found
             for curve, indices in self._session.selected.group.parts
-            if (found := places_between_ends(self._session.views[curve], indices))
+            if (found := parameters_between_ends(self._session.views[curve], indices))
         }
         if not cuts:
             self._at_scrub(self.split_at)

@@ -262,7 +262,7 @@ class FitCommands(QObject):
         if found is not None:
             line = view_of(found.curve).polyline
             traces.append(Trace((line,), CURE_STYLE, found.words.partition(";")[0]))
-            far = _cross(found.place, 0.01 * size_of(line))
+            far = _cross(found.farthest, 0.01 * size_of(line))
             traces.append(Trace(far, FAR_STYLE, f"farthest: {number(found.deviation, 3)}"))
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Fewer points")
         if self._panel is not None:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ...exchange.cubics_in import ImportResult
     from ...exchange.table.source import PreparedTable, TableSource
     from ...exchange.table.table import Preview
-    from ...view_model.paste import Arrival
+    from ...view_model.paste import AddedCurves
     from .import_drawing_dialog import ImportDrawingDialog
     from .import_table_dialog import ImportTableDialog
 
@@ -185,10 +185,10 @@ class ImportCommands:
         target = self._target(anew)
         rest = self._words_about_lost(path, taken) + self._words_about_rest(new, anew)
 
-        def work(report: Report) -> Arrival:
+        def work(report: Report) -> AddedCurves:
             return intake.intake(target, new, lambda share: report(share, "Computing curves"))
 
-        def done(arrival: Arrival) -> None:
+        def done(arrival: AddedCurves) -> None:
             try:
                 if self._meant_for != self._documents:
                     session.refuse(_NOT_IMPORTED.format(names_with_verb([path.name])))
@@ -242,12 +242,12 @@ class ImportCommands:
         self._meant_for = self._documents
         self._series.end()
 
-    def _put(self, path: Path, arrival: Arrival, *, begins: bool, anew: bool) -> bool:
+    def _put(self, path: Path, arrival: AddedCurves, *, begins: bool, anew: bool) -> bool:
         """Begin with what has arrived, or make it the next step; return whether it is there."""
         session, step = self._session, f"Import {path.name}"
         if not begins:
             session.expect(arrival.views)
-            return bool(session.change(step, lambda _: arrival.document, active=arrival.places.start))
+            return bool(session.change(step, lambda _: arrival.document, active=arrival.indices.start))
         try:
             session.files.begin_imported(arrival.document, path.stem, "" if anew else step, arrival.views)
         except EditError as reason:
@@ -257,18 +257,18 @@ class ImportCommands:
             self._preferences.add_recent_file(path.absolute())
         return True
 
-    def _choose_added(self, arrival: Arrival, style: Style, *, is_brought: bool) -> None:
+    def _choose_added(self, arrival: AddedCurves, style: Style, *, is_brought: bool) -> None:
         """Choose what was brought here, no document of its own; nothing drawn next is to look like it."""
-        added, document, selected = arrival.places, arrival.document, self._session.selected
+        added, document, selected = arrival.indices, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):
             # What is brought is put in its place as a whole, but for what nobody may move.
             selected.choose_brought([place for place in added if document.curves[place].is_selectable], style)
         elif len(added) > 1:
             selected.choose_brought((), self._session.files.blank().curves[0].style)
 
-    def _show_added(self, done: str, path: Path, arrival: Arrival, deviation: float, rest: str) -> None:
+    def _show_added(self, done: str, path: Path, arrival: AddedCurves, deviation: float, rest: str) -> None:
         """Show what has come in, and say what it is."""
-        added, document = arrival.places, arrival.document
+        added, document = arrival.indices, arrival.document
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
         self._preferences.last_folder = path.parent
         # What is in sight stays where the person put it, but for a document that holds nothing else.

@@ -11,7 +11,7 @@ from ...document.plain_numbers import with_plain_numbers
 from ...document.several_curves import add_imported, ignored_on_import, is_blank
 from ...document.words import names_of
 from ...view_model.curve.transformed import views_ahead
-from ...view_model.paste import Arrival
+from ...view_model.paste import AddedCurves
 
 MANY_POINTS = 1000
 """Points of curves whose views are made beside the window."""
@@ -26,7 +26,7 @@ def intake(
     document: Document,
     new: Document,
     told: Callable[[float], object] | None = None,
-) -> Arrival:
+) -> AddedCurves:
     """Return a document with the curves of another in front, and views of them if one is `told`.
 
     What is an inch there is an inch here; to an empty document they bring their unit and guides.
@@ -37,7 +37,7 @@ def intake(
     filled = tidy_shapes(with_plain_numbers(filled, document), document)
     places = range(first, first + len(new.curves))
     views = views_ahead(filled.curves[places.start : places.stop], told) if told is not None else ()
-    return Arrival(filled, places, tuple(views))
+    return AddedCurves(filled, places, tuple(views))
 
 
 def words_about_rest(document: Document, new: Document) -> str:

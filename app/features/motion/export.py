@@ -12,7 +12,7 @@ from ...exchange.drawing.film import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES,
 from ...exchange.drawing.styles import DARK, LIGHT
 from ...qt.labels import Label
 from ...tasks.progress import Report
-from ...view_model.motion import round_of
+from ...view_model.motion import round_duration
 from ...view_model.motion_settings import MotionSettings
 from ...widgets.boxes import form_of, row_of
 from ...widgets.controls import check_box, choice_box, push_button
@@ -129,7 +129,7 @@ class MotionExport:
             self._dialog = MotionDialog(self._context.window)
             self._dialog.accepted_as.connect(self._ask_where)
         start, end = view.curve.domain
-        self._dialog.open_for(round_of(end - start, settings.repeat) / settings.speed)
+        self._dialog.open_for(round_duration(end - start, settings.repeat) / settings.speed)
 
     def _ask_where(self, form: FilmFormat) -> None:
         context, ending = self._context, form.ending

@@ -13,7 +13,7 @@ from ...families import Family
 from ...session import Session
 from ...state.window_state import WindowStore
 from ...view_model.curve.curve_view import ParametricCurve
-from ...view_model.motion import Course, folded, round_of
+from ...view_model.motion import Course, folded, round_duration
 from ...view_model.motion_settings import SPEEDS, MotionSettings, Repeat
 
 FRAME_MS = 16
@@ -200,6 +200,6 @@ class Player(QObject):
             return
         elapsed = course.elapsed_at(t)
         # The trail reaches back over the seam where the dot has been round before.
-        whole = round_of(course.duration, self.settings.repeat)
+        whole = round_duration(course.duration, self.settings.repeat)
         has_been_round = self.settings.repeat is not Repeat.ONCE and self.seconds >= whole
         self.seconds = elapsed + whole if has_been_round else elapsed

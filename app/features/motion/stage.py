@@ -17,16 +17,16 @@ from ...document.words import with_decimals
 from ...families import Family
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.motion import (
-    OWN,
+    ACTIVE,
     Course,
     Dot,
     Role,
     Scales,
     dots_at,
-    in_three_digits,
-    jumps_in_words,
+    jump_sentences,
     rivals_of,
     scales_of,
+    three_digits,
 )
 from ...view_model.motion_settings import SPEEDS, MotionSettings, Pace, Repeat
 from ...widgets.boxes import column_of, row_of
@@ -132,7 +132,7 @@ class MotionBar(FollowsTheme, QWidget):
 
     def show_dots(self, dots: Sequence[Dot], problem: str) -> None:
         """Show the numbers of the dot that stands for the curve, or why there is none."""
-        own = next((dot for dot in dots if dot.role is OWN), None)
+        own = next((dot for dot in dots if dot.role is ACTIVE), None)
         self._next = _numbers(own) if own is not None else problem
         if not self._soon.isActive():
             self._soon.start()
@@ -144,7 +144,7 @@ class MotionBar(FollowsTheme, QWidget):
 
 def _numbers(dot: Dot) -> str:
     t = with_decimals(dot.t, 3)
-    return f"t {t}   |v| {in_three_digits(dot.speed)}   |a| {in_three_digits(dot.pull)}"
+    return f"t {t}   |v| {three_digits(dot.speed)}   |a| {three_digits(dot.acceleration)}"
 
 
 def _box(name: str, label: str, tip: str, items: Iterable[str]) -> QComboBox:
@@ -182,7 +182,7 @@ class MotionStage(QObject):
             return
         self._scales = None
         self.draw()
-        self._bar.show_words(jumps_in_words(self._rivals))
+        self._bar.show_words(jump_sentences(self._rivals))
 
     def follow(self) -> None:
         """Draw the dots on a curve that is being changed; if they run, where they are by now."""
@@ -200,7 +200,7 @@ class MotionStage(QObject):
             if player.is_open:
                 self._bar.show_dots((), context.session.active_view.problem)
             return
-        courses = {OWN: course, **self._courses_to_compare()}
+        courses = {ACTIVE: course, **self._courses_to_compare()}
         if self._scales is None:
             self._scales = scales_of(list(courses.values()))
         dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)

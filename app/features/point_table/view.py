@@ -497,7 +497,7 @@ class PointTableView(ClaimsKeys, QTableView):
     def no_places_selected(self) -> bool:
         """Whether the selected cells are velocities and whatever else does not say where a point is."""
         columns = self.selected_columns()
-        return bool(columns) and not any(self.numbers.columns[column].is_of_the_place for column in columns)
+        return bool(columns) and not any(self.numbers.columns[column].is_position for column in columns)
 
     # Keys
 

@@ -85,7 +85,7 @@ class TangentCommands:
             for curve, indices in group.parts
         )
         left_out = f"; {kind.ends}" if inner.count < group.count else ""
-        if self._reshape(kind.step, kind.made, inner if inner.parts else group):
+        if self._reshape(kind.step, kind.apply, inner if inner.parts else group):
             self._tell(f"{kind.title} at {_points(inner)}{left_out}.", curves, inner)
 
     @action(
