@@ -1,19 +1,21 @@
-"""The curve families that there are: the one place that lists them. No Qt.
+"""The curve families of the program, which menus, tables, exports and the command line read here. No Qt.
 
-Whatever offers, names, stores or draws a family reads it here: menus, toolbar, table, ghosts, exports,
-command line and tests.
+- ``family``: `Family`, the record of a curve class with its words; `FamilySettings`, the settings of a
+  family; `ChosenSettings`, those that are not at their defaults.
+- ``registry``: `FAMILIES`: the families of the core, then those of installed packages and of files.
+- ``family_file``: families from a file of Python, checked before they are used, and the calls of its
+  functions.
+- ``time_limit``: a limit of time for such files.
 
-- ``family``: `Family`, the record, made from a curve class.  ``family_words``: what it is called.
-- ``settings``: `FamilySettings`, those of a family; `ChosenSettings`, those that are not at their defaults.
-- ``registry``: `FAMILIES`, those of the program and then those of installed packages and of files.
-- ``family_file``: families that a person wrote in a file of Python, checked before they are used.
-  ``file_calls``: calls of its functions.  ``time_limit``: an end for what runs in it.
+To add a family to the program, add a file to ``curvecore.families``; its docstring says how. An installed
+package names its curve class as an entry point of the group ``curvebench.families``, a person names a file
+with ``--families`` or Use Family File (``family_file`` says what it holds). Nothing else lists families.
 """
 
 from curvecore import FamilySetting
 from curvecore.families.setting import SettingValue
 
-from .family import Family, may_be_name
+from .family import NO_SETTINGS, ChosenSettings, Family, may_be_name
 from .registry import (
     FAMILIES,
     HERMITE,
@@ -23,7 +25,6 @@ from .registry import (
     titles,
     titles_with_derivatives,
 )
-from .settings import NO_SETTINGS, ChosenSettings
 
 __all__ = [
     "FAMILIES",

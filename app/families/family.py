@@ -1,20 +1,223 @@
-"""The record of a curve family."""
+"""Record of a curve family: its class, its words, and its settings.
+
+A family is what its curve class says of itself; the record adds the words that menus, messages and tables
+use, and whether the family is there at all.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from inspect import isabstract
 from types import ModuleType
-from typing import Any, Self, final
+from typing import Any, NamedTuple, Self, final
 
 import numpy.typing as npt
 
-from curvecore import CurveError, ParametricCurve
+from curvecore import CurveError, FamilySetting, ParametricCurve
 from curvecore.families.setting import SettingValue
 
-from .family_words import FamilyWords
-from .settings import NO_SETTINGS, FamilySettings
+# Settings
+
+
+@final
+class ChosenSettings(Mapping[str, SettingValue]):
+    """Values by the names of settings; immutable, and there is one empty one.
+
+    Parameters
+    ----------
+    values
+        Pairs of name and value, or a mapping. Nobody asks here whether a family has them.
+    """
+
+    __slots__ = ("_pairs",)
+
+    _pairs: tuple[tuple[str, SettingValue], ...]
+
+    def __new__(
+        cls, values: Mapping[str, SettingValue] | Iterable[tuple[str, SettingValue]] = ()
+    ) -> ChosenSettings:
+        """Return the settings; of no values always the same object, which files then leave out."""
+        pairs = tuple(dict(values).items())
+        if not pairs and "NO_SETTINGS" in globals():
+            return NO_SETTINGS
+        settings = super().__new__(cls)
+        settings._pairs = pairs
+        return settings
+
+    def __getitem__(self, name: str) -> SettingValue:
+        return dict(self._pairs)[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name, _ in self._pairs)
+
+    def __len__(self) -> int:
+        return len(self._pairs)
+
+    def __eq__(self, other: object) -> bool:
+        return dict(self) == dict(other) if isinstance(other, ChosenSettings) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self._pairs))
+
+    def __repr__(self) -> str:
+        return f"ChosenSettings({dict(self._pairs)})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return ChosenSettings, (self._pairs,)
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+
+NO_SETTINGS = ChosenSettings()
+
+
+class FamilySettings(NamedTuple):
+    """The choices about the functions of a family.
+
+    Attributes
+    ----------
+    all
+        In the order of the form.
+    are_known
+        Whether the family is there, so that there are no others.
+    """
+
+    all: tuple[FamilySetting, ...]
+    are_known: bool
+
+    def named(self, name: str) -> FamilySetting | None:
+        """Return the setting of a name; None where there is none."""
+        return next((each for each in self.all if each.name == name), None)
+
+    def values(self, chosen: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:
+        """Return the value of each setting: what was chosen, else the default."""
+        return {setting: chosen.get(setting.name, setting.default) for setting in self.all}
+
+    def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
+        """Return what was chosen of these, without defaults; of a family that is not there all of it.
+
+        One that was changed while its curves are open may no longer have, or allow, what was chosen.
+        """
+        if not self.are_known:
+            return ChosenSettings(chosen)
+        found = ((self.named(name), value) for name, value in chosen.items())
+        return ChosenSettings(
+            (setting.name, value)
+            for setting, value in found
+            if setting is not None and setting.allows(value) and value != setting.default
+        )
+
+    def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
+        """Return the settings of a curve, open or closed, of which these were chosen."""
+        fixed = {each.name: each.when_closed for each in self.all if each.when_closed is not None}
+        return self.without_defaults({**chosen, **fixed}) if closed and fixed else chosen
+
+
+# Words
+
+_SHORT = 12
+"""Letters up to which a label is short."""
+
+
+class FamilyWords:
+    """Words for a family, by its name and its curve class.
+
+    Parameters
+    ----------
+    name
+        The name that documents store: ``quintic_hermite``.
+    """
+
+    __slots__ = ("_curve_class", "_name", "curve_class")
+
+    _curve_class: type[ParametricCurve] | None
+
+    curve_class: type[ParametricCurve]
+    """The class of its curves; of a missing family the base of all classes, with its defaults."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    @property
+    def name(self) -> str:
+        """The name that documents store."""
+        return self._name
+
+    @property
+    def is_missing(self) -> bool:
+        """Whether nobody brought this family: a document names it all the same."""
+        return self._curve_class is None
+
+    @property
+    def problem(self) -> str:
+        """A sentence about the missing family; empty where it is there."""
+        if not self.is_missing:
+            return ""
+        return (
+            f"The family “{self._name}” is not installed: start with --families and the file that brings it, "
+            "or choose another family."
+        )
+
+    @property
+    def title(self) -> str:
+        """The words within a sentence: quintic Hermite."""
+        return self._name if self._curve_class is None else self._curve_class.title
+
+    @property
+    def label(self) -> str:
+        """The words on a button: Quintic Hermite."""
+        return self.title[:1].upper() + self.title[1:]
+
+    @property
+    def short(self) -> str:
+        """A word where room is short: the class's own, else the label, of a long one its first word."""
+        own, label = self.curve_class.short_title, self.label
+        if own:
+            return f"{own[:1].upper()}{own[1:]}"
+        return label if len(label) <= _SHORT else label.partition(" ")[0]
+
+    @property
+    def a_curve(self) -> str:
+        """One of its curves, within a sentence: an averaging curve."""
+        return f"{'an' if self.title[0] in 'aeiouAEIOU' else 'a'} {self.title} curve"
+
+    @property
+    def subject(self) -> str:
+        """The same to begin a sentence: An averaging curve."""
+        return f"A{self.a_curve[1:]}"
+
+    @property
+    def full_title(self) -> str:
+        """The words where nothing else tells it from the others: cubic Hermite."""
+        return self.curve_class.full_title or self.title
+
+    @property
+    def has_control_points(self) -> bool:
+        """Whether its curves are meant to pass their points by; one that misses them by mistake has none."""
+        return not self.curve_class.interpolates
+
+    @property
+    def point(self) -> str:
+        """The word for its points within a sentence: those beside their curves are control points."""
+        return "control point" if self.has_control_points else "point"
+
+    @property
+    def tip(self) -> str:
+        """A line about its curves."""
+        return (self.curve_class.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
+
+    @property
+    def action_name(self) -> str:
+        """The object name of its action: familyQuinticHermite."""
+        return "family" + "".join(word.capitalize() for word in self._name.split("_"))
+
+
+# The record
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 

@@ -17,10 +17,17 @@ import pytest
 
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.families import FAMILIES, HERMITE, Family, family_file, file_calls, time_limit
+from app.families import FAMILIES, HERMITE, Family, family_file, time_limit
 from app.families.family import families_of_module
-from app.families.family_file import FamilyFileError, families_in, families_of_files, forget_file, use_file
-from app.families.file_calls import PATIENCE, FileCalls
+from app.families.family_file import (
+    PATIENCE,
+    FamilyFileError,
+    FileCalls,
+    families_in,
+    families_of_files,
+    forget_file,
+    use_file,
+)
 from app.storage.format import encode
 from curvecore import CurveError, cardinal_defect, families
 from tests.effort import noted_calls
@@ -282,7 +289,7 @@ def stopped(monkeypatch):
 @pytest.fixture
 def short_limits(monkeypatch):
     monkeypatch.setattr(family_file, "RUN_SECONDS", 0.2)
-    monkeypatch.setattr(file_calls, "CALL_SECONDS", 0.2)
+    monkeypatch.setattr(family_file, "CALL_SECONDS", 0.2)
     monkeypatch.setattr(PATIENCE, "seconds", 0.2)
     monkeypatch.setattr(PATIENCE, "overdue", None)
 

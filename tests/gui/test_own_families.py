@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QMenu, QToolBar, Q
 
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, family_file
-from app.families.file_calls import FileCalls
+from app.families.family_file import FileCalls
 from app.features.own_families import trial
-from app.features.own_families.bar import FamilyBar
+from app.features.own_families.commands import FamilyBar
 from app.features.own_families.files import family_files
 from app.features.own_families.template import template
 from app.session import Session

@@ -1,8 +1,8 @@
 """Families from a file of Python that the person names, run now and whenever it is saved.
 
-- ``commands``: the actions, and the line under the canvas that tells what became of a file.
-- ``files``: the files in use, of all windows together: watched, tried beside the window, then taken over.
-  ``bar``: where it is told.  ``trial``: the process that runs one first.  ``template``: one to begin with.
+- ``commands``: the actions, and the bar under the canvas that reports on a file.
+- ``files``: the files in use, of all windows together: watched, tried in another process, then run here.
+- ``trial``: the process that tries a file first.  ``template``: a file to begin with.
 """
 
 import lazy_loader as lazy

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QBoxLayout, QFileDialog, QSizePolicy
 
 from ...actions.declaration import action
 from ...actions.menus import FILE_FAMILY, FILE_FAMILY_MORE
@@ -15,8 +15,8 @@ from ...families import FAMILIES, Family
 from ...storage.files import StorageError, write
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
+from ...workbench.message_bar import NoticeBar
 from .. import own_families
-from .bar import FamilyBar
 from .files import family_files
 
 _PYTHON = "Python (*.py);;All files (*)"
@@ -189,3 +189,25 @@ class OwnFamilyCommands(QObject):
 
 
 COMMAND_SETS = (OwnFamilyCommands,)
+
+
+class FamilyBar(NoticeBar):
+    """A sentence with buttons between the canvas and the functions that it is about; nothing lies under it.
+
+    Parameters
+    ----------
+    column
+        What it stands in.
+    """
+
+    def __init__(self, column: QBoxLayout) -> None:
+        parent = column.parentWidget()
+        assert parent is not None
+        super().__init__("family", parent)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        column.addWidget(self)
+
+    def place(self) -> None:
+        """Take the width of the column, with the buttons beside the sentence where they fit."""
+        self.wanted_width(self.sentence_width, self.below.width())
+        self.updateGeometry()

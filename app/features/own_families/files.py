@@ -16,7 +16,7 @@ from ...workbench.disk_watch import DiskWatch
 from .. import own_families
 
 if TYPE_CHECKING:
-    from ...families.file_calls import Call
+    from ...families.family_file import Call
 
 _RECHECK_MS = 100
 _SHOWN_AFTER_MS = 1000

@@ -16,8 +16,7 @@ from pathlib import Path
 from ... import __version__
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from ...families import FAMILIES
-from ...families.family_file import FamilyFileError, use_file
-from ...families.file_calls import PATIENCE, Call
+from ...families.family_file import PATIENCE, Call, FamilyFileError, use_file
 from ...storage.format import encode
 from ...tasks.processor_limit import PROCESSOR_LIMIT, longest_wait, was_overdue
 from ...tasks.progress import Report
