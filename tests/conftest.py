@@ -1,4 +1,22 @@
-"""What every test gets: no display, repeatable randomness; documents are looked at."""
+"""Fixtures of every test: no display, repeatable randomness, documents that are looked at.
+
+How a test passes on any machine, however busy:
+
+- It never asks how long something takes. It waits with `tests.waiting.until(condition)`, counts calls,
+  frames or events (``effort``), or sets the clock (`history.clock`, `player.clock`). Where a timer decides,
+  the test gives it an interval. A test that hangs for ten minutes ends its process with a traceback
+  (``time_limit``; the marker `time_limit(seconds)` sets another limit).
+- It leaves nothing behind: a timer, thread, process, window, handler or environment variable fails it by
+  name (``left_over``). A lock needs its `release`: garbage is collected between tests only.
+- Products of matrices are compared within their bound, pixels in heights of the font, system errors with
+  `os.strerror`. Language, time zone and installed programs may differ.
+- A GUI test uses the fixture `editor`, whose window is reset and used again; a new window takes longer than
+  most tests, so only tests about new windows make one. Questions about the same drawing are one test, and
+  so are the quick rows of a table (``rows``): all rows are tested, and a failure names those that fail. A
+  run ends with the tests after which the window differed from a new one; ``gui/fingerprint`` names what was
+  drawn last.
+- It passes after any other test: ``CURVEBENCH_ORDER=7 python -m pytest -n auto`` runs all in another order.
+"""
 
 from __future__ import annotations
 

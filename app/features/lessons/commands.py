@@ -100,7 +100,7 @@ class LessonCommands:
 
     @action("toggleLessons", "Lessons", HELP_ALL, "F4", "lessons", checked=lambda state: state.window.lessons)
     def _toggle(self) -> None:
-        """Learn in eleven lessons why a curve goes where it goes."""
+        """Learn step by step why a curve goes where it goes."""
         self._dock.setVisible(not self._context.store.state.lessons)
 
     def _start(self, number: int) -> None:
