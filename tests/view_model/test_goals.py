@@ -243,4 +243,4 @@ def test_a_lesson_that_comes_with_the_program_brings_measures_and_conditions(tmp
     (condition,) = goal.conditions
     assert condition.broken == "the ends have moved"
     curve = replace(make_curve(SQUARE), name="C")
-    assert result_of(goal, view_of(curve), curve).text == "Longest step of t below 0.3; now 1"
+    assert result_of(goal, view_of(curve), curve).text == "Longest step of t: below 0.3; now 1"

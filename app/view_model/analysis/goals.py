@@ -169,7 +169,7 @@ def result_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalRe
 def _sentence(goal: Goal) -> str:
     if goal.measure.title_of is not None:
         return f"{goal.measure.label} {goal.measure.title_of(goal.value)}"
-    return f"{goal.measure.label} {_COMPARISONS[goal.comparison][1]} {goal.value}"
+    return f"{goal.measure.label}: {_COMPARISONS[goal.comparison][1]} {goal.value}"
 
 
 def _measured(goal: Goal, view: CurveView) -> tuple[bool, str]:
@@ -242,10 +242,10 @@ KEPT: Conditions = {
 """Conditions by name."""
 
 MEASURES: Measures = {
-    "points": ("Points", lambda view: float(len(view.points))),
+    "points": ("Number of points", lambda view: float(len(view.points))),
     "lebesgue": ("Lebesgue constant Λ", growth_of_points),
     "overshoot": ("Overshoot in percent", _overshoot),
-    "smoothness": ("Derivatives certified continuous at every joint:", _smoothness),
+    "smoothness": ("Derivatives certified continuous at every joint", _smoothness),
     "chord_gap": ("Largest distance from the chord-length parameters", _chord_gap),
 }
 """Measures that are numbers, by name."""
@@ -257,7 +257,7 @@ _WORDS = {
         lambda name: FAMILIES.named(name).title,
     ),
     "parametrization": Measure(
-        "The parameters are",
+        "The rule for the parameters is",
         lambda view: str(view.source.parametrization.kind),
         lambda name: name.replace("_", " "),
     ),
