@@ -25,7 +25,7 @@ def run_command(words: Sequence[str]) -> int:
     """
     parser = _command_parser(words[0])
     options, more = parser.parse_known_args(words)
-    if options.command == "convert" and not any(each.startswith("-") for each in more):
+    if options.command == "convert" and not any(word.startswith("-") for word in more):
         options.files += more  # those after an option: convert IN --thin 1 OUT
     elif more:
         parser.error(f"unrecognized arguments: {' '.join(more)}")
@@ -62,22 +62,22 @@ def _command_parser(command: str) -> argparse.ArgumentParser:
 
 
 def _info(options: argparse.Namespace) -> int:
-    found = document_of(options.file)
-    document = found.document
+    decoded = document_of(options.file)
+    document = decoded.document
     with TerminalProgress() as report:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
-        curves = [cli.info.facts_as_json(each) for each in facts]
+        curves = [cli.info.facts_as_json(facts_of_curve) for facts_of_curve in facts]
         say_json(
             {
                 "file": options.file,
                 "unit": document.unit or None,
-                "left_out": dict(found.left_out.counts),
+                "left_out": dict(decoded.left_out.counts),
                 "curves": curves,
             }
         )
     else:
-        say("\n\n".join(cli.info.facts_as_text(each, document.unit) for each in facts))
+        say("\n\n".join(cli.info.facts_as_text(facts_of_curve, document.unit) for facts_of_curve in facts))
     return 0
 
 

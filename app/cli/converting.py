@@ -25,7 +25,7 @@ from ..storage.files import StorageError
 from ..tasks.progress import Report, part
 from ..view_model.curve.curve_view import view_of
 from ..view_model.fit import Fitted, fitted_to_curve
-from .options import columns_to_read, own_options, picture_options
+from .options import columns_to_read, options_of_formats, picture_options
 from .output import RefusalError, TerminalProgress, one_line, reason_of, say, say_json, tell
 
 if TYPE_CHECKING:
@@ -65,21 +65,21 @@ def convert(options: argparse.Namespace) -> int:
         return _convert_many(options)
     source, target = options.files
     with TerminalProgress() as report:
-        done = _converted(options, _Conversion(source, target), report)
+        result = _converted(options, _Conversion(source, target), report)
     if options.json:
-        say_json({"output": target} | _facts(done))
+        say_json({"output": target} | _facts(result))
     else:
-        tell(done.remarks)
-        say(_result(target, done))
+        tell(result.remarks)
+        say(_result(target, result))
     return 0
 
 
-def _facts(done: _Converted) -> dict[str, Any]:
-    return {"deviation": done.deviation, "deviation_is_bound": done.is_bound, "remarks": done.remarks}
+def _facts(result: _Converted) -> dict[str, Any]:
+    return {"deviation": result.deviation, "deviation_is_bound": result.is_bound, "remarks": result.remarks}
 
 
-def _result(target: str, done: _Converted) -> str:
-    deviation = exchange.exported_curves.stated(done.deviation, done.is_bound)
+def _result(target: str, result: _Converted) -> str:
+    deviation = exchange.exported_curves.stated(result.deviation, result.is_bound)
     return f"{one_line(target)}: largest deviation from the true curves {deviation}"
 
 
@@ -95,20 +95,20 @@ def _convert_many(options: argparse.Namespace) -> int:
     with TerminalProgress() as progress, ExitStack() as stack:
         # While a file is written here, processes read the next ones: each has its turn, in order.
         readers = [stack.enter_context(exchange.reader_process.ReaderProcess()) for _job in range(jobs)]
-        for each, reader in zip(conversions[1:], readers[1:], strict=False):
-            begin_import(each.source, ImportOptions(tolerance=options.tolerance), reader)
-        for place, each in enumerate(conversions):
+        for conversion, reader in zip(conversions[1:], readers[1:], strict=False):
+            begin_import(conversion.source, ImportOptions(tolerance=options.tolerance), reader)
+        for index, conversion in enumerate(conversions):
             report = _named(
-                part(progress, place / count, (place + 1) / count),
-                f"{one_line(Path(each.source).name)} ({place + 1} of {count})",
+                part(progress, index / count, (index + 1) / count),
+                f"{one_line(Path(conversion.source).name)} ({index + 1} of {count})",
             )
-            following = conversions[place + jobs].source if place + jobs < count else None
-            done = _outcome(options, each, report, readers[place % jobs], following)
+            following = conversions[index + jobs].source if index + jobs < count else None
+            result = _outcome(options, conversion, report, readers[index % jobs], following)
             progress.clear()
-            results.append(_told(each, done, is_quiet=options.json))
+            results.append(_report_outcome(conversion, result, is_quiet=options.json))
     if options.json:
         say_json(results)
-    return 1 if any("error" in each for each in results) else 0
+    return 1 if any("error" in result for result in results) else 0
 
 
 def _outcome(
@@ -126,18 +126,18 @@ def _outcome(
     except OSError as problem:
         text = f"{reason_of(problem)}."
     names = (Path(conversion.source).name, Path(conversion.target).name)
-    return text if any(each in text for each in names) else f"“{names[0]}”: {text}"
+    return text if any(name in text for name in names) else f"“{names[0]}”: {text}"
 
 
-def _told(conversion: _Conversion, done: _Converted | str, *, is_quiet: bool) -> dict[str, Any]:
+def _report_outcome(conversion: _Conversion, result: _Converted | str, *, is_quiet: bool) -> dict[str, Any]:
     """Print the outcome of a conversion, a failure always, and return it as plain values."""
-    if isinstance(done, str):
-        tell([done])
-        return {"input": conversion.source, "error": done}
+    if isinstance(result, str):
+        tell([result])
+        return {"input": conversion.source, "error": result}
     if not is_quiet:
-        tell(f"{conversion.source}: {remark}" for remark in done.remarks)
-        say(_result(conversion.target, done))
-    return {"input": conversion.source, "output": conversion.target} | _facts(done)
+        tell(f"{conversion.source}: {remark}" for remark in result.remarks)
+        say(_result(conversion.target, result))
+    return {"input": conversion.source, "output": conversion.target} | _facts(result)
 
 
 def _named(report: Report, name: str) -> Report:
@@ -157,20 +157,20 @@ def _planned(options: argparse.Namespace) -> list[_Conversion]:
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
         raise RefusalError(f"“{folder}” is no folder.")
-    conversions = [_Conversion(each, str(folder / f"{_stem(each)}{ending}")) for each in options.files]
-    sources = {identity: each for each in options.files if (identity := _identity(each))}
+    conversions = [_Conversion(file, str(folder / f"{_stem(file)}{ending}")) for file in options.files]
+    sources = {identity: file for file in options.files if (identity := _identity(file))}
     targets: dict[str, str] = {}
-    for each in conversions:
-        key = each.target.casefold() if _IGNORES_CASE else each.target
+    for conversion in conversions:
+        key = conversion.target.casefold() if _IGNORES_CASE else conversion.target
         if key in targets:
             raise RefusalError(
-                f"“{targets[key]}” and “{each.source}” would both be written to “{each.target}”. "
+                f"“{targets[key]}” and “{conversion.source}” would both be written to “{conversion.target}”. "
                 "Convert them into different folders."
             )
-        targets[key] = each.source
-        if (identity := _identity(each.target)) in sources and identity is not None:
+        targets[key] = conversion.source
+        if (identity := _identity(conversion.target)) in sources and identity is not None:
             raise RefusalError(
-                f"“{each.source}” would be written over “{sources[identity]}”, which is to be read. "
+                f"“{conversion.source}” would be written over “{sources[identity]}”, which is to be read. "
                 "Choose another folder."
             )
     return conversions
@@ -199,7 +199,7 @@ def _jobs(options: argparse.Namespace) -> int:
     """Return how many processes read drawings."""
     if options.jobs is not None:
         return min(int(options.jobs), len(options.files))
-    total = sum(Path(each).stat().st_size for each in options.files if Path(each).is_file())
+    total = sum(Path(file).stat().st_size for file in options.files if Path(file).is_file())
     return max(1, min(len(options.files), os.cpu_count() or 1, total // _BYTES_A_PROCESS))
 
 
@@ -257,7 +257,7 @@ def _converted(
         conversion.target,
         replace(
             picture_options(options, document),
-            own=own_options(options, FORMATS.written),
+            format_options=options_of_formats(options, FORMATS.written),
             report=part(report, 0.7, 1.0),
         ),
     )
@@ -282,7 +282,7 @@ def _fitted(
         return document, []
     fits = []
     share = 1.0 / len(document.curves)
-    for place, curve in enumerate(document.curves):
+    for index, curve in enumerate(document.curves):
         model = replace(curve, family=word.family, settings=word.settings) if options.family else curve
         try:
             fit = fitted_to_curve(
@@ -291,7 +291,7 @@ def _fitted(
                 count=options.fit,
                 tolerance=options.fit_tolerance,
                 keeps_times=options.keep_times,
-                report=part(report, place * share, (place + 1) * share),
+                report=part(report, index * share, (index + 1) * share),
             )
         except EditError as problem:
             raise RefusalError(f"“{curve.name}”: {problem}") from None

@@ -67,8 +67,8 @@ def why_no_window(plugins: Path) -> Iterator[str]:
 
 def _is_x11() -> bool:
     platform = os.environ.get("QT_QPA_PLATFORM", "")
-    is_chosen = platform.startswith("xcb") or (not platform and not os.environ.get("WAYLAND_DISPLAY"))
-    return sys.platform == "linux" and is_chosen
+    is_wanted = platform.startswith("xcb") or (not platform and not os.environ.get("WAYLAND_DISPLAY"))
+    return sys.platform == "linux" and is_wanted
 
 
 def _loading_problem(plugin: Path) -> str:

@@ -26,14 +26,14 @@ def document_of(path: str) -> Decoded:
     What is left out of it is printed beside the output.
     """
     try:
-        found = load_document(path)
+        decoded = load_document(path)
     except RefusalError:
         if not can_import(Path(path)):
             raise
     else:
-        if found.left_out:
-            tell([found.left_out.sentence(Path(path).name)])
-        return found
+        if decoded.left_out:
+            tell([decoded.left_out.sentence(Path(path).name)])
+        return decoded
     with TerminalProgress() as report:
         source = exchange.files.import_file(path, report=report)
     tell(source.remarks)

@@ -128,7 +128,7 @@ def _growth_text(growth: Growth) -> str:
 def _length_text(value: float, bound: float) -> str:
     """Return a length with as many digits as its bound is worth, and a bound that covers their rounding."""
     texts = (f"{value:.{digits}g}" for digits in range(1, 18))
-    text = next((each for each in texts if abs(float(each) - value) <= bound), repr(value))
+    text = next((text for text in texts if abs(float(text) - value) <= bound), repr(value))
     error = bound + abs(float(text) - value)
     return f"about {text} (error at most {rounded_up(error, 1):g})"
 
@@ -153,7 +153,7 @@ def _style_text(style: Style, unit: str) -> str:
         parts.append(f"fill {paint}{_opacity_text(style.fill_opacity)}")
     if style.has_stroke:
         width = "the usual width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
-        dashes = f", dashes {' '.join(f'{each:g}' for each in style.dash)}" if style.dash else ""
+        dashes = f", dashes {' '.join(f'{length:g}' for length in style.dash)}" if style.dash else ""
         paint = style.stroke or "in ink"
         parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")
     return "; ".join(parts) or NO_PAINT

@@ -28,7 +28,7 @@ def whole_number(text: str) -> int:
 def _family_name(text: str) -> str:
     """Return the name of the family that was typed, by its name or its title."""
     if (family := FAMILIES.called(text)) is None:
-        known = enumerated([each.name for each in FAMILIES], "or")
+        known = enumerated([family.name for family in FAMILIES], "or")
         raise argparse.ArgumentTypeError(f"“{text}” is no family; it can be {known}")
     return family.name
 
@@ -155,7 +155,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     convert.usage = _CONVERT_USAGE
     convert.set_defaults(parser=convert)  # for what is wrong with its files
     add = convert.add_argument
-    read, written = (", ".join(endings_of(each)) for each in (FORMATS.read, FORMATS.written))
+    read, written = (", ".join(endings_of(formats)) for formats in (FORMATS.read, FORMATS.written))
     add(
         "files",
         nargs="+",
@@ -185,7 +185,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     _add_table_options(convert)
     _add_fit_options(convert)
     add_picture_options(convert)
-    add_own_options(convert, FORMATS.written)
+    add_format_options(convert, FORMATS.written)
 
 
 def convert_usage_problem(options: argparse.Namespace) -> str:
@@ -202,22 +202,22 @@ def convert_usage_problem(options: argparse.Namespace) -> str:
     return "many files need -o FOLDER --to ENDING"
 
 
-_OWN = "own_"
+_DEST = "own_"
 """Before the names of options of single formats, beside those that all have."""
 
 
-def add_own_options(parser: argparse.ArgumentParser, formats: Iterable[Format]) -> None:
+def add_format_options(parser: argparse.ArgumentParser, formats: Iterable[Format]) -> None:
     """Let a command take the options that single formats have."""
-    for option in _own(formats):
+    for option in _listed_options(formats):
         try:
-            parser.add_argument(option.flag, dest=f"{_OWN}{option.name}", help=option.help, **_typed(option))
+            parser.add_argument(option.flag, dest=f"{_DEST}{option.name}", help=option.help, **_typed(option))
         except argparse.ArgumentError as problem:
             raise ValueError(f"“{option.name}” of a format needs another flag: {problem}") from None
 
 
-def _own(formats: Iterable[Format]) -> list[Option[Any]]:
+def _listed_options(formats: Iterable[Format]) -> list[Option[Any]]:
     """Return the options of single formats that the command line has."""
-    return [each for each in all_options(form.options for form in formats) if each.help]
+    return [option for option in all_options(form.options for form in formats) if option.help]
 
 
 def _typed(option: Option[Any]) -> dict[str, Any]:
@@ -226,7 +226,7 @@ def _typed(option: Option[Any]) -> dict[str, Any]:
         case Check():
             return {"action": argparse.BooleanOptionalAction if option.default else "store_true"}
         case OneOf():
-            return {"choices": [str(each) for each in option.choices], "default": str(option.default)}
+            return {"choices": [str(choice) for choice in option.choices], "default": str(option.default)}
         case SomeOf():
             return {"type": _some_of(option), "default": option.default, "metavar": "A,B"}
         case Whole():
@@ -264,13 +264,13 @@ def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
     return read
 
 
-def own_options(options: argparse.Namespace, formats: Iterable[Format]) -> dict[str, Any]:
+def options_of_formats(options: argparse.Namespace, formats: Iterable[Format]) -> dict[str, Any]:
     """Return what was asked for of the options of single formats, by their names."""
-    own = _own(formats)
-    values = {each.name: getattr(options, f"{_OWN}{each.name}") for each in own}
-    for each in own:
-        if isinstance(each, OneOf):
-            values[each.name] = next(one for one in each.choices if str(one) == values[each.name])
+    listed = _listed_options(formats)
+    values = {option.name: getattr(options, f"{_DEST}{option.name}") for option in listed}
+    for option in listed:
+        if isinstance(option, OneOf):
+            values[option.name] = next(one for one in option.choices if str(one) == values[option.name])
     if columns := _columns_to_write(options):
         values[COLUMNS.name] = columns
     return values
@@ -362,13 +362,13 @@ def _two_or_more(text: str) -> int:
 
 def columns_to_read(options: argparse.Namespace) -> str:
     """Return those of the columns that say what a column is: with “=”."""
-    return ",".join(each for each in options.columns if "=" in each)
+    return ",".join(column for column in options.columns if "=" in column)
 
 
 def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
     """Return those of the columns that are to be written; none for all, and for commands without tables."""
     columns = getattr(options, "columns", ())
-    return tuple(name for each in columns if "=" not in each for name in each.split(","))
+    return tuple(name for column in columns if "=" not in column for name in column.split(","))
 
 
 def picture_options(options: argparse.Namespace, document: Document) -> Options:

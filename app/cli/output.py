@@ -71,19 +71,19 @@ class TerminalProgress:
 
     def __init__(self) -> None:
         self._began = self._last = perf_counter()
-        self._is_shown = False
+        self._is_visible = False
 
     def __call__(self, share: float, word: str) -> None:
         """Write the share that is done, and a word for the work; see `Report`."""
         now = perf_counter()
         if share < 1.0 and sys.stderr.isatty() and min(now - self._began, now - self._last) > PATIENCE:
-            self._last, self._is_shown = now, True
+            self._last, self._is_visible = now, True
             print(f"\r{word}: {share:.0%}\033[K", end="", file=sys.stderr, flush=True)
 
     def clear(self) -> None:
         """Take the line away, before something else is printed."""
-        if self._is_shown:
-            self._is_shown = False
+        if self._is_visible:
+            self._is_visible = False
             print("\r\033[K", end="", file=sys.stderr, flush=True)
 
     def __enter__(self) -> Self:

@@ -17,10 +17,10 @@ from ..view_model.motion_settings import Pace, Repeat
 from .documents import document_of
 from .options import (
     STYLES,
+    add_format_options,
     add_motion_options,
-    add_own_options,
     add_picture_options,
-    own_options,
+    options_of_formats,
     picture_options,
     positive_number,
 )
@@ -47,7 +47,7 @@ def add_options(render: argparse.ArgumentParser) -> None:
         help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
     )
     add_picture_options(render)
-    add_own_options(render, FORMATS.pictures)
+    add_format_options(render, FORMATS.pictures)
     add_motion_options(render)
 
 
@@ -55,7 +55,7 @@ def _drawn_document(options: argparse.Namespace) -> Document:
     """Return what pictures are made of: the document, or the curves of it that were asked for."""
     document = document_of(options.file).document
     return (
-        exchange.cubics_in.ImportResult(document).called(options.only).document if options.only else document
+        exchange.cubics_in.ImportResult(document).named(options.only).document if options.only else document
     )
 
 
@@ -73,9 +73,11 @@ def render(options: argparse.Namespace) -> int:
         raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
     document = _drawn_document(options)
     with TerminalProgress() as report:
-        wanted = replace(picture_options(options, document), own=own_options(options, FORMATS.pictures))
-        made = export(document, options.output, wanted.reporting(report))
-    tell(made.remarks)
+        picture = replace(
+            picture_options(options, document), format_options=options_of_formats(options, FORMATS.pictures)
+        )
+        result = export(document, options.output, picture.reporting(report))
+    tell(result.remarks)
     return 0
 
 

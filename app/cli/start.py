@@ -41,7 +41,10 @@ def edit(files: Sequence[str], lesson: str = "") -> int:
         raise RefusalError(f"{NO_DISPLAY} {_WITHOUT}")
     with no_garbage_sought():
         application = _application()
-        sentences = [*FAMILIES.problems, *(f"{str(each).removesuffix('.')}." for each in problems.values())]
+        sentences = [
+            *FAMILIES.problems,
+            *(f"{str(problem).removesuffix('.')}." for problem in problems.values()),
+        ]
         windows = cli.windows.open_windows(able, sentences, lesson)
     return cli.windows.run(application, windows)
 

@@ -158,7 +158,7 @@ class Lifecycle(QObject):
         if beside.isMaximized():
             window.showMaximized()
         else:
-            _place_beside(window, beside)
+            _move_beside(window, beside)
         if action:
             window.context.actions[action].trigger()
         return window.context.files
@@ -248,8 +248,8 @@ class Lifecycle(QObject):
         else:
             autosave.leave()
         # Neither has a parent that goes with the window. What they are connected to lives as long as they do.
-        for each in (window, window.session, autosave):
-            each.deleteLater()
+        for owner in (window, window.session, autosave):
+            owner.deleteLater()
         # What was there at the start was spared from the search for garbage, see `start.no_garbage_sought`.
         gc.unfreeze()
 
@@ -291,7 +291,7 @@ class SignalWatch(QObject):
     def start(self) -> None:
         """Take the signals."""
         self._old_descriptor = signal.set_wakeup_fd(self._sender.fileno(), warn_on_full_buffer=False)
-        self._handlers = {number: signal.signal(number, _give_way) for number in _SIGNALS}
+        self._handlers = {number: signal.signal(number, _leave_to_event_loop) for number in _SIGNALS}
 
     def stop(self) -> None:
         """Give the signals back."""
@@ -338,7 +338,7 @@ class FaultFile:
             self._file.close()
 
 
-def _give_way(number: int, _frame: FrameType | None) -> None:
+def _leave_to_event_loop(number: int, _frame: FrameType | None) -> None:
     """Let the event loop deal with a signal; the next one ends the process, should the loop hang."""
     signal.signal(number, signal.SIG_DFL)
 
@@ -347,7 +347,7 @@ def _names_of(path: Path) -> tuple[str, ...]:
     return (str(path), str(path.absolute()), str(path.parent.absolute()), path.name, path.name.split(".")[0])
 
 
-def _place_beside(window: MainWindow, beside: MainWindow) -> None:
+def _move_beside(window: MainWindow, beside: MainWindow) -> None:
     """Put a window a step down and right of another, as large, but no further out of the screen than that."""
     frame = beside.frameGeometry()
     room = beside.screen().availableGeometry().united(frame).bottomRight() - frame.bottomRight()

@@ -103,13 +103,13 @@ class ImportResult:
             raise ExchangeError(" ".join(["There is no curve in the file.", *self.remarks]))
         return self
 
-    def only(self, taken: Sequence[bool]) -> ImportResult:
+    def only(self, included: Sequence[bool]) -> ImportResult:
         """Return some of the curves, at least one; how far they are from the file is a bound still."""
-        curves = tuple(compress(self.document.curves, taken))
+        curves = tuple(compress(self.document.curves, included))
         document = msgspec.structs.replace(self.document, curves=curves)
         return replace(self, document=tidy_shapes(document))
 
-    def called(self, names: Sequence[str]) -> ImportResult:
+    def named(self, names: Sequence[str]) -> ImportResult:
         """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
 
         Raises
@@ -117,19 +117,22 @@ class ImportResult:
         ExchangeError
             If there is none, with the names that there are.
         """
-        own = [(*curve.groups, curve.shape, curve.name) for curve in self.document.curves]
-        taken = [any(fnmatchcase(each, name) for each in mine for name in names) for mine in own]
-        if not any(taken):
+        names_of_curves = [(*curve.groups, curve.shape, curve.name) for curve in self.document.curves]
+        included = [
+            any(fnmatchcase(name, pattern) for name in curve_names for pattern in names)
+            for curve_names in names_of_curves
+        ]
+        if not any(included):
             raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
-        return self.only(taken)
+        return self.only(included)
 
     def contents(self) -> str:
         """Return the names of the outer groups, or of the curves, with how many curves they hold."""
         names = [curve.groups[:_OUTER] or (curve.name,) for curve in self.document.curves]
-        counts = Counter(name for mine in names for name in dict.fromkeys(mine))
-        shown = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
-        more = len(shown) - _MOST_NAMES
-        return ", ".join([*shown[:_MOST_NAMES], *([f"and {more} more"] if more > 0 else [])])
+        counts = Counter(name for curve_names in names for name in dict.fromkeys(curve_names))
+        entries = [f"{name} ({count})" if count > 1 else name for name, count in counts.items()]
+        more = len(entries) - _MOST_NAMES
+        return ", ".join([*entries[:_MOST_NAMES], *([f"and {more} more"] if more > 0 else [])])
 
 
 @dataclass(frozen=True)
@@ -197,18 +200,18 @@ class PathThroughPoints:
 def import_paths(paths: Sequence[ImportedPath | PathThroughPoints], losses: Losses) -> ImportResult:
     """Return the curves of paths as a document; single points, and curves beyond limits, are missed."""
     curves, deviation = list[Curve](), 0.0
-    for number, path in enumerate(paths):
-        found = _through(path) if isinstance(path, PathThroughPoints) else _curve(path)
-        if isinstance(found, Loss):
-            losses.note(found, number, path.name)
+    for index, path in enumerate(paths):
+        outcome = _curve_through(path) if isinstance(path, PathThroughPoints) else _curve(path)
+        if isinstance(outcome, Loss):
+            losses.note(outcome, index, path.name)
             continue
         try:
-            validate_changes(None, Document((found.curve,)))
+            validate_changes(None, Document((outcome.curve,)))
         except FormatError:
-            losses.note(_TOO_LARGE, number, path.name)
+            losses.note(_TOO_LARGE, index, path.name)
             continue
-        curves.append(found.curve)
-        deviation = max(deviation, found.deviation)
+        curves.append(outcome.curve)
+        deviation = max(deviation, outcome.deviation)
     document = tidy_shapes(Document(tuple(curves))) if curves else empty_document()
     return ImportResult(document, deviation, losses.sentences)
 
@@ -236,22 +239,22 @@ def without_roundings(pieces: FloatArray, *, closed: bool) -> FloatArray:
     if not np.isfinite(bound):
         return pieces
     long = np.abs(pieces - pieces[:, :1]).max(axis=(1, 2)) > bound
-    kept = pieces if long.all() else _joined(pieces, bound)
-    if closed and len(kept) and np.abs(kept[-1, 3] - pieces[0, 0]).max() <= bound:
-        kept = kept.copy()
-        put_end(kept[-1], pieces[0, 0])
-    return kept
+    result = pieces if long.all() else _joined(pieces, bound)
+    if closed and len(result) and np.abs(result[-1, 3] - pieces[0, 0]).max() <= bound:
+        result = result.copy()
+        put_end(result[-1], pieces[0, 0])
+    return result
 
 
 def _joined(pieces: FloatArray, bound: float) -> FloatArray:
-    kept, at = list[FloatArray](), pieces[0, 0]
+    result, at = list[FloatArray](), pieces[0, 0]
     for piece in pieces:
         # From where the last one ends: many that go the same way come to something.
         if np.abs(piece - at).max() > bound:
-            kept.append(piece.copy())
-            put_end(kept[-1][::-1], at)
+            result.append(piece.copy())
+            put_end(result[-1][::-1], at)
             at = piece[3]
-    return np.array(kept).reshape(-1, 4, 2)
+    return np.array(result).reshape(-1, 4, 2)
 
 
 def has_length(pieces: FloatArray) -> BoolArray:
@@ -267,26 +270,28 @@ def put_end(piece: FloatArray, end: FloatArray) -> None:
     piece[3] = end
 
 
-class _Found(NamedTuple):
+class _CurveOfPath(NamedTuple):
     """A curve, and how far it is from what the file describes at most."""
 
     curve: Curve
     deviation: float = 0.0
 
 
-def _dot(path: ImportedPath) -> _Found:
+def _dot(path: ImportedPath) -> _CurveOfPath:
     """Return a curve of no length, with both of its points at one place: its caps are seen."""
     x, y = path.pieces[0, 0].tolist()
     points = tuple(Point(x, y, t, (0.0, 0.0)) for t in (0.0, 1.0))
-    return _Found(_made(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points))
+    return _CurveOfPath(
+        _curve_with(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points)
+    )
 
 
-def _through(path: PathThroughPoints) -> _Found:
+def _curve_through(path: PathThroughPoints) -> _CurveOfPath:
     """Return the natural spline through points, by chord length: nothing else is known of it."""
-    return _Found(_made(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
+    return _CurveOfPath(_curve_with(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
 
 
-def _made(
+def _curve_with(
     path: ImportedPath | PathThroughPoints, parametrization: Parametrization, points: tuple[Point, ...]
 ) -> Curve:
     look = path.look
@@ -304,7 +309,7 @@ def _made(
     )
 
 
-def _curve(path: ImportedPath) -> _Found | Loss:
+def _curve(path: ImportedPath) -> _CurveOfPath | Loss:
     """Return a path as a curve, or why it cannot be one."""
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
@@ -315,14 +320,14 @@ def _curve(path: ImportedPath) -> _Found | Loss:
     if len(pieces) == 0:
         return _dot(path) if path.has_dots else SINGLE_POINT
     try:
-        found = points_of_cubics(
+        cubics = points_of_cubics(
             pieces, closed=path.closed, most_turned=WRITTEN_BY_PROGRAMS, letters=path.letters
         )
     except EditError:
         return _TOO_DIFFERENT
-    is_rounding = found.moved <= _ROUNDING * np.abs(pieces).max()
-    curve = _made(path, Parametrization(ParametrizationKind.MANUAL), found.points)
-    return _Found(curve, path.deviation + (0.0 if is_rounding else found.moved))
+    is_rounding = cubics.moved <= _ROUNDING * np.abs(pieces).max()
+    curve = _curve_with(path, Parametrization(ParametrizationKind.MANUAL), cubics.points)
+    return _CurveOfPath(curve, path.deviation + (0.0 if is_rounding else cubics.moved))
 
 
 # Arcs
@@ -453,10 +458,10 @@ def guessed(pieces: FloatArray, *, closed: bool) -> str:
     if not np.ptp(pieces, axis=1).any(axis=1).all():
         return ""  # a reader leaves out those of no length
     try:
-        found = points_of_cubics(pieces, closed=closed, most_turned=WRITTEN_BY_PROGRAMS)
+        cubics = points_of_cubics(pieces, closed=closed, most_turned=WRITTEN_BY_PROGRAMS)
     except EditError:
         return ""
-    return _letters(found.points, pieces, closed=closed)
+    return _letters(cubics.points, pieces, closed=closed)
 
 
 def _letters(points: Sequence[Point], pieces: FloatArray, *, closed: bool) -> str:
@@ -489,5 +494,5 @@ def parted(letters: str, outlines: Sequence[tuple[int, bool]]) -> list[str]:
     ends = np.cumsum([count + 1 for count, _ in outlines]).tolist()
     if len(letters) != ends[-1]:
         return [""] * len(outlines)
-    places = zip(outlines, ends, strict=True)
-    return [letters[end - count - 1 : end - closed] for (count, closed), end in places]
+    ranges = zip(outlines, ends, strict=True)
+    return [letters[end - count - 1 : end - closed] for (count, closed), end in ranges]

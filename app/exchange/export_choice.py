@@ -52,22 +52,22 @@ class ExportChoice:
     @property
     def format(self) -> Format:
         """The record of the format."""
-        return next(each for each in FORMATS.offered if each.ending == self.ending)
+        return next(form for form in FORMATS.offered if form.ending == self.ending)
 
-    def of_chosen(self) -> ExportChoice:
+    def of_selected(self) -> ExportChoice:
         """Return the same for the chosen curves alone."""
         return ExportChoice(self.ending, {**self.values, EXTENT.name: Extent.SELECTED})
 
-    def shown(self, unit: str = "") -> tuple[Option[Any], ...]:
+    def relevant_options(self, unit: str = "") -> tuple[Option[Any], ...]:
         """Return the options of the format that matter with these values, in a document of that unit."""
         options = self.format.options
-        values = {each.name: self[each] for each in options}
+        values = {option.name: self[option] for option in options}
         values[BY_DPI.name] = self[BY_DPI] if known_unit(unit) else None
         hidden = self.format.hidden(values)
-        return tuple(each for each in options if each not in hidden)
+        return tuple(option for option in options if option not in hidden)
 
     def request(
-        self, document: Document, active: int, chosen: Collection[int] = (), *, with_estimates: bool = False
+        self, document: Document, active: int, selected: Collection[int] = (), *, with_estimates: bool = False
     ) -> ExportRequest:
         """Return what is to be written of a document.
 
@@ -75,29 +75,29 @@ class ExportChoice:
         ----------
         active
             The curve that is edited.
-        chosen
+        selected
             Those that are chosen, if any.
         with_estimates
             Whether the basis panel shows what each point does with its estimates.
         """
         unit = document.unit
-        values = {each.name: self[each] for each in self.format.options}
+        values = {option.name: self[option] for option in self.format.options}
         is_picture, dark = DARK_PAPER.name in values, values.pop(DARK_PAPER.name, False)
         has_basis = values.pop(BASIS.name, False)
         shared = {name: values.pop(name) for name in Options.__struct_fields__ if name in values}
         values.pop(BY_DPI.name, None)
         if values.pop(TRUE_SIZE.name, True) is False:
             unit = ""
-        matters = {each.name for each in self.shown(document.unit)}
+        matters = {option.name for option in self.relevant_options(document.unit)}
         has_paper = is_picture and (dark or not shared.get("transparent"))
-        part, active = _part_of(document, self[EXTENT], active, chosen)
+        part, active = _part_of(document, self[EXTENT], active, selected)
         options = Options(
             **{name: value for name, value in shared.items() if name in matters},
             style=(DARK if dark else LIGHT) if has_paper else None,
             basis=active if has_basis else None,
             with_estimates=with_estimates,
             unit=unit,
-            own=values,
+            format_options=values,
             from_corner=self[EXTENT] is Extent.SELECTED,
         )
         return ExportRequest(part, options)
@@ -111,39 +111,39 @@ class ExportRequest(NamedTuple):
 
 
 def _part_of(
-    document: Document, extent: Extent, active: int, chosen: Collection[int]
+    document: Document, extent: Extent, active: int, selected: Collection[int]
 ) -> tuple[Document, int]:
     """Return what of a document is meant, and where in it the active curve is."""
     if extent is Extent.SELECTED:
-        places = sorted(expand_to_shapes(document, chosen or (active,)))
-        return extract_curves(document, places), places.index(active) if active in places else 0
+        indices = sorted(expand_to_shapes(document, selected or (active,)))
+        return extract_curves(document, indices), indices.index(active) if active in indices else 0
     return document, active
 
 
 def choice_from(text: str) -> ExportChoice:
     """Return the choice that was remembered as JSON; the default of what cannot be used."""
     try:
-        kept = msgspec.json.decode(text or "{}", type=dict[str, Any])
+        remembered = msgspec.json.decode(text or "{}", type=dict[str, Any])
     except (msgspec.DecodeError, UnicodeError):
         return ExportChoice()
-    return _usable(kept.get("ending"), kept)
+    return _usable(remembered.get("ending"), remembered)
 
 
 def choice_of(export: Export) -> ExportChoice | None:
     """Return the choice that a document was exported with; None if it never was."""
     if not export.ending:
         return None
-    kept = {}
+    values = {}
     for name, text in export.options:
         with suppress(msgspec.DecodeError, UnicodeError):
-            kept[name] = msgspec.json.decode(text)
-    return _usable(export.ending, kept)
+            values[name] = msgspec.json.decode(text)
+    return _usable(export.ending, values)
 
 
-def known_name(choice: ExportChoice, document: Document, chosen: Collection[int], last: Export) -> str:
+def known_name(choice: ExportChoice, document: Document, selected: Collection[int], last: Export) -> str:
     """Return what is exported is called, without ending, or was the last time; empty for neither."""
     if choice[EXTENT] is Extent.SELECTED:
-        return common_name(document, expand_to_shapes(document, chosen)) or ""
+        return common_name(document, expand_to_shapes(document, selected)) or ""
     return last.name.removesuffix(last.ending) if last.ending == choice.ending else ""
 
 
@@ -156,23 +156,25 @@ def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
     return Export(choice.ending, name, options)
 
 
-def _usable(ending: object, kept: Mapping[str, Any]) -> ExportChoice:
-    known = [each.ending for each in FORMATS.offered]
-    return chosen(
+def _usable(ending: object, values: Mapping[str, Any]) -> ExportChoice:
+    known = [form.ending for form in FORMATS.offered]
+    return choice_with(
         ending if isinstance(ending, str) and ending in known else ExportChoice().ending,
-        {each: kept[each.name] for each in offered_options() if each.name in kept},
+        {option: values[option.name] for option in offered_options() if option.name in values},
     )
 
 
-def chosen(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
+def choice_with(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
     """Return a choice with the values of some options, or the defaults of those that cannot be used."""
     usable = {option: option.checked(value) for option, value in values.items()}
-    return ExportChoice(ending, {each.name: kept for each, kept in usable.items() if kept != each.default})
+    return ExportChoice(
+        ending, {option.name: value for option, value in usable.items() if value != option.default}
+    )
 
 
 def offered_options() -> tuple[Option[Any], ...]:
     """Return the options of all formats that the window offers, in the order of their rows."""
-    return all_options([(EXTENT, TRUE_SIZE), *(each.options for each in FORMATS.offered)])
+    return all_options([(EXTENT, TRUE_SIZE), *(form.options for form in FORMATS.offered)])
 
 
 def text_of(choice: ExportChoice) -> str:

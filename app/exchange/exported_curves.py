@@ -148,7 +148,7 @@ class Beziers:
 
 def worst_of(parts: Iterable[Beziers | Deviation]) -> Deviation:
     """Return the largest of deviations; it is a bound if all of them are."""
-    deviations, bounds = zip(*((each.deviation, each.is_bound) for each in parts), strict=True)
+    deviations, bounds = zip(*((part.deviation, part.is_bound) for part in parts), strict=True)
     return Deviation(max(deviations), all(bounds))
 
 
@@ -239,7 +239,7 @@ def accuracy(deviation: float, is_bound: bool) -> str:
 
 def one_line(text: str) -> str:
     """Return text as it may stand in any comment: one line, nothing but printable characters."""
-    return "".join(each if each.isprintable() else " " for each in text).encode("utf-8", "replace").decode()
+    return "".join(char if char.isprintable() else " " for char in text).encode("utf-8", "replace").decode()
 
 
 def cell_of_name(name: str, separator: str) -> str:
@@ -304,21 +304,33 @@ def _controls_of(piece: ParametricCurve) -> FloatArray | None:
 def _known_curves(pieces: tuple[ParametricCurve, ...]) -> tuple[ParametricCurve, ...]:
     """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
     for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve, SepticHermiteCurve):
-        found = [curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None]
-        if len(found) == len(pieces):
-            return tuple(found)
+        curves = [
+            curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None
+        ]
+        if len(curves) == len(pieces):
+            return tuple(curves)
     return ()
 
 
-def _known_curve(kind: type[ParametricCurve], said: list[Interpolant] | None) -> ParametricCurve | None:
+def _known_curve(
+    kind: type[ParametricCurve], interpolants: list[Interpolant] | None
+) -> ParametricCurve | None:
     """Return the curve of a family that has the same interpolants; None where there is none."""
-    if not said or any(each.jets.shape[1] != kind.derivatives + 1 for each in said):
+    if not interpolants or any(
+        interpolant.jets.shape[1] != kind.derivatives + 1 for interpolant in interpolants
+    ):
         return None
-    parameters, first = np.unique(np.concatenate([each.parameters for each in said]), return_index=True)
-    curve = kind.from_jets(np.concatenate([each.jets for each in said])[first], parameters)
-    own = curve.interpolants() or []
-    pairs = [both for parts in zip(own, said, strict=False) for both in zip(*parts, strict=True)]
-    return curve if len(own) == len(said) and all(np.array_equal(*both) for both in pairs) else None
+    parameters, first = np.unique(
+        np.concatenate([interpolant.parameters for interpolant in interpolants]), return_index=True
+    )
+    curve = kind.from_jets(
+        np.concatenate([interpolant.jets for interpolant in interpolants])[first], parameters
+    )
+    actual = curve.interpolants() or []
+    pairs = [both for parts in zip(actual, interpolants, strict=False) for both in zip(*parts, strict=True)]
+    return (
+        curve if len(actual) == len(interpolants) and all(np.array_equal(*both) for both in pairs) else None
+    )
 
 
 def _deviation(curve: ParametricCurve, piece: ParametricCurve) -> float:

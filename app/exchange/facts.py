@@ -182,10 +182,11 @@ def _shape_of(curve: Curve) -> _Shape | str:
 def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
     """Yield the facts about curves; what takes many calls is computed of all of them together."""
     good = {index: shape for index, shape in enumerate(shapes) if not isinstance(shape, str)}
-    found = bounding_boxes([each.core for each in good.values()], [each.pieces for each in good.values()])
-    boxes = dict(zip(good, found, strict=True))
-    growths = dict(zip(good, _growths([each.view for each in good.values()]), strict=True))
-    lengths = dict(zip(good, _lengths([*good.values()], [*growths.values()]), strict=True))
+    usable = [*good.values()]
+    around = bounding_boxes([shape.core for shape in usable], [shape.pieces for shape in usable])
+    boxes = dict(zip(good, around, strict=True))
+    growths = dict(zip(good, _growths([shape.view for shape in usable]), strict=True))
+    lengths = dict(zip(good, _lengths(usable, [*growths.values()]), strict=True))
     for index, (curve, shape) in enumerate(zip(curves, shapes, strict=True)):
         if isinstance(shape, str):
             yield replace(_facts_of_points(curve), warnings=(shape,))
@@ -244,20 +245,20 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
 
 def _lengths(shapes: Sequence[_Shape], growths: Sequence[Growth]) -> list[Length]:
     """Return arc lengths; their bounds count the effect of the rounding of t."""
-    found = lengths_of([each.pieces for each in shapes], LENGTH_TOLERANCE)
+    lengths = lengths_of([shape.pieces for shape in shapes], LENGTH_TOLERANCE)
     others = [
         []
         if shape.rounding.is_lost(*growth[:2], length.error / max(length.value, SMALLEST))
         else shape.rounding.disturbed()
-        for shape, growth, length in zip(shapes, growths, found, strict=True)
+        for shape, growth, length in zip(shapes, growths, lengths, strict=True)
     ]
     # Deviations of the pieces count by the weights, too.
-    pieces = [bezier_pieces(each.curve, min(FINE / each.weight, 1e-6)) for each in chain(*others)]
+    pieces = [bezier_pieces(case.curve, min(FINE / case.weight, 1e-6)) for case in chain(*others)]
     moved = iter(lengths_of(pieces, LENGTH_TOLERANCE))
-    for index, (length, cases) in enumerate(zip(found, others, strict=True)):
-        effect = sum(each.weight * abs(next(moved).value - length.value) for each in cases)
-        found[index] = length._replace(error=min(length.error + effect, LARGEST))
-    return found
+    for index, (length, cases) in enumerate(zip(lengths, others, strict=True)):
+        effect = sum(case.weight * abs(next(moved).value - length.value) for case in cases)
+        lengths[index] = length._replace(error=min(length.error + effect, LARGEST))
+    return lengths
 
 
 def _growths(views: Sequence[CurveView]) -> list[Growth]:

@@ -133,12 +133,12 @@ def import_file(
     options = options or ImportOptions()
     format_to_read(path)  # its refusal names the file
     try:
-        found = _imported(Path(path), foreign_file(path), options, report, process)
+        result = _content_of(Path(path), foreign_file(path), options, report, process)
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
         raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
-    return found.called(options.only) if options.only else found
+    return result.named(options.only) if options.only else result
 
 
 def format_to_read(path: str | os.PathLike[str]) -> Format:
@@ -154,7 +154,7 @@ def format_to_read(path: str | os.PathLike[str]) -> Format:
     return format_of(path, FORMATS.read)
 
 
-def _imported(
+def _content_of(
     path: Path,
     file: ForeignFile,
     options: ImportOptions,
@@ -163,9 +163,9 @@ def _imported(
 ) -> ImportResult:
     form = file.form
     if form.kind is ContentKind.DOCUMENT:
-        found = document_in(file.data, path)
-        remarks = (found.left_out.sentence(path.name),) if found.left_out else ()
-        return exchange.cubics_in.ImportResult(found.document, remarks=remarks)
+        opened = document_in(file.data, path)
+        remarks = (opened.left_out.sentence(path.name),) if opened.left_out else ()
+        return exchange.cubics_in.ImportResult(opened.document, remarks=remarks)
     if form.kind is ContentKind.DRAWING:
         assert form.read is not None
         read_in_process = exchange.reader_process.read_in_process if process is None else process.read

@@ -122,7 +122,7 @@ class OneOf(Option[Value]):
 
     def checked(self, value: object) -> Value:
         """Return one of the choices."""
-        return next((each for each in self.choices if each == value), self.default)
+        return next((choice for choice in self.choices if choice == value), self.default)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -158,7 +158,7 @@ EXTENT = OneOf(
     label="What",
     tip="What goes into the file",
     default=Extent.ALL,
-    choices={each: each.label for each in Extent},
+    choices={extent: extent.label for extent in Extent},
 )
 """Option of all formats."""
 
@@ -206,15 +206,15 @@ DARK_PAPER = OneOf(
 TRANSPARENT = Check(name="transparent", title="Transparent", tip="Leave the paper out", default=True)
 
 
-def _shown(name: str, title: str, tip: str) -> Check:
+def _drawn_with_curves(name: str, title: str, tip: str) -> Check:
     """Return the option to draw something with the curves; the check boxes share a row."""
     return Check(name=name, label="Show", title=title, tip=tip, widget=f"export_{name}", default=False)
 
 
-POINTS = _shown("points", "Points", "Draw the points")
-HANDLES = _shown("handles", "Handles", "Draw the Bézier control points beside the points")
-GRID = _shown("grid", "Grid", "Draw a grid behind the curves")
-BASIS = _shown(
+POINTS = _drawn_with_curves("points", "Points", "Draw the points")
+HANDLES = _drawn_with_curves("handles", "Handles", "Draw the Bézier control points beside the points")
+GRID = _drawn_with_curves("grid", "Grid", "Draw a grid behind the curves")
+BASIS = _drawn_with_curves(
     "basis", "Basis functions", "Draw the basis functions of the curve that is edited below the picture"
 )
 TOLERANCE = Tolerance(
@@ -257,7 +257,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     unit
         Of pictures, TikZ and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then
         has true size, as TikZ always has; of a PNG it gives the pixels per inch.
-    own
+    format_options
         The options that one format alone has, by their names.
     report
         Hears how far it has come; until the file is put in place it may raise `Cancelled`.
@@ -280,14 +280,14 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     basis: int | None = None
     with_estimates: bool = False
     unit: str = ""
-    own: Mapping[str, Any] = {}
+    format_options: Mapping[str, Any] = {}
     report: Report = silent
     path: str = ""
     from_corner: bool = False
 
     def __getitem__(self, option: Option[Value]) -> Value:
         """Return an option that one format alone has."""
-        value: Value = self.own.get(option.name, option.default)
+        value: Value = self.format_options.get(option.name, option.default)
         return value
 
     def reporting(self, report: Report) -> Options:
@@ -317,6 +317,6 @@ DEFAULT = Options()
 """As nobody asked for anything."""
 
 
-def all_options(each: Iterable[Iterable[Option[Any]]]) -> tuple[Option[Any], ...]:
+def all_options(option_lists: Iterable[Iterable[Option[Any]]]) -> tuple[Option[Any], ...]:
     """Return the options of several formats, each once, in the order of their first appearance."""
-    return tuple({option.name: option for options in each for option in options}.values())
+    return tuple({option.name: option for options in option_lists for option in options}.values())

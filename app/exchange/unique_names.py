@@ -19,21 +19,21 @@ class UniqueNames:
 
     Parameters
     ----------
-    taken
+    used
         Names that somebody else has handed out.
     between
         Between a name and its number.
     """
 
-    def __init__(self, taken: NameContainer = (), between: str = " ") -> None:
-        self._taken, self._between = taken, between
+    def __init__(self, used: NameContainer = (), between: str = " ") -> None:
+        self._used, self._between = used, between
         self._given: set[str] = set()
         self._next: dict[str, int] = {}
 
     def unique(self, base: str) -> str:
         """Return the base, or the base with the least number from 2 on that makes a new name."""
         name, number = base, self._next.get(base, 2)
-        while name in self._given or name in self._taken:
+        while name in self._given or name in self._used:
             name, number = f"{base}{self._between}{number}", number + 1
         self._given.add(name)
         self._next[base] = number
@@ -42,8 +42,8 @@ class UniqueNames:
 
 def numbered(names: Sequence[str]) -> list[str]:
     """Return names, of which those that are there several times are "A (1)", "A (2)"."""
-    counts, seen, result = Counter(names), Counter[str](), []
+    counts, occurrences, result = Counter(names), Counter[str](), []
     for name in names:
-        seen[name] += 1
-        result.append(f"{name} ({seen[name]})" if counts[name] > 1 else name)
+        occurrences[name] += 1
+        result.append(f"{name} ({occurrences[name]})" if counts[name] > 1 else name)
     return result

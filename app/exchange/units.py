@@ -33,7 +33,7 @@ def dxf_code(name: str) -> int:
 
 def unit_of_dxf(code: int) -> str:
     """Return the unit of a DXF file with this $INSUNITS; empty for none, and for those unknown here."""
-    return next((unit for unit, each in _IN_DXF.items() if each == code), "")
+    return next((unit for unit, known in _IN_DXF.items() if known == code), "")
 
 
 def size_in_words(width: float, height: float, unit: str) -> str:
@@ -79,7 +79,7 @@ def _times(value: float, factor: float) -> float:
 @cache
 def _sized_fields(kind: type[Value]) -> tuple[Field, ...]:
     """Return the fields that hold lengths, or values that may."""
-    return tuple(each for each in fields_of(kind) if each.is_length or each.holds_values)
+    return tuple(field for field in fields_of(kind) if field.is_length or field.holds_values)
 
 
 def shifted(document: Document, by: Vector) -> Document:

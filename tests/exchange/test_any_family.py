@@ -187,7 +187,7 @@ def test_a_path_for_robots_is_the_curve_within_its_deviation(document, written):
 
 
 def test_rows_of_samples_are_the_curve_and_its_derivatives(document, written):
-    path, done = written(".csv", own={"samples": 200})
+    path, done = written(".csv", format_options={"samples": 200})
     titles, *rows = (line.split(",") for line in path.read_text().splitlines())
     # Where the curve stands still it has no curvature: the cell is empty.
     values = {title: np.array([float(row[k] or "nan") for row in rows]) for k, title in enumerate(titles)}

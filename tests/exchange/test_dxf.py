@@ -46,7 +46,7 @@ def points_of(curve, count=2001):
 
 @pytest.mark.parametrize("cubic", [False, True])
 def test_ezdxf_gives_the_curve_within_the_stated_deviation(kind, cubic):
-    written = dxf_text(kind, Options(tolerance=1e-4, own={"cubic": cubic}))
+    written = dxf_text(kind, Options(tolerance=1e-4, format_options={"cubic": cubic}))
     (spline,) = loaded(written.text).modelspace()
     assert spline.dxftype() == "SPLINE"
     assert spline.fit_point_count() == 0
@@ -63,7 +63,7 @@ def test_the_degree_is_the_true_one(kind):
     (spline,) = loaded(dxf_text(kind).text).modelspace()
     degree = core(kind).degree or 3  # what is no polynomial is written as cubics
     assert spline.dxf.degree == (degree if degree <= 10 else 3)
-    (spline,) = loaded(dxf_text(kind, Options(own={"cubic": True})).text).modelspace()
+    (spline,) = loaded(dxf_text(kind, Options(format_options={"cubic": True})).text).modelspace()
     assert spline.dxf.degree == min(degree, 3)
 
 

@@ -33,7 +33,9 @@ def gcode():
 def test_the_format_of_the_recipe_writes_moves_within_the_tolerance(gcode, tmp_path):
     document = Document((make_curve(ARCH), make_curve(ARCH[::-1]), make_curve(ARCH[:1], name="dot")))
     shares = []
-    options = Options(tolerance=1e-3, own={"feed": 250.0}, report=lambda share, _word: shares.append(share))
+    options = Options(
+        tolerance=1e-3, format_options={"feed": 250.0}, report=lambda share, _word: shares.append(share)
+    )
     written = export(document, tmp_path / "arch.gcode", options)
     lines = (tmp_path / "arch.gcode").read_text().splitlines()
     assert lines[:3] == ["G21", "F250", "G0 X0.0 Y0.0"]

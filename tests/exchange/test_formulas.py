@@ -161,7 +161,7 @@ def tex_rows(text):
 
 
 def test_the_numbers_of_the_formula_give_the_curve_within_the_stated_deviation(kind):
-    written = latex_formula(kind, Options(own={DIGITS.name: 4}))
+    written = latex_formula(kind, Options(format_options={DIGITS.name: 4}))
     rows = tex_rows(written.text)
     assert rows
     (source,) = curves_of(kind)
@@ -184,7 +184,8 @@ def test_the_rows_of_a_formula_fit_a_page(kind):
 
 def test_more_digits_come_closer(sketch):
     deviations = [
-        latex_formula(sketch, Options(own={DIGITS.name: digits})).deviation for digits in (3, 6, 9, 17)
+        latex_formula(sketch, Options(format_options={DIGITS.name: digits})).deviation
+        for digits in (3, 6, 9, 17)
     ]
     assert deviations == sorted(deviations, reverse=True)
     # What is no polynomial is written as cubics within the tolerance, whatever the digits.
@@ -235,8 +236,8 @@ def test_what_rounding_alone_makes_different_is_said_to_be_so_about(family):
 def test_too_few_digits_are_refused():
     document = Document((make_curve([(0, 0), (1, 0), (1.00001, 0), (2, 0)]),))
     with pytest.raises(ExchangeError, match=r"With 3 digits two parameters would be equal.*--digits 5 of"):
-        latex_formula(document, Options(own={DIGITS.name: 3}))
-    assert latex_formula(document, Options(own={DIGITS.name: 6})).text.count("0.500005") == 1
+        latex_formula(document, Options(format_options={DIGITS.name: 3}))
+    assert latex_formula(document, Options(format_options={DIGITS.name: 6})).text.count("0.500005") == 1
 
 
 def balanced(text):

@@ -86,7 +86,7 @@ READERS = {
     "table": (
         _table,
         [
-            sampled_table(SKETCH, Options(own={"samples": 5})).data,
+            sampled_table(SKETCH, Options(format_options={"samples": 5})).data,
             points_table(PAIR).data,
             b"x;y\n1,5;2\n3,25;4e3\n",
             b'"a" 1 2\n',

@@ -92,7 +92,7 @@ def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
         tuple(curve for curve in document.curves if not any(point.corner for point in curve.points))
     )
     path = tmp_path / "a.csv"
-    export(smooth, path, Options(own={"samples": 400}))
+    export(smooth, path, Options(format_options={"samples": 400}))
     back = import_file(path).document
     assert len(back.curves) == len(smooth.curves)
     for first, second in zip(curves_of(smooth), curves_of(back), strict=True):
@@ -101,10 +101,10 @@ def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
 
 
 def test_chosen_columns_of_samples(document):
-    text = sampled_table(document, Options(own={"samples": 3, "columns": ("y", "x")})).text
+    text = sampled_table(document, Options(format_options={"samples": 3, "columns": ("y", "x")})).text
     assert text.splitlines()[0] == "curve,x,y"
     with pytest.raises(ExchangeError, match="A table can have the columns t, x, y"):
-        sampled_table(document, Options(own={"columns": ("z",)}))
+        sampled_table(document, Options(format_options={"columns": ("z",)}))
 
 
 def test_rows_of_different_curves_may_be_mixed():

@@ -19,7 +19,7 @@ from tests.rows import each_row
 
 def table(document, **keywords):
     tolerance = keywords.pop("tolerance", None)
-    written = sampled_table(document, Options(tolerance=tolerance, own=keywords))
+    written = sampled_table(document, Options(tolerance=tolerance, format_options=keywords))
     rows = list(csv.reader(io.StringIO(written.text)))
     values = np.array([[float(cell) if cell else np.nan for cell in row] for row in rows[1:]])
     return rows[0], values, written.deviation
@@ -90,7 +90,7 @@ def test_a_point_at_rest_has_no_curvature():
 
 
 def test_several_curves_have_a_column_for_the_name(gallery):
-    written = sampled_table(gallery, Options(own={"samples": 3}))
+    written = sampled_table(gallery, Options(format_options={"samples": 3}))
     rows = list(csv.reader(io.StringIO(written.text)))
     assert rows[0] == ["curve", *TITLES]
     assert {len(row) for row in rows} == {10}
@@ -99,27 +99,27 @@ def test_several_curves_have_a_column_for_the_name(gallery):
 
 def test_a_name_never_becomes_a_formula():
     curve = make_curve([(0, 0), (1, 1)], name='=cmd|"/c calc"')
-    written = sampled_table(Document((curve, curve)), Options(own={"samples": 2}))
+    written = sampled_table(Document((curve, curve)), Options(format_options={"samples": 2}))
     assert next(csv.reader(io.StringIO(written.text.splitlines()[1])))[0] == '\'=cmd|"/c calc"'
 
 
 def test_tabs(sketch):
-    text = sampled_table(sketch, Options(own={"samples": 2}), separator="\t").text
+    text = sampled_table(sketch, Options(format_options={"samples": 2}), separator="\t").text
     assert text.splitlines()[0] == "\t".join(TITLES)
 
 
 @each_row("samples", [-1, 1, 1_000_001])
 def test_the_number_of_samples_has_limits(sketch, samples):
     with pytest.raises(ExchangeError, match="A table can have 2 to 1000000 samples"):
-        sampled_table(sketch, Options(own={"samples": samples}))
+        sampled_table(sketch, Options(format_options={"samples": samples}))
 
 
 def test_many_samples_are_computed_in_parts_that_fit_together(sketch, monkeypatch):
-    whole = sampled_table(sketch, Options(own={"samples": 1500}))
+    whole = sampled_table(sketch, Options(format_options={"samples": 1500}))
     monkeypatch.setattr("app.exchange.formats.tables._ROWS_AT_ONCE", 100)
     told = []
     parts = sampled_table(
-        sketch, Options(report=lambda share, _word: told.append(share), own={"samples": 1500})
+        sketch, Options(report=lambda share, _word: told.append(share), format_options={"samples": 1500})
     )
     one, other = (
         np.genfromtxt(io.StringIO(each.text), delimiter=",", skip_header=1) for each in (whole, parts)
@@ -199,7 +199,7 @@ def test_rows_whose_curvature_rounding_decides_are_counted():
         points = [(0, 0), (1, 1), (1 + gap, 1), (2, 0)]
         curve = replace(make_curve(points, family=HERMITE), parametrization=chords)
         # The middle of three rows lies between the two points.
-        written = sampled_table(Document((curve,)), Options(own={SAMPLES.name: 3}))
+        written = sampled_table(Document((curve,)), Options(format_options={SAMPLES.name: 3}))
         assert ("In 1 row rounding may change the curvature" in " ".join(written.remarks)) is is_told
     straight = Document((make_curve([(0, 0), (1, 1), (3, 3)]),))
     assert sampled_table(straight).remarks == ()

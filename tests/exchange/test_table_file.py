@@ -135,7 +135,7 @@ def test_the_person_maps_the_columns():
 def test_our_own_table_gives_the_quintic_back():
     curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=QUINTIC_HERMITE)
     core = view_of(curve).curve
-    written = sampled_table(Document((curve,)), Options(own={"samples": 60}))
+    written = sampled_table(Document((curve,)), Options(format_options={"samples": 60}))
     # Curvature and length are not roles; the rest is.
     document = document_of_table(
         read_table(written.text.encode()), options=TableOptions(family=curve.family)
@@ -150,7 +150,7 @@ def test_empty_cells_matter_only_where_they_are_used():
     curve = make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE)
     first = Point(0.0, 0.0, velocity=(0.0, 0.0))
     curve = msgspec.structs.replace(curve, points=(first, *curve.points[1:]))
-    text = sampled_table(Document((curve,)), Options(own={"samples": 9})).text
+    text = sampled_table(Document((curve,)), Options(format_options={"samples": 9})).text
     assert [place for place, cell in enumerate(text.splitlines()[1].split(",")) if not cell] == [7]
     table = read_table(text.encode())
     assert np.isfinite(table.values[:, :7]).all()

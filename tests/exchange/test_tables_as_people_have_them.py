@@ -12,7 +12,7 @@ from app.cli import main
 from app.exchange.errors import ExchangeError
 from app.exchange.files import ImportOptions, import_file
 from app.exchange.formats import FORMATS, ContentKind
-from app.exchange.table.columns import guess, role_of, words_on
+from app.exchange.table.columns import guess, mapping_summary, role_of
 from tests.rows import each_row
 
 
@@ -250,7 +250,8 @@ def test_one_command_may_choose_the_columns_that_it_reads_and_those_that_it_writ
 
 def test_what_is_left_out_is_named():
     titles = ("t", "x", "y", "note")
-    assert words_on(guess(titles).mapping, titles) == "Columns: t = “t”, x = “x”, y = “y”. Left out: “note”."
+    summary = mapping_summary(guess(titles).mapping, titles)
+    assert summary == "Columns: t = “t”, x = “x”, y = “y”. Left out: “note”."
 
 
 @each_row("each", FORMATS.read, ids=lambda each: each.title)

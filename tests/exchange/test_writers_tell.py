@@ -34,7 +34,9 @@ def test_a_writer_tells_of_every_curve_and_stops_at_any(several, ending, tmp_pat
     """The loops had no report: Stop ended them by force, after a second."""
     shares = []
     path = tmp_path / f"curves{ending}"
-    options = Options(width=200, own={"samples": 5}, report=lambda share, _word: shares.append(share))
+    options = Options(
+        width=200, format_options={"samples": 5}, report=lambda share, _word: shares.append(share)
+    )
     export(several, path, options)
     assert shares.pop() == FINAL
     assert len(shares) >= 2 * COUNT  # computed, and written

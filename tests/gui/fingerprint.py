@@ -81,7 +81,7 @@ PASSING = {
     # What a panel covered when it was brought up; it is asked for only when that is closed.
     "_covered",
     # How often something has happened.
-    *("_documents", "_meant_for"),
+    *("_document_number", "_target_number"),
     # What belongs to a document that is open no more, by the place where it began.
     *("LessonCommands._visits", "LessonCommands._given"),
 }

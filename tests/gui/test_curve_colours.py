@@ -153,10 +153,10 @@ def test_the_export_dialog_tells_of_colours_that_cannot_be_seen_as_chosen(qtbot)
     transparent = dialog.form.fields["transparent"].widget
     assert transparent.isChecked()
     transparent.click()
-    until(dialog.told.text)
-    assert dialog.told.text() == "“<b>Sun” is drawn darker than #f0e442 for contrast with this paper."
+    until(dialog.colour_note.text)
+    assert dialog.colour_note.text() == "“<b>Sun” is drawn darker than #f0e442 for contrast with this paper."
     transparent.click()
-    until(lambda: not dialog.told.text())
+    until(lambda: not dialog.colour_note.text())
 
 
 @pytest.mark.parametrize(("theme", "style"), PAPERS)

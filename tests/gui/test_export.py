@@ -546,7 +546,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
 
     def proposed(dialog):
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *given: asked.append(given[2]) or ("", ""))
-        dialog.chosen.emit(dialog.form.choice())
+        dialog.export_requested.emit(dialog.form.choice())
         return Path(asked[-1]).name
 
     selected.choose({0})

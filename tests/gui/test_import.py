@@ -149,13 +149,13 @@ def test_the_dialog_says_what_was_taken_for_what(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "pandas.csv", text))
     assert dialog.preview.head.roles == ("ignore", "t", "x", "y")
     said = "Columns: t = “time”, x = “pos_x”, y = “pos_y”. Left out: column 1."
-    assert dialog.said.text() == said
+    assert dialog.remark.text() == said
     choose(dialog.preview.head.boxes[1], "ignore")
     settle(editor, dialog)
-    assert dialog.said.text() == "Columns: x = “pos_x”, y = “pos_y”. Left out: column 1, “time”."
+    assert dialog.remark.text() == "Columns: x = “pos_x”, y = “pos_y”. Left out: column 1, “time”."
     dialog.close()
     dialog = opened(editor, write(tmp_path / "three.dat", "NACA 1\n0 1 2\n1 3 4\n"))
-    assert dialog.said.text() == (
+    assert dialog.remark.text() == (
         "Not read as numbers: “NACA 1”. Columns: t = column 1, x = column 2, y = column 3. "
         "This is a guess; choose above the columns what they are."
     )
@@ -200,7 +200,7 @@ def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path
         assert dialog.summary.text() == "2 rows → 2 points"
         assert not dialog.separator_box.isEnabled()
         assert dialog.preview.head.roles == ("x", "y")
-        assert dialog.said.text() == "Columns: x = column 1, y = column 2."
+        assert dialog.remark.text() == "Columns: x = column 1, y = column 2."
         press(dialog, "importTable")
         editor.settle()
         assert [point.position for point in editor.curve.points] == [(0, 1), (2, 3)]
@@ -423,7 +423,7 @@ def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monk
     # The dialog first: its imports, should they be the first, must find the limit as it is.
     for name in (
         "features.import_export.import_table_dialog.MOST_POINTS",
-        "exchange.table.thinning.MOST_KEPT",
+        "exchange.table.thinning.MAX_POINTS",
     ):
         monkeypatch.setattr(f"app.{name}", 400)
     x, y = np.linspace(0, 1, 2_000), np.random.default_rng(3).uniform(-0.02, 0.02, 2_000)
@@ -708,7 +708,7 @@ def test_one_thing_at_a_time(editor, busy, tmp_path, monkeypatch):
 
 def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
-    editor.window.commands[ExportCommands].export(old, Options(own={"samples": 100_000}))
+    editor.window.commands[ExportCommands].export(old, Options(format_options={"samples": 100_000}))
     assert editor.window.context.work.jobs.is_busy
     shown_bar(editor)
     editor.trigger("cancelWork")

@@ -46,11 +46,11 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
     frame = drawing.frame
     handles = _handles(document) if options.handles else []
     if handles:
-        ends = np.array([handle.position for _, each in handles for handle in each])
+        ends = np.array([handle.position for _, arms in handles for handle in arms])
         frame = frame_with(drawing.outlines, ends)
-    found = _grid(frame) if options.grid else []
-    for colour, each in handles:
-        found += _drawn_handles(colour, each, frame.side)
+    annotations = _grid(frame) if options.grid else []
+    for colour, arms in handles:
+        annotations += _handle_annotations(colour, arms, frame.side)
     if options.basis is not None:
         curve = document.curves[options.basis]
         view = _functions(curve, options.with_estimates)
@@ -58,9 +58,9 @@ def annotated(drawing: Drawing, document: Document, options: Options, theme: str
             raise ExchangeError(f"“{curve.name}” has no basis functions to draw.")
         height = PANEL * frame.side
         panel = Frame(frame.left, frame.bottom - height, frame.width, height)
-        found += _basis(view, panel, frame.side, theme)
+        annotations += _basis(view, panel, frame.side, theme)
         frame = Frame(frame.left, panel.bottom, frame.width, frame.height + height)
-    return replace(drawing, frame=frame, annotations=tuple(found))
+    return replace(drawing, frame=frame, annotations=tuple(annotations))
 
 
 def _functions(curve: Curve, with_estimates: bool) -> BasisView | None:
@@ -78,39 +78,41 @@ def grid_step(frame: Frame) -> float:
 def _grid(frame: Frame) -> list[Annotation]:
     step, right = grid_step(frame), frame.left + frame.width
     upright = [
-        (place, np.array([(x, frame.bottom), (x, frame.top)])) for place, x in _lines(frame.left, right, step)
+        (multiple, np.array([(x, frame.bottom), (x, frame.top)]))
+        for multiple, x in _lines(frame.left, right, step)
     ]
     level = [
-        (place, np.array([(frame.left, y), (right, y)])) for place, y in _lines(frame.bottom, frame.top, step)
+        (multiple, np.array([(frame.left, y), (right, y)]))
+        for multiple, y in _lines(frame.bottom, frame.top, step)
     ]
     lines = [*upright, *level]
     kinds = (
-        (_FINE, [line for place, line in lines if place % 5]),
-        (_COARSE, [line for place, line in lines if place % 5 == 0 and place]),
-        (_AXIS, [line for place, line in lines if place == 0]),
+        (_FINE, [line for multiple, line in lines if multiple % 5]),
+        (_COARSE, [line for multiple, line in lines if multiple % 5 == 0 and multiple]),
+        (_AXIS, [line for multiple, line in lines if multiple == 0]),
     )
     width = _THIN * frame.side
-    return [Annotation("grid", tuple(each), width, opacity) for opacity, each in kinds if each]
+    return [Annotation("grid", tuple(group), width, opacity) for opacity, group in kinds if group]
 
 
 def _lines(low: float, high: float, step: float) -> Iterator[tuple[int, float]]:
     """Yield the coordinates between two that are multiples of a step, each with which it is."""
-    for place in range(ceil(low / step), floor(high / step) + 1):
-        yield place, place * step
+    for multiple in range(ceil(low / step), floor(high / step) + 1):
+        yield multiple, multiple * step
 
 
 def _handles(document: Document) -> list[tuple[str, list[Handle]]]:
     """Return the handles and control polygons of the curves that have any, each with the curve's colour."""
-    found = []
+    result = []
     for curve in document.curves:
         if curve.visible and len(curve.points) <= MOST_HANDLES and (view := view_of(curve)).is_current:
-            handles = [each for index in range(len(curve.points)) for each in handles_of(view, index)]
+            handles = [handle for index in range(len(curve.points)) for handle in handles_of(view, index)]
             handles += control_polygon(view)
-            found += [(curve.style.colour, handles)] if handles else []
-    return found
+            result += [(curve.style.colour, handles)] if handles else []
+    return result
 
 
-def _drawn_handles(colour: str, handles: list[Handle], side: float) -> list[Annotation]:
+def _handle_annotations(colour: str, handles: list[Handle], side: float) -> list[Annotation]:
     corner = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]) * (_SQUARE * side)
     lines = tuple(np.array([handle.anchor, handle.position]) for handle in handles)
     squares = tuple(np.array(handle.position) + corner for handle in handles)
@@ -127,17 +129,17 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annot
     start, end = view.curve.domain
     room = MARGIN * panel.width
 
-    def placed(t: FloatArray, values: FloatArray) -> FloatArray:
+    def in_panel(t: FloatArray, values: FloatArray) -> FloatArray:
         share = (np.clip(values, low, high) - low) / (high - low)
         x = panel.left + room + (t - start) / (end - start) * (panel.width - 2 * room)
         return np.column_stack([x, panel.bottom + (0.05 + 0.9 * share) * panel.height])
 
     ends = np.array([start, end])
-    levels = tuple(placed(ends, np.full(2, float(value))) for value in (0, 1))
-    ticks = tuple(placed(np.full(2, t), np.array([low, 0.0])) for t in view.curve.parameters.tolist())
+    levels = tuple(in_panel(ends, np.full(2, float(value))) for value in (0, 1))
+    ticks = tuple(in_panel(np.full(2, t), np.array([low, 0.0])) for t in view.curve.parameters.tolist())
     edge = np.array([(panel.left, panel.top), (panel.left + panel.width, panel.top)])
     thin, usual = _THIN * side, _USUAL * side
-    found = [
+    annotations = [
         Annotation("basis", (edge, levels[1]), thin, _COARSE),
         Annotation("basis", (levels[0],), thin, _AXIS),
         Annotation("basis", ticks, thin, _COARSE),
@@ -147,10 +149,10 @@ def _basis(view: BasisView, panel: Frame, side: float, theme: str) -> list[Annot
         dash = tuple(length * side for length in _DASHES[kind])
         if view.is_coarse:
             t, least, greatest = view.envelope(kind)
-            outline = (placed(t, least), placed(t, greatest))
-            found.append(Annotation("basis", outline, usual, dash=dash))
+            outline = (in_panel(t, least), in_panel(t, greatest))
+            annotations.append(Annotation("basis", outline, usual, dash=dash))
             continue
         for index in view.drawn:
-            line, colour = placed(*view.function(index, kind)), colours[view.owners[index]]
-            found.append(Annotation("basis", (line,), usual, colour=colour, dash=dash))
-    return found
+            line, colour = in_panel(*view.function(index, kind)), colours[view.owners[index]]
+            annotations.append(Annotation("basis", (line,), usual, colour=colour, dash=dash))
+    return annotations

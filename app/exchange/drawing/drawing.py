@@ -113,12 +113,14 @@ class Drawing(msgspec.Struct, frozen=True):
     @property
     def deviation(self) -> float:
         """Largest distance of any outline from its true curve."""
-        return max(each.deviation for each in (*self.outlines, *(each for _, each in self.hidden)))
+        return max(
+            outline.deviation for outline in (*self.outlines, *(outline for _, outline in self.hidden))
+        )
 
     @property
     def is_bound(self) -> bool:
         """Whether no outline is anywhere farther away."""
-        return all(each.is_bound for each in (*self.outlines, *(each for _, each in self.hidden)))
+        return all(outline.is_bound for outline in (*self.outlines, *(outline for _, outline in self.hidden)))
 
     def fitted(self, width: float, height: float) -> Drawing:
         """Return the drawing moved and scaled to the frame (0, 0, width, height), centred in it.
@@ -143,12 +145,12 @@ class Drawing(msgspec.Struct, frozen=True):
         )
         annotations = tuple(
             replace(
-                each,
-                lines=tuple(map(moved, each.lines)),
-                width=each.width * scale,
-                dash=tuple(length * scale for length in each.dash),
+                annotation,
+                lines=tuple(map(moved, annotation.lines)),
+                width=annotation.width * scale,
+                dash=tuple(length * scale for length in annotation.dash),
             )
-            for each in self.annotations
+            for annotation in self.annotations
         )
         frame = Frame(0.0, 0.0, width, height)
         return replace(self, outlines=outlines, frame=frame, annotations=annotations)
@@ -184,7 +186,7 @@ def drawing_of(
     if tolerance is not None and not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
     curves, remarks = _some_drawable(document, part(report, 0.0, 0.3))
-    samples = [_samples(*each) for each in with_progress(curves, part(report, 0.3, 0.5), "Computing curves")]
+    samples = [_samples(*pair) for pair in with_progress(curves, part(report, 0.3, 0.5), "Computing curves")]
     allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
     drawn = with_progress(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
@@ -232,17 +234,17 @@ def too_much(curve: Curve) -> str:
 
 def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
     """Return the visible curves that can be computed, as they are, and a sentence for each of the others."""
-    found, remarks = [], []
+    curves, remarks = [], []
     for curve in with_progress(
-        [each for each in document.curves if each.visible], report, "Computing curves"
+        [curve for curve in document.curves if curve.visible], report, "Computing curves"
     ):
         reason = too_much(curve)
         view = view_of(curve) if not reason else None
         if view is not None and view.curve is not None:
-            found.append((curve, view.curve))
+            curves.append((curve, view.curve))
         else:
             remarks.append(f"“{curve.display_name}”: {reason if view is None else view.problem}")
-    return found, remarks
+    return curves, remarks
 
 
 def _samples(curve: Curve, core: ParametricCurve) -> FloatArray:
@@ -296,9 +298,9 @@ def trimmed(drawing: Drawing) -> Drawing:
 
 def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
     """Return the corners of the box around the curves of a drawing with their strokes."""
-    boxes = np.array([painted_extent(each) for each in drawing.outlines])
+    boxes = np.array([painted_extent(outline) for outline in drawing.outlines])
     low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-    if any(each.style.has_stroke and each.style.width is None for each in drawing.outlines):
+    if any(outline.style.has_stroke and outline.style.width is None for outline in drawing.outlines):
         # Of the longer side with these lines.
         reach = float((high - low).max()) * USUAL_WIDTH / (1 - USUAL_WIDTH) / 2
         low, high = low - reach, high + reach

@@ -88,9 +88,9 @@ class Film:
         """Return the document with all curves that are seen: those that are compared are among them."""
         source = document.curves[self.curve]
         others = [
-            replace(each.source, style=Style(stroke=role.colour))
-            for role, each in rivals_of(view_of(source), self.compared).items()
-            if each.source is not source
+            replace(rival.source, style=Style(stroke=role.colour))
+            for role, rival in rivals_of(view_of(source), self.compared).items()
+            if rival.source is not source
         ]
         return Document((*others, *document.curves)) if others else document
 
@@ -218,10 +218,10 @@ def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder) / "film.mp4"
         size = f"{maker.width}x{maker.height}"
-        raw = ["-f", "rawvideo", "-pix_fmt", "rgb0", "-s", size, "-r", str(film.fps), "-i", "-"]
-        made = ["-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(target)]
+        source = ["-f", "rawvideo", "-pix_fmt", "rgb0", "-s", size, "-r", str(film.fps), "-i", "-"]
+        encoding = ["-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(target)]
         _feed(
-            [program, "-loglevel", "error", "-y", *raw, *made],
+            [program, "-loglevel", "error", "-y", *source, *encoding],
             _watched(maker, film.frames, report),
             film.frames,
             report,
@@ -234,10 +234,10 @@ def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:
 
 def _feed(command: list[str], frames: Iterator[bytes], count: int, report: Report) -> None:
     """Run a program that reads frames; end it where anything goes wrong, or `report` raises."""
-    with tempfile.TemporaryFile() as said:
+    with tempfile.TemporaryFile() as output:
         try:
             process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=said, bufsize=0
+                command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=output, bufsize=0
             )
         except OSError as reason:
             raise ExchangeError(f"ffmpeg cannot be started ({reason.strerror}).") from reason
@@ -255,8 +255,8 @@ def _feed(command: list[str], frames: Iterator[bytes], count: int, report: Repor
             process.wait()
             raise
         if code:
-            said.seek(0)
-            words = said.read(2000).decode("utf-8", "replace").strip().splitlines()
+            output.seek(0)
+            words = output.read(2000).decode("utf-8", "replace").strip().splitlines()
             raise ExchangeError(f"ffmpeg ended with code {code}. {words[-1] if words else ''}".strip())
 
 

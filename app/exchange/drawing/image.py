@@ -132,7 +132,9 @@ def _preview(
 def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
     moved = [
-        each for each in drawing.outlines if not each.style.has_fill and style.adjustment_of(each.colour)
+        outline
+        for outline in drawing.outlines
+        if not outline.style.has_fill and style.adjustment_of(outline.colour)
     ]
     if not moved:
         return ""
@@ -252,7 +254,7 @@ def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:
     with QPainter(writer) as painter:
         # From the lower left corner, where the page begins.
         painter.translate(0.0, (whole[1] - high) * _PDF_RESOLUTION / 72)
-        side = (each * _PDF_RESOLUTION / 72 for each in page)
+        side = (length * _PDF_RESOLUTION / 72 for length in page)
         _paint(drawing.fitted(*side), painter, style, options)
     return _cut(bytes(buffer.data().data()), whole, page)
 
@@ -302,8 +304,8 @@ def application() -> Iterator[None]:
     if isinstance(QGuiApplication.instance(), QGuiApplication):
         yield
         return
-    made = QGuiApplication(["curvebench", "-platform", "offscreen"])
+    created = QGuiApplication(["curvebench", "-platform", "offscreen"])
     try:
         yield
     finally:
-        made.shutdown()
+        created.shutdown()

@@ -123,18 +123,18 @@ class FrameMaker:
             painter.drawEllipse(QPointF(x, y), radius, radius)
 
     def _paint_dot(self, painter: QPainter, dot: Dot) -> None:
-        (place,) = self._pixels(np.array([dot.position])).tolist()
+        (position,) = self._pixels(np.array([dot.position])).tolist()
         for arrow in dot.arrows:
             (tip,) = self._pixels(np.array([arrow.tip])).tolist()
             painter.setPen(QPen(QColor(colour_on(self._paper, colour_of(dot, arrow))), 2.0 * self._scale))
-            for segment in arrow_segments(tuple(place), tuple(tip), 9.0 * self._scale).tolist():
+            for segment in arrow_segments(tuple(position), tuple(tip), 9.0 * self._scale).tolist():
                 painter.drawLine(QLineF(*segment))
         if len(self._courses) > 1 and dot.role is ACTIVE:
             return
         painter.setPen(QPen(QColor(self._paper), 1.5 * self._scale))
         painter.setBrush(self._colour(dot.role))
         radius = dot.role.radius * self._scale
-        painter.drawEllipse(QPointF(*place), radius, radius)
+        painter.drawEllipse(QPointF(*position), radius, radius)
 
 
 def _times(film: Film, duration: float) -> FloatArray:

@@ -76,15 +76,15 @@ def painted_extent(outline: Outline) -> FloatArray:
 def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
     """Return outlines that follow each other in one shape together, and the others each by itself."""
     return [
-        each
+        group
         for shape, together in groupby(outlines, attrgetter("shape"))
-        for each in ([tuple(together)] if shape else [(outline,) for outline in together])
+        for group in ([tuple(together)] if shape else [(outline,) for outline in together])
     ]
 
 
 def length_within(shape: Iterable[Outline]) -> float:
     """Return a length that no outline of a shape is longer than."""
-    return float(sum(np.hypot(*np.diff(each.control_points, axis=1).T).sum() for each in shape))
+    return float(sum(np.hypot(*np.diff(part.control_points, axis=1).T).sum() for part in shape))
 
 
 # Frames
@@ -130,7 +130,7 @@ def frame_with(outlines: Iterable[Outline], points: FloatArray | None = None) ->
     ExchangeError
         If no picture can hold the coordinates.
     """
-    parts = [np.vstack([painted_extent(each), each.points]) for each in outlines]
+    parts = [np.vstack([painted_extent(outline), outline.points]) for outline in outlines]
     return frame_around(parts if points is None else [*parts, points])
 
 

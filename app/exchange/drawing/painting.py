@@ -95,26 +95,26 @@ def paint_points(painter: QPainter, drawing: Drawing, style: PictureStyle) -> No
     radius = POINT_RADIUS * drawing.frame.side
     painter.setPen(Qt.PenStyle.NoPen)
     for outline in drawing.outlines:
-        painter.setBrush(QColor(style.seen(outline.colour)))
-        for place in _places(outline.points, drawing):
-            painter.drawEllipse(place, radius, radius)
+        painter.setBrush(QColor(style.visible_colour(outline.colour)))
+        for position in _positions(outline.points, drawing):
+            painter.drawEllipse(position, radius, radius)
 
 
 def paint_annotations(painter: QPainter, drawing: Drawing, style: PictureStyle, name: str) -> None:
     """Paint the lines of a drawing with a name, "grid" or "handles" or "basis"."""
-    for each in drawing.annotations:
-        if each.name == name:
+    for annotation in drawing.annotations:
+        if annotation.name == name:
             painter.save()
-            _paint(painter, each, drawing, style)
+            _paint(painter, annotation, drawing, style)
             painter.restore()
 
 
 def _paint(painter: QPainter, annotation: Annotation, drawing: Drawing, style: PictureStyle) -> None:
-    colour = QColor(style.seen(annotation.colour))
+    colour = QColor(style.visible_colour(annotation.colour))
     painter.setOpacity(annotation.opacity)
     path = QPainterPath()
     for line in annotation.lines:
-        path.addPolygon(QPolygonF(_places(line, drawing)))
+        path.addPolygon(QPolygonF(_positions(line, drawing)))
     if annotation.filled:
         painter.fillPath(path, colour)
         return
@@ -122,9 +122,9 @@ def _paint(painter: QPainter, annotation: Annotation, drawing: Drawing, style: P
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     if annotation.dash:
-        pen.setDashPattern([each / annotation.width for each in annotation.dash])
+        pen.setDashPattern([length / annotation.width for length in annotation.dash])
     painter.strokePath(path, pen)
 
 
-def _places(points: FloatArray, drawing: Drawing) -> list[QPointF]:
+def _positions(points: FloatArray, drawing: Drawing) -> list[QPointF]:
     return [QPointF(x, drawing.frame.height - y) for x, y in points.tolist()]

@@ -18,7 +18,7 @@ class PictureStyle(msgspec.Struct, frozen=True):
     paper: str | None = None
     theme: str = "light"
 
-    def seen(self, colour: str) -> str:
+    def visible_colour(self, colour: str) -> str:
         """Return a colour as it is drawn on the paper, the same as on the screen's; empty for the ink."""
         return palette.colour_on(self.paper, colour) if colour else self.ink
 
@@ -28,7 +28,7 @@ class PictureStyle(msgspec.Struct, frozen=True):
 
     def stroke_of(self, style: Style) -> str:
         """Return the colour of a line; only one that lies on paper alone is moved to be seen there."""
-        return style.stroke if style.stroke and style.has_fill else self.seen(style.stroke)
+        return style.stroke if style.stroke and style.has_fill else self.visible_colour(style.stroke)
 
     def fill_of(self, style: Style) -> str:
         """Return the colour of an inside: what somebody chose to be white is white on any paper."""

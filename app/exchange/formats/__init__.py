@@ -206,22 +206,22 @@ class FormatRegistry(Registry[Format]):
     @property
     def written(self) -> tuple[Format, ...]:
         """Those that are written."""
-        return tuple(each for each in self if each.write)
+        return tuple(form for form in self if form.write)
 
     @property
     def offered(self) -> tuple[Format, ...]:
         """Those that the export dialog offers."""
-        return tuple(each for each in self.written if each.description)
+        return tuple(form for form in self.written if form.description)
 
     @property
     def pictures(self) -> tuple[Format, ...]:
         """Those that can be looked at before they are written."""
-        return tuple(each for each in self.written if each.preview)
+        return tuple(form for form in self.written if form.preview)
 
     @property
     def read(self) -> tuple[Format, ...]:
         """Those that are read."""
-        return tuple(each for each in self if each.kind)
+        return tuple(form for form in self if form.kind)
 
     @staticmethod
     def _sorted(records: Iterable[Format]) -> list[Format]:
@@ -249,7 +249,7 @@ Known = TypeVar("Known", bound=FileKind)
 
 def endings_of(formats: Sequence[FileKind]) -> tuple[str, ...]:
     """Return the endings of all their files."""
-    return tuple(ending for each in formats for ending in each.endings)
+    return tuple(ending for form in formats for ending in form.endings)
 
 
 def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
@@ -262,7 +262,7 @@ def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
     """
     name, endings = Path(path).name, endings_of(formats)
     if ending := _longest(name, endings):
-        return next(each for each in formats if ending in each.endings)
+        return next(form for form in formats if ending in form.endings)
     if Path(path).is_dir():
         raise ExchangeError(f"“{os.fspath(path)}” is a folder. Choose a file.")
     known = enumerated(endings, "or")
@@ -271,12 +271,12 @@ def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
 
 def _longest(name: str, endings: Sequence[str]) -> str:
     """Return the longest ending that a name has; empty if it has none."""
-    return max((each for each in endings if name.lower().endswith(each)), key=len, default="")
+    return max((ending for ending in endings if name.lower().endswith(ending)), key=len, default="")
 
 
 def format_in(data: bytes, named: Format) -> Format:
     """Return the format that recognises the content of a file, or else that of its name."""
-    return next((each for each in FORMATS.read if each.recognises and each.recognises(data)), named)
+    return next((form for form in FORMATS.read if form.recognises and form.recognises(data)), named)
 
 
 def ending_in(path: str | os.PathLike[str], known: Format) -> str:
@@ -312,8 +312,8 @@ def is_document(data: bytes) -> bool:
 
 def file_filters(pictures: str = "") -> str:
     """Return the kinds of files that are read, for the dialog that asks for one; pictures by patterns."""
-    read = " ".join(each.patterns for each in FORMATS.read)
-    kinds = [f"{each.plural} ({each.patterns})" for each in FORMATS.read]
+    read = " ".join(form.patterns for form in FORMATS.read)
+    kinds = [f"{form.plural} ({form.patterns})" for form in FORMATS.read]
     if pictures:
         everything = f"Curves, tables and pictures ({read} {pictures})"
         return ";;".join([everything, *kinds, f"Pictures ({pictures})", "All files (*)"])

@@ -143,8 +143,8 @@ def _scipy_object(name: str, curve: ExportedCurve) -> tuple[str, float]:
         joints = np.concatenate([first.breaks, *(piece.breaks[1:] for piece in others)])
         arrays = [np.concatenate(controls).swapaxes(0, 1), joints]
         deviation = max(
-            measured(piece, partial(bezier_values, own, piece.breaks))
-            for piece, own in zip(pieces, controls, strict=True)
+            measured(piece, partial(bezier_values, control_points, piece.breaks))
+            for piece, control_points in zip(pieces, controls, strict=True)
         )
     listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)
     return f"{name} = interpolate.{kind}(\n{note}{listed})", deviation + curve.polynomials.deviation

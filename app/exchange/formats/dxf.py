@@ -210,9 +210,9 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
-    found = import_paths(reader.paths, reader.losses).with_curves()
+    result = import_paths(reader.paths, reader.losses).with_curves()
     unit = unit_of_dxf(int(drawing.units))
-    return dataclasses.replace(found, document=replace(found.document, unit=unit))
+    return dataclasses.replace(result, document=replace(result.document, unit=unit))
 
 
 def _damaged(what: str, problem: Exception) -> ExchangeError:
@@ -397,8 +397,8 @@ def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
     spline = exchange.dxf_library.BSpline(
         [(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist()
     )
-    found = [[_flat(point) for point in piece] for piece in spline.bezier_decomposition()]
-    return _welded(np.array(found, dtype=float).reshape(-1, degree + 1, 2))
+    pieces = [[_flat(point) for point in piece] for piece in spline.bezier_decomposition()]
+    return _welded(np.array(pieces, dtype=float).reshape(-1, degree + 1, 2))
 
 
 def _welded(pieces: FloatArray) -> FloatArray:

@@ -43,7 +43,7 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Export
     tolerance, paths, lines = curves.tolerance, list[Beziers](), list[str]()
     for curve in curves:
         pieces = [beziers_of(piece, tolerance) for piece in curve.core.pieces]
-        lines += [_desmos_line(controls) for each in pieces for controls in each.control_points]
+        lines += [_desmos_line(controls) for path in pieces for controls in path.control_points]
         paths += pieces
     deviation, is_bound = worst_of(paths)
     return ExportResult("\n".join(lines) + "\n", deviation, curves.remarks, is_bound)
@@ -84,7 +84,7 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> ExportResul
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     shapes = with_progress(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
-    paths = [path_data(each, has_lines=False) for each in shapes]
+    paths = [path_data(shape, has_lines=False) for shape in shapes]
     return ExportResult("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
 
 
@@ -139,18 +139,18 @@ def _coefficients(piece: ParametricCurve) -> FloatArray:
             f"A polynomial through {len(piece.points)} points has no usable coefficients; "
             f"{MOST_COEFFICIENTS} points are the most. Export code instead."
         )
-    found = power_coefficients(piece, *piece.domain)[None]
-    return np.where(np.abs(found) < LARGEST, found, np.inf)
+    coefficients = power_coefficients(piece, *piece.domain)[None]
+    return np.where(np.abs(coefficients) < LARGEST, coefficients, np.inf)
 
 
 def _from_bernstein(controls: FloatArray) -> FloatArray:
     """Return the coefficients of Bézier pieces: binomials times the forward differences at s = 0."""
-    degree, found = controls.shape[1] - 1, []
+    degree, coefficients = controls.shape[1] - 1, []
     exact = np.vectorize(Fraction, otypes=[object])(controls)
     for k in range(degree + 1):
-        found.append((comb(degree, k) * exact[:, 0]).astype(float))
+        coefficients.append((comb(degree, k) * exact[:, 0]).astype(float))
         exact = np.diff(exact, axis=1)
-    return np.stack(found, axis=1)
+    return np.stack(coefficients, axis=1)
 
 
 def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatArray:

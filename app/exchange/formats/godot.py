@@ -32,29 +32,29 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> ImportResult:
     """
     text = data.decode("utf-8", "replace")
     sections = list(_SECTION.finditer(text))
-    found, names, losses = dict[str, FloatArray](), dict[str, str](), Losses()
+    curves, names, losses = dict[str, FloatArray](), dict[str, str](), Losses()
     for head, following in zip_longest(sections, sections[1:]):
         owner = sections[0] if head[1] == "resource" else head
         body = text[head.end() : following.start() if following else None]
         if _attribute(owner, "type") == "Curve2D" and (points := _POINTS.search(body)):
             line = text.count("\n", 0, head.end() + points.start()) + 1
-            found[_attribute(head, "id")] = _points(points[1], line)
+            curves[_attribute(head, "id")] = _points(points[1], line)
         if head[1] == "node" and (used := _USED.search(body)):
             name = names.setdefault(used[1], _attribute(head, "name"))
             if _PLACED.search(body):
                 losses.note(_NOT_APPLIED, head.start(), name)
-    if not found:
+    if not curves:
         raise ExchangeError("There is no Curve2D in it. Save it, or its scene, as text (.tres, .tscn).")
     paths = [
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
-        for number, (key, points) in enumerate(found.items(), start=1)
+        for number, (key, points) in enumerate(curves.items(), start=1)
     ]
     return import_paths(paths, losses).with_curves()
 
 
 def _attribute(head: re.Match[str], name: str) -> str:
-    said = re.search(rf'\b{name}\s*=\s*(?:"(.*?)"|(\w+))', head[2])
-    return (said[1] or said[2]) if said else ""
+    match = re.search(rf'\b{name}\s*=\s*(?:"(.*?)"|(\w+))', head[2])
+    return (match[1] or match[2]) if match else ""
 
 
 def _points(text: str, line: int) -> FloatArray:

@@ -40,34 +40,41 @@ def read_gpx(data: bytes) -> Table:
         With the number of a point without a latitude or longitude, and where there is no track.
     """
     root = parsed(data, MOST_ELEMENTS)
-    found = list(_tracks(root))
-    tracks = [(name, points) for name, points in found if len(points) > 1]
+    segments = list(_tracks(root))
+    tracks = [(name, points) for name, points in segments if len(points) > 1]
     if not tracks:
         raise ExchangeError("The GPX file has no track or route of two points.")
     sizes = [len(points) for _name, points in tracks]
     starts = np.cumsum([0, *sizes[:-1]])
     words = np.repeat(np.array(numbered([name for name, _points in tracks]), dtype=object), sizes)
     points = [point for _name, segment in tracks for point in segment]
-    x, y, said = _projected(np.array([_degrees(*each) for each in enumerate(points, start=1)]))
+    x, y, remark = _projected(
+        np.array([_degrees(number, point) for number, point in enumerate(points, start=1)])
+    )
     t = np.array(list(map(_seconds, points)))
-    latest = np.concatenate([np.maximum.accumulate(each) for each in np.split(t, starts[1:])])
-    kept = np.append(True, t[1:] > latest[:-1])
-    kept[starts] = True
-    lost = len(points) - int(kept.sum())
+    latest = np.concatenate([np.maximum.accumulate(times) for times in np.split(t, starts[1:])])
+    is_later = np.append(True, t[1:] > latest[:-1])
+    is_later[starts] = True
+    skipped = len(points) - int(is_later.sum())
     values = {"curve": np.full(len(x), np.nan), "t": t - t[0], "x": x, "y": y}
-    if np.isfinite(t).all() and 2 * lost < len(points) and np.add.reduceat(kept, starts, dtype=int).min() > 1:
-        said += f" t is in seconds since {datetime.fromtimestamp(t[0], UTC).isoformat()}."
-        said += f" {count_of(lost, 'point')} without a later time left out." if lost else ""
+    if (
+        np.isfinite(t).all()
+        and 2 * skipped < len(points)
+        and np.add.reduceat(is_later, starts, dtype=int).min() > 1
+    ):
+        remark += f" t is in seconds since {datetime.fromtimestamp(t[0], UTC).isoformat()}."
+        remark += f" {count_of(skipped, 'point')} without a later time left out." if skipped else ""
     else:
         del values["t"]
-        kept[:] = True
-        said += " Times are left out, for not every point has a later one." * bool(np.isfinite(t).any())
-    said += " Elevations are left out." * any(_text(point, "ele") for point in points)
-    waypoints, alone = sum(tag_of(each) == "wpt" for each in root), sum(len(each) == 1 for _, each in found)
-    said += f" {count_of(waypoints, 'waypoint')} left out." if waypoints else ""
-    said += f" {count_of(alone, 'single point')} left out." if alone else ""
-    rows = np.column_stack(list(values.values()))[kept]
-    return table_of(rows, tuple(values), words={0: words[kept].tolist()}, said=said)
+        is_later[:] = True
+        remark += " Times are left out, for not every point has a later one." * bool(np.isfinite(t).any())
+    remark += " Elevations are left out." * any(_text(point, "ele") for point in points)
+    waypoints = sum(tag_of(child) == "wpt" for child in root)
+    single = sum(len(points) == 1 for _, points in segments)
+    remark += f" {count_of(waypoints, 'waypoint')} left out." if waypoints else ""
+    remark += f" {count_of(single, 'single point')} left out." if single else ""
+    rows = np.column_stack(list(values.values()))[is_later]
+    return table_of(rows, tuple(values), words={0: words[is_later].tolist()}, remark=remark)
 
 
 def _tracks(root: Element) -> Iterator[tuple[str, list[Element]]]:
@@ -75,14 +82,14 @@ def _tracks(root: Element) -> Iterator[tuple[str, list[Element]]]:
     for line in root:
         tag, name = tag_of(line), " ".join(_text(line, "name").split())[:200]
         if tag == "rte":
-            yield name or "Route", [each for each in line if tag_of(each) == "rtept"]
+            yield name or "Route", [child for child in line if tag_of(child) == "rtept"]
         for segment in line if tag == "trk" else ():
             if tag_of(segment) == "trkseg":
-                yield name or "Track", [each for each in segment if tag_of(each) == "trkpt"]
+                yield name or "Track", [child for child in segment if tag_of(child) == "trkpt"]
 
 
 def _text(element: Element, tag: str) -> str:
-    return next((each.text or "" for each in element if tag_of(each) == tag), "")
+    return next((child.text or "" for child in element if tag_of(child) == tag), "")
 
 
 def _degrees(number: int, point: Element) -> tuple[float, float]:
@@ -109,13 +116,13 @@ def _projected(degrees: FloatArray) -> tuple[FloatArray, FloatArray, str]:
     """Return metres east and north of the middle, and a sentence on the projection."""
     # On one side of the date line.
     longitude, latitude = (degrees - [360, 0] * np.round((degrees - degrees[0]) / 360)).T
-    east, north = (float(np.round((each.min() + each.max()) / 2, 6)) for each in (longitude, latitude))
+    east, north = (float(np.round((angle.min() + angle.max()) / 2, 6)) for angle in (longitude, latitude))
     across = np.cos(np.radians([north, *latitude]))
     x = EARTH * across[0] * np.radians(longitude - east)
     y = EARTH * np.radians(latitude - north)
     off = 100 * float(np.abs(across[1:] / across[0] - 1).max())
-    said = f"Degrees became metres about latitude {north}, longitude {east} (equirectangular"
-    return x, y, f"{said}; lengths from west to east are off by up to {off:.2g} %)."
+    remark = f"Degrees became metres about latitude {north}, longitude {east} (equirectangular"
+    return x, y, f"{remark}; lengths from west to east are off by up to {off:.2g} %)."
 
 
 GPX = Format(

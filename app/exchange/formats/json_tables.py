@@ -39,9 +39,9 @@ def read_json(data: bytes) -> Table:
     content: Any = json_in(data, object)
     if isinstance(content, dict) and content.get("type") in _GEO.split():
         return _lines(content)
-    if isinstance(content, dict) and content and all(isinstance(each, list) for each in content.values()):
+    if isinstance(content, dict) and content and all(isinstance(column, list) for column in content.values()):
         return _columns(content)
-    if isinstance(content, list) and content and all(isinstance(each, dict) for each in content):
+    if isinstance(content, list) and content and all(isinstance(item, dict) for item in content):
         return _records(content)
     if _is_points(content):
         return table_of(_numbers(content), numbered_titles(len(content[0])))
@@ -57,9 +57,9 @@ def _is_points(content: object) -> bool:
     return (
         isinstance(content, list)
         and bool(content)
-        and all(isinstance(each, list) for each in content)
+        and all(isinstance(item, list) for item in content)
         and len(content[0]) > 1
-        and not any(isinstance(each, list | dict) for each in content[0])
+        and not any(isinstance(value, list | dict) for value in content[0])
     )
 
 
@@ -73,10 +73,10 @@ def _columns(content: dict[str, list[object]]) -> Table:
 def _records(content: list[dict[str, object]]) -> Table:
     """Return the numbers of records; what is text in the first of them is left out."""
     titles = [str(key) for key, value in content[0].items() if not isinstance(value, str | list | dict)]
-    left = [f"“{str(key)[:40]}”" for key in content[0] if key not in titles]
-    said = f"Not numbers, and left out: {', '.join(left[:8])}." if left else ""
+    others = [f"“{str(key)[:40]}”" for key in content[0] if key not in titles]
+    remark = f"Not numbers, and left out: {', '.join(others[:8])}." if others else ""
     return table_of(
-        _numbers([[each.get(key) for key in titles] for each in content]), tuple(titles), said=said
+        _numbers([[item.get(key) for key in titles] for item in content]), tuple(titles), remark=remark
     )
 
 
@@ -101,36 +101,36 @@ def _numbers(rows: Sequence[Sequence[object]]) -> FloatArray:
 def _lines(content: dict[str, Any]) -> Table:
     """Return the lines of GeoJSON, by name, as columns lon and lat."""
     lost: Counter[str] = Counter()
-    found = list(_found(content, "Line", lost))
-    if not found:
+    lines = list(_lines_in(content, "Line", lost))
+    if not lines:
         raise ExchangeError(f"The GeoJSON has no lines. {_lost(lost)}".strip())
-    titles = zip(numbered([name for name, _ in found]), found, strict=True)
+    titles = zip(numbered([name for name, _ in lines]), lines, strict=True)
     names = [title for title, (_, line) in titles for _point in line]
     values = _numbers(
-        [point[:2] if isinstance(point, list) else [point] for _, line in found for point in line]
+        [point[:2] if isinstance(point, list) else [point] for _, line in lines for point in line]
     )
     if values.shape[1] != 2:
         raise ExchangeError("A point of the GeoJSON has no longitude and latitude.")
     whole = np.column_stack([np.full(len(values), np.nan), values])
-    return table_of(whole, ("curve", "lon", "lat"), words={0: names}, said=_lost(lost))
+    return table_of(whole, ("curve", "lon", "lat"), words={0: names}, remark=_lost(lost))
 
 
-def _found(content: object, name: str, lost: Counter[str]) -> Iterator[tuple[str, list[Any]]]:
+def _lines_in(content: object, name: str, lost: Counter[str]) -> Iterator[tuple[str, list[Any]]]:
     """Yield the lines in a GeoJSON object, each with the name of its feature, and count what is no line."""
     if not isinstance(content, dict):
         return
     kind = content.get("type")
     if kind == "FeatureCollection":
-        for place, feature in enumerate(_list(content, "features"), start=1):
-            yield from _found(feature, f"{name} {place}", lost)
+        for number, feature in enumerate(_list(content, "features"), start=1):
+            yield from _lines_in(feature, f"{name} {number}", lost)
     elif kind == "Feature":
         properties = content.get("properties")
-        said = properties.get("name") if isinstance(properties, dict) else None
-        title = " ".join(said.split())[:200] if isinstance(said, str) else ""
-        yield from _found(content.get("geometry"), title or name, lost)
+        name_property = properties.get("name") if isinstance(properties, dict) else None
+        title = " ".join(name_property.split())[:200] if isinstance(name_property, str) else ""
+        yield from _lines_in(content.get("geometry"), title or name, lost)
     elif kind == "GeometryCollection":
         for geometry in _list(content, "geometries"):
-            yield from _found(geometry, name, lost)
+            yield from _lines_in(geometry, name, lost)
     elif kind == "LineString":
         yield name, _list(content, "coordinates")
     elif kind == "MultiLineString":

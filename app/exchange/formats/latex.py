@@ -56,7 +56,7 @@ _LINES_OF_ARRAY = 42
 _GAP_OF_ROWS = 4 / 12  # of a line: [4pt]
 _POINTS_OF_LINE = 2  # what the text of an article is wide enough for
 _SPECIAL = {
-    **{each: f"\\{each}" for each in "#$%&_{}"},
+    **{char: f"\\{char}" for char in "#$%&_{}"},
     "\\": r"\textbackslash{}",
     "~": r"\textasciitilde{}",
     "^": r"\textasciicircum{}",
@@ -215,7 +215,7 @@ def _point(point: list[float], digits: int) -> str:
 def _text(text: str) -> str:
     """Return text as LaTeX may hold it; what its usual fonts lack becomes a question mark."""
     plain = one_line(text).encode("latin-1", "replace").decode("latin-1")
-    return "".join(_SPECIAL.get(each, each) for each in plain)
+    return "".join(_SPECIAL.get(letter, letter) for letter in plain)
 
 
 def _rounded(values: FloatArray, digits: int) -> FloatArray:
@@ -226,7 +226,9 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
     """Return how far the curve of the rounded numbers is from the true one at the same t."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():
-        enough = (each for each in range(digits, 17) if (np.diff(_rounded(piece.parameters, each)) > 0).all())
+        enough = (
+            count for count in range(digits, 17) if (np.diff(_rounded(piece.parameters, count)) > 0).all()
+        )
         least = next(enough, 17)
         raise ExchangeError(
             f"With {digits} digits two parameters would be equal. Write {least} or more: option “Digits” of "
@@ -340,7 +342,7 @@ def _of_line(style: Style, width: float) -> list[str]:
         pairs.append(f"miter limit={style.miter_limit:g}")
     if style.dash:
         lengths = enumerate(style.dashes_and_gaps)
-        words = (f"{'off' if i % 2 else 'on'} {_length(each * width)}" for i, each in lengths)
+        words = (f"{'off' if i % 2 else 'on'} {_length(length * width)}" for i, length in lengths)
         pairs.append(f"dash pattern={' '.join(words)}")
         pairs += [f"dash phase={_length(style.dash_offset * width)}"] if style.dash_offset else []
     return pairs
@@ -348,8 +350,8 @@ def _of_line(style: Style, width: float) -> list[str]:
 
 def _opacities(style: Style) -> list[str]:
     shares = {"draw": style.stroke_opacity, "fill": style.fill_opacity}
-    shown = {"draw": style.has_stroke, "fill": style.has_fill}
-    return [f"{name} opacity={share:.4g}" for name, share in shares.items() if shown[name] and share < 1]
+    is_drawn = {"draw": style.has_stroke, "fill": style.has_fill}
+    return [f"{name} opacity={share:.4g}" for name, share in shares.items() if is_drawn[name] and share < 1]
 
 
 def _colour(code: str) -> str:

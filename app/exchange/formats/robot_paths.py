@@ -40,16 +40,16 @@ from .json_tables import is_object, json_in
 # PathPlanner
 
 
-class _Place(msgspec.Struct):
+class _Position(msgspec.Struct):
     x: float
     y: float
 
 
 class _Waypoint(msgspec.Struct, rename="camel"):
-    anchor: _Place | None = None
-    anchor_point: _Place | None = None  # until 2023
-    prev_control: _Place | None = None
-    next_control: _Place | None = None
+    anchor: _Position | None = None
+    anchor_point: _Position | None = None  # until 2023
+    prev_control: _Position | None = None
+    next_control: _Position | None = None
 
 
 class _Path(msgspec.Struct, rename="camel"):
@@ -72,7 +72,7 @@ def read_pathplanner(data: bytes, _tolerance: float | None = None) -> ImportResu
     path, losses = json_in(data, _Path), Losses()
     sides = ((0, "anchor"), (0, "next_control"), (1, "prev_control"), (1, "anchor"))
     starts = range(len(path.waypoints) - 1)
-    pieces = [[_place(path.waypoints, start + ahead, name) for ahead, name in sides] for start in starts]
+    pieces = [[_position(path.waypoints, start + ahead, name) for ahead, name in sides] for start in starts]
     if not pieces:
         raise ExchangeError("A path needs two waypoints.")
     for name in path.__struct_fields__[1:]:
@@ -81,12 +81,14 @@ def read_pathplanner(data: bytes, _tolerance: float | None = None) -> ImportResu
     return import_paths([ImportedPath("Path", Look(), np.array(pieces), closed=False)], losses).with_curves()
 
 
-def _place(waypoints: list[_Waypoint], index: int, name: str) -> tuple[float, float]:
+def _position(waypoints: list[_Waypoint], index: int, name: str) -> tuple[float, float]:
     waypoint = waypoints[index]
-    found: _Place | None = getattr(waypoint, name) or (waypoint.anchor_point if name == "anchor" else None)
-    if found is None:
+    position: _Position | None = getattr(waypoint, name) or (
+        waypoint.anchor_point if name == "anchor" else None
+    )
+    if position is None:
         raise ExchangeError(f"Waypoint {index + 1} has no {name.replace('_', ' ')}.")
-    return found.x, found.y
+    return position.x, position.y
 
 
 PATHPLANNER = Format(
@@ -123,11 +125,11 @@ def read_pathweaver(data: bytes) -> Table:
     words = ",curve=Reversed" if "reversed" in map(str.lower, titles) else ""
     mapping = mapping_of(f"x=X,y=Y,vx=Tangent X,vy=Tangent Y{words}", titles)
     table = read_table(data, _LAYOUT, mapping)
-    said = table.words.get(mapping.curve or 0, ["false"] * len(table.values))
-    for row, word in enumerate(said):
+    cells = table.words.get(mapping.curve or 0, ["false"] * len(table.values))
+    for row, word in enumerate(cells):
         if word.lower() not in ("true", "false"):
             raise RowProblem(f": “{word[:20]}” is neither true nor false.", table.line_of(row))
-    ahead = np.array([-1.0 if word.lower() == "true" else 1.0 for word in said])[:, None]
+    ahead = np.array([-1.0 if word.lower() == "true" else 1.0 for word in cells])[:, None]
     behind = np.concatenate([ahead[:1], ahead[:-1]])
     ahead[-1] = behind[-1]
     columns = list(mapping.columns(("x", "y", "vx", "vy")).values())
@@ -144,7 +146,7 @@ def read_pathweaver(data: bytes) -> Table:
         table.first_row,
         table.gaps,
         words={len(used) - 1: [QUINTIC_HERMITE.name] * len(points)},
-        said="Tangents are velocities, and t counts the points. Fixed Theta and Name are left out.",
+        remark="Tangents are velocities, and t counts the points. Fixed Theta and Name are left out.",
     )
 
 
@@ -295,16 +297,18 @@ def read_trajectories(data: bytes) -> Table:
         With the place of what is missing, or no number, and where nothing was generated yet.
     """
     content = json_in(data, _File)
-    own = content.trajectory.samples if content.trajectory else content.samples
-    paths = {content.name or "Trajectory": own}
-    paths |= {name: each.trajectory or [] for name, each in content.paths.items()}
-    found = [(" ".join(name.split())[:200], samples) for name, samples in paths.items() if samples]
-    if not found:
+    samples = content.trajectory.samples if content.trajectory else content.samples
+    paths = {content.name or "Trajectory": samples}
+    paths |= {name: path.trajectory or [] for name, path in content.paths.items()}
+    trajectories = [(" ".join(name.split())[:200], samples) for name, samples in paths.items() if samples]
+    if not trajectories:
         raise ExchangeError("It holds no trajectory. Generate one in Choreo, and import its .traj file.")
-    names = zip(numbered([name for name, _ in found]), found, strict=True)
+    names = zip(numbered([name for name, _ in trajectories]), trajectories, strict=True)
     words = [name for name, (_, samples) in names for _sample in samples]
-    rows = [(np.nan, *each.row(k)) for _, samples in found for k, each in enumerate(samples, start=1)]
-    return table_of(np.array(rows), _SAMPLE_TITLES, words={0: words}, said=_LEFT_OUT)
+    rows = [
+        (np.nan, *sample.row(k)) for _, samples in trajectories for k, sample in enumerate(samples, start=1)
+    ]
+    return table_of(np.array(rows), _SAMPLE_TITLES, words={0: words}, remark=_LEFT_OUT)
 
 
 CHOREO = Format(

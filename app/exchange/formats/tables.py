@@ -57,10 +57,12 @@ def read_array(data: bytes) -> Table:
         array = array.reshape(-1, array.shape[2])
     if array.ndim != 2 or array.shape[1] < 2:
         raise ExchangeError(f"The array has the shape {array.shape}; it can be {_SHAPES}.")
-    said = ""
+    remark = ""
     if array.shape[0] in (2, 3) and array.shape[1] > array.shape[0] + 1 and not blocks:
-        array, said = array.T, "The rows of the array are taken for columns."
-    return table_of(array.astype(float), titles or numbered_titles(array.shape[1]), blocks=blocks, said=said)
+        array, remark = array.T, "The rows of the array are taken for columns."
+    return table_of(
+        array.astype(float), titles or numbered_titles(array.shape[1]), blocks=blocks, remark=remark
+    )
 
 
 def _array(data: bytes) -> npt.NDArray[Any]:
@@ -76,7 +78,7 @@ def _array(data: bytes) -> npt.NDArray[Any]:
         raise ExchangeError("This is no .npy file, or its head is damaged.") from None
     if dtype.hasobject:
         raise ExchangeError("The array holds Python objects, which are never loaded; save it as numbers.")
-    count = int(np.prod([int(each) for each in shape], dtype=object))
+    count = int(np.prod([int(part) for part in shape], dtype=object))
     if count > MAX_ROWS * MAX_COLUMNS:
         raise ExchangeError(f"The array has {count:,} numbers; {MAX_ROWS * MAX_COLUMNS:,} can be read.")
     if count * dtype.itemsize != len(data) - file.tell():
@@ -134,10 +136,10 @@ def points_table(document: Document, options: Options = DEFAULT) -> ExportResult
     for curve in curves:
         words = [cell_of_name(curve.line_name, separator), family_cell(curve.source)]
         rows += [(words, row) for row in _rows(view_of(curve.source))]
-    used = [place for place in range(len(titles)) if any(not isnan(row[place]) for _, row in rows)]
-    lines = [separator.join([*WORDS, *(titles[place] for place in used)])]
+    used = [column for column in range(len(titles)) if any(not isnan(row[column]) for _, row in rows)]
+    lines = [separator.join([*WORDS, *(titles[column] for column in used)])]
     lines += [
-        separator.join([*words, *(cell_of_number(row[place]) for place in used)]) for words, row in rows
+        separator.join([*words, *(cell_of_number(row[column]) for column in used)]) for words, row in rows
     ]
     return ExportResult("\n".join(lines) + "\n", 0.0, curves.remarks)
 
@@ -159,7 +161,7 @@ def _rows(view: CurveView) -> list[tuple[float, ...]]:
 
 def _derivatives(view: CurveView, index: int, *, ahead: bool) -> list[float]:
     """Return the derivatives on one side of a point, by their orders; NaN where there is none."""
-    vectors = (view.derivative_of(index, each.order, ahead=ahead) for each in DERIVATIVES)
+    vectors = (view.derivative_of(index, derivative.order, ahead=ahead) for derivative in DERIVATIVES)
     return [number for vector in vectors for number in vector or (nan, nan)]
 
 
@@ -176,7 +178,7 @@ POINTS_TABLE = Format(
 
 MOST_SAMPLES = 1_000_000
 
-_DERIVATIVES = tuple(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy")
+_DERIVATIVES = tuple(f"{derivative.letter}{axis}" for derivative in DERIVATIVES for axis in "xy")
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
 """The columns of a table, unless others are chosen."""
 
@@ -196,7 +198,7 @@ SPACING = OneOf(
     label="Samples",
     tip="How the rows are spread along each curve",
     default=Spacing.T,
-    choices={each: each.label for each in Spacing},
+    choices={spacing: spacing.label for spacing in Spacing},
     flag="--by",
     help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
 )
@@ -280,7 +282,7 @@ def _columns(titles: tuple[str, ...]) -> list[int]:
     """Return the places of the columns wanted, in their usual order."""
     if not titles or not set(titles) <= set(_ALL):
         raise ExchangeError(f"A table can have the columns {', '.join(_ALL)}; at least one is needed.")
-    return [place for place, title in enumerate(_ALL) if title in titles]
+    return [column for column, title in enumerate(_ALL) if title in titles]
 
 
 def _parameters_of(

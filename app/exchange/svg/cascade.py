@@ -42,7 +42,7 @@ INHERITED = {
 }
 """Properties that pass to what an element holds, with what they are at first."""
 
-OWN = {
+NOT_INHERITED = {
     "clip-path": "none",
     "display": "inline",
     "filter": "none",
@@ -73,7 +73,7 @@ _WITH_UNITS = re.compile("translate|rotate(?!3d)|skew")
 MAX_MATCHES = 5_000_000
 """Elements times selectors: each may have to be held against each."""
 
-_KNOWN = frozenset((*INHERITED, *OWN))
+_KNOWN = frozenset((*INHERITED, *NOT_INHERITED))
 _READ = frozenset((*_KNOWN, *_GEOMETRY, *_MOVES))
 _ATTRIBUTES = _KNOWN - {"transform-box"}
 _INITIAL = ("none", "initial", "unset", "revert", "revert-layer")
@@ -114,7 +114,7 @@ class Cascade:
             if self._selectors * sum(1 for _ in root.iter()) > MAX_MATCHES:
                 raise ExchangeError("The rules in its <style> are too many for its elements.")
             wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
-            self._wrapped = {each.etree_element: each for each in wrapped}
+            self._wrapped = {wrapper.etree_element: wrapper for wrapper in wrapped}
         self._styles = {element: self._style_of(element) for element in root.iter()}
         # A root that is as large as a page, or as a part of it, keeps the size that its file has.
         for name in ("width", "height"):
@@ -125,25 +125,25 @@ class Cascade:
 
     def of(self, element: ET.Element) -> dict[str, str]:
         """Return the values of the known properties that an element declares."""
-        found = {name: value.strip() for name, value in element.attrib.items() if name in _ATTRIBUTES}
-        found |= self._styles[element]
-        return {name: value for name, value in found.items() if value and name in _KNOWN}
+        values = {name: value.strip() for name, value in element.attrib.items() if name in _ATTRIBUTES}
+        values |= self._styles[element]
+        return {name: value for name, value in values.items() if value and name in _KNOWN}
 
     def _style_of(self, element: ET.Element) -> dict[str, str]:
         """Return the values that rules and the `style` of an element declare."""
-        found: dict[str, str] = {}
+        values: dict[str, str] = {}
         inline = element.get("style", "")
         layers = [self._matched(element), list(_named(tinycss2.parse_blocks_contents(inline or ())))]
         for is_important in (False, True):
             for layer in layers:
-                found.update({name: value for name, value, important in layer if important == is_important})
-        return found
+                values.update({name: value for name, value, important in layer if important == is_important})
+        return values
 
     def _matched(self, element: ET.Element) -> list[_Declared]:
         """Return what the rules declare for an element, the weakest first."""
         wrapped = self._wrapped.get(element)
         matches = self._matcher.match(wrapped) if wrapped is not None else ()
-        return [each for _, _, pseudo, payload in matches if pseudo is None for each in payload]
+        return [declared for _, _, pseudo, payload in matches if pseudo is None for declared in payload]
 
     def _add_sheet(self, text: str) -> None:
         for rule in tinycss2.parse_stylesheet(text, skip_comments=True, skip_whitespace=True):
@@ -155,7 +155,7 @@ class Cascade:
 
     def _add_rule(self, rule: tinycss2.ast.QualifiedRule) -> None:
         nodes = tinycss2.parse_blocks_contents(rule.content)
-        for nested in (each for each in nodes if each.type in ("qualified-rule", "at-rule")):
+        for nested in (node for node in nodes if node.type in ("qualified-rule", "at-rule")):
             head = tinycss2.serialize([nested]).partition("{")[0].strip()
             self._missed.note(_RULE, nested, f"{head[:60]} within another")
         declared = list(_named(nodes))
@@ -193,15 +193,15 @@ def _named(nodes: Iterable[Any]) -> Iterator[_Declared]:
 def _values_of(name: str, tokens: Sequence[Any]) -> Iterator[tuple[str, str]]:
     """Yield the properties that a declaration sets, with their values; none where CSS does not take it."""
     value = tinycss2.serialize(tokens).strip()
-    words = [each for each in tokens if each.type not in ("whitespace", "comment")]
+    words = [token for token in tokens if token.type not in ("whitespace", "comment")]
     if name == "marker":
-        yield from ((each, value) for each in _MARKERS)
+        yield from ((marker, value) for marker in _MARKERS)
     elif name == "font" and (size := _FONT_SIZE.search(value)):
         yield "font-size", size[1]
     elif name == "d":
         yield from ((name, data) for data in _path_data(words))
     elif name in _LENGTHS:
-        is_negative = any(each.value < 0 for each in words if each.type in ("dimension", "percentage"))
+        is_negative = any(word.value < 0 for word in words if word.type in ("dimension", "percentage"))
         if len(words) == 1 and not _lacks_units(words) and not (is_negative and name in _SIZES):
             yield name, value
     elif name in _READ and not (name in (*_TRANSFORMS, "translate") and _lacks_units(words)):
@@ -220,8 +220,8 @@ def _path_data(words: Sequence[Any]) -> Iterator[str]:
 def _lacks_units(words: Iterable[Any]) -> bool:
     """Whether there is a number for a length or an angle: other than in attributes, all but 0 have units."""
     return any(
-        _lacks_units(each.arguments)
-        if each.type == "function" and _WITH_UNITS.match(each.lower_name)
-        else each.type == "number" and each.value != 0
-        for each in words
+        _lacks_units(token.arguments)
+        if token.type == "function" and _WITH_UNITS.match(token.lower_name)
+        else token.type == "number" and token.value != 0
+        for token in words
     )

@@ -54,7 +54,7 @@ class DrawnPath:
     groups: tuple[Group, ...]
 
 
-def is_seen(drawn: DrawnPath) -> bool:
+def is_painted(drawn: DrawnPath) -> bool:
     """Whether a path has a paint."""
     style = drawn.path.look.style
     return style.has_stroke or style.has_fill
@@ -65,27 +65,27 @@ def with_line(drawn: DrawnPath) -> DrawnPath:
     return replace(drawn, path=replace(drawn.path, look=replace(drawn.path.look, style=PLAIN_STYLE)))
 
 
-def _held(drawn: Sequence[DrawnPath]) -> dict[Group, set[int]]:
+def _elements_of_groups(drawn: Sequence[DrawnPath]) -> dict[Group, set[int]]:
     """Return which elements are in each group."""
     held: dict[Group, set[int]] = {}
-    for each in drawn:
-        for group in each.groups:
-            held.setdefault(group, set()).add(each.element)
+    for path in drawn:
+        for group in path.groups:
+            held.setdefault(group, set()).add(path.element)
     return held
 
 
-def settled(drawn: Sequence[DrawnPath]) -> list[ImportedPath]:
+def with_group_names(drawn: Sequence[DrawnPath]) -> list[ImportedPath]:
     """Return paths with the names of their groups, another one for each.
 
     A group without a name, around a single shape, is none.
     """
-    held = _held(drawn)
-    kept = {group for group, elements in held.items() if group.name or len(elements) > 1}
-    names = _Given()
-    return [names.given(each, [group for group in each.groups if group in kept]) for each in drawn]
+    held = _elements_of_groups(drawn)
+    groups_in_use = {group for group, elements in held.items() if group.name or len(elements) > 1}
+    names = _GivenNames()
+    return [names.given(path, [group for group in path.groups if group in groups_in_use]) for path in drawn]
 
 
-class _Given:
+class _GivenNames:
     """Names that were given to groups and to shapes."""
 
     def __init__(self) -> None:
@@ -164,7 +164,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
         return None
     if "clip-path" in elements.declared(clip):
         return None
-    parts = [each for each in clip if tag_of(each) in _DRAWS]
+    parts = [child for child in clip if tag_of(child) in _DRAWS]
     if len(parts) != 1:
         return None
     part = parts[0]
@@ -172,7 +172,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
         # An element without others in it counts as false.
         target = elements.used(part)
         part = part if target is None else target
-    if tag_of(part) not in SHAPES or any(each.get("transform") for each in (clip, parts[0], part)):
+    if tag_of(part) not in SHAPES or any(element.get("transform") for element in (clip, parts[0], part)):
         return None
     try:
         return _rectangle(outline_of(part, viewport, None).subpaths)

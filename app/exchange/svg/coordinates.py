@@ -184,15 +184,15 @@ def transform_of(
         With the place in it, or the part of it, that is broken, that is no transform of a plane, or that has
         a length which nobody knows.
     """
-    result, place = np.eye(2, 3), 0
+    result, position = np.eye(2, 3), 0
     # Every call takes some of the text, and none of it is copied to see whether there is more.
-    while not _REST.match(text, place):
-        match = _CALL.match(text, place)
+    while not _REST.match(text, position):
+        match = _CALL.match(text, position)
         if match is None:
-            raise ExchangeError(f"at character {place + 1}")
+            raise ExchangeError(f"at character {position + 1}")
         result = combined(result, _one_transform(match[1], match[2], box))
-        place = match.end()
-    x, y = _place_in(box, origin) if origin else (0.0, 0.0)
+        position = match.end()
+    x, y = _origin_in(box, origin) if origin else (0.0, 0.0)
     return _about(corner[0] + x, corner[1] + y, result)
 
 
@@ -222,7 +222,7 @@ def _argument(kind: str, word: tuple[str, str], box: Viewport) -> float:
     return value
 
 
-def _place_in(box: Viewport, origin: str) -> tuple[float, float]:
+def _origin_in(box: Viewport, origin: str) -> tuple[float, float]:
     """Return the place in a box that a `transform-origin` has."""
     words = [*origin.lower().split()[:2], "center"]
     if words[0] in ("top", "bottom") or words[1] in ("left", "right"):
@@ -309,24 +309,24 @@ def is_uneven(matrix: FloatArray) -> bool:
 def box_of(text: str) -> Box | None:
     """Return a view box; None where there is none that shows anything."""
     try:
-        x, y, width, height = (float(each) for each in re.split(r"[\s,]+", text.strip()))
+        x, y, width, height = (float(number) for number in re.split(r"[\s,]+", text.strip()))
     except ValueError:
         return None
     is_usable = width > 0 and height > 0 and bool(np.isfinite((x, y, width, height)).all())
     return (x, y, width, height) if is_usable else None
 
 
-def fitted_box(box: Box, place: Box, ratio: str) -> FloatArray:
+def fitted_box(box: Box, area: Box, ratio: str) -> FloatArray:
     """Return the matrix from a view box to the place that it fills, as `preserveAspectRatio` says."""
-    across, down = place[2] / box[2], place[3] / box[3]
+    across, down = area[2] / box[2], area[3] / box[3]
     match = _ALIGN.fullmatch(ratio or "xMidYMid")
     x_share = y_share = 0.0
     if ratio.strip().split(" ")[0] != "none":
         x_share, y_share = (_SHARES[match[1]], _SHARES[match[2]]) if match else (0.5, 0.5)
         is_slice = match is not None and match[3] == "slice"
         across = down = max(across, down) if is_slice else min(across, down)
-    x = place[0] + (place[2] - across * box[2]) * x_share - across * box[0]
-    y = place[1] + (place[3] - down * box[3]) * y_share - down * box[1]
+    x = area[0] + (area[2] - across * box[2]) * x_share - across * box[0]
+    y = area[1] + (area[3] - down * box[3]) * y_share - down * box[1]
     return np.array([[across, 0.0, x], [0.0, down, y]])
 
 
@@ -381,11 +381,11 @@ def page_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) 
         return Page("", _scaling(1.0, 1.0), viewport, frame=_frame(box) if box else None)
     width, height, unit = size
     pixel = MILLIMETRES["px"] / MILLIMETRES[unit]
-    place = (0.0, 0.0, width, height)
+    area = (0.0, 0.0, width, height)
     if box is None:
         viewport = fonts.sized(width / pixel, height / pixel)
-        return Page(unit, _scaling(pixel, pixel), viewport, pixel, _frame(place))
-    fit = fitted_box(box, place, root.get("preserveAspectRatio", ""))
+        return Page(unit, _scaling(pixel, pixel), viewport, pixel, _frame(area))
+    fit = fitted_box(box, area, root.get("preserveAspectRatio", ""))
     across, down = (_snapped(fit[axis, axis]) for axis in (0, 1))
     frame = _frame((-fit[0, 2], -fit[1, 2], width, height))
     return Page(unit, _scaling(across, down), fonts.sized(*box[2:]), pixel, frame)
@@ -419,7 +419,7 @@ def _scaling(across: float, down: float) -> FloatArray:
 
 def _frame(box: Box) -> Frame | None:
     """Return what a file shows; None where a document cannot hold it."""
-    x, y, width, height = (float(each) + 0.0 for each in box)
+    x, y, width, height = (float(value) + 0.0 for value in box)
     bottom = -(y + height) + 0.0
-    is_sound = max(abs(each) for each in (x, x + width, y, bottom)) <= MAX_MAGNITUDE
+    is_sound = max(abs(edge) for edge in (x, x + width, y, bottom)) <= MAX_MAGNITUDE
     return Frame(x, bottom, width, height) if is_sound and min(width, height) > 0 else None

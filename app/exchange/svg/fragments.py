@@ -84,14 +84,14 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> ImportResult:
     report(0.0, "Reading")
     reader = svg.reader.read_svg
     if len(fragment.data) <= SMALL:
-        found = exchange.reader_process.read_in_this_process(reader, fragment.data)
+        result = exchange.reader_process.read_in_this_process(reader, fragment.data)
     else:
-        found = exchange.reader_process.read_in_process(reader, fragment.data, None, report=report)
-    found = found.with_curves()
+        result = exchange.reader_process.read_in_process(reader, fragment.data, None, report=report)
+    result = result.with_curves()
     if not fragment.is_bare:
         is_ours = svg.own_files.MARK.encode() in fragment.data
         # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.
-        unit = found.document.unit or ("" if is_ours else "px")
-        return with_fields(found, document=replace(found.document, unit=unit))
-    curves = tuple(replace(curve, name="Path", style=PLAIN_STYLE) for curve in found.document.curves)
-    return with_fields(found, document=replace(found.document, curves=curves))
+        unit = result.document.unit or ("" if is_ours else "px")
+        return with_fields(result, document=replace(result.document, unit=unit))
+    curves = tuple(replace(curve, name="Path", style=PLAIN_STYLE) for curve in result.document.curves)
+    return with_fields(result, document=replace(result.document, curves=curves))

@@ -25,7 +25,7 @@ from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Loss, Losses
 from ..units import shifted
 from .cascade import Cascade
-from .context import ClipBox, DrawnPath, Group, clip_box, is_seen, settled, with_line
+from .context import ClipBox, DrawnPath, Group, clip_box, is_painted, with_group_names, with_line
 from .coordinates import (
     Box,
     Viewport,
@@ -49,9 +49,9 @@ from .xml_tree import (
     MAX_ELEMENTS,
     NODE_TYPES,
     Elements,
+    label_of,
     name_of,
     parsed,
-    shown_name,
     speaks_to_us,
     tag_of,
 )
@@ -124,11 +124,11 @@ def read_svg(data: bytes, tolerance: float | None = None) -> ImportResult:
 
 def read_svg_above(data: bytes, tolerance: float | None = None) -> ImportResult:
     """Return the same; of a file of others whose corner is the origin it lies above the x axis."""
-    found, reader = _read(data, tolerance)
+    result, reader = _read(data, tolerance)
     frame = reader.page.frame
     if reader.ours.is_so or frame is None or (frame.left, frame.top) != (0.0, 0.0):
-        return found
-    return replace(found, document=shifted(found.document, (0.0, frame.height)))
+        return result
+    return replace(result, document=shifted(result.document, (0.0, frame.height)))
 
 
 def _read(data: bytes, tolerance: float | None) -> tuple[ImportResult, _Reader]:
@@ -136,10 +136,10 @@ def _read(data: bytes, tolerance: float | None) -> tuple[ImportResult, _Reader]:
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
-    found = import_paths(reader.all_paths(), reader.losses)
-    guides = () if found.has_curves else reader.page.edges
-    document = msgspec.structs.replace(found.document, unit=reader.page.unit, guides=guides)
-    return replace(found, document=tidy_shapes(document)), reader
+    result = import_paths(reader.all_paths(), reader.losses)
+    guides = () if result.has_curves else reader.page.edges
+    document = msgspec.structs.replace(result.document, unit=reader.page.unit, guides=guides)
+    return replace(result, document=tidy_shapes(document)), reader
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +199,7 @@ class _Reader:
         self.page = page_of(root, font_size, is_nominal=self.ours.has_nominal_size)
         self._elements = elements = Elements.within(root, self._cascade.of)
         self._paints = Paints(elements)
-        self._found = 0
+        self._path_count = 0
         self._shapes: list[ET.Element] = []
         self._measuring = 0
         # Shared with those that measure: how many elements were drawn, and how many measured; and boxes.
@@ -209,14 +209,14 @@ class _Reader:
     def all_paths(self) -> list[ImportedPath]:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = list(self._drawn(self._root, ElementContext(self.page.matrix, self.page.viewport), depth=0))
-        seen = [each for each in drawn if is_seen(each)]
+        painted = [path for path in drawn if is_painted(path)]
         loss = Loss(
-            "shape", "without stroke and fill " + ("left out" if seen else "came with a plain stroke")
+            "shape", "without stroke and fill " + ("left out" if painted else "came with a plain stroke")
         )
-        unseen = [each for each in drawn if not is_seen(each) and each.path.look.visible]
-        for number in dict.fromkeys(each.element for each in unseen):
+        unpainted = [path for path in drawn if not is_painted(path) and path.path.look.visible]
+        for number in dict.fromkeys(path.element for path in unpainted):
             self.losses.note_of(self._shapes[number - 1], loss)
-        return settled(seen or [with_line(each) for each in drawn])
+        return with_group_names(painted or [with_line(path) for path in drawn])
 
     def _drawn(self, element: ET.Element, context: ElementContext, depth: int) -> Iterator[DrawnPath]:
         """Yield the paths of an element and those in it."""
@@ -236,7 +236,7 @@ class _Reader:
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext, depth: int
     ) -> Iterator[DrawnPath]:
         """Yield the paths of an element and those in it, in its own state."""
-        tag, first, found = tag_of(element), len(self._shapes), _NOTHING
+        tag, first, paths = tag_of(element), len(self._shapes), _NOTHING
         if self._measuring and not context.properties.is_displayed:
             return
         if self._measuring and tag in _WITH_SIZE:
@@ -244,12 +244,12 @@ class _Reader:
         if tag in _NOT_READ and context.properties.is_visible:
             self.losses.note_of(element, _NOT_READ[tag])
         elif tag in SHAPES:
-            found = self._shape(element, tag, declared, context)
+            paths = self._shape(element, tag, declared, context)
         elif tag == "use":
-            found = self._used(element, context, depth)
+            paths = self._used(element, context, depth)
         elif tag in _CONTAINERS:
-            found = self._contained(element, tag, context, depth)
-        yield from found
+            paths = self._contained(element, tag, context, depth)
+        yield from paths
         count = len(self._shapes) - first
         if count and context.properties.is_visible:
             self._note_effects(element, declared, context, is_many=count > 1)
@@ -287,7 +287,7 @@ class _Reader:
             try:
                 if self._measuring == _MAX_MEASURING:
                     raise UnknownLengthError
-                paths = [each.path for each in probe._content(element, declared, inner, depth)]
+                paths = [drawn.path for drawn in probe._content(element, declared, inner, depth)]
             except UnknownLengthError:
                 raise ExchangeError(f"in its {kind}") from None
             with np.errstate(all="ignore"):
@@ -350,16 +350,16 @@ class _Reader:
         box = box_of(element.get("viewBox", ""))
         if width is None or height is None or width <= 0 or height <= 0:
             return replace(context, matrix=combined(context.matrix, shifting(*corner)))
-        place: Box = (*corner, width, height)
+        area: Box = (*corner, width, height)
         clip_boxes = context.clip_boxes
         if self._cascade.of(element).get("overflow") != "visible":
-            clip_boxes = (*clip_boxes, ClipBox(place, context.matrix, sized, _CUT))
+            clip_boxes = (*clip_boxes, ClipBox(area, context.matrix, sized, _CUT))
         if box is None:
             matrix = combined(context.matrix, shifting(*corner))
             return replace(
                 context, matrix=matrix, viewport=context.viewport.sized(width, height), clip_boxes=clip_boxes
             )
-        fit = fitted_box(box, place, element.get("preserveAspectRatio", ""))
+        fit = fitted_box(box, area, element.get("preserveAspectRatio", ""))
         matrix = combined(context.matrix, fit)
         return replace(
             context, matrix=matrix, viewport=context.viewport.sized(*box[2:]), clip_boxes=clip_boxes
@@ -401,7 +401,9 @@ class _Reader:
         if error:
             self.losses.note_at(element, Loss(tag, "drawn only up to an error in the data"), error)
         drawn = [
-            each for each in subpaths if each.has_length or (context.properties.has_caps and each.is_line)
+            subpath
+            for subpath in subpaths
+            if subpath.has_length or (context.properties.has_caps and subpath.is_line)
         ]
         if not drawn:
             return
@@ -413,11 +415,11 @@ class _Reader:
         look = replace(look, shape=name) if len(drawn) > 1 else look
         if look.visible:
             self._note_clips(context, drawn, look.style)
-        sizes = [(len(each.controls), each.closed) for each in drawn]
+        sizes = [(len(subpath.controls), subpath.closed) for subpath in drawn]
         letters = parted(element.get(NODE_TYPES, ""), sizes)
         for index, subpath in enumerate(drawn):
-            self._found += 1
-            if self._found > MAX_PATHS:
+            self._path_count += 1
+            if self._path_count > MAX_PATHS:
                 raise ExchangeError(f"The file has more than {MAX_PATHS} paths.")
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
@@ -433,7 +435,7 @@ class _Reader:
     def _note_clips(self, context: ElementContext, drawn: Iterable[Subpath], style: Style) -> None:
         """Tell which of the boxes that a shape is shown in cut some of it off."""
         if context.clip_boxes:
-            extent = extent_of(np.concatenate([moved(each.cleaned, context.matrix) for each in drawn]))
+            extent = extent_of(np.concatenate([moved(path.cleaned, context.matrix) for path in drawn]))
             reach = half_width(style)
             for clip in context.clip_boxes:
                 if not clip.holds(extent, reach):
@@ -459,13 +461,13 @@ class _Reader:
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext, *, is_many: bool
     ) -> None:
         """Tell what an element that holds shapes does to them beside their styles."""
-        found = [loss for name, loss in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
+        losses = [loss for name, loss in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
         is_clipped = declared.get("clip-path", "none") != "none"
         if is_clipped and clip_box(self._elements, declared, context.viewport) is None:
-            found.append(_CLIPPED)
+            losses.append(_CLIPPED)
         if is_many and share_of(declared.get("opacity", "1")) < 1:
-            found.append(_TRANSPARENT)
-        self.losses.note_of(element, *found)
+            losses.append(_TRANSPARENT)
+        self.losses.note_of(element, *losses)
         for child in element:
             if _NOT_READ.get(tag_of(child)) is _MOTION:
                 self.losses.note_of(child, _MOTION)
@@ -509,7 +511,7 @@ class _ElementLosses(Losses):
     def note_of(self, element: ET.Element, *losses: Loss) -> None:
         """Take note of what is missed of an element, once, however often that is used."""
         for loss in losses:
-            self.note(loss, element, shown_name(element))
+            self.note(loss, element, label_of(element))
 
     def note_at(self, element: ET.Element, loss: Loss, where: str = "") -> None:
         """Take note of an error in an element, and where in it, once for each flaw."""

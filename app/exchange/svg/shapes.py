@@ -168,7 +168,7 @@ _NO_MOVE = re.compile(rf"{_GAP}[ZLHVCSQTAzlhvcsqta]")
 _NO_COORDINATE = re.compile(r"[^-+.,\deE \t\r\n\f]")
 _SEPARATORS = " \t\r\n\f,"
 _LONGEST = 50_000_000
-_SHOWN = 12
+_EXCERPT = 12
 """Characters that are shown of data with an error."""
 _ROUNDING = 1e-6
 """Of the extent of a subpath: as short a last line comes of roundings, and is none to Inkscape either."""
@@ -211,8 +211,8 @@ class Subpath:
     @property
     def cleaned(self) -> FloatArray:
         """All pieces that are no roundings, (k, 4, 2); one of no length where there are none."""
-        kept = without_roundings(self.controls, closed=self.closed)
-        return kept if len(kept) else np.tile(self.start, (1, 4, 1))
+        pieces = without_roundings(self.controls, closed=self.closed)
+        return pieces if len(pieces) else np.tile(self.start, (1, 4, 1))
 
     @property
     def controls(self) -> FloatArray:
@@ -248,9 +248,9 @@ def read_path_data(data: str, tolerance: float | None = None) -> ReadPath:
     if len(data) > _LONGEST:
         raise ExchangeError("its data are too long.")
     pen = _Pen(tolerance)
-    place = 0 if _NO_MOVE.match(data) else _drawn(data, pen)
+    position = 0 if _NO_MOVE.match(data) else _drawn(data, pen)
     pen.end()
-    return ReadPath(pen.subpaths, _error_at(place, data))
+    return ReadPath(pen.subpaths, _error_at(position, data))
 
 
 def read_points(data: str, *, closed: bool) -> ReadPath:
@@ -258,15 +258,15 @@ def read_points(data: str, *, closed: bool) -> ReadPath:
     stop = _NO_COORDINATE.search(data)
     listed = data[: stop.start()] if stop else data
     pen = _Pen(None)
-    place = _drawn(f"M{listed}", pen) if listed.strip() else None
-    if place is not None:
-        place -= 1
+    position = _drawn(f"M{listed}", pen) if listed.strip() else None
+    if position is not None:
+        position -= 1
     elif stop:
-        place = stop.start()
+        position = stop.start()
     if closed:
         pen.closed()
     pen.end()
-    return ReadPath(pen.subpaths, _error_at(place, data))
+    return ReadPath(pen.subpaths, _error_at(position, data))
 
 
 def _drawn(data: str, pen: _Pen) -> int | None:
@@ -286,10 +286,14 @@ def _drawn(data: str, pen: _Pen) -> int | None:
     return None if loss is None and reader.pos == len(data) else int(reader.pos)
 
 
-def _error_at(place: int | None, data: str) -> str:
-    if place is None:
+def _error_at(position: int | None, data: str) -> str:
+    if position is None:
         return ""
-    return f"at character {place + 1}, “{data[place : place + _SHOWN]}”" if data[place:] else "at the end"
+    return (
+        f"at character {position + 1}, “{data[position : position + _EXCERPT]}”"
+        if data[position:]
+        else "at the end"
+    )
 
 
 class _Reader(SVGLexicalParser):  # type: ignore[misc]  # that package has no types

@@ -107,7 +107,7 @@ def style_of(
     width = (1.0 if user_width is None else user_width) * scale
     if not 0 < width <= MAX_MAGNITUDE:
         stroke = Paint("none")
-    losses = [each.loss for each in (fill, stroke) if each.loss is not None]
+    losses = [paint.loss for paint in (fill, stroke) if paint.loss is not None]
     if user_width is None and stroke.colour != "none":
         losses.append(_UNKNOWN_WIDTH)
     if any(values[name].lower() != "none" for name in _MARKERS):
@@ -132,9 +132,9 @@ def _with_stroke(
     style: Style, properties: Properties, stroke: Paint, width: float, scale: float, viewport: Viewport
 ) -> Style:
     values = properties.values
-    dash = tuple(each * scale / width for each in _dashes(values["stroke-dasharray"], viewport))
+    dash = tuple(length * scale / width for length in _dashes(values["stroke-dasharray"], viewport))
     offset = (_length(values, "stroke-dashoffset", viewport) or 0.0) * scale / width if dash else 0.0
-    if max((abs(each) for each in (*dash, offset)), default=0.0) > MAX_MAGNITUDE:
+    if max((abs(length) for length in (*dash, offset)), default=0.0) > MAX_MAGNITUDE:
         dash, offset = (), 0.0
     return replace(
         style,
@@ -188,7 +188,7 @@ def _miter_limit(text: str) -> float:
 
 
 def _one_of(kind: type[_Kind], text: str, default: _Kind) -> _Kind:
-    return next((each for each in kind if each.value == text.strip().lower()), default)
+    return next((member for member in kind if member.value == text.strip().lower()), default)
 
 
 def _opacity(paint: Paint, properties: Properties, name: str) -> float:
@@ -288,9 +288,14 @@ class Paints:
 
     def _colours_of(self, pattern: ET.Element) -> list[str]:
         """Return the colours that the elements of a pattern say they are painted with."""
-        declared = (self._elements.declared(each) for each in pattern.iter())
-        found = (colour_of(said[name]) for said in declared for name in ("fill", "stroke") if name in said)
-        return [paint.colour for paint in found if paint is not None]
+        declared = (self._elements.declared(child) for child in pattern.iter())
+        colours = (
+            colour_of(properties[name])
+            for properties in declared
+            for name in ("fill", "stroke")
+            if name in properties
+        )
+        return [paint.colour for paint in colours if paint is not None]
 
     def _gradient(self, element: ET.Element, current: str) -> Paint:
         stops = stops_of(element, self._elements, lambda stop: self._stop(stop, current))
@@ -338,8 +343,8 @@ def stops_of(element: ET.Element, elements: Elements, read: Callable[[ET.Element
     """Return the stops of a gradient: its own, or else those of the one that it refers to."""
     chain = [element]
     while True:
-        if found := [child for child in chain[-1] if tag_of(child) == "stop"]:
-            return _ascending([read(child) for child in found])
+        if stops := [child for child in chain[-1] if tag_of(child) == "stop"]:
+            return _ascending([read(child) for child in stops])
         target = elements.used(chain[-1])
         is_gradient = target is not None and tag_of(target) in GRADIENTS and target not in chain
         if target is None or not is_gradient or len(chain) == _LONGEST_CHAIN:
@@ -369,8 +374,8 @@ def mixed(colours: Sequence[str], weights: ArrayLike = 1.0) -> str:
 
 def _ascending(stops: Sequence[Stop]) -> tuple[Stop, ...]:
     """Return stops none of which lies before another that comes earlier."""
-    found, least = list[Stop](), 0.0
+    result, least = list[Stop](), 0.0
     for stop in stops:
         least = max(least, stop.offset)
-        found.append(Stop(least, stop.colour, stop.opacity))
-    return tuple(found)
+        result.append(Stop(least, stop.colour, stop.opacity))
+    return tuple(result)

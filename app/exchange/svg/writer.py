@@ -168,18 +168,18 @@ def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
 
 def _disc_colour(outline: Outline, style: PictureStyle) -> str:
     """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
-    return f' fill="{style.seen(outline.colour)}"' if outline.colour else ""
+    return f' fill="{style.visible_colour(outline.colour)}"' if outline.colour else ""
 
 
 def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
     """Return the group of lines with this name; nothing where there are none."""
-    paths = [_strokes(each, style) for each in drawing.annotations if each.name == name]
+    paths = [_strokes(annotation, style) for annotation in drawing.annotations if annotation.name == name]
     return [f'  <g id="{name}" fill="none" stroke-linejoin="round">', *paths, "  </g>"] if paths else []
 
 
 def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     data = " ".join(f"M {' L '.join(pair(point) for point in line.tolist())}" for line in annotation.lines)
-    colour = style.seen(annotation.colour)
+    colour = style.visible_colour(annotation.colour)
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
     if annotation.filled:
         return f'    <path d="{data}" fill="{colour}"{opacity}/>'
@@ -261,8 +261,10 @@ class Tree:
 
     def _called(self, name: str) -> str:
         """Return an id of its own and, where the name is another word, that as Inkscape's label."""
-        own = self._ids.unique(_as_id(name))
-        return f' id="{own}"' + (f' inkscape:label="{quoted(name)}"' if name and name != own else "")
+        identifier = self._ids.unique(_as_id(name))
+        return f' id="{identifier}"' + (
+            f' inkscape:label="{quoted(name)}"' if name and name != identifier else ""
+        )
 
 
 def _as_id(name: str) -> str:
@@ -273,9 +275,9 @@ def _as_id(name: str) -> str:
 
 def _node_types(shape: tuple[Outline, ...]) -> str:
     """Return of what kinds the points are, as an attribute; nothing where one would take them for these."""
-    words = joined([(each.letters, each.closed) for each in shape])
-    taken = [(guessed(each.control_points, closed=each.closed), each.closed) for each in shape]
-    return f' sodipodi:nodetypes="{words}"' if words and joined(taken) != words else ""
+    words = joined([(part.letters, part.closed) for part in shape])
+    default = [(guessed(part.control_points, closed=part.closed), part.closed) for part in shape]
+    return f' sodipodi:nodetypes="{words}"' if words and joined(default) != words else ""
 
 
 def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
@@ -356,7 +358,7 @@ def _of_stroke(style: Style, paint: str, usual_width: float) -> list[tuple[str, 
     if style.stroke_opacity < 1:
         pairs.append(("stroke-opacity", number(style.stroke_opacity)))
     if style.dash:
-        dashes = [each * width for each in style.dash]
+        dashes = [length * width for length in style.dash]
         pairs.append(("style", dash_style(dashes, style.dash_offset * width)))
     return pairs
 

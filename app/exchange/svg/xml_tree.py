@@ -91,7 +91,7 @@ def speaks_to_us(element: ET.Element) -> bool:
     """Whether an element of a `switch` is for everybody, or for those who read English."""
     language = element.get("systemLanguage", "en")
     return not element.get("requiredExtensions") and any(
-        each.strip().startswith("en") for each in language.split(",")
+        tag.strip().startswith("en") for tag in language.split(",")
     )
 
 
@@ -104,8 +104,8 @@ def _tree(data: bytes, most_elements: int, *, may_point_outside: bool = True) ->
     except ET.ParseError as problem:
         line, column = problem.position
         undefined = problem.code == codes[XML_ERROR_UNDEFINED_ENTITY]
-        said = "An entity “&…;” is declared nowhere in the file" if undefined else "The file is not XML"
-        raise ExchangeError(f"{said}: line {line}, column {column + 1}.") from None
+        message = "An entity “&…;” is declared nowhere in the file" if undefined else "The file is not XML"
+        raise ExchangeError(f"{message}: line {line}, column {column + 1}.") from None
     except (ValueError, LookupError) as problem:
         if isinstance(problem, ExchangeError):
             raise
@@ -171,14 +171,14 @@ class _Declared:
     def entity(self, name: str, value: str) -> None:
         """Take note of the length of an entity with those in it, and how deep they are."""
         inner = Counter(re.findall(_ENTITY, value))
-        if unknown := next((each for each in inner if each not in self._entities), None):
+        if unknown := next((reference for reference in inner if reference not in self._entities), None):
             raise ExchangeError(
                 f"The entity “{name[:40]}” uses “&{unknown[:40]};”, which is not declared before it."
             )
-        depth = 1 + max((self._entities[each][1] for each in inner), default=0)
+        depth = 1 + max((self._entities[reference][1] for reference in inner), default=0)
         if depth > MAX_NESTING:
             raise ExchangeError(f"The entity “{name[:40]}” is nested deeper than {MAX_NESTING} levels.")
-        size = len(value) + sum(count * self._entities[each][0] for each, count in inner.items())
+        size = len(value) + sum(count * self._entities[reference][0] for reference, count in inner.items())
         self._entities[name] = size, depth
         self._add(size * (self._uses[name.encode()] if name.isascii() else self._uses.total()))
 
@@ -217,8 +217,8 @@ def _without_external_id(data: bytes, keyword: bytes, end: int) -> bytes:
 
     start = data.find(written(keyword), data.rfind(written(b"<!DOCTYPE"), 0, end), end)
     newline, space = written(b"\n"), written(b" ")
-    units = (data[place : place + width] for place in range(start, end, width)) if start > 0 else ()
-    blank = b"".join(newline if each == newline else space for each in units)
+    units = (data[position : position + width] for position in range(start, end, width)) if start > 0 else ()
+    blank = b"".join(newline if unit_at == newline else space for unit_at in units)
     return data[: end - len(blank)] + blank + data[end:]
 
 
@@ -247,7 +247,7 @@ class _CountingBuilder(ET.TreeBuilder):
 
 def name_of(element: ET.Element) -> str:
     """Return what an element is called: by its label, its title or its id; empty without."""
-    label = next((element.get(each, "") for each in _LABELS if element.get(each)), "")
+    label = next((element.get(attribute, "") for attribute in _LABELS if element.get(attribute)), "")
     title = next((child.text for child in element if tag_of(child) == "title" and child.text), "")
     return _in_line(label or title or _ESCAPED.sub(_unescaped, element.get("id", "")))
 
@@ -256,7 +256,7 @@ def _in_line(name: str) -> str:
     return " ".join(name.split())[:_LONGEST_NAME]
 
 
-def shown_name(element: ET.Element) -> str:
+def label_of(element: ET.Element) -> str:
     """Return a name to find an element by: its own, or the words in it; empty without."""
     return name_of(element) or " ".join("".join(element.itertext()).split())[:40]
 
@@ -295,5 +295,5 @@ class Elements:
 
     def referred(self, value: str) -> ET.Element | None:
         """Return the element that a property such as "url(#a)" refers to; None of any other."""
-        found = _REFERENCE.fullmatch(value.strip())
-        return self.by_id.get(found[1]) if found is not None else None
+        match = _REFERENCE.fullmatch(value.strip())
+        return self.by_id.get(match[1]) if match is not None else None

@@ -140,8 +140,8 @@ def _number(cell: str, row: int, column: int, mark: str) -> float:
         return parse_number(cell, mark)
     except ExpressionError as reason:
         if not any(character.isdigit() for character in cell):
-            shown = cell if len(cell) <= 20 else cell[:19] + "…"
-            raise TableTextError(f"{where}: “{shown}” is not a number.") from None
+            excerpt = cell if len(cell) <= 20 else cell[:19] + "…"
+            raise TableTextError(f"{where}: “{excerpt}” is not a number.") from None
         raise TableTextError(f"{where}: {reason}") from None
 
 

@@ -13,7 +13,7 @@ from ...document.model import Curve
 from ...families import FAMILIES, NO_SETTINGS, ChosenSettings, Family, SettingValue
 from ..errors import ExchangeError
 
-ROLES = ("t", "x", "y", *(f"{each.letter}{axis}" for each in DERIVATIVES for axis in "xy"))
+ROLES = ("t", "x", "y", *(f"{derivative.letter}{axis}" for derivative in DERIVATIVES for axis in "xy"))
 """Roles of columns of numbers, for every point."""
 
 AFTER = tuple(f"{role}_after" for role in ROLES[3:])
@@ -69,8 +69,8 @@ class ColumnMapping:
 
     def columns(self, roles: Sequence[str]) -> dict[str, int]:
         """Return the columns that there are for some of the roles."""
-        found = {role: getattr(self, role) for role in roles}
-        return {role: column for role, column in found.items() if column is not None}
+        columns = {role: getattr(self, role) for role in roles}
+        return {role: column for role, column in columns.items() if column is not None}
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class Guess:
 
 def numbered_titles(count: int) -> tuple[str, ...]:
     """Return the titles of so many columns that have none."""
-    return tuple(f"Column {place}" for place in range(1, count + 1))
+    return tuple(f"Column {number}" for number in range(1, count + 1))
 
 
 def role_of(title: str) -> str:
@@ -138,7 +138,7 @@ def guess(
         for column in range(len(titles))
         if (is_number is None or is_number[column]) and column not in known.values()
     ]
-    has_titles = any(title != f"Column {place}" for place, title in enumerate(titles, start=1))
+    has_titles = any(title != f"Column {number}" for number, title in enumerate(titles, start=1))
     # Without titles a first column that counts may as well be t.
     counted = [column for column in free if has_titles and _counts(titles[column], rows, column)]
     return _by_order(known, [column for column in free if column not in counted] or free)
@@ -170,46 +170,48 @@ def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
         For a role or column that there is not, or without x or y.
     """
     roles = [field.name for field in fields(ColumnMapping)]
-    chosen: dict[str, int] = {}
+    columns: dict[str, int] = {}
     for item in text.split(","):
         role, _, column = (part.strip() for part in item.partition("="))
         if role not in roles:
             raise ExchangeError(f"“{role}” is nothing that a column can be; use {', '.join(roles)}.")
-        chosen[role] = _column(column, titles)
-    if not {"x", "y"} <= set(chosen):
+        columns[role] = _column(column, titles)
+    if not {"x", "y"} <= set(columns):
         raise ExchangeError("A curve needs x and y: --columns x=…,y=…")
-    return ColumnMapping(**chosen)
+    return ColumnMapping(**columns)
 
 
-def words_on(mapping: ColumnMapping, titles: Sequence[str]) -> str:
+def mapping_summary(mapping: ColumnMapping, titles: Sequence[str]) -> str:
     """Return which columns were taken for what, and which were left out.
 
     Nothing is said of columns that are all what they are called, but for a y before x.
     """
     columns = mapping.columns((*ROLES, *AFTER, *WORDS))
-    if columns == {title: place for place, title in enumerate(titles)} and columns["x"] < columns["y"]:
+    if columns == {title: index for index, title in enumerate(titles)} and columns["x"] < columns["y"]:
         return ""
-    taken = ", ".join(f"{role} = {_shown(titles, column)}" for role, column in columns.items())
-    left = [_shown(titles, column) for column in range(len(titles)) if column not in columns.values()]
-    return f"Columns: {taken}." + (f" Left out: {', '.join(left)}." if left else "")
+    roles = ", ".join(f"{role} = {_quoted_title(titles, column)}" for role, column in columns.items())
+    unused = [
+        _quoted_title(titles, column) for column in range(len(titles)) if column not in columns.values()
+    ]
+    return f"Columns: {roles}." + (f" Left out: {', '.join(unused)}." if unused else "")
 
 
-def _shown(titles: Sequence[str], column: int) -> str:
+def _quoted_title(titles: Sequence[str], column: int) -> str:
     title = titles[column]
     return title.lower() if title == f"Column {column + 1}" else f"“{title[:40]}”"
 
 
 def _named(titles: Sequence[str]) -> dict[str, int]:
     """Return the columns whose titles say what they are; of two, the one with the shorter title."""
-    found: dict[str, int] = {}
+    columns: dict[str, int] = {}
     for column, title in enumerate(titles):
         role = role_of(title)
-        if role and (role not in found or len(title) < len(titles[found[role]])):
-            found[role] = column
+        if role and (role not in columns or len(title) < len(titles[columns[role]])):
+            columns[role] = column
     # Of a vector both coordinates: "vx" alone is the speed along the way, of vehicles.
     parts = (*ROLES[3:], *AFTER)
-    halves = [pair for pair in zip(parts[::2], parts[1::2], strict=True) if not set(pair) <= set(found)]
-    return {role: column for role, column in found.items() if not any(role in pair for pair in halves)}
+    halves = [pair for pair in zip(parts[::2], parts[1::2], strict=True) if not set(pair) <= set(columns)]
+    return {role: column for role, column in columns.items() if not any(role in pair for pair in halves)}
 
 
 def _columns_along(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> list[int]:
@@ -230,7 +232,7 @@ def _counts(title: str, rows: Sequence[Sequence[str]], column: int) -> bool:
     """Whether a column counts the rows, as the index that pandas writes, and no title claims otherwise."""
     is_untitled = bool(_INDEX.fullmatch(title.strip().lower())) or title == f"Column {column + 1}"
     cells = [row[column] if column < len(row) else "" for row in rows]
-    counted = ([str(first + place) for place in range(len(cells))] for first in (0, 1))
+    counted = ([str(first + row) for row in range(len(cells))] for first in (0, 1))
     return column == 0 and is_untitled and len(cells) > 1 and cells in counted
 
 
@@ -240,7 +242,7 @@ def _column(text: str, titles: Sequence[str]) -> int:
         return plain.index(text.lower())
     if text.isdigit() and 1 <= int(text) <= len(titles):
         return int(text) - 1
-    known = ", ".join(_shown(titles, column) for column in range(min(len(titles), 12)))
+    known = ", ".join(_quoted_title(titles, column) for column in range(min(len(titles), 12)))
     raise ExchangeError(f"There is no column “{text[:40]}”; there are {known}.")
 
 
@@ -286,15 +288,15 @@ def read_family_cell(text: str) -> FamilyCell:
     family = FAMILIES.called(name)
     if family is None:
         raise ValueError(f"one of {', '.join(map(str, FAMILIES))}")
-    chosen = dict(_read_setting(family, pair) for pair in pairs)
-    return FamilyCell(family, closed, family.settings.without_defaults(chosen))
+    settings = dict(_read_setting(family, pair) for pair in pairs)
+    return FamilyCell(family, closed, family.settings.without_defaults(settings))
 
 
 def _read_setting(family: Family, pair: str) -> tuple[str, SettingValue]:
     name, _, text = pair.partition("=")
     setting = family.settings.named(name)
     if setting is None:
-        known = ", ".join(f"{family} {each.name}={each.default}" for each in family.settings.all)
+        known = ", ".join(f"{family} {other.name}={other.default}" for other in family.settings.all)
         raise ValueError(known or f"{family} alone, which has no settings")
     value = setting.value_of(text)
     if not setting.allows(value):

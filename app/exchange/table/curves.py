@@ -40,9 +40,9 @@ class MissingRows(NamedEnum):
 
 
 _PAIRS = {
-    name: (f"{each.letter}x{after}", f"{each.letter}y{after}")
-    for each in DERIVATIVES
-    for name, after in ((each.name, ""), (each.after, "_after"))
+    name: (f"{derivative.letter}x{after}", f"{derivative.letter}y{after}")
+    for derivative in DERIVATIVES
+    for name, after in ((derivative.name, ""), (derivative.after, "_after"))
 }
 """The columns of the fields of a point."""
 
@@ -93,23 +93,26 @@ def document_of_table(
     all_groups = _groups(table, mapping, options.name)
     groups = _numbered(_without_missing(table, columns, all_groups, options.missing))
     curves, deviation, repeats, first_repeat = [], 0.0, 0, 0
-    for place, (title, rows) in enumerate(groups):
-        own = _Rows(table, columns, rows)
-        found = own.repeats
-        if len(found):
-            repeats, first_repeat = repeats + len(found), first_repeat or own.line_of(int(found[0]))
-        if own.t is None:
+    for index, (title, rows) in enumerate(groups):
+        curve_rows = _Rows(table, columns, rows)
+        repeated = curve_rows.repeats
+        if len(repeated):
+            repeats, first_repeat = (
+                repeats + len(repeated),
+                first_repeat or curve_rows.line_of(int(repeated[0])),
+            )
+        if curve_rows.t is None:
             # Parameters by distance, which are the rule then, cannot tell these points apart.
-            own = own.without(found)
-        away = part(report, place / len(groups), (place + 1) / len(groups))
+            curve_rows = curve_rows.without(repeated)
+        share = part(report, index / len(groups), (index + 1) / len(groups))
         if options.thin is None:
             word = _word_of(table, mapping, rows, options)
-            curves.append(_full_curve(title, own, word, away))
+            curves.append(_full_curve(title, curve_rows, word, share))
         else:
-            kept = thin_out(own.points, own.t, options.thin, options.thinning, report=away)
-            curves.append(_thinned_curve(title, own, kept.rows, kept.parameters))
-            deviation = max(deviation, kept.deviation)
-    remarks = _on_repeats(repeats, first_repeat, are_kept="t" in columns)
+            result = thin_out(curve_rows.points, curve_rows.t, options.thin, options.thinning, report=share)
+            curves.append(_thinned_curve(title, curve_rows, result.rows, result.parameters))
+            deviation = max(deviation, result.deviation)
+    remarks = _on_repeats(repeats, first_repeat, stay="t" in columns)
     return ImportResult(_checked(curves), deviation, remarks)
 
 
@@ -127,13 +130,13 @@ def _groups(table: Table, mapping: ColumnMapping, name: str) -> list[Group]:
     if mapping.curve is None or mapping.curve not in table.words:
         blocks = np.split(np.arange(len(table.values)), table.blocks)
         return [(name, rows) for rows in blocks]
-    places: dict[str, int] = {}
-    group = np.array([places.setdefault(word, len(places)) for word in table.words[mapping.curve]])
+    numbers: dict[str, int] = {}
+    group = np.array([numbers.setdefault(word, len(numbers)) for word in table.words[mapping.curve]])
     order = np.argsort(group, kind="stable")
     ends = np.cumsum(np.bincount(group))[:-1]
     return [
         (title.removeprefix("'") or name, rows)
-        for title, rows in zip(places, np.split(order, ends), strict=True)
+        for title, rows in zip(numbers, np.split(order, ends), strict=True)
     ]
 
 
@@ -147,10 +150,10 @@ def _without_missing(
     is_whole = np.asarray(np.isfinite(table.values[:, needed]).all(axis=1))
     result: list[Group] = []
     for title, rows in groups:
-        kept = np.flatnonzero(is_whole[rows])
-        ends = np.flatnonzero(np.diff(kept) > 1) + 1 if missing is MissingRows.SPLIT else kept[:0]
+        whole = np.flatnonzero(is_whole[rows])
+        ends = np.flatnonzero(np.diff(whole) > 1) + 1 if missing is MissingRows.SPLIT else whole[:0]
         # What is left of a block may be a single row, which is no curve.
-        result += [(title, rows[part]) for part in np.split(kept, ends) if len(part) > 1]
+        result += [(title, rows[part]) for part in np.split(whole, ends) if len(part) > 1]
     if not result:
         raise ExchangeError("No two rows that follow each other have numbers.")
     return result
@@ -175,15 +178,15 @@ def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Tabl
         raise RowProblem(f" must be {problem}.", table.line_of(first), mapping.family + 1) from None
 
 
-def _on_repeats(count: int, first: int, *, are_kept: bool) -> tuple[str, ...]:
+def _on_repeats(count: int, first: int, *, stay: bool) -> tuple[str, ...]:
     """Return what there is to say of rows that repeat the point before, from line `first` on."""
     if count == 0:
         return ()
     merged = "merged with that, for parameters by distance need distinct points"
     if count == 1:
-        became = "is kept, with a t of its own" if are_kept else f"was {merged}"
+        became = "is kept, with a t of its own" if stay else f"was {merged}"
         return (f"Row {first} repeats the point of the row before; it {became}.",)
-    became = "are kept, with a t of their own" if are_kept else f"were {merged}"
+    became = "are kept, with a t of their own" if stay else f"were {merged}"
     return (f"{count:,} rows repeat the point of the row before, row {first} first; they {became}.",)
 
 
@@ -274,39 +277,39 @@ class _Rows:
         return [None if x != x else (x, y) for x, y in values.tolist()]  # noqa: PLR0124 - NaN
 
 
-def _full_curve(name: str, own: _Rows, word: FamilyCell, report: Report) -> Curve:
-    times = own.t
-    points = tuple(_points(own, word.family, report))
+def _full_curve(name: str, rows: _Rows, cell: FamilyCell, report: Report) -> Curve:
+    parameters = rows.t
+    points = tuple(_points(rows, cell.family, report))
     return Curve(
         name,
-        word.family,
-        _rule(times),
-        points[:-1] if word.closed else points,
-        closed=word.closed,
-        settings=word.settings,
+        cell.family,
+        _rule(parameters),
+        points[:-1] if cell.closed else points,
+        closed=cell.closed,
+        settings=cell.settings,
     )
 
 
-def _points(own: _Rows, family: Family, report: Report) -> Iterator[Point]:
+def _points(rows: _Rows, family: Family, report: Report) -> Iterator[Point]:
     """Yield the points of all rows, made of some rows at a time: lists of all would double the memory."""
-    x, y, times = own.column("x"), own.column("y"), own.t
+    x, y, times = rows.column("x"), rows.column("y"), rows.t
     for first in range(0, len(x), _ROWS_AT_ONCE):
         report(first / len(x), "Making a curve")
         some = slice(first, first + _ROWS_AT_ONCE)
         nothing: list[Vector | None] = [None] * len(x[some])
         fields = [
-            own.vectors(name, some) if order <= family.derivatives else nothing for order, name in VECTORS
+            rows.vectors(name, some) if order <= family.derivatives else nothing for order, name in VECTORS
         ]
         t = [None] * len(nothing) if times is None else times[some].tolist()
-        rows = zip(x[some].tolist(), y[some].tolist(), t, zip(*fields, strict=True), strict=True)
-        for at_x, at_y, at, vectors in rows:
+        values = zip(x[some].tolist(), y[some].tolist(), t, zip(*fields, strict=True), strict=True)
+        for at_x, at_y, at, vectors in values:
             before, after = vectors[: len(DERIVATIVES)], vectors[len(DERIVATIVES) :]
             point = Point(at_x, at_y, at, corner=after[0] is not None)
             yield tie_if_parallel(point.with_derivatives(before, after)) if any(vectors) else point
 
 
-def _thinned_curve(name: str, own: _Rows, kept: IntArray, parameters: FloatArray) -> Curve:
-    positions = zip(own.points[kept].tolist(), parameters.tolist(), strict=True)
+def _thinned_curve(name: str, rows: _Rows, indices: IntArray, parameters: FloatArray) -> Curve:
+    positions = zip(rows.points[indices].tolist(), parameters.tolist(), strict=True)
     points = tuple(Point(x, y, t) for (x, y), t in positions)
     return Curve(name, HERMITE, _rule(parameters), points)
 

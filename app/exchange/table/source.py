@@ -17,11 +17,11 @@ from ...families import HERMITE, Family
 from ...tasks.progress import Report, part, silent
 from ..cubics_in import ImportResult
 from ..errors import ExchangeError
-from .columns import ColumnMapping, mapping_of, words_on
+from .columns import ColumnMapping, mapping_of, mapping_summary
 from .curves import MissingRows, TableOptions, document_of_table
 from .table import MissingNumber, Preview, RowProblem, Table, TextLayout, cells_at, preview_of
 from .text import cells_of_row, plain_utf_8, preview_table, read_table
-from .thinning import MOST_KEPT, Thinning, TooManyPointsError
+from .thinning import MAX_POINTS, Thinning, TooManyPointsError
 
 if TYPE_CHECKING:
     from ..files import ImportOptions
@@ -89,8 +89,8 @@ class TableSource:
         if self._is_text:
             return cells_of_row(plain_utf_8(self.data), layout, number)
         whole = self._all()
-        place = number - whole.first_row
-        return cells_at(whole, place) if 0 <= place < len(whole.values) else ()
+        row = number - whole.first_row
+        return cells_at(whole, row) if 0 <= row < len(whole.values) else ()
 
     def _all(self) -> Table:
         if self._whole is None:
@@ -105,7 +105,7 @@ def import_table(name: str, source: TableSource, options: ImportOptions, report:
     mapping = mapping_of(options.columns, preview.titles) if options.columns else preview.certain_mapping()
     try:
         table = source.table(preview.layout, mapping, missing, part(report, 0.0, 0.5))
-        made = document_of_table(
+        result = document_of_table(
             table,
             mapping,
             TableOptions(
@@ -122,8 +122,13 @@ def import_table(name: str, source: TableSource, options: ImportOptions, report:
         raise ExchangeError(
             f"{problem} Leave such rows out with --missing skip, or end the curve there with --missing split."
         ) from None
-    said = (preview.said, words_on(mapping, preview.titles), table.words_on_blocks, *made.remarks)
-    return replace(made, remarks=tuple(filter(None, said)))
+    remarks = (
+        preview.remark,
+        mapping_summary(mapping, preview.titles),
+        table.words_on_blocks,
+        *result.remarks,
+    )
+    return replace(result, remarks=tuple(filter(None, remarks)))
 
 
 # Tables for the window
@@ -132,7 +137,7 @@ def import_table(name: str, source: TableSource, options: ImportOptions, report:
 MANY_ROWS = 1_000
 """Rows beyond which thinning them out is suggested."""
 
-MOST_POINTS = MOST_KEPT
+MOST_POINTS = MAX_POINTS
 """Points that the window can edit; more of them come in only thinned out."""
 
 MOST_LAGRANGE = 500
@@ -227,7 +232,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
                 f"{choice.family.subject} can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
                 f"{HERMITE.title}, or thin them out."
             )
-        return _made(table, choice, part(report, 0.6, 1.0))
+        return _curves_of(table, choice, part(report, 0.6, 1.0))
     except RowProblem as problem:
         return PreparedTable(
             rows,
@@ -243,13 +248,13 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
         return PreparedTable(rows, problem="The table takes more memory than there is.")
 
 
-def _made(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
+def _curves_of(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
     """Return the curves; where nobody chose a distance, with one that leaves few enough points."""
     suggested = _suggested(table, choice.mapping) if choice.thinning is not None else 0.0
     tolerance = (choice.tolerance or suggested) if choice.thinning is not None else 0.0
     for _ in range(_MOST_DOUBLINGS):
         try:
-            made = document_of_table(
+            result = document_of_table(
                 table,
                 choice.mapping,
                 TableOptions(
@@ -270,10 +275,10 @@ def _made(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
             return PreparedTable(
                 len(table.values),
                 tolerance,
-                made.document,
-                made.deviation,
+                result.document,
+                result.deviation,
                 wider_than=is_wider * suggested,
-                remarks=made.remarks,
+                remarks=result.remarks,
             )
     raise ExchangeError("The rows are too far apart to be thinned out; choose a distance.")
 

@@ -86,7 +86,7 @@ class Preview:
         Of these rows, as problems and remarks name them: from 1, of the lines of a text, else of the rows.
     guess
         What the columns seem to be.
-    said
+    remark
         What was found above the numbers, in words; empty for nothing.
     is_text
         Whether the layout can be chosen: the file is text with separators.
@@ -97,7 +97,7 @@ class Preview:
     cells: tuple[tuple[str, ...], ...]
     numbers: tuple[int, ...]
     guess: Guess
-    said: str = ""
+    remark: str = ""
     is_text: bool = True
 
     @property
@@ -119,8 +119,8 @@ class Preview:
             return self.mapping
         first = self.cells[0] if self.cells else ()
         columns = [
-            " ".join([str(place), *([] if title == f"Column {place}" else [title]), f"({cell[:20]}, …)"])
-            for place, (title, cell) in enumerate(zip(self.titles, first, strict=False), start=1)
+            " ".join([str(number), *([] if title == f"Column {number}" else [title]), f"({cell[:20]}, …)"])
+            for number, (title, cell) in enumerate(zip(self.titles, first, strict=False), start=1)
         ]
         raise ExchangeError(
             f"Which of its columns are x and y? There are {'; '.join(columns[:8])}. "
@@ -146,7 +146,7 @@ class Table:
         The cells of the columns of text, by column.
     blocks
         The rows, from 0, at which another curve begins: after an empty line, for one.
-    said
+    remark
         What of the file is in no row, in words; empty for nothing.
     """
 
@@ -156,7 +156,7 @@ class Table:
     gaps: tuple[int, ...] = ()
     words: dict[int, list[str]] = field(default_factory=dict)
     blocks: tuple[int, ...] = ()
-    said: str = ""
+    remark: str = ""
 
     @property
     def words_on_blocks(self) -> str:
@@ -179,7 +179,7 @@ def table_of(
     *,
     words: dict[int, list[str]] | None = None,
     blocks: tuple[int, ...] = (),
-    said: str = "",
+    remark: str = "",
 ) -> Table:
     """Return a table of numbers that were no text; NaN stands where there is none.
 
@@ -198,17 +198,17 @@ def table_of(
     if beyond.any():
         row, column = np.argwhere(beyond)[0].tolist()
         raise RowProblem(" must lie between −1e12 and 1e12.", row + 1, column + 1)
-    return Table(titles, values, 1, words=words or {}, blocks=blocks, said=said)
+    return Table(titles, values, 1, words=words or {}, blocks=blocks, remark=remark)
 
 
 def preview_of(table: Table) -> Preview:
     """Return the first rows of a table that was no text."""
-    shown = min(PREVIEW_ROWS, len(table.values))
-    cells = tuple(cells_at(table, row) for row in range(shown))
-    numbers = tuple(map(table.line_of, range(shown)))
+    count = min(PREVIEW_ROWS, len(table.values))
+    cells = tuple(cells_at(table, row) for row in range(count))
+    numbers = tuple(map(table.line_of, range(count)))
     are_numbers = [column not in table.words for column in range(len(table.titles))]
-    found = guess(table.titles, cells, are_numbers)
-    return Preview(NO_TEXT, table.titles, cells, numbers, found, table.said, is_text=False)
+    roles = guess(table.titles, cells, are_numbers)
+    return Preview(NO_TEXT, table.titles, cells, numbers, roles, table.remark, is_text=False)
 
 
 def cells_at(table: Table, row: int) -> tuple[str, ...]:

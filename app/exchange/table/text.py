@@ -52,15 +52,17 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
     rows = _rows(head.lines, layout)
     comments = head.comments_above(layout.above)
     titles = titles_of(rows[0], layout, comments)
-    shown = rows[layout.header + layout.units :]
-    found = guess(titles, shown, _are_numbers(shown, len(titles), layout))
-    cells = tuple(map(tuple, shown[:PREVIEW_ROWS]))
+    body = rows[layout.header + layout.units :]
+    roles = guess(titles, body, _are_numbers(body, len(titles), layout))
+    cells = tuple(map(tuple, body[:PREVIEW_ROWS]))
     numbers = tuple(head.numbers[layout.above :][:PREVIEW_ROWS])
-    said = _said(head.lines, layout, comments if titles == numbered_titles(len(titles)) else [])
-    later = titles_in([each for each in head.comments.values() if each not in comments], len(titles), layout)
+    remark = _remark_on(head.lines, layout, comments if titles == numbered_titles(len(titles)) else [])
+    later = titles_in(
+        [comment for comment in head.comments.values() if comment not in comments], len(titles), layout
+    )
     if {"x", "y"} <= set(map(role_of, later)) and tuple(later) != titles:
-        said = f"{said} “{', '.join(later)[:40]}” in a comment below the first row is not used.".strip()
-    return Preview(layout, titles, cells, numbers, found, said)
+        remark = f"{remark} “{', '.join(later)[:40]}” in a comment below the first row is not used.".strip()
+    return Preview(layout, titles, cells, numbers, roles, remark)
 
 
 def read_table(
@@ -100,8 +102,8 @@ def read_table(
     wanted = _wanted(len(titles), mapping)
     rows_at_most = max(data.count(b"\n"), data.count(b"\r")) + 1
     collector = _Collector(layout, wanted, rows_at_most, allows_missing)
-    for first, block, place in parts_of(data):
-        report(place / len(data), "Reading")
+    for first, block, position in parts_of(data):
+        report(position / len(data), "Reading")
         collector.add(block, first)
     return collector.table(titles)
 
@@ -111,25 +113,25 @@ def read_table(
 
 def _rows(lines: list[str], layout: TextLayout) -> list[list[str]]:
     """Return the cells of the lines from the titles, or the first row, on."""
-    kept = lines[layout.skipped :]
-    if not kept:
+    used = lines[layout.skipped :]
+    if not used:
         raise ExchangeError("The table has no rows of numbers.")
-    first = cells_of(kept[0], layout)
+    first = cells_of(used[0], layout)
     if len(first) > MAX_COLUMNS:
         raise ExchangeError(f"The table has {len(first):,} columns; {MAX_COLUMNS} can be read.")
-    return [first, *(cells_of(line, layout, len(first)) for line in kept[1:])]
+    return [first, *(cells_of(line, layout, len(first)) for line in used[1:])]
 
 
 def _are_numbers(rows: list[list[str]], width: int, layout: TextLayout) -> list[bool]:
     """Return for each column whether it looks like numbers: most of its cells are, or are missing."""
-    columns = ([row[place] for row in rows if place < len(row) and row[place]] for place in range(width))
+    columns = ([row[column] for row in rows if column < len(row) and row[column]] for column in range(width))
     return [
         2 * sum(is_number(cell, layout) or is_missing(cell) for cell in cells) >= len(cells)
         for cells in columns
     ]
 
 
-def _said(lines: list[str], layout: TextLayout, comments: list[str]) -> str:
+def _remark_on(lines: list[str], layout: TextLayout, comments: list[str]) -> str:
     """Return what stands above the numbers and is none of them, in comments only what names a coordinate."""
     above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
     titles = f"Not read as numbers: {', '.join(above)}." if above else ""
@@ -224,9 +226,9 @@ class _Collector:
 
     def _skipped(self, are_data: list[bool]) -> int:
         """Return how many lines stand above the first row of numbers."""
-        for place, has_data in enumerate(are_data):
+        for index, has_data in enumerate(are_data):
             if has_data and self._above == 0:
-                return place
+                return index
             self._above -= has_data
         return len(are_data)
 
@@ -322,12 +324,12 @@ def _number(cell: str, row: int, column: int, layout: TextLayout) -> float:
     if not cell:
         return math.nan
     if not is_number(cell, layout):
-        shown = (cell if len(cell) <= 20 else cell[:19] + "…").encode("utf-8", "replace").decode()
+        excerpt = (cell if len(cell) <= 20 else cell[:19] + "…").encode("utf-8", "replace").decode()
         words = cell[0] in "+-" and cell[1:].lower() not in ("inf", "infinity", "nan")
-        if cell.startswith(_FORMULA) or (words and any(each.isalpha() for each in cell)):
-            raise RowProblem(f": “{shown}” is a formula; only numbers are read.", row, column)
+        if cell.startswith(_FORMULA) or (words and any(char.isalpha() for char in cell)):
+            raise RowProblem(f": “{excerpt}” is a formula; only numbers are read.", row, column)
         kind = MissingNumber if is_missing(cell) else RowProblem
-        raise kind(f": “{shown}” is not a number.", row, column)
+        raise kind(f": “{excerpt}” is not a number.", row, column)
     value = float(cell.replace(",", "."))
     if not math.isfinite(value) or abs(value) > MAX_MAGNITUDE:
         raise RowProblem(" must lie between −1e12 and 1e12.", row, column)
@@ -341,7 +343,7 @@ _NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]*,[0-9]+(?:[eE][-+]?[0-9]+)?")
 
 
-_LONGEST_SHOWN = 10_000
+_LONGEST_LINE = 10_000
 _ANY_WIDTH = 10**9
 _MISSING = frozenset(("nan", "na", "n/a", "null", "none", "-", "--"))
 
@@ -368,7 +370,7 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayou
         _is_above(row, {len(row), whole}.isdisjoint(widths), plain)
         for row, whole in zip(rows, wholes, strict=True)
     )
-    above = next((place for place, is_above in enumerate(are_above) if not is_above), 0)
+    above = next((index for index, is_above in enumerate(are_above) if not is_above), 0)
     if above == 0:
         # Without a row of numbers the first one holds titles, if there are others.
         return replace(plain, header=len(rows) > 1 and not any(is_number(cell, plain) for cell in rows[0]))
@@ -397,9 +399,9 @@ def _is_titles(row: list[str], widths: set[int], layout: TextLayout) -> bool:
 
 
 def _is_units(row: list[str]) -> bool:
-    said = [cell.strip().lower() for cell in row if cell.strip()]
-    return bool(said) and all(
-        cell in UNITS or (cell[0], cell[-1]) in (("[", "]"), ("(", ")")) for cell in said
+    words = [cell.strip().lower() for cell in row if cell.strip()]
+    return bool(words) and all(
+        cell in UNITS or (cell[0], cell[-1]) in (("[", "]"), ("(", ")")) for cell in words
     )
 
 
@@ -453,10 +455,10 @@ def titles_in(comments: list[str], width: int, layout: TextLayout) -> list[str]:
     are columns, so titles between other marks than those of the rows, and between blanks, must be known ones.
     """
     for text in reversed(comments):
-        for said in (text, text.partition(":")[2]):
+        for candidate in (text, text.partition(":")[2]):
             for separator in (layout.separator, *SEPARATORS):
                 marks = replace(layout, separator=separator)
-                cells = cells_of(said, marks, width)
+                cells = cells_of(candidate, marks, width)
                 if len(cells) != width or any(is_number(cell, marks) for cell in cells):
                     continue
                 roles = list(map(role_of, cells))
@@ -471,7 +473,7 @@ def cells_of_row(data: bytes, layout: TextLayout, row: int) -> tuple[str, ...]:
     lines = (data if b"\n" in data else data.replace(b"\r", b"\n")).split(b"\n", row)
     if not 1 <= row <= len(lines):
         return ()
-    text = lines[row - 1][:_LONGEST_SHOWN].decode("utf-8", "replace")
+    text = lines[row - 1][:_LONGEST_LINE].decode("utf-8", "replace")
     return tuple(cells_of(text.strip("\r\0"), layout))
 
 
@@ -543,9 +545,9 @@ class FirstLines:
     numbers: list[int]
     comments: dict[int, str]
 
-    def comments_above(self, place: int) -> list[str]:
+    def comments_above(self, index: int) -> list[str]:
         """Return the comments above the line at a place in `lines`."""
-        first = self.numbers[place] if place < len(self.numbers) else math.inf
+        first = self.numbers[index] if index < len(self.numbers) else math.inf
         return [text for number, text in self.comments.items() if number < first]
 
 
@@ -559,10 +561,12 @@ def first_lines(data: bytes) -> FirstLines:
     """
     for size in (*_HEADS, len(data)):
         head = list(enumerate(_head(data, size), start=1))
-        found = [(number, line) for number, line in head if is_data(line)]
-        is_enough = len(found) > 1 or size >= len(data) or (found and len(found[0][1]) >= _HEADS[0])
-        if found and is_enough:
-            numbers, lines = zip(*found[:SNIFFED_LINES], strict=True)
+        data_lines = [(number, line) for number, line in head if is_data(line)]
+        is_enough = (
+            len(data_lines) > 1 or size >= len(data) or (data_lines and len(data_lines[0][1]) >= _HEADS[0])
+        )
+        if data_lines and is_enough:
+            numbers, lines = zip(*data_lines[:SNIFFED_LINES], strict=True)
             comments = {number: text for number, line in head if (text := comment_in(line))}
             return FirstLines(list(lines), list(numbers), comments)
     raise ExchangeError("The table has no rows of numbers.")

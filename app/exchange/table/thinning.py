@@ -14,7 +14,7 @@ from ...document.words import NamedEnum
 from ...tasks.progress import Report, silent
 from ..errors import ExchangeError
 
-MOST_KEPT = 20_000
+MAX_POINTS = 20_000
 """Points beyond which a curve is hardly thinned out."""
 
 _FIRST = 9
@@ -85,7 +85,7 @@ def thin_out(
     ExchangeError
         If the tolerance is no positive number, or all points coincide.
     TooManyLeftError
-        If more than `MOST_KEPT` points would be kept.
+        If more than `MAX_POINTS` points would be kept.
     """
     if not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
@@ -93,26 +93,28 @@ def thin_out(
     if len(distinct) < 2:
         raise ExchangeError("All points coincide; there is no curve through them.")
     points = points[distinct]
-    kept = _kept(points, t, tolerance, thinning is Thinning.CURVE, report)
-    return ThinnedPoints(distinct[kept], t[kept], float(_distances(points, t, kept).max()))
+    indices = _enough_points(points, t, tolerance, thinning is Thinning.CURVE, report)
+    return ThinnedPoints(distinct[indices], t[indices], float(_distances(points, t, indices).max()))
 
 
-def _kept(points: FloatArray, t: FloatArray, tolerance: float, is_curve: bool, report: Report) -> IntArray:
+def _enough_points(
+    points: FloatArray, t: FloatArray, tolerance: float, is_curve: bool, report: Report
+) -> IntArray:
     """Return the points that are enough, distinct ones of parameters t (n,)."""
     first, began = _FIRST if is_curve else 2, 0.0
-    kept = np.unique(np.linspace(0, len(t) - 1, min(first, len(t))).round().astype(np.intp))
+    indices = np.unique(np.linspace(0, len(t) - 1, min(first, len(t))).round().astype(np.intp))
     for _ in range(_ROUNDS if is_curve else _DEEPEST):
-        distance = _distances(points, t, kept) if is_curve else _from_chords(points, kept)
+        distance = _distances(points, t, indices) if is_curve else _from_chords(points, indices)
         worst = float(distance.max())
         began = began or worst
         report(_share(began, worst, tolerance), "Thinning out")
-        if worst <= tolerance or len(kept) == len(t):
-            return kept
-        kept = np.union1d(kept, _farthest(distance, kept, tolerance))
-        if len(kept) > MOST_KEPT:
+        if worst <= tolerance or len(indices) == len(t):
+            return indices
+        indices = np.union1d(indices, _farthest(distance, indices, tolerance))
+        if len(indices) > MAX_POINTS:
             break
     raise TooManyPointsError(
-        f"More than {MOST_KEPT} points would be left; allow a larger distance than {tolerance:g}."
+        f"More than {MAX_POINTS} points would be left; allow a larger distance than {tolerance:g}."
     )
 
 
@@ -130,28 +132,28 @@ def _along(points: FloatArray) -> tuple[FloatArray, IntArray]:
     return length[distinct], distinct
 
 
-def _distances(points: FloatArray, t: FloatArray, kept: IntArray) -> FloatArray:
-    knots, at = points[kept], t[kept]
+def _distances(points: FloatArray, t: FloatArray, indices: IntArray) -> FloatArray:
+    knots, at = points[indices], t[indices]
     curve = HermiteCurve(knots, natural_spline_velocities(knots, at), at)
     return np.asarray(np.hypot(*(curve.evaluate(t) - points).T))
 
 
-def _from_chords(points: FloatArray, kept: IntArray) -> FloatArray:
+def _from_chords(points: FloatArray, indices: IntArray) -> FloatArray:
     """Return the distance of every point from the chord of its segment."""
-    segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
-    start, along = points[kept[:-1]][segment], np.diff(points[kept], axis=0)[segment]
-    offset = points[: kept[-1]] - start
+    segment = np.repeat(np.arange(len(indices) - 1), np.diff(indices))
+    start, along = points[indices[:-1]][segment], np.diff(points[indices], axis=0)[segment]
+    offset = points[: indices[-1]] - start
     square = np.einsum("md,md->m", along, along)
     with np.errstate(all="ignore"):
         share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
     return np.append(np.hypot(*(offset - share[:, None] * along).T), 0.0)
 
 
-def _farthest(distance: FloatArray, kept: IntArray, tolerance: float) -> IntArray:
+def _farthest(distance: FloatArray, indices: IntArray, tolerance: float) -> IntArray:
     """Return the farthest point of every segment that has one beyond the tolerance."""
-    worst = np.maximum.reduceat(distance, kept[:-1])
-    segment = np.repeat(np.arange(len(kept) - 1), np.diff(kept))
-    inside = distance[: kept[-1]]
+    worst = np.maximum.reduceat(distance, indices[:-1])
+    segment = np.repeat(np.arange(len(indices) - 1), np.diff(indices))
+    inside = distance[: indices[-1]]
     # Of equals all are candidates; the first of each segment counts.
     candidates = np.flatnonzero((inside == worst[segment]) & (inside > tolerance))
     _, first = np.unique(segment[candidates], return_index=True)

@@ -29,7 +29,7 @@ class ClipboardContent(SafeOverrides, QMimeData):
 
     Parameters
     ----------
-    own
+    mime_type
         The MIME type of what this program takes: `document`, as it is saved.
     document
         The curves.
@@ -37,18 +37,18 @@ class ClipboardContent(SafeOverrides, QMimeData):
         For programs that take text; where empty, the SVG.
     """
 
-    def __init__(self, own: str, document: Document, text: str = "") -> None:
+    def __init__(self, mime_type: str, document: Document, text: str = "") -> None:
         super().__init__()
         # A part of a shape is none any more.
-        self._own, self._document, self._text = own, tidy_shapes(document), text
-        self._made: dict[str, Any] = {}
+        self._mime_type, self._document, self._text = mime_type, tidy_shapes(document), text
+        self._cache: dict[str, Any] = {}
         is_drawable = any(len(curve.points) > 1 for curve in document.curves)
         drawn = _MAKERS if is_drawable else [TEXT] * bool(text)
-        self._formats = [own, *drawn]
+        self._formats = [mime_type, *drawn]
 
     def document_of(self, mimetype: str) -> Document | None:
         """Return the curves themselves where they are offered as this: in this program nobody reads them."""
-        return self._document if mimetype == self._own else None
+        return self._document if mimetype == self._mime_type else None
 
     def formats(self) -> list[str]:
         """Return the MIME types; called by Qt."""
@@ -58,13 +58,13 @@ class ClipboardContent(SafeOverrides, QMimeData):
         """Return what is offered; called by Qt."""
         if mimetype not in self._formats:
             return None
-        if mimetype not in self._made:
-            made = self._make(mimetype)
-            self._made[mimetype] = QByteArray(made) if isinstance(made, bytes) else made
-        return self._made[mimetype]
+        if mimetype not in self._cache:
+            content = self._make(mimetype)
+            self._cache[mimetype] = QByteArray(content) if isinstance(content, bytes) else content
+        return self._cache[mimetype]
 
     def _make(self, mimetype: str) -> object:
-        if mimetype == self._own:
+        if mimetype == self._mime_type:
             return encode(self._document)
         if mimetype == TEXT and self._text:
             return self._text

@@ -82,7 +82,7 @@ class ClipboardCommands:
         """Return the curves, or what the points of several are curves of."""
         session = self._session
         if not what.points.parts:
-            return tuple(session.document.curves[place] for place in sorted(what.curves))
+            return tuple(session.document.curves[index] for index in sorted(what.curves))
         parts = parts_of(session.views, what.points)
         if not parts:
             raise EditError("One point is no curve: select two of a curve, or more, to copy them.")
@@ -166,7 +166,10 @@ class DerivativeCommands:
         index = selected[1]
         point = view.source.points[index]
         before, after = (
-            [view.derivative_of(index, each.order, ahead=ahead) for each in derivatives.DERIVATIVES]
+            [
+                view.derivative_of(index, derivative.order, ahead=ahead)
+                for derivative in derivatives.DERIVATIVES
+            ]
             for ahead in (False, True)
         )
         jet = Point(0.0, 0.0, corner=point.corner, tied=point.tied, even=point.even).with_derivatives(
@@ -224,8 +227,8 @@ def _derivatives_on_clipboard() -> Point | None:
 
 def _with_derivatives(point: Point, jet: Point) -> Point:
     """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
-    copied = [each for each in derivatives.DERIVATIVES if getattr(jet, each.name) is not None]
-    vectors = {name: getattr(jet, name) for each in copied for name in (each.name, each.after)}
+    copied = [kind for kind in derivatives.DERIVATIVES if getattr(jet, kind.name) is not None]
+    vectors = {name: getattr(jet, name) for kind in copied for name in (kind.name, kind.after)}
     return replace(point, corner=jet.corner, tied=jet.tied, even=jet.even, **vectors)
 
 

@@ -60,8 +60,8 @@ class PasteCommands:
     @also(CANVAS_MENU(20), CHOSEN_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
         """Add the curves or SVG on the clipboard at the pointer; append points (x y, or t x y)."""
-        place = self._context.central.canvas.pointed_place
-        self._paste(place, partial(self._append, place))
+        position = self._context.central.canvas.pointed_place
+        self._paste(position, partial(self._append, position))
 
     @action("pasteInPlace", "Paste in Place", EDIT_CLIPBOARD, "Ctrl+Alt+V")
     @also(CANVAS_MENU(21))
@@ -75,15 +75,15 @@ class PasteCommands:
         """Make a curve of the points on the clipboard."""
         self._paste(self._context.central.canvas.pointed_place, self._add_curve)
 
-    def _paste(self, place: Vector | None, put_points: Callable[[PointsContent], None]) -> None:
+    def _paste(self, position: Vector | None, add_points: Callable[[PointsContent], None]) -> None:
         data = clipboard_data()
         try:
-            if not self._take(data, place):
-                self._take_points(data, put_points)
+            if not self._add_drawing_in(data, position):
+                self._add_points_in(data, add_points)
         except (EditError, TableTextError) as reason:
             self._session.refuse(str(reason))
 
-    def _take_points(self, data: QMimeData, put_points: Callable[[PointsContent], None]) -> None:
+    def _add_points_in(self, data: QMimeData, add_points: Callable[[PointsContent], None]) -> None:
         try:
             points = points_in(data)
         except TableTextError:
@@ -91,20 +91,20 @@ class PasteCommands:
             if holds_picture(data):
                 raise EditError(_NO_CURVE) from None
             raise
-        put_points(points)
+        add_points(points)
 
     def holds_drawing(self, data: QMimeData) -> bool:
         """Whether what is dragged is a drawing, or curves of ours."""
         return data.hasFormat(CURVES) or drawing_in(data) is not None
 
-    def paste_dropped(self, data: QMimeData, place: Vector) -> None:
+    def paste_dropped(self, data: QMimeData, position: Vector) -> None:
         """Add a drawing that was dropped at a place."""
         try:
-            self._take(data, place)
+            self._add_drawing_in(data, position)
         except EditError as reason:
             self._session.refuse(str(reason))
 
-    def _take(self, data: QMimeData, place: Vector | None) -> bool:
+    def _add_drawing_in(self, data: QMimeData, position: Vector | None) -> bool:
         """Add the curves or the drawing in `data`, at a place or where they are; return whether it has any.
 
         Raises
@@ -112,66 +112,66 @@ class PasteCommands:
         EditError
             If curves cannot be read.
         """
-        if found := curves_in(data):
-            count = sum(len(curve.points) for curve in found.document.curves)
-            self._bring(partial(_known, found), place, count)
+        if decoded := curves_in(data):
+            count = sum(len(curve.points) for curve in decoded.document.curves)
+            self._import(partial(_import_result, decoded), position, count)
             return True
         if (fragment := drawing_in(data)) is None:
             return False
-        self._bring(lambda report: exchange.svg.fragments.read_fragment(fragment, report), place)
+        self._import(lambda report: exchange.svg.fragments.read_fragment(fragment, report), position)
         return True
 
     # Curves
 
-    def _bring(
-        self, read: Callable[[Report], ImportResult], place: Vector | None, points: int = _MANY_POINTS
+    def _import(
+        self, read: Callable[[Report], ImportResult], position: Vector | None, points: int = _MANY_POINTS
     ) -> None:
         """Add what is read beside the window to the document that is open; few `points` at once."""
-        beginning, target = self._session.files.beginning, self._target(place)
+        beginning, target = self._session.files.beginning, self._target(position)
 
         def work(report: Report) -> tuple[ImportResult, AddedCurves]:
-            found = read(part(report, 0.0, 0.5))
-            return found, _filled(target, found, lambda share: report(0.5 + share / 2, "Computing curves"))
+            result = read(part(report, 0.0, 0.5))
+            return result, _filled(target, result, lambda share: report(0.5 + share / 2, "Computing curves"))
 
-        def done(made: tuple[ImportResult, AddedCurves]) -> None:
-            found, arrival = made
-            now = replace(self._target(place), pixel=target.pixel)
+        def done(work_result: tuple[ImportResult, AddedCurves]) -> None:
+            result, arrival = work_result
+            now = replace(self._target(position), pixel=target.pixel)
             if self._session.files.beginning is not beginning:
                 self._session.refuse("Not pasted because another document was opened in the meantime.")
             else:
-                self._add(arrival if now == target else _filled(now, found), found.remarks)
+                self._add(arrival if now == target else _filled(now, result), result.remarks)
 
         if points < _MANY_POINTS:
-            found = read(silent)
-            self._add(_filled(target, found), found.remarks)
+            result = read(silent)
+            self._add(_filled(target, result), result.remarks)
         else:
             self._context.work.start("Reading the drawing", work, done, Path("The drawing"), "pasted")
 
-    def _target(self, place: Vector | None) -> PasteTarget:
+    def _target(self, position: Vector | None) -> PasteTarget:
         session, pixel = self._session, self._context.central.canvas.camera.pixel_size
-        return PasteTarget(session.committed, place, pixel, session.views)
+        return PasteTarget(session.committed, position, pixel, session.views)
 
     def _add(self, arrival: AddedCurves, remarks: Sequence[str]) -> None:
-        session, places = self._session, arrival.indices
+        session, indices = self._session, arrival.indices
         document, framing = arrival.document, self._context.central.canvas.framing
-        name, style = name_or_count(document, places), session.model.style
+        name, style = name_or_count(document, indices), session.model.style
         session.expect(arrival.views)
         with session.batch:
-            if not session.change(f"Paste {name}", lambda _: document, active=places.start):
+            if not session.change(f"Paste {name}", lambda _: document, active=indices.start):
                 return
-            session.selected.choose_brought(places, style)
-        is_one = common_name(document, places) is not None
-        said = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
-        if not framing.shows_curves(places):
+            session.selected.choose_brought(indices, style)
+        is_one = common_name(document, indices) is not None
+        message = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
+        if not framing.shows_curves(indices):
             # The view stays where somebody is at work.
             key = key_or_name(self._context.actions["fitSelection"])
-            said = f"{said} Not all of {'it is' if is_one else 'them are'} in sight: {key} shows all."
-        session.say(said)
+            message = f"{message} Not all of {'it is' if is_one else 'them are'} in sight: {key} shows all."
+        session.say(message)
         self._context.work.warn_of(remarks)
 
     # Points
 
-    def _append(self, place: Vector | None, pasted: PointsContent) -> None:
+    def _append(self, position: Vector | None, pasted: PointsContent) -> None:
         session, view = self._session, self._session.active_view
         if not session.selected.is_editing:
             # No curve is there to go on with.
@@ -192,16 +192,16 @@ class PasteCommands:
 
     def _add_curve(self, pasted: PointsContent) -> None:
         session = self._session
-        place = len(session.document.curves)
+        index = len(session.document.curves)
         name = curve_edits.unused_name(session.document)
         if pasted.like is not None:
             curve = copied_as_new_curve(pasted.like, name)
         else:
             refuse_unordered(pasted.points, pasted.first_row) if pasted.points[0].t is not None else None
             curve = as_new_curve(session.active_curve, pasted.points, name)
-        document = curve_edits.add_curve(session.document, place, replace(curve, shape="", groups=()))
-        point_edits.set_points(document, place, curve.points)
-        if session.change(f"Paste as {name}", lambda _: document, active=place):
+        document = curve_edits.add_curve(session.document, index, replace(curve, shape="", groups=()))
+        point_edits.set_points(document, index, curve.points)
+        if session.change(f"Paste as {name}", lambda _: document, active=index):
             self._show_points()
             session.say(f"Pasted {count_of(len(curve.points), 'point')} as “{name}”{pasted.note}.")
 
@@ -211,17 +211,17 @@ class PasteCommands:
             self._context.actions["fitView"].trigger()
 
 
-def _known(found: Decoded, _report: Report) -> ImportResult:
-    remarks = (found.left_out.said_of("What was copied"),) if found.left_out else ()
-    return exchange.cubics_in.ImportResult(found.document, remarks=remarks)
+def _import_result(decoded: Decoded, _report: Report) -> ImportResult:
+    remarks = (decoded.left_out.said_of("What was copied"),) if decoded.left_out else ()
+    return exchange.cubics_in.ImportResult(decoded.document, remarks=remarks)
 
 
 def _filled(
-    target: PasteTarget, found: ImportResult, told: Callable[[float], object] | None = None
+    target: PasteTarget, result: ImportResult, report: Callable[[float], object] | None = None
 ) -> AddedCurves:
     """Return the target with what was read, in the unit of the document."""
-    sized = exchange.units.in_unit(found.document, target.document.unit)
-    return target.filled(sized.curves, told)
+    sized = exchange.units.in_unit(result.document, target.document.unit)
+    return target.filled(sized.curves, report)
 
 
 # Content of the clipboard
@@ -262,9 +262,9 @@ def points_in(data: QMimeData) -> PointsContent:
     TableTextError
         If the text holds no numbers, with the row and the column.
     """
-    found = _document(data, POINTS, "points")
-    if found is not None and (curve := found.document.curves[0]).points:
-        return PointsContent(curve.points, curve, found.document.unit)
+    decoded = _document(data, POINTS, "points")
+    if decoded is not None and (curve := decoded.document.curves[0]).points:
+        return PointsContent(curve.points, curve, decoded.document.unit)
     text = data.text() if data.hasText() else ""
     block = read_titled_block(text, decimal_mark(), known_titles())
     # A row of titles was skipped.
@@ -299,18 +299,18 @@ def _in_order(block: Block) -> list[list[float]]:
         raise EditError(
             f"Points are x y, or t x y; the titles are {' '.join(names)}. The point table takes them all."
         )
-    places = [block.titles.index(name) for name in sorted(names)]
-    return [[row[place] for place in places] for row in block.rows]
+    columns = [block.titles.index(name) for name in sorted(names)]
+    return [[row[column] for column in columns] for row in block.rows]
 
 
 def give_keys_to_drawing(context: WindowContext, commands: type) -> None:
     """Let the keys of a command set act with the focus on the canvas, or in a panel that has none such."""
     table = context.docks["pointsDock"]
-    places: list[QWidget] = [
+    owners: list[QWidget] = [
         context.central.canvas,
         *(dock for dock in context.docks.all if dock is not table),
     ]
-    for each in context.actions.declared_by(commands):
-        each.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        for place in places:
-            place.addAction(each)
+    for key_action in context.actions.declared_by(commands):
+        key_action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        for owner in owners:
+            owner.addAction(key_action)

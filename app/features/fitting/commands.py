@@ -83,12 +83,12 @@ class SimplifyCommands:
             if time.monotonic() > until:
                 raise _TakesLong
 
-        def done(found: tuple[Simplified, list[CurveView]]) -> None:
+        def done(result: tuple[Simplified, list[CurveView]]) -> None:
             if session.committed is not document:
                 session.refuse(f"{what} was dropped: the drawing was changed meanwhile.")
                 return
-            session.expect(found[1])
-            self._put(what, found[0])
+            session.expect(result[1])
+            self._put(what, result[0])
 
         try:
             self._put(what, make(report=hurry))
@@ -97,10 +97,10 @@ class SimplifyCommands:
         except _TakesLong:
             self._work.compute(what, partial(_with_views, make, document), done)
 
-    def _put(self, what: str, made: Simplified) -> None:
-        if self._session.change(what, lambda _: made.document):
-            points = f"{count_of(made.before, 'point')} became {made.after}"
-            within = f"{number(made.deviation, 2)} {self._session.document.unit}".rstrip()
+    def _put(self, what: str, result: Simplified) -> None:
+        if self._session.change(what, lambda _: result.document):
+            points = f"{count_of(result.before, 'point')} became {result.after}"
+            within = f"{number(result.deviation, 2)} {self._session.document.unit}".rstrip()
             self._session.say(f"{points}; nothing moved by more than about {within}.")
 
 
@@ -108,12 +108,12 @@ def _with_views(
     make: partial[Simplified], before: Document, report: Report
 ) -> tuple[Simplified, list[CurveView]]:
     """Return what is made of a document, and the views of the curves that are new in it."""
-    made = make(report=part(report, 0.0, _COMPUTED))
+    result = make(report=part(report, 0.0, _COMPUTED))
     known, rest = set(map(id, before.curves)), part(report, _COMPUTED, 1.0)
     # As the door of the session leaves it, whose curves the views are to be of.
-    after = tidy_shapes(with_plain_numbers(made.document, before), before)
+    after = tidy_shapes(with_plain_numbers(result.document, before), before)
     new = [curve for curve in after.curves if id(curve) not in known]
-    return replace(made, document=after), views_ahead(new, lambda share: rest(share, "Computing curves"))
+    return replace(result, document=after), views_ahead(new, lambda share: rest(share, "Computing curves"))
 
 
 _GROUP = "fewer_points"
@@ -162,13 +162,13 @@ class FitCommands(QObject):
         self._context, self._session = context, context.session
         self._panel: FitPanel | None = None
         self._asked: tuple[CurveView, FitWish] | None = None
-        self._found: Fitted | None = None
+        self._result: Fitted | None = None
         self._problem = ""
         self._task = DebouncedTask(self)
         self._task.ready.connect(self._take)
         self._task.progressed.connect(self._show_share)
         self._dock = context.docks["fitDock"]
-        self._is_seen = False
+        self._is_visible = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
 
     @Panel("fitDock", "Fewer Points", on_demand=True)
@@ -195,30 +195,30 @@ class FitCommands(QObject):
         assert self._panel is not None
         tolerance = float(f"{_SHARE * size_of(view.points):.1g}")
         self._panel.begin(view.source.family, tolerance, len(view.points) // 2)
-        self._is_seen = True
+        self._is_visible = True
         self._ask()
         make_room(self._context.window, self._dock, _HEIGHT)
 
     def follow_drag(self, _view: CurveView) -> bool:
         """Fit anew where the curve is another one."""
-        is_seen = self._panel is not None and self._is_seen
-        if is_seen:
+        is_visible = self._panel is not None and self._is_visible
+        if is_visible:
             self._ask()
-        return is_seen
+        return is_visible
 
     def escape(self) -> bool:
         """Put the curve of fewer points away, computed or not; return whether there was one."""
-        was_seen = self._is_seen
-        if was_seen:
+        was_visible = self._is_visible
+        if was_visible:
             self._cancel()
-        return was_seen
+        return was_visible
 
     def close(self) -> None:
         """End what is being computed."""
         self._task.close()
 
     def _follow_visibility(self, visible: bool) -> None:
-        self._is_seen = visible
+        self._is_visible = visible
         if not visible:
             self._forget()
         elif self._panel is not None:
@@ -226,11 +226,11 @@ class FitCommands(QObject):
 
     @property
     def _is_busy(self) -> bool:
-        return self._asked is not None and self._found is None and not self._problem
+        return self._asked is not None and self._result is None and not self._problem
 
     def _forget(self) -> None:
         self._task.give_up()
-        self._asked = self._found = None
+        self._asked = self._result = None
         self._show()
 
     def _ask(self) -> None:
@@ -244,12 +244,12 @@ class FitCommands(QObject):
             return
         if self._asked is not None and self._asked[0].source == view.source and self._asked[1] == wish:
             return
-        self._asked, self._found, self._problem = (view, wish), None, ""
+        self._asked, self._result, self._problem = (view, wish), None, ""
         self._task.ask(partial(_fitted, view, wish))
         self._show()
 
     def _take(self, result: Fitted | str) -> None:
-        self._found, self._problem = (None, result) if isinstance(result, str) else (result, "")
+        self._result, self._problem = (None, result) if isinstance(result, str) else (result, "")
         self._show()
 
     def _show_share(self, share: float, _word: str) -> None:
@@ -258,40 +258,40 @@ class FitCommands(QObject):
 
     def _show(self) -> None:
         """Show the curve that would be, where it is farthest off, and what is to be said of it."""
-        found, traces = self._found, []
-        if found is not None:
-            line = view_of(found.curve).polyline
-            traces.append(Trace((line,), CURE_STYLE, found.words.partition(";")[0]))
-            far = _cross(found.farthest, 0.01 * size_of(line))
-            traces.append(Trace(far, FAR_STYLE, f"farthest: {number(found.deviation, 3)}"))
+        result, traces = self._result, []
+        if result is not None:
+            line = view_of(result.curve).polyline
+            traces.append(Trace((line,), CURE_STYLE, result.words.partition(";")[0]))
+            far = _cross(result.farthest, 0.01 * size_of(line))
+            traces.append(Trace(far, FAR_STYLE, f"farthest: {number(result.deviation, 3)}"))
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Fewer points")
         if self._panel is not None:
             busy = self._is_busy
-            words = self._words(found) if found is not None else self._problem or (_BUSY if busy else "")
-            self._panel.render_result(words, can_apply=found is not None, busy=busy)
+            words = self._words(result) if result is not None else self._problem or (_BUSY if busy else "")
+            self._panel.render_result(words, can_apply=result is not None, busy=busy)
 
-    def _words(self, found: Fitted) -> str:
+    def _words(self, result: Fitted) -> str:
         assert self._asked is not None
         view, wish = self._asked
-        text = f"{count_of(len(view.source.points), 'point')} become {found.words}"
+        text = f"{count_of(len(view.source.points), 'point')} become {result.words}"
         if view.source.shape:
             text += f" Only “{view.source.display_name}” of its shape is fitted; Simplify takes all of it."
-        is_short = wish.tolerance is not None and found.deviation > wish.tolerance
-        if is_short and not found.is_scattered:
+        is_short = wish.tolerance is not None and result.deviation > wish.tolerance
+        if is_short and not result.is_scattered:
             text += f" No {wish.family.title} curve was found nearer."
-        if is_of_points_alone(view) and not found.is_scattered:
+        if is_of_points_alone(view) and not result.is_scattered:
             text += " Measured at the points, not between them."
         return text
 
     def _apply(self) -> None:
-        found, place = self._found, self._session.active_index
-        if found is None:
+        result, index = self._result, self._session.active_index
+        if result is None:
             return
-        curve = found.curve
+        curve = result.curve
         if self._session.change(
-            "Fit to fewer points", lambda document: replace_curve(document, place, curve)
+            "Fit to fewer points", lambda document: replace_curve(document, index, curve)
         ):
-            self._session.say(found.words)
+            self._session.say(result.words)
             self._dock.close()
 
     def _cancel(self) -> None:
@@ -312,10 +312,12 @@ def _fitted(view: CurveView, wish: FitWish, report: Report) -> Fitted | str:
         return str(problem)
 
 
-def _cross(place: Vector, size: float) -> list[FloatArray]:
+def _cross(position: Vector, size: float) -> list[FloatArray]:
     """Return two strokes across a place."""
-    at = np.array(place)
-    return [np.array([at - way, at + way]) for way in size * np.array([[1.0, 1.0], [1.0, -1.0]])]
+    at = np.array(position)
+    return [
+        np.array([at - diagonal, at + diagonal]) for diagonal in size * np.array([[1.0, 1.0], [1.0, -1.0]])
+    ]
 
 
 COMMAND_SETS = (PencilCommands, FitCommands, SimplifyCommands)

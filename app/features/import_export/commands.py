@@ -46,7 +46,7 @@ class ImportCommands:
     def __init__(self, context: WindowContext) -> None:
         self._context, self._work = context, context.work
         self._session, self._preferences = context.session, context.preferences
-        self._documents = self._meant_for = 0
+        self._document_number = self._target_number = 0
         self._series = ImportSeries(
             self._begin, lambda: not self._work.jobs.is_busy, context.central.message_bar.warn
         )
@@ -75,7 +75,7 @@ class ImportCommands:
         One that is `opened` is meant as a document of its own.
         """
         if not self._series.is_busy:
-            self._meant_for, self._opened = self._documents, None
+            self._target_number, self._opened = self._document_number, None
         self._opened = opened or self._opened
         self._series.add(paths)
 
@@ -97,24 +97,24 @@ class ImportCommands:
             source = table.source.TableSource(file.data, file.form.read)
             return _OpenTable(source, source.preview())
 
-        def done(found: ImportResult | _OpenTable) -> None:
-            if self._meant_for != self._documents:
+        def done(content: ImportResult | _OpenTable) -> None:
+            if self._target_number != self._document_number:
                 self._give_up()
                 return
             try:
-                self._ask_about(path, found)
+                self._ask_about(path, content)
             except Exception:
                 self._series.end()
                 raise
 
-        if self._meant_for != self._documents:
+        if self._target_number != self._document_number:
             # It has waited for other work, and another document must not get its curves.
             self._give_up()
         else:
             self._work.start(f"Reading {path.name}", work, done, path, "imported", self._series.end)
 
     def _count_document(self) -> None:
-        self._documents += 1
+        self._document_number += 1
 
     def _give_up(self) -> None:
         """Leave out what was meant for another document than there is now."""
@@ -147,50 +147,54 @@ class ImportCommands:
         self._series.changed = dialog.foot.show_turn
         dialog.bring_up()
 
-    def _ask_about(self, path: Path, found: ImportResult | _OpenTable) -> None:
-        if path == self._opened and not isinstance(found, _OpenTable) and self._is_told(path, found):
-            self._take_in(path, found, True)
+    def _ask_about(self, path: Path, content: ImportResult | _OpenTable) -> None:
+        if (
+            path == self._opened
+            and not isinstance(content, _OpenTable)
+            and self._opens_at_once(path, content)
+        ):
+            self._take_in(path, content, True)
             return
         dialogs, parent = import_export, self._context.window
         verbs = dialogs.work_dialog.Verb
         verb = verbs.OPEN if path == self._opened else verbs.IMPORT
         dialog: ImportDrawingDialog | ImportTableDialog
-        if isinstance(found, _OpenTable):
+        if isinstance(content, _OpenTable):
             dialog = dialogs.import_table_dialog.ImportTableDialog(
-                verb, path.name, path.stem, found.source, found.preview, parent
+                verb, path.name, path.stem, content.source, content.preview, parent
             )
         else:
             dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(
-                verb, path.name, found, partial(self._words_about_rest, found.document), parent
+                verb, path.name, content, partial(self._words_about_rest, content.document), parent
             )
-        dialog.chosen.connect(partial(self._take_in, path))
+        dialog.import_requested.connect(partial(self._take_in, path))
         self._ask(dialog)
 
-    def _is_told(self, path: Path, found: ImportResult) -> bool:
+    def _opens_at_once(self, path: Path, result: ImportResult) -> bool:
         """Whether there is nothing to be told of a file before it is seen."""
-        return not found.remarks or self._knows(path)
+        return not result.remarks or self._knows(path)
 
     def _knows(self, path: Path) -> bool:
         """Whether a file was opened or saved here lately: nobody needs to be shown what it is."""
         return path.absolute() in self._preferences.recent_files
 
-    def _take_in(self, path: Path, taken: ImportResult | PreparedTable, anew: bool) -> None:
+    def _take_in(self, path: Path, result: ImportResult | PreparedTable, anew: bool) -> None:
         """Begin with the curves or add them, and go on with the next file; many are computed beside."""
         files, session, intake = self._context.files, self._session, import_export.intake
-        assert taken.document is not None
-        if anew and (self._goes_elsewhere(path, taken) or not files.may_discard()):
+        assert result.document is not None
+        if anew and (self._goes_elsewhere(path, result) or not files.may_discard()):
             self._end_turn()
             return
-        new, begins = taken.document, anew or session.files.is_untouched
+        new, begins = result.document, anew or session.files.is_untouched
         target = self._target(anew)
-        rest = self._words_about_lost(path, taken) + self._words_about_rest(new, anew)
+        rest = self._words_about_lost(path, result) + self._words_about_rest(new, anew)
 
         def work(report: Report) -> AddedCurves:
             return intake.intake(target, new, lambda share: report(share, "Computing curves"))
 
         def done(arrival: AddedCurves) -> None:
             try:
-                if self._meant_for != self._documents:
+                if self._target_number != self._document_number:
                     session.refuse(_NOT_IMPORTED.format(names_with_verb([path.name])))
                     return
                 if not begins and session.committed is not target:
@@ -198,36 +202,36 @@ class ImportCommands:
                 factor = exchange.units.factor_between(new.unit, arrival.document.unit)
                 style = session.model.style
                 if self._put(path, arrival, begins=begins, anew=anew):
-                    said = "Opened" if anew and path == self._opened else "Imported"
-                    deviation = taken.deviation * factor
-                    done_so = f"{said} {path.name}"
+                    verb = "Opened" if anew and path == self._opened else "Imported"
+                    deviation = result.deviation * factor
+                    done_so = f"{verb} {path.name}"
                     self._choose_added(arrival, style, is_brought=not anew)
                     self._show_added(done_so, path, arrival, deviation, rest)
             finally:
                 self._end_turn()
 
-        self._meant_for = self._documents
+        self._target_number = self._document_number
         if intake.points_of(new) < intake.MANY_POINTS:
             done(intake.intake(target, new))
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
-    def _goes_elsewhere(self, path: Path, taken: ImportResult | PreparedTable) -> bool:
+    def _goes_elsewhere(self, path: Path, result: ImportResult | PreparedTable) -> bool:
         """Let another window begin with what was read, where one is meant for it; return whether it does."""
         other = self._context.files.elsewhere()
         if other is not None:
-            other.take_opened(path, taken)
+            other.take_opened(path, result)
         return other is not None
 
-    def _words_about_lost(self, path: Path, taken: ImportResult | PreparedTable) -> str:
+    def _words_about_lost(self, path: Path, result: ImportResult | PreparedTable) -> str:
         """Return what did not come of a file that is opened without a dialog."""
         is_asked = path != self._opened or not self._knows(path)
-        return "" if is_asked else "".join(f"{remark} " for remark in taken.remarks)
+        return "" if is_asked else "".join(f"{remark} " for remark in result.remarks)
 
-    def _take_opened(self, path: Path, taken: ImportResult | PreparedTable) -> None:
+    def _take_opened(self, path: Path, result: ImportResult | PreparedTable) -> None:
         """Begin with what another window has read and was asked about."""
-        self._meant_for, self._opened = self._documents, path
-        self._take_in(path, taken, True)
+        self._target_number, self._opened = self._document_number, path
+        self._take_in(path, result, True)
 
     def _target(self, anew: bool) -> Document:
         """Return the document that curves go to."""
@@ -239,7 +243,7 @@ class ImportCommands:
 
     def _end_turn(self) -> None:
         # What comes next of the series goes where this one went.
-        self._meant_for = self._documents
+        self._target_number = self._document_number
         self._series.end()
 
     def _put(self, path: Path, arrival: AddedCurves, *, begins: bool, anew: bool) -> bool:
@@ -262,7 +266,7 @@ class ImportCommands:
         added, document, selected = arrival.indices, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):
             # What is brought is put in its place as a whole, but for what nobody may move.
-            selected.choose_brought([place for place in added if document.curves[place].is_selectable], style)
+            selected.choose_brought([index for index in added if document.curves[index].is_selectable], style)
         elif len(added) > 1:
             selected.choose_brought((), self._session.files.blank().curves[0].style)
 

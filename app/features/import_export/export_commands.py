@@ -47,9 +47,9 @@ class ExportCommands:
             self._dialog = import_export.export_dialog.ExportDialog(
                 self._usual_choice(), self._context.window
             )
-            self._dialog.chosen.connect(self._ask_where)
+            self._dialog.export_requested.connect(self._ask_where)
             self._dialog.finished.connect(self._release_dialog)
-            for changed in self._shown_in_dialog:
+            for changed in self._dialog_signals:
                 changed.connect(self._show_in_dialog)
         self._show_in_dialog()
         self._dialog.bring_up()
@@ -60,10 +60,10 @@ class ExportCommands:
         if of_document := remembered.choice_of(session.files.last_export):
             return of_document
         usual = remembered.choice_from(self._preferences.export_choice)
-        return usual.of_chosen() if session.selected.chosen else usual
+        return usual.of_selected() if session.selected.chosen else usual
 
     @property
-    def _shown_in_dialog(self) -> tuple[SignalInstance, ...]:
+    def _dialog_signals(self) -> tuple[SignalInstance, ...]:
         """What tells that the dialog shows something else from now on."""
         session = self._session
         return (session.document_changed, session.active_changed, session.selected_curves_changed)
@@ -73,7 +73,7 @@ class ExportCommands:
         if self._dialog is None:
             return
         self._dialog = None
-        for changed in self._shown_in_dialog:
+        for changed in self._dialog_signals:
             changed.disconnect(self._show_in_dialog)
 
     def _show_in_dialog(self) -> None:
@@ -202,10 +202,14 @@ class CopyCommands:
         put: Callable[[Any, str], None],
     ) -> None:
         """Do work for what is copied, beside the window, and put the result on the clipboard."""
-        document, chosen = self._session.document, self._session.selected.chosen
+        document, selected = self._session.document, self._session.selected.chosen
         what = "the drawing"
-        if chosen:
-            document, what = extract_curves(document, chosen), name_or_count(document, chosen)
+        if selected:
+            document, what = extract_curves(document, selected), name_or_count(document, selected)
         self._context.work.start(
-            title, lambda report: work(document, report), lambda made: put(made, what), Path(name), "copied"
+            title,
+            lambda report: work(document, report),
+            lambda result: put(result, what),
+            Path(name),
+            "copied",
         )

@@ -17,7 +17,7 @@ from ...document.expression import ExpressionError, parse_number
 from ...document.lengths import known_unit
 from ...document.model import Document
 from ...exchange.errors import ExchangeError
-from ...exchange.export_choice import ExportChoice, chosen, offered_options
+from ...exchange.export_choice import ExportChoice, choice_with, offered_options
 from ...exchange.formats import FORMATS
 from ...exchange.options import (
     DARK_PAPER,
@@ -53,16 +53,16 @@ class ExportDialog(WorkDialog):
 
     Signals
     -------
-    chosen
+    export_requested
         The person wants a file: the `ExportChoice`.
     """
 
-    chosen = Signal(object)
+    export_requested = Signal(object)
 
     def __init__(self, choice: ExportChoice, parent: QWidget | None = None) -> None:
         super().__init__("exportDialog", "Export", "exportProblem", parent)
         self._document: Document | None = None
-        self._active, self._chosen, self._with_estimates = 0, frozenset[int](), False
+        self._active, self._selected, self._with_estimates = 0, frozenset[int](), False
         self.form = ExportForm()
         self.picture = Label(name="exportPreview", label="Preview")
         self.picture.setToolTip("What the picture will look like; squares stand for no background")
@@ -70,7 +70,7 @@ class ExportDialog(WorkDialog):
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_label = Label(name="exportSize", wordWrap=True)
         self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self.told = Label(name="exportColoursTold", wordWrap=True)
+        self.colour_note = Label(name="exportColoursTold", wordWrap=True)
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render_preview)
         self._lay_out()
@@ -83,7 +83,7 @@ class ExportDialog(WorkDialog):
         foot.accepted.connect(self._export)
         foot.rejected.connect(self.reject)
         self.preview_side = QWidget()
-        column_of(self.picture, self.size_label, self.told, 1, margins=0, parent=self.preview_side)
+        column_of(self.picture, self.size_label, self.colour_note, 1, margins=0, parent=self.preview_side)
         columns = row_of((column_of(self.form, 1, margins=0), 1), self.preview_side, spacing=18)
         column_of(columns, margins=(16, 14, 16, 0), parent=self.body)
         self.hold(self.problem, foot, wished=QSize(690, 400))
@@ -92,14 +92,14 @@ class ExportDialog(WorkDialog):
         self,
         document: Document,
         active: int,
-        chosen: frozenset[int] = frozenset(),
+        selected: frozenset[int] = frozenset(),
         *,
         with_estimates: bool = False,
     ) -> None:
         """Show what this document would look like; for the others see `ExportChoice.request`."""
-        self._document, self._active, self._chosen = document, active, chosen
+        self._document, self._active, self._selected = document, active, selected
         self._with_estimates = with_estimates
-        self.form.show_document(document, has_chosen=bool(chosen))
+        self.form.show_document(document, has_selection=bool(selected))
         self._soon.start()
 
     def _render(self) -> None:
@@ -127,7 +127,7 @@ class ExportDialog(WorkDialog):
             return  # that has been said
         preview = choice.format.preview
         assert preview is not None
-        order = choice.request(document, active, self._chosen, with_estimates=self._with_estimates)
+        order = choice.request(document, active, self._selected, with_estimates=self._with_estimates)
         room = (round(_WIDTH * self.devicePixelRatioF()), round(_HEIGHT * self.devicePixelRatioF()))
 
         def draw(_report: Report) -> PicturePreview:
@@ -135,7 +135,7 @@ class ExportDialog(WorkDialog):
 
         self.jobs.start("Drawing", draw, self._show_preview, self._refuse)
 
-    def _show_preview(self, seen: PicturePreview) -> None:
+    def _show_preview(self, preview: PicturePreview) -> None:
         try:
             choice = self.form.choice()
         except ExpressionError:
@@ -143,9 +143,9 @@ class ExportDialog(WorkDialog):
         # As the picture will be looked at, not as this window is.
         theme = DARK if choice[DARK_PAPER] else LIGHT
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
-        self.picture.setPixmap(_on_squares(seen.image, self.devicePixelRatioF(), squares))
-        self.size_label.setText(seen.size)
-        self.told.setText(seen.moved)
+        self.picture.setPixmap(_on_squares(preview.image, self.devicePixelRatioF(), squares))
+        self.size_label.setText(preview.size)
+        self.colour_note.setText(preview.moved)
         self.complain("")
         self.ok.setEnabled(True)
 
@@ -154,12 +154,12 @@ class ExportDialog(WorkDialog):
             raise problem
         self.picture.clear()
         self.size_label.clear()
-        self.told.clear()
+        self.colour_note.clear()
         self.complain(str(problem))
         self.ok.setEnabled(False)
 
     def _export(self) -> None:
-        self.chosen.emit(self.form.choice())
+        self.export_requested.emit(self.form.choice())
         self.accept()
 
 
@@ -201,14 +201,14 @@ class ExportForm(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("exportForm")
-        self._shown, self._unit = ExportChoice(), ""
+        self._choice, self._unit = ExportChoice(), ""
         self._formats = FORMATS.offered
-        titles = [each.title for each in self._formats]
+        titles = [format.title for format in self._formats]
         self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
         self.format_box.activated.connect(self._change)
         self._description = Label(name="exportDescription", wordWrap=True)
         self._options = offered_options()
-        self.fields = {each.name: field_for(each, self._change) for each in self._options}
+        self.fields = {option.name: field_for(option, self._change) for option in self._options}
         self._rows: list[tuple[QWidget, tuple[Option[Any], ...]]] = []
         self._lay_out()
 
@@ -217,7 +217,7 @@ class ExportForm(QWidget):
         self._form = form_of(*rows, margins=0, across=14, parent=self)
         for label, group in groupby(self._options, lambda option: option.label):
             options = tuple(group)
-            widgets = [self.fields[each.name].widget for each in options]
+            widgets = [self.fields[option.name].widget for option in options]
             row = widgets[0] if len(widgets) == 1 else in_columns(widgets, 2)
             self._form.addRow(label, row)
             self._rows.append((row, options))
@@ -227,10 +227,10 @@ class ExportForm(QWidget):
         self.format_box.setCurrentIndex(self._formats.index(choice.format))
         for option in self._options:
             self.fields[option.name].show(choice[option])
-        self._shown = choice
+        self._choice = choice
         self._show_rows(choice)
 
-    def show_document(self, document: Document, *, has_chosen: bool) -> None:
+    def show_document(self, document: Document, *, has_selection: bool) -> None:
         """Offer what can be had of a document: true size in its unit, and what is chosen."""
         self._unit = unit = known_unit(document.unit)
         check = self.fields[TRUE_SIZE.name].widget
@@ -240,26 +240,26 @@ class ExportForm(QWidget):
         why = f"“{document.unit}” is no unit of length" if document.unit else "The document has no unit"
         tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
         check.setToolTip(tip)
-        self._show_extents(has_chosen=has_chosen)
-        self._show_rows(self._shown)
+        self._show_extents(has_selection=has_selection)
+        self._show_rows(self._choice)
 
-    def _show_extents(self, *, has_chosen: bool) -> None:
+    def _show_extents(self, *, has_selection: bool) -> None:
         """Offer what is chosen; where nothing is, all curves are exported until something is chosen."""
         field = self.fields[EXTENT.name]
         assert isinstance(field.widget, QComboBox)
         model = field.widget.model()
         assert isinstance(model, QStandardItemModel)
-        model.item(list(Extent).index(Extent.SELECTED)).setEnabled(has_chosen)
-        field.show(self._shown[EXTENT] if has_chosen else Extent.ALL)
+        model.item(list(Extent).index(Extent.SELECTED)).setEnabled(has_selection)
+        field.show(self._choice[EXTENT] if has_selection else Extent.ALL)
 
     def _show_rows(self, choice: ExportChoice) -> None:
         self._description.setText(choice.format.description)
-        shown = (EXTENT, *choice.shown(self._unit))
+        relevant = (EXTENT, *choice.relevant_options(self._unit))
         for row, options in self._rows:
-            self._form.setRowVisible(row, any(each in shown for each in options))
+            self._form.setRowVisible(row, any(option in relevant for option in options))
             if len(options) > 1:
-                for each in options:
-                    self.fields[each.name].widget.setVisible(each in shown)
+                for option in options:
+                    self.fields[option.name].widget.setVisible(option in relevant)
 
     def choice(self) -> ExportChoice:
         """Return what is chosen.
@@ -269,9 +269,9 @@ class ExportForm(QWidget):
         ExpressionError
             If no column is, or a number that concerns the format is out of its range.
         """
-        values = {each: self.fields[each.name].value() for each in self._options}
-        choice = chosen(self._formats[self.format_box.currentIndex()].ending, values)
-        problems = (self.fields[each.name].problem() for each in choice.shown(self._unit))
+        values = {option: self.fields[option.name].value() for option in self._options}
+        choice = choice_with(self._formats[self.format_box.currentIndex()].ending, values)
+        problems = (self.fields[option.name].problem() for option in choice.relevant_options(self._unit))
         if problem := next(filter(None, problems), ""):
             raise ExpressionError(problem)
         return choice
@@ -282,8 +282,8 @@ class ExportForm(QWidget):
         except ExpressionError:
             self.changed.emit()  # whoever hears it asks for the choice, and says so
             return
-        if choice != self._shown:
-            self._shown = choice
+        if choice != self._choice:
+            self._choice = choice
             self._show_rows(choice)
             self.changed.emit()
 
@@ -395,19 +395,19 @@ class SomeOfField(Field[tuple[str, ...]]):
     def __init__(self, option: SomeOf, change: Callable[[], object]) -> None:
         self._needed = option.needed
         self.checks = {
-            each: _check(option.widget.format(each), each, option.tip.format(each), change)
-            for each in option.choices
+            choice: _check(option.widget.format(choice), choice, option.tip.format(choice), change)
+            for choice in option.choices
         }
         self.widget = in_columns(list(self.checks.values()), 3)
 
     def value(self) -> tuple[str, ...]:
         """Return what the person chose."""
-        return tuple(each for each, check in self.checks.items() if check.isChecked())
+        return tuple(choice for choice, check in self.checks.items() if check.isChecked())
 
     def show(self, value: tuple[str, ...]) -> None:
         """Show a value."""
-        for each, check in self.checks.items():
-            check.setChecked(each in value)
+        for choice, check in self.checks.items():
+            check.setChecked(choice in value)
 
     def problem(self) -> str:
         """Return why the value cannot be used."""
@@ -463,6 +463,6 @@ def in_columns(widgets: Sequence[QWidget], count: int) -> QWidget:
     grid = QGridLayout(holder)
     grid.setContentsMargins(0, 0, 0, 0)
     grid.setHorizontalSpacing(14)
-    for place, widget in enumerate(widgets):
-        grid.addWidget(widget, place // count, place % count)
+    for index, widget in enumerate(widgets):
+        grid.addWidget(widget, index // count, index % count)
     return holder

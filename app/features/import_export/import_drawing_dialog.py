@@ -60,40 +60,40 @@ class ImportDrawingDialog(WorkDialog):
 
     Signals
     -------
-    chosen
+    import_requested
         The person wants it: an `ImportResult`, and whether it is to become a new document.
     """
 
-    chosen = Signal(object, bool)
+    import_requested = Signal(object, bool)
 
     def __init__(
         self,
         verb: Verb,
         name: str,
-        found: ImportResult,
+        result: ImportResult,
         rest: Callable[[bool], str],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__("importDrawingDialog", f"{verb.value} {name}", "importProblem", parent)
-        self._found, self._rest = found, rest
-        count = sum(1 for _ in shape_ranges(found.document.curves))
-        self.groups = GroupTree(found.document) if count > 1 else None
+        self._result, self._rest = result, rest
+        count = sum(1 for _ in shape_ranges(result.document.curves))
+        self.groups = GroupTree(result.document) if count > 1 else None
         self.picture = ImportPicture(self.jobs)
-        self.summary = Label(_summary(found, found), name="importSummary", wordWrap=True)
-        self.remarks = Label(_remarks(found), name="importRemarks", wordWrap=True)
-        self.remarks.setVisible(bool(found.remarks))
+        self.summary = Label(_summary(result, result), name="importSummary", wordWrap=True)
+        self.remarks = Label(_remarks(result), name="importRemarks", wordWrap=True)
+        self.remarks.setVisible(bool(result.remarks))
         self.rest = Label(name="importRest", wordWrap=True)
         # Without a curve nothing comes into another document.
-        self.into = into_box(verb if found.has_curves else Verb.OPEN)
-        self.into.setEnabled(found.has_curves)
+        self.into = into_box(verb if result.has_curves else Verb.OPEN)
+        self.into.setEnabled(result.has_curves)
         self.into.currentTextChanged.connect(self._show_rest)
         self._show_rest()
         self.foot = ImportFoot(self, "importDrawing", "Take the curves in", verb, self.into)
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
         self._lay_out()
-        if found.has_curves:
-            self.picture.show_document(found.document)
+        if result.has_curves:
+            self.picture.show_document(result.document)
 
     def _lay_out(self) -> None:
         side = column_of(self.summary, margins=0, spacing=8)
@@ -101,7 +101,7 @@ class ImportDrawingDialog(WorkDialog):
             side.addStretch(1)
         else:
             side.addWidget(self.groups, 1)
-            self.groups.chosen.connect(self._show_taken)
+            self.groups.selection_changed.connect(self._show_included)
         above = row_of((self.picture, Qt.AlignmentFlag.AlignTop), (side, 1), margins=0, spacing=18)
         layout = column_of((above, 1), margins=(16, 14, 16, 0), spacing=10, parent=self.body)
         layout.addWidget(self.remarks)
@@ -118,17 +118,17 @@ class ImportDrawingDialog(WorkDialog):
         self.rest.setText(text)
         self.rest.setVisible(bool(text))
 
-    def _taken(self) -> list[bool]:
-        return self.groups.taken if self.groups is not None else [True] * len(self._found.document.curves)
+    def _included(self) -> list[bool]:
+        return self.groups.included if self.groups is not None else [True] * len(self._result.document.curves)
 
-    def _show_taken(self) -> None:
+    def _show_included(self) -> None:
         """Show how much of the drawing is taken; without a curve there is nothing to import."""
-        taken = self._taken()
-        self.ok.setEnabled(any(taken))
-        some = self._found if all(taken) or not any(taken) else self._found.only(taken)
-        none = f"None of {shape_count_label(self._found.document.curves)}; choose at least one."
-        self.summary.setText(_summary(self._found, some) if any(taken) else none)
-        if any(taken):
+        included = self._included()
+        self.ok.setEnabled(any(included))
+        some = self._result if all(included) or not any(included) else self._result.only(included)
+        none = f"None of {shape_count_label(self._result.document.curves)}; choose at least one."
+        self.summary.setText(_summary(self._result, some) if any(included) else none)
+        if any(included):
             self.picture.show_document(some.document)
         else:
             self.picture.clear()
@@ -136,24 +136,24 @@ class ImportDrawingDialog(WorkDialog):
     def _import(self) -> None:
         # First, for a new document closes the dialogs of the one before.
         self.accept()
-        self.chosen.emit(self._found.only(self._taken()), self._is_anew)
+        self.import_requested.emit(self._result.only(self._included()), self._is_anew)
 
 
-def _summary(found: ImportResult, taken: ImportResult) -> str:
+def _summary(whole: ImportResult, part: ImportResult) -> str:
     """Return what is taken of a drawing."""
-    if not taken.has_curves:
+    if not part.has_curves:
         return "No curve."
-    points = sum(len(curve.points) for curve in taken.document.curves)
-    exact = distance_text(taken.deviation, "the file")
-    some = shape_count_label(taken.document.curves)
-    if taken is not found:
-        some = f"{some.split()[0]} of {shape_count_label(found.document.curves)}"
+    points = sum(len(curve.points) for curve in part.document.curves)
+    exact = distance_text(part.deviation, "the file")
+    some = shape_count_label(part.document.curves)
+    if part is not whole:
+        some = f"{some.split()[0]} of {shape_count_label(whole.document.curves)}"
     return f"{some} with {count_of(points, 'point')}, {exact}."
 
 
-def _remarks(found: ImportResult) -> str:
-    lines = list(found.remarks[:_MOST_REMARKS])
-    more = len(found.remarks) - len(lines)
+def _remarks(result: ImportResult) -> str:
+    lines = list(result.remarks[:_MOST_REMARKS])
+    more = len(result.remarks) - len(lines)
     return "\n".join([*lines, *([f"… and {more} more."] if more else [])])
 
 
@@ -162,11 +162,11 @@ class GroupTree(QTreeWidget):
 
     Signals
     -------
-    chosen
+    selection_changed
         Other curves are taken now.
     """
 
-    chosen = Signal()
+    selection_changed = Signal()
 
     def __init__(self, document: Document) -> None:
         super().__init__()
@@ -185,34 +185,34 @@ class GroupTree(QTreeWidget):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         # Told of a box that is checked, and of what follows it up and down the tree.
-        self.itemChanged.connect(lambda _item, _column: self.chosen.emit())
+        self.itemChanged.connect(lambda _item, _column: self.selection_changed.emit())
 
     def _fill(self) -> list[QTreeWidgetItem]:
         """Make the items; return for each curve the one that it hangs on."""
         curves, leaves = self._document.curves, list[QTreeWidgetItem]()
         groups = [curve.groups[:_DEEPEST] for curve in curves]
-        found = list(shape_ranges(self._document.curves))
+        ranges = list(shape_ranges(self._document.curves))
         held = defaultdict[_Chain, list[Curve]](list)
         for curve, chain in zip(curves, groups, strict=True):
             for depth in range(1, len(chain) + 1):
                 held[chain[:depth]].append(curve)
         # What stands in a group beside groups can be taken without them.
         inner = {chain[:depth] for chain in groups for depth in range(len(chain))}
-        for index, places in enumerate(found):
-            first = curves[places.start]
-            chain = groups[places.start]
+        for index, indices in enumerate(ranges):
+            first = curves[indices.start]
+            chain = groups[indices.start]
             for depth in range(1, len(chain) + 1):
                 group = chain[:depth]
                 if group not in self._items:
                     self._item(group, group[-1], shape_count_label(held[group]))
-            if len(found) <= _MOST_NAMED:
-                points = count_of(sum(len(curves[place].points) for place in places), "point")
+            if len(ranges) <= _MOST_NAMED:
+                points = count_of(sum(len(curves[curve_index].points) for curve_index in indices), "point")
                 leaf = self._item((*chain, index), first.shape or first.name, points)
             elif not chain or chain in inner:
                 leaf = self._item((*chain, -1), "in no group of its own", "")
             else:
                 leaf = self._items[chain]
-            leaves += [leaf] * len(places)
+            leaves += [leaf] * len(indices)
         return leaves
 
     def _item(self, chain: _Chain, name: str, holds: str) -> QTreeWidgetItem:
@@ -229,7 +229,7 @@ class GroupTree(QTreeWidget):
         return self._items[chain]
 
     @property
-    def taken(self) -> list[bool]:
+    def included(self) -> list[bool]:
         """Whether each curve is taken."""
         return [leaf.checkState(0) == Qt.CheckState.Checked for leaf in self._leaves]
 

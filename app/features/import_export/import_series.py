@@ -11,13 +11,13 @@ import msgspec
 class Turn(msgspec.Struct, frozen=True):
     """Place of a file among several that are asked about, from 1 on, and how many there are."""
 
-    place: int = 1
+    number: int = 1
     count: int = 1
 
     @property
     def waiting(self) -> int:
         """Number of files that come after it."""
-        return self.count - self.place
+        return self.count - self.number
 
 
 class ImportSeries:
@@ -44,7 +44,7 @@ class ImportSeries:
         self._begin, self._is_free, self._warn = begin, is_free, warn
         self._now: Path | None = None
         self._waiting: list[Path] = []
-        self._place = 0
+        self._number = 0
         self._problems: list[str] = []
         self.changed: Callable[[Turn], object] | None = None
 
@@ -56,7 +56,7 @@ class ImportSeries:
     @property
     def turn(self) -> Turn:
         """Place of the file that is on its way now."""
-        return Turn(self._place, self._place + len(self._waiting))
+        return Turn(self._number, self._number + len(self._waiting))
 
     def add(self, paths: Iterable[Path]) -> None:
         """Import these, after those that came before."""
@@ -69,7 +69,7 @@ class ImportSeries:
         """Begin with the next file, if it can be read now."""
         if self._now is None and self._waiting and self._is_free():
             self._now = self._waiting.pop(0)
-            self._place += 1
+            self._number += 1
             self._begin(self._now)
 
     def end(self, problem: str = "") -> None:
@@ -80,7 +80,7 @@ class ImportSeries:
             # All of them each time: what comes in meanwhile takes the sentence away.
             self._warn(" ".join(self._problems))
         if not self._waiting:
-            self._place, self._problems = 0, []
+            self._number, self._problems = 0, []
         self.go_on()
 
     def skip_rest(self) -> list[str]:

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from ...appearance.theme import mix, theme_of
 from ...document.expression import ExpressionError, parse_number
 from ...document.words import count_of, distance_text, number
-from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, words_on
+from ...exchange.table.columns import AFTER, ROLES, WORDS, ColumnMapping, mapping_summary
 from ...exchange.table.curves import MissingRows
 from ...exchange.table.source import (
     MANY_ROWS,
@@ -65,11 +65,11 @@ class ImportTableDialog(WorkDialog):
 
     Signals
     -------
-    chosen
+    import_requested
         The person wants the curves: a `PreparedTable`, and whether they are to become a new document.
     """
 
-    chosen = Signal(object, bool)
+    import_requested = Signal(object, bool)
 
     def __init__(
         self,
@@ -108,7 +108,7 @@ class ImportTableDialog(WorkDialog):
         self.comma_check = check_box("tableComma", "Decimal comma", "Numbers are written 0,5")
         self.header_check = check_box("tableHeader", "First row holds titles", "The first row is no point")
         self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
-        self.said = Label(name="tableSaid", wordWrap=True)
+        self.remark = Label(name="tableSaid", wordWrap=True)
 
     def _build_curves(self) -> None:
         """Make what says which curves the rows become."""
@@ -116,7 +116,7 @@ class ImportTableDialog(WorkDialog):
             "tableFamily", "Family", "The curve through the rows", (family.label for family in FAMILIES)
         )
         self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
-        titles = ["Keep every row", *(each.label for each in Thinning)]
+        titles = ["Keep every row", *(thinning.label for thinning in Thinning)]
         self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, titles)
         self.tolerance_edit = FieldEdit(
             "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
@@ -134,7 +134,7 @@ class ImportTableDialog(WorkDialog):
             "tableMissing",
             "Rows without numbers",
             "What becomes of rows without numbers",
-            (each.label for each in MissingRows),
+            (rule.label for rule in MissingRows),
         )
         label = Label("Rows without numbers", name="tableMissingLabel")
         label.setBuddy(self.missing_box)
@@ -152,7 +152,7 @@ class ImportTableDialog(WorkDialog):
         column_of(
             row_of(*reading, spacing=8),
             (self.preview, 1),
-            self.said,
+            self.remark,
             row_of(*curves, "Into", self.into, 1, spacing=8),
             self.problem,
             self._missing,
@@ -174,7 +174,7 @@ class ImportTableDialog(WorkDialog):
         self.header_check.clicked.connect(
             lambda is_on: self._choose_layout(replace(self._layout_now, header=is_on))
         )
-        self.preview.head.chosen.connect(self._prepare)
+        self.preview.head.role_changed.connect(self._prepare)
         self.family_box.activated.connect(self._prepare)
         self.missing_box.activated.connect(self._prepare)
         self.thinning_box.activated.connect(self._choose_thinning)
@@ -232,7 +232,7 @@ class ImportTableDialog(WorkDialog):
             prepared = self._prepared
             # First, for a new document closes the dialogs of the one before.
             self.accept()
-            self.chosen.emit(prepared, self.into.currentText() == A_NEW_DOCUMENT)
+            self.import_requested.emit(prepared, self.into.currentText() == A_NEW_DOCUMENT)
 
     # What comes of it
 
@@ -267,9 +267,9 @@ class ImportTableDialog(WorkDialog):
         """Say what was taken for what, and where that is no more than a guess."""
         preview = self._preview
         is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain
-        words = words_on(mapping, preview.titles) if mapping is not None else ""
+        words = mapping_summary(mapping, preview.titles) if mapping is not None else ""
         doubt = "This is a guess; choose above the columns what they are." if is_guess else ""
-        self.said.setText(" ".join(filter(None, (preview.said, words, doubt))))
+        self.remark.setText(" ".join(filter(None, (preview.remark, words, doubt))))
 
     def _show_preview(self, preview: Preview) -> None:
         self.separator_box.setCurrentIndex(list(_SEPARATORS).index(preview.layout.separator))
@@ -293,7 +293,7 @@ class ImportTableDialog(WorkDialog):
         self._prepared = prepared
         if prepared.tolerance:
             self._tolerance = prepared.tolerance
-            self.tolerance_edit.show_text(_shown(prepared.tolerance).replace("−", "-"))
+            self.tolerance_edit.show_text(_number_text(prepared.tolerance).replace("−", "-"))
         self.complain(prepared.problem)
         self._explain(prepared)
         self._missing.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
@@ -316,8 +316,8 @@ class ImportTableDialog(WorkDialog):
         lines = list(prepared.remarks)
         if prepared.wider_than:
             lines.append(
-                f"The distance is {_shown(prepared.tolerance)}: {_shown(prepared.wider_than)} would leave "
-                f"more than {MOST_POINTS:,} points."
+                f"The distance is {_number_text(prepared.tolerance)}: {_number_text(prepared.wider_than)} "
+                f"would leave more than {MOST_POINTS:,} points."
             )
         if lines:
             self.problem.setStyleSheet("")
@@ -338,7 +338,7 @@ def _distance(text: str) -> float | None:
     return value
 
 
-def _shown(distance: float) -> str:
+def _number_text(distance: float) -> str:
     return number(distance, 6, decimal_mark())
 
 
@@ -428,17 +428,17 @@ class TablePreview(QTableWidget):
 
     def _colour(self, row: int, column: int, brush: QBrush) -> None:
         """Fill a cell, its column counted from 1, or the whole row for column 0."""
-        places = [column - 1] if 0 < column <= self.columnCount() else range(self.columnCount())
-        for place in places:
-            item = self.item(row, place)
+        columns = [column - 1] if 0 < column <= self.columnCount() else range(self.columnCount())
+        for index in columns:
+            item = self.item(row, index)
             if item is not None:
                 item.setBackground(brush)
 
 
 def _item(text: str) -> QTableWidgetItem:
-    shown = _short(text)
-    item = QTableWidgetItem(shown)
-    if shown != text or len(text) > _FITTING:
+    short = _short(text)
+    item = QTableWidgetItem(short)
+    if short != text or len(text) > _FITTING:
         item.setToolTip(tip_of(text))
     item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     return item
@@ -446,10 +446,10 @@ def _item(text: str) -> QTableWidgetItem:
 
 def _short(text: str) -> str:
     """Return a long number with six digits, so that its power of ten is not cut off; all else as it is."""
-    found = _NUMBER.fullmatch(text.strip()) if len(text) > _FITTING else None
-    if found is None:
+    match = _NUMBER.fullmatch(text.strip()) if len(text) > _FITTING else None
+    if match is None:
         return text
-    mark = found["mark"] or "."
+    mark = match["mark"] or "."
     value = float(text.replace(mark, "."))
     return f"{value:.6g}".replace(".", mark) if isfinite(value) else text
 
@@ -459,11 +459,11 @@ class RoleHeader(SafeOverrides, QHeaderView):
 
     Signals
     -------
-    chosen
+    role_changed
         The person gave a column another role.
     """
 
-    chosen = Signal()
+    role_changed = Signal()
 
     def __init__(self, roles: Sequence[str], parent: QTableView) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
@@ -471,9 +471,9 @@ class RoleHeader(SafeOverrides, QHeaderView):
         self.boxes: list[QComboBox] = []
         self.setMinimumSectionSize(112)
         self.setDefaultSectionSize(118)
-        self.sectionResized.connect(self._place)
-        self.sectionCountChanged.connect(self._place)
-        parent.horizontalScrollBar().valueChanged.connect(self._place)
+        self.sectionResized.connect(self._place_boxes)
+        self.sectionCountChanged.connect(self._place_boxes)
+        parent.horizontalScrollBar().valueChanged.connect(self._place_boxes)
 
     def show_roles(self, roles: Sequence[str]) -> None:
         """Show these roles, one for each column."""
@@ -483,7 +483,7 @@ class RoleHeader(SafeOverrides, QHeaderView):
             self.boxes.append(self._box(len(self.boxes)))
         for box, role in zip(self.boxes, roles, strict=True):
             box.setCurrentIndex(self._roles.index(role))
-        self._place()
+        self._place_boxes()
 
     @property
     def roles(self) -> tuple[str, ...]:
@@ -503,9 +503,9 @@ class RoleHeader(SafeOverrides, QHeaderView):
         for other in self.boxes:
             if other is not box and other.currentIndex() == box.currentIndex() != 0:
                 other.setCurrentIndex(0)
-        self.chosen.emit()
+        self.role_changed.emit()
 
-    def _place(self) -> None:
+    def _place_boxes(self) -> None:
         height = self._box_height()
         for column, box in enumerate(self.boxes):
             left = self.sectionViewportPosition(column)

@@ -25,9 +25,9 @@ def points_of(document: Document) -> int:
 def intake(
     document: Document,
     new: Document,
-    told: Callable[[float], object] | None = None,
+    report: Callable[[float], object] | None = None,
 ) -> AddedCurves:
-    """Return a document with the curves of another in front, and views of them if one is `told`.
+    """Return a document with the curves of another in front, and views of them if one is `report`.
 
     What is an inch there is an inch here; to an empty document they bring their unit and guides.
     """
@@ -35,22 +35,22 @@ def intake(
     filled, first = add_imported(document, new)
     # As the door of the session leaves it, whose curves the views are to be of.
     filled = tidy_shapes(with_plain_numbers(filled, document), document)
-    places = range(first, first + len(new.curves))
-    views = views_ahead(filled.curves[places.start : places.stop], told) if told is not None else ()
-    return AddedCurves(filled, places, tuple(views))
+    indices = range(first, first + len(new.curves))
+    views = views_ahead(filled.curves[indices.start : indices.stop], report) if report is not None else ()
+    return AddedCurves(filled, indices, tuple(views))
 
 
 def words_about_rest(document: Document, new: Document) -> str:
     """Return what is said of all that does not come to a document with the curves of another."""
-    said = []
+    sentences = []
     sized = _sized_for(document, new)
     if sized.unit != new.unit:
-        said.append(f"Lengths are converted from {new.unit} to {sized.unit}.")
+        sentences.append(f"Lengths are converted from {new.unit} to {sized.unit}.")
     if rest := ignored_on_import(document, sized):
         verb = "stays" if len(rest) == 1 and not rest[0].endswith("guides") else "stay"
         words = names_of(rest)
-        said.append(f"{words[0].upper()}{words[1:]} {verb} behind.")
-    return " ".join(said)
+        sentences.append(f"{words[0].upper()}{words[1:]} {verb} behind.")
+    return " ".join(sentences)
 
 
 def _sized_for(document: Document, new: Document) -> Document:

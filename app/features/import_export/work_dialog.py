@@ -134,7 +134,7 @@ class ImportFoot(QWidget):
     def show_turn(self, turn: Turn) -> None:
         """Say which file of how many this is, and offer to leave out what waits."""
         self._dialog.setWindowTitle(
-            f"{self._title} ({turn.place} of {turn.count})" if turn.count > 1 else self._title
+            f"{self._title} ({turn.number} of {turn.count})" if turn.count > 1 else self._title
         )
         waits = turn.waiting > 0
         self._cancel.setText("Skip" if waits else self._words)

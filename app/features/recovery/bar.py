@@ -332,7 +332,7 @@ def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme, size: tuple
     Painting(replace(drawing, outlines=tuple(usual)), painter, ink).paint(points=False, report=silent)
     painter.setPen(Qt.PenStyle.NoPen)
     for outline in drawing.outlines:
-        painter.setBrush(QColor(ink.seen(outline.colour)))
+        painter.setBrush(QColor(ink.visible_colour(outline.colour)))
         for x, y in outline.points.tolist():
             painter.drawEllipse(QPointF(x, drawing.frame.height - y), _POINT_RADIUS, _POINT_RADIUS)
 

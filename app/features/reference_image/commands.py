@@ -51,7 +51,7 @@ class ImageCommands:
         self._loaded_path = ""
         self._pixels: QImage | None = None
         self._problem = ""
-        self._shown: ReferenceImage | None = None
+        self._image: ReferenceImage | None = None
         # What stood in front when the panel came; it comes back when the panel goes.
         self._in_front_before: list[QDockWidget] = []
         self._dock = context.docks["imageDock"]
@@ -78,14 +78,14 @@ class ImageCommands:
     def render_panel(self, view: CurveView) -> None:
         """Show the picture of the document, or say why it cannot be shown."""
         image = self._session.document.image
-        if image == self._shown and self._is_loaded:
+        if image == self._image and self._is_loaded:
             return
         self._is_loaded = True
         if image is not None and image.path != self._loaded_path:
             self._load(image.path)
         if image is None:
             self._loaded_path, self._pixels, self._problem = "", None, ""
-        had_one, self._shown = self._shown is not None, image
+        had_one, self._image = self._image is not None, image
         self._context.central.canvas.drawing.set_image(image, self._pixels)
         self._render_panel()
         self._context.store.change(image_problem=self._problem and _MISSING.format(self._problem))
@@ -96,26 +96,26 @@ class ImageCommands:
 
     def _render_panel(self) -> None:
         if self.panel is not None:
-            self.panel.render_image(self._shown)
+            self.panel.render_image(self._image)
             self.panel.show_problem(self._problem)
 
-    def _show_dock(self, shown: bool) -> None:
+    def _show_dock(self, visible: bool) -> None:
         """Show the panel while there is a picture; without one it is disabled and stays away."""
         dock = self._dock
-        dock.setEnabled(shown)
-        dock.toggleViewAction().setVisible(shown)
+        dock.setEnabled(visible)
+        dock.toggleViewAction().setVisible(visible)
         state = self._context.store.state
         in_front: list[QDockWidget] = [
-            each for each in self._context.docks.side if not each.visibleRegion().isEmpty()
+            other for other in self._context.docks.side if not other.visibleRegion().isEmpty()
         ]
-        covered = self._context.window.tabifiedDockWidgets(dock) if dock in in_front and not shown else []
-        dock.setVisible(shown and state.side_panel and not state.presentation)
+        covered = self._context.window.tabifiedDockWidgets(dock) if dock in in_front and not visible else []
+        dock.setVisible(visible and state.side_panel and not state.presentation)
         # A tab that appears comes to the front, and one that goes brings its neighbour there; undo and redo
         # must not turn the page over.
-        for each in (*in_front, *(each for each in covered if each in self._in_front_before)):
-            if each is not dock and not each.isHidden():
-                each.raise_()
-        self._in_front_before = in_front if shown else []
+        for other in (*in_front, *(other for other in covered if other in self._in_front_before)):
+            if other is not dock and not other.isHidden():
+                other.raise_()
+        self._in_front_before = in_front if visible else []
 
     def _load(self, path: str) -> None:
         self._loaded_path, self._pixels, self._problem = path, None, ""

@@ -66,8 +66,8 @@ class ImagePanel(FieldForm):
 
     def _connect(self) -> None:
         self.watch(*self._edits)
-        self.x_edit.entered.connect(partial(self._place, 0))
-        self.y_edit.entered.connect(partial(self._place, 1))
+        self.x_edit.entered.connect(partial(self._move, 0))
+        self.y_edit.entered.connect(partial(self._move, 1))
         self.width_edit.entered.connect(self._scale)
         self.height_edit.entered.connect(self._scale_by_height)
         self.opacity.drag_ended.connect(self._render_again)
@@ -84,8 +84,8 @@ class ImagePanel(FieldForm):
             self._file.setText("")
             self._file.setToolTip("")
             return
-        told = (image.x, image.y)
-        for edit, value in zip(self._edits, (*told, image.width, image.height), strict=True):
+        corner = (image.x, image.y)
+        for edit, value in zip(self._edits, (*corner, image.width, image.height), strict=True):
             edit.show_number(value, 6)
             edit.setEnabled(not image.locked)
         self._file.setText(Path(image.path).name)
@@ -106,7 +106,7 @@ class ImagePanel(FieldForm):
 
     # What the person did
 
-    def _place(self, axis: int, value: float) -> None:
+    def _move(self, axis: int, value: float) -> None:
         if (image := self._image) is not None:
             corner = (value, image.y) if axis == 0 else (image.x, value)
             self._ask("Move image", corner, image.width)
