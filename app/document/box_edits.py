@@ -1,4 +1,4 @@
-"""Closed curves drawn into a box: a rectangle, an ellipse. No Qt, no arrays."""
+"""Closed curves drawn into a box: rectangle and ellipse. No Qt, no arrays."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from .model import Document, Parametrization, ParametrizationKind, Point, Vector
 from .style import Style
 
 Piece = tuple[Vector, Vector, Vector, Vector]
-"""The control points of a cubic piece."""
+"""Control points of a cubic piece."""
 
 _QUARTER = 4 / 3 * (math.sqrt(2) - 1)
-"""Length of the handles of a quarter of a circle, by its radius."""
+"""Length of the handles of a quarter circle, divided by its radius."""
 
 _SMOOTH = 1e-12
-"""Share of a velocity by which the two at a point differ where roundings alone make them two."""
+"""Relative difference up to which two velocities at a point differ by rounding errors alone."""
 
 
 def rectangle_in(low: Vector, high: Vector) -> Sequence[Piece]:
@@ -46,31 +46,31 @@ def ellipse_in(low: Vector, high: Vector) -> Sequence[Piece]:
     """Return the quarters of the ellipse in a box from its right on, clockwise, as in SVG."""
     (left, bottom), (right, top) = low, high
     x, y = (left + right) / 2, (bottom + top) / 2
-    places = ((right, y), (x, bottom), (left, y), (x, top), (right, y))
+    points = ((right, y), (x, bottom), (left, y), (x, top), (right, y))
     corners = ((right, bottom), (left, bottom), (left, top), (right, top))
     return [
         (start, _between(start, corner, _QUARTER), _between(end, corner, _QUARTER), end)
-        for (start, end), corner in zip(pairwise(places), corners, strict=True)
+        for (start, end), corner in zip(pairwise(points), corners, strict=True)
     ]
 
 
 def _between(start: Vector, end: Vector, share: float) -> Vector:
-    """Return the position that is a share of the way from one to another."""
+    """Return the point at a share of the line from `start` to `end`."""
     return (start[0] + (end[0] - start[0]) * share, start[1] + (end[1] - start[1]) * share)
 
 
 def drawn_index(document: Document, active: int) -> int:
-    """Return the place of a curve that is drawn: in front, an empty active curve left out."""
+    """Return the index of a new curve: in front, or that of an empty active curve moved to the front."""
     return len(_rest(document, active).curves)
 
 
 def draw_closed_curve(
     document: Document, active: int, name: str, pieces: Sequence[Piece], style: Style
 ) -> Document:
-    """Return the document with a closed cubic curve of pieces, each of which begins where the last one ends.
+    """Return the document with a closed cubic curve of connected pieces in front.
 
-    It has a style and the rules of the active curve, or is that one where it is empty; its parameters are
-    spaced by the chords of the pieces.
+    It has `style` and the rules of the active curve. If the active curve is empty, it is replaced. The
+    parameters are spaced by the chords of the pieces.
     """
     model, rest = document.curves[active], _rest(document, active)
     if rest is not document:
@@ -83,18 +83,18 @@ def draw_closed_curve(
     if rule.kind is not ParametrizationKind.CHORD_LENGTH:
         rule = Parametrization()
     curve = replace(curve.with_family(HERMITE), closed=True, parametrization=rule)
-    place, made = len(rest.curves), replace(curve, points=_points(pieces, rule.end - rule.start))
-    return replace_curve(add_curve(rest, place, curve), place, made)
+    index, drawn = len(rest.curves), replace(curve, points=_points(pieces, rule.end - rule.start))
+    return replace_curve(add_curve(rest, index, curve), index, drawn)
 
 
 def _rest(document: Document, active: int) -> Document:
-    """Return the document without the active curve where that is empty: it becomes the one that is drawn."""
+    """Return the document without the active curve if that is empty and unlocked, to be replaced."""
     curve = document.curves[active]
     return document if curve.points or curve.locked else without_curve(document, active)
 
 
 def _points(pieces: Sequence[Piece], span: float) -> tuple[Point, ...]:
-    """Return the points of pieces whose parameters span an interval by the lengths of the chords."""
+    """Return the points of pieces whose parameters are spaced by the chords over an interval."""
     chords = [math.dist(piece[0], piece[3]) for piece in pieces]
     whole = sum(chords)
     # A handle is p ± h v / 3.

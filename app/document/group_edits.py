@@ -1,6 +1,6 @@
-"""Edits of shapes and groups: made, taken apart, named, and moved in the order with all that is in them.
+"""Edits of shapes and groups: combine, break apart, group, ungroup, rename, and move in the order.
 
-Pure functions like those of ``edits``; `tidy_shapes` gives what they leave its final form.
+An edit may leave a shape or a group inconsistent; `groups.tidy_shapes` repairs the document afterwards.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ class Gathered(NamedTuple):
     document
         The document.
     indices
-        Where they are in it.
+        The indices of these curves in it.
     order
-        Where each of its curves was before.
+        The former index of each curve.
     """
 
     document: Document
@@ -55,11 +55,11 @@ class Gathered(NamedTuple):
 
 
 def gather(document: Document, curves: Mapping[int, Curve], at: int) -> Gathered:
-    """Put `curves`, by their places now, one after the other before place `at`."""
-    before = [place for place in range(at) if place not in curves]
-    behind = [place for place in range(at, len(document.curves)) if place not in curves]
+    """Put `curves`, given by their indices, side by side before index `at`."""
+    before = [index for index in range(at) if index not in curves]
+    behind = [index for index in range(at, len(document.curves)) if index not in curves]
     order = (*before, *sorted(curves), *behind)
-    new = tuple(curves.get(place, document.curves[place]) for place in order)
+    new = tuple(curves.get(index, document.curves[index]) for index in order)
     return Gathered(replace(document, curves=new), range(len(before), len(before) + len(curves)), order)
 
 
@@ -68,40 +68,43 @@ def move_into(
     curves: Collection[int],
     at: int,
     container: Container = OUTSIDE,
-    left: Collection[str] = (),
+    open_groups: Collection[str] = (),
 ) -> Gathered:
-    """Bring curves together before place `at`, in a shape or group; shapes and groups of them stay whole.
+    """Move curves before index `at`, into a shape or group; whole shapes and groups among them stay whole.
 
-    Of the groups that are `left` comes what is in them.
+    Of the groups in `open_groups`, the children are moved.
     """
-    return gather(document, as_contained(document.curves, curves, container, left), at)
+    return gather(document, as_contained(document.curves, curves, container, open_groups), at)
 
 
 def as_contained(
-    curves: Sequence[Curve], chosen: Collection[int], container: Container, left: Collection[str] = ()
+    curves: Sequence[Curve],
+    selected: Collection[int],
+    container: Container,
+    open_groups: Collection[str] = (),
 ) -> dict[int, Curve]:
-    """Return the chosen curves as they are in a shape or group, by their places; of groups `left` the parts.
+    """Return the selected curves as they are in a shape or group, by their indices; see `move_into`.
 
     Raises
     ------
     EditError
-        If nothing would be left there to go to.
+        If the shape or group consists of the selected curves alone.
     """
-    chosen = frozenset(chosen)
-    there = [curve for place, curve in enumerate(curves) if container.holds(curve) and place not in chosen]
-    nodes = whole_nodes(curves, chosen, left)
-    if not there and any(node.name in (container.shape, *container.groups) for node in _holders(nodes)):
-        raise EditError("A shape or a group cannot go into itself.")
-    of_shape = {name: getattr(there[0], name) for name in SHARED} if there and container.shape else {}
-    found = {}
+    selected = frozenset(selected)
+    others = [curve for index, curve in enumerate(curves) if container.holds(curve) and index not in selected]
+    nodes = whole_nodes(curves, selected, open_groups)
+    if not others and any(node.name in (container.shape, *container.groups) for node in _holders(nodes)):
+        raise EditError("A shape or group cannot be moved into itself.")
+    of_shape = {name: getattr(others[0], name) for name in SHARED} if others and container.shape else {}
+    result = {}
     for node in nodes:
-        for place in node.indices:
-            own = curves[place]
-            groups = (*container.groups, *own.groups[len(node.container.groups) :])
-            shape = "" if node.kind is NodeKind.CURVE else own.shape
+        for index in node.indices:
+            curve = curves[index]
+            groups = (*container.groups, *curve.groups[len(node.container.groups) :])
+            shape = "" if node.kind is NodeKind.CURVE else curve.shape
             values = of_shape | {"shape": container.shape} if of_shape else {"shape": shape, "groups": groups}
-            found[place] = with_field_values(own, values)
-    return found
+            result[index] = with_field_values(curve, values)
+    return result
 
 
 def _holders(nodes: Iterable[Node]) -> Iterator[Node]:
@@ -109,64 +112,64 @@ def _holders(nodes: Iterable[Node]) -> Iterator[Node]:
 
 
 def order_after_step(document: Document, curves: Collection[int], step: int) -> list[int]:
-    """Return the order of places in which shapes and groups are one step to the front (1) or back (−1).
+    """Return the order of indices with shapes and groups one step to the front (1) or to the back (−1).
 
-    Each goes past the next thing beside it in the group that it is in, as far as there is one.
+    Each steps over the next node in its own group, if there is one.
     """
-    chosen = expand_to_shapes(document, curves)
-    return list(_arranged(curve_tree(document.curves), chosen, partial(_a_step, step=step)))
+    selected = expand_to_shapes(document, curves)
+    return list(_arranged(curve_tree(document.curves), selected, partial(_move_by_step, step=step)))
 
 
 def order_at_end(document: Document, curves: Collection[int], end: int) -> list[int]:
-    """Return the order of places in which shapes and groups are in front (1) or behind (−1) all else.
+    """Return the order of indices with shapes and groups in front of (1) or behind (−1) all others.
 
-    Each stays in the group that it is in, and they keep their order among each other.
+    Each stays in its own group, and they keep their order among each other.
     """
-    chosen = expand_to_shapes(document, curves)
-    return list(_arranged(curve_tree(document.curves), chosen, partial(_to_end, end=end)))
+    selected = expand_to_shapes(document, curves)
+    return list(_arranged(curve_tree(document.curves), selected, partial(_move_to_end, end=end)))
 
 
 _Order = list[tuple[Node, bool]]
-"""Nodes beside each other, from the back to the front, and whether each is chosen."""
+"""Sibling nodes, from the back to the front, and whether each is selected."""
 
 
-def _a_step(order: _Order, step: int) -> None:
-    for at in range(len(order) - 1, -1, -1) if step > 0 else range(len(order)):
-        to = at + step
-        if order[at][1] and 0 <= to < len(order) and not order[to][1]:
-            order[at], order[to] = order[to], order[at]
+def _move_by_step(order: _Order, step: int) -> None:
+    for index in range(len(order) - 1, -1, -1) if step > 0 else range(len(order)):
+        target = index + step
+        if order[index][1] and 0 <= target < len(order) and not order[target][1]:
+            order[index], order[target] = order[target], order[index]
 
 
-def _to_end(order: _Order, end: int) -> None:
-    order.sort(key=lambda each: end * each[1])
+def _move_to_end(order: _Order, end: int) -> None:
+    order.sort(key=lambda entry: end * entry[1])
 
 
 def _arranged(
-    nodes: Sequence[Node], chosen: frozenset[int], arrange: Callable[[_Order], None]
+    nodes: Sequence[Node], selected: frozenset[int], arrange: Callable[[_Order], None]
 ) -> Iterator[int]:
-    """Yield the places of nodes, those that are chosen put elsewhere beside those around them."""
-    order = [(node, all(place in chosen for place in node.indices)) for node in nodes]
+    """Yield the indices of the curves in nodes, selected nodes rearranged among their siblings."""
+    order = [(node, all(index in selected for index in node.indices)) for node in nodes]
     arrange(order)
-    for node, is_chosen in order:
-        if is_chosen or node.kind is not NodeKind.GROUP:
+    for node, is_selected in order:
+        if is_selected or node.kind is not NodeKind.GROUP:
             yield from node.indices
         else:
-            yield from _arranged(node.children, chosen, arrange)
+            yield from _arranged(node.children, selected, arrange)
 
 
 # Shapes
 
 
 def combine(document: Document, curves: Collection[int], *, alternate: bool = False) -> Gathered:
-    """Make one shape of curves, where the topmost is.
+    """Make one shape of curves, at the index of the topmost.
 
-    It has the style of the hindmost that is filled, or else of the hindmost. `alternate` says that one of
-    them lies in another and runs the same way: the even-odd rule then makes a hole of it.
+    Its style is that of the hindmost filled curve, or else of the hindmost curve. With `alternate`, it is
+    filled by the even-odd rule: a curve inside another one that runs in the same direction becomes a hole.
     """
-    chosen = sorted(expand_to_shapes(document, curves))
-    if len(chosen) < 2:
-        raise EditError("Choose two curves or more to combine them.")
-    parts = [document.curves[place] for place in chosen]
+    selected = sorted(expand_to_shapes(document, curves))
+    if len(selected) < 2:
+        raise EditError("Select two or more curves to combine them.")
+    parts = [document.curves[index] for index in selected]
     model = next((part for part in parts if part.style.fill != NO_PAINT), parts[0])
     style = replace(model.style, fill_rule=FillRule.EVENODD) if alternate else model.style
     name = next((part.shape for part in parts if part.shape), "") or unused_group_name(document, "Shape")
@@ -177,71 +180,70 @@ def combine(document: Document, curves: Collection[int], *, alternate: bool = Fa
         "visible": any(part.visible for part in parts),
         "locked": any(part.locked for part in parts),
     }
-    new = {place: replace(document.curves[place], **shared) for place in chosen}
-    return gather(document, new, chosen[-1] + 1)
+    new = {index: replace(document.curves[index], **shared) for index in selected}
+    return gather(document, new, selected[-1] + 1)
 
 
 def break_apart(document: Document, curves: Collection[int]) -> Document:
-    """Make a curve of its own of each curve of the shapes."""
-    chosen = expand_to_shapes(document, curves)
-    if not any(document.curves[place].shape for place in chosen):
-        raise EditError("Choose a shape of several curves to break it apart.")
-    return map_curves(document, chosen, lambda curve: replace(curve, shape=""))
+    """Make each curve of the shapes a curve by itself."""
+    selected = expand_to_shapes(document, curves)
+    if not any(document.curves[index].shape for index in selected):
+        raise EditError("Select a shape of several curves to break it apart.")
+    return map_curves(document, selected, lambda curve: replace(curve, shape=""))
 
 
 # Groups
 
 
 def nodes_of(document: Document, curves: Collection[int]) -> list[Node]:
-    """Return the whole groups and whole shapes that some curves are."""
+    """Return the nodes that some curves make up, shapes completed."""
     return whole_nodes(document.curves, expand_to_shapes(document, curves))
 
 
 def group_curves(document: Document, curves: Collection[int]) -> Gathered:
-    """Make a group of curves, shapes and groups where the topmost is, in the group that holds all of them."""
-    chosen = expand_to_shapes(document, curves)
-    nodes, top = whole_nodes(document.curves, chosen), max(chosen)
-    around = common_prefix(*(node.container.groups for node in nodes))
-    own, name = document.curves[top].groups, unused_group_name(document, "Group")
-    is_deeper = len(own) > len(around)
-    at = group_around(document.curves, top, len(around)).stop if is_deeper else top + 1
-    inside = {
-        place: replace(curve, groups=(*around, name, *curve.groups[len(around) :]))
-        for place, curve in as_contained(document.curves, chosen, Container(around)).items()
+    """Group curves, shapes and groups at the index of the topmost, in their innermost common group."""
+    selected = expand_to_shapes(document, curves)
+    nodes, top = whole_nodes(document.curves, selected), max(selected)
+    common = common_prefix(*(node.container.groups for node in nodes))
+    name = unused_group_name(document, "Group")
+    is_deeper = len(document.curves[top].groups) > len(common)
+    at = group_around(document.curves, top, len(common)).stop if is_deeper else top + 1
+    grouped = {
+        index: replace(curve, groups=(*common, name, *curve.groups[len(common) :]))
+        for index, curve in as_contained(document.curves, selected, Container(common)).items()
     }
-    return gather(document, inside, at)
+    return gather(document, grouped, at)
 
 
 def are_in_groups(document: Document, curves: Collection[int]) -> bool:
-    """Whether any of some curves are in a group."""
-    return any(document.curves[place].groups for place in curves)
+    """Return whether any of some curves is in a group."""
+    return any(document.curves[index].groups for index in curves)
 
 
 def groups_to_ungroup(document: Document, curves: Collection[int]) -> list[Node]:
-    """Return the groups all of whose curves are chosen, the outermost; or else those right around curves."""
-    nodes = whole_nodes(document.curves, curves)
-    whole = [node for node in nodes if node.kind is NodeKind.GROUP]
-    if whole:
-        return whole
-    found = {}
-    for place in sorted(curves):
-        if groups := document.curves[place].groups:
-            places = group_around(document.curves, place, len(groups) - 1)
-            found[places] = Node(NodeKind.GROUP, groups[-1], places, Container(groups[:-1]))
-    return list(found.values())
+    """Return the outermost groups that are selected as wholes, or else the innermost groups of the curves."""
+    groups = [node for node in whole_nodes(document.curves, curves) if node.kind is NodeKind.GROUP]
+    if groups:
+        return groups
+    innermost = {}
+    for index in sorted(curves):
+        if path := document.curves[index].groups:
+            indices = group_around(document.curves, index, len(path) - 1)
+            innermost[indices] = Node(NodeKind.GROUP, path[-1], indices, Container(path[:-1]))
+    return list(innermost.values())
 
 
 def ungroup(document: Document, curves: Collection[int]) -> Document:
     """Take groups apart by one level; see `groups_to_ungroup`."""
     nodes = groups_to_ungroup(document, curves)
     if not nodes:
-        raise EditError("Choose a group to take it apart.")
-    depths = {place: node.depth for node in nodes for place in node.indices}
+        raise EditError("Select a group to ungroup it.")
+    depths = {index: node.depth for node in nodes for index in node.indices}
     return replace(
         document,
         curves=tuple(
-            _without_group(curve, depths[place]) if place in depths else curve
-            for place, curve in enumerate(document.curves)
+            _without_group(curve, depths[index]) if index in depths else curve
+            for index, curve in enumerate(document.curves)
         ),
     )
 
@@ -250,17 +252,18 @@ def _without_group(curve: Curve, depth: int) -> Curve:
     return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
 
 
-def pressed_curves(document: Document, curve: int, choice: SelectionState) -> frozenset[int]:
-    """Return the curves that a press on one of them means: its outermost group, or else its shape.
+def pressed_curves(document: Document, curve: int, selection: SelectionState) -> frozenset[int]:
+    """Return the curves that a press on one of them selects: its outermost group, or else its shape.
 
-    A group is entered, and what is in it meant, while a curve of it is edited, or chosen but not all of them.
+    A press selects inside a group while one of its curves is edited, or some but not all of them are
+    selected.
     """
-    chosen = choice.chosen
-    here = choice.active if choice.is_editing or choice.active in chosen else -1
+    selected = selection.chosen
+    active = selection.active if selection.is_editing or selection.active in selected else -1
     for depth in range(len(document.curves[curve].groups)):
-        around = group_around(document.curves, curve, depth)
-        if here not in around or all(place in chosen for place in around):
-            return frozenset(around)
+        group = group_around(document.curves, curve, depth)
+        if active not in group or all(index in selected for index in group):
+            return frozenset(group)
     return frozenset(shape_of(document, curve))
 
 
@@ -268,9 +271,9 @@ def pressed_curves(document: Document, curve: int, choice: SelectionState) -> fr
 
 
 def unused_group_name(document: Document, stem: str) -> str:
-    """Return a name "Shape 1" that no shape and no group has."""
-    taken = group_names(document.curves)
-    return next(name for number in count(1) if (name := f"{stem} {number}") not in taken)
+    """Return a name like "Shape 1" that no shape and no group has."""
+    used = group_names(document.curves)
+    return next(name for number in count(1) if (name := f"{stem} {number}") not in used)
 
 
 def group_names(curves: Iterable[Curve]) -> set[str]:
@@ -279,7 +282,7 @@ def group_names(curves: Iterable[Curve]) -> set[str]:
 
 
 def rename_node(document: Document, node: Node, name: str) -> Document:
-    """Give a shape or a group another name, without the blanks around it."""
+    """Rename a shape or group; spaces around the name are removed."""
     name = name.strip()
     kind = node.kind.name.lower()
     if not name:
@@ -287,32 +290,32 @@ def rename_node(document: Document, node: Node, name: str) -> Document:
     if name == node.name:
         return document
     if name in group_names(document.curves):
-        raise EditError(f"“{name}” is the name of another shape or group.")
+        raise EditError(f"Another shape or group is called “{name}”. Enter another name.")
     if node.kind is NodeKind.SHAPE:
         return map_curves(document, node.indices, lambda curve: replace(curve, shape=name))
-    at = node.depth
+    depth = node.depth
     return map_curves(
         document,
         node.indices,
-        lambda curve: replace(curve, groups=(*curve.groups[:at], name, *curve.groups[at + 1 :])),
+        lambda curve: replace(curve, groups=(*curve.groups[:depth], name, *curve.groups[depth + 1 :])),
     )
 
 
 def with_unused_group_names(
     curves: Sequence[Curve], document: Document, container: Container = OUTSIDE
 ) -> list[Curve]:
-    """Return curves for a place of a document, their shapes and groups under names that none has there.
+    """Return curves whose shapes and groups have names that are unused in a document.
 
-    That of the `container` which they come into stays.
+    Names of the `container` that the curves are added to stay.
     """
-    taken = group_names(document.curves)
-    fresh = {name: name for name in ("", container.shape, *container.groups)}
-    for name in (each for curve in curves for each in (curve.shape, *curve.groups)):
-        if name not in fresh:
-            fresh[name] = unused_copy_name(name, taken)
-            taken.add(fresh[name])
+    used = group_names(document.curves)
+    names = {name: name for name in ("", container.shape, *container.groups)}
+    for name in (name for curve in curves for name in (curve.shape, *curve.groups)):
+        if name not in names:
+            names[name] = unused_copy_name(name, used)
+            used.add(names[name])
     return [
-        replace(curve, shape=fresh[curve.shape], groups=tuple(fresh[name] for name in curve.groups))
+        replace(curve, shape=names[curve.shape], groups=tuple(names[name] for name in curve.groups))
         if curve.shape or curve.groups
         else curve
         for curve in curves

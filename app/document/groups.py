@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from enum import Enum, auto
-from itertools import count, takewhile
+from itertools import chain, count, takewhile
 from operator import attrgetter, is_
 
 import msgspec
@@ -24,21 +24,21 @@ from .words import count_of, enumerated
 # Shapes
 
 SHARED = ("style", "groups", "visible", "locked")
-"""Values that all curves of a shape have in common."""
+"""Fields that all curves of a shape have in common."""
 
 _DEEPEST = 50
-"""Groups that may be within each other."""
+"""Largest number of nested groups."""
 
 _looks = attrgetter(*SHARED, "shape")
 
 
 def shape_of(document: Document, curve: int) -> range:
-    """Return the places of the curves of the shape that a curve is a part of."""
+    """Return the indices of the curves in the shape of a curve."""
     return shape_around(document.curves, curve)
 
 
 def shape_around(curves: Sequence[Curve], curve: int) -> range:
-    """Return the places of the curves of the shape that one of these curves is a part of."""
+    """Return the indices of the curves in the shape of one of these curves."""
     name, first, end = curves[curve].shape, curve, curve + 1
     if name:
         while first > 0 and curves[first - 1].shape == name:
@@ -49,38 +49,37 @@ def shape_around(curves: Sequence[Curve], curve: int) -> range:
 
 
 def shape_ranges(curves: Sequence[Curve]) -> Iterator[range]:
-    """Yield the places of the curves of each shape, in order."""
+    """Yield the indices of the curves of each shape, in order."""
     first = 0
-    for place in range(1, len(curves) + 1):
+    for end in range(1, len(curves) + 1):
         name = curves[first].shape
-        if place == len(curves) or not name or curves[place].shape != name:
-            yield range(first, place)
-            first = place
+        if end == len(curves) or not name or curves[end].shape != name:
+            yield range(first, end)
+            first = end
 
 
 def shape_count_label(curves: Sequence[Curve]) -> str:
-    """Return "3 curves", or "2 shapes" where some are of several curves."""
+    """Return "3 curves", or "2 shapes" where a shape has several curves."""
     shape_count = sum(1 for _ in shape_ranges(curves)) if curves else 0
     return count_of(shape_count, "curve" if shape_count == len(curves) else "shape")
 
 
 def expand_to_shapes(document: Document, curves: Collection[int]) -> frozenset[int]:
-    """Return curves with all others of their shapes."""
-    found, values = set(curves), document.curves
-    whole: set[int] = set()
-    # Most of thousands are shapes by themselves.
-    for curve in [each for each in found if values[each].shape]:
-        if curve not in whole:
-            whole.update(shape_of(document, curve))
-    return frozenset(found | whole)
+    """Return curves together with all other curves of their shapes."""
+    indices, in_shapes = set(curves), set[int]()
+    # Most of thousands of curves are shapes by themselves.
+    for index in [index for index in indices if document.curves[index].shape]:
+        if index not in in_shapes:
+            in_shapes.update(shape_of(document, index))
+    return frozenset(indices | in_shapes)
 
 
 def tidy_shapes(document: Document, before: Document | None = None) -> Document:
-    """Return the document with shapes that look the same all over, and all under names of their own.
+    """Return the document with consistent shapes and groups, each under a name of its own.
 
-    Edits may leave one curve of a shape, tear a shape or a group apart, or change how one of the curves of a
-    shape looks; the first one of a shape then says what holds for all. `before` is tidy, and what is known of
-    it is not looked for again.
+    An edit may leave a shape with one curve, tear a shape or a group apart, or change the style of one curve
+    of a shape; then the first curve of the shape decides for all. `before` is a consistent document; parts
+    that did not change since are not checked again.
     """
     if before is not None and (
         reshaped_curves(before, document) is not None or _look_the_same(before.curves, document.curves)
@@ -95,7 +94,7 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
 
 
 def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
-    """Whether nothing that shapes and groups are made of is another, nor at another place."""
+    """Return whether names, order and shared fields of all curves are the same."""
     return len(before) == len(after) and all(
         new is old or all(map(is_, values := _looks(new), was := _looks(old))) or values == was
         for new, old in zip(after, before, strict=True)
@@ -103,10 +102,10 @@ def _look_the_same(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
 
 
 def _with_whole_shapes(document: Document) -> Iterator[Curve]:
-    """Yield the curves, those of a shape with what its first one has, under a name that no other has."""
+    """Yield the curves; those of a shape get the shared fields of its first curve, and an unused name."""
     used: set[str] = set()
-    for places in shape_ranges(document.curves):
-        parts = document.curves[places.start : places.stop]
+    for indices in shape_ranges(document.curves):
+        parts = document.curves[indices.start : indices.stop]
         if not parts[0].shape and len(parts) == 1:
             yield parts[0]
             continue
@@ -118,7 +117,7 @@ def _with_whole_shapes(document: Document) -> Iterator[Curve]:
 
 
 def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
-    """Yield the curves, those of each group in one that no others name, and in no more than there may be."""
+    """Yield the curves, each group under a name of its own, nested at most `_DEEPEST` deep."""
     used: set[str] = set()
     before: tuple[str, ...] = ()
     names: list[str] = []
@@ -140,44 +139,44 @@ def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
 
 
 def common_prefix(*groups: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the names that all begin with."""
+    """Return the names that all of these paths begin with."""
     pairs = takewhile(lambda names: len(set(names)) == 1, zip(*groups, strict=False))
     return tuple(names[0] for names in pairs)
 
 
 def _free(name: str, used: Collection[str]) -> str:
-    """Return the name, with a number where it is taken."""
-    names = (f"{name} {number}" for number in count(2))
-    return name if name not in used else next(each for each in names if each not in used)
+    """Return the name, with a number where it is used already."""
+    numbered = (f"{name} {number}" for number in count(2))
+    return next(candidate for candidate in chain((name,), numbered) if candidate not in used)
 
 
 def with_field_values(curve: Curve, values: Mapping[str, object]) -> Curve:
-    """Return the curve with these values: itself where it has them."""
-    is_so = all(getattr(curve, field) == value for field, value in values.items())
-    return curve if is_so else replace(curve, **values)
+    """Return the curve with these values of fields: the same object where it has them already."""
+    is_same = all(getattr(curve, field) == value for field, value in values.items())
+    return curve if is_same else replace(curve, **values)
 
 
 def shape_problem(document: Document) -> str:
-    """Return the first thing that is not as `tidy_shapes` leaves it, with its place; empty if none is."""
+    """Return the first inconsistency that `tidy_shapes` would repair, with its field; empty for none."""
     tidy = tidy_shapes(document)
     if tidy is document:
         return ""
     if tidy.curves == document.curves:
         return ""
-    place = next(
+    index = next(
         i for i, pair in enumerate(zip(tidy.curves, document.curves, strict=True)) if pair[0] is not pair[1]
     )
-    return f"curves[{place}].{_problem_at(place, tidy.curves, document.curves[place])}"
+    return f"curves[{index}].{_problem_at(index, tidy.curves, document.curves[index])}"
 
 
-def _problem_at(place: int, tidy: Sequence[Curve], bad: Curve) -> str:
-    """Return in what way a curve is not as it is in a tidy document."""
-    good = tidy[place]
+def _problem_at(index: int, tidy: Sequence[Curve], bad: Curve) -> str:
+    """Return the difference of a curve to that of the consistent document."""
+    good = tidy[index]
     if good.shape != bad.shape:
         return "shape must name two or more curves that follow each other, and no others"
-    field = next(each for each in SHARED if getattr(good, each) != getattr(bad, each))
-    if place and good.shape and good.shape == tidy[place - 1].shape:
-        return f"{field} must be that of the curve before it, which is of the same shape"
+    field = next(field for field in SHARED if getattr(good, field) != getattr(bad, field))
+    if index and good.shape and good.shape == tidy[index - 1].shape:
+        return f"{field} must equal that of the curve before it, which belongs to the same shape"
     return f"groups must name {_DEEPEST} groups at most, each of curves that follow each other"
 
 
@@ -185,7 +184,7 @@ def _problem_at(place: int, tidy: Sequence[Curve], bad: Curve) -> str:
 
 
 class NodeKind(Enum):
-    """A curve, or what holds several."""
+    """Kind of a node: a curve, a shape or a group."""
 
     CURVE = auto()
     SHAPE = auto()
@@ -193,23 +192,23 @@ class NodeKind(Enum):
 
 
 class Container(msgspec.Struct, frozen=True):
-    """Surroundings of a curve: the groups that it is in, the outermost first, and the shape."""
+    """Container of a curve: its groups, the outermost first, and its shape."""
 
     groups: tuple[str, ...] = ()
     shape: str = ""
 
     @property
     def depth(self) -> int:
-        """The number of shapes and groups."""
+        """The number of nested groups and shapes."""
         return len(self.groups) + bool(self.shape)
 
     @property
     def parent(self) -> Container:
-        """The surroundings of the innermost."""
+        """The container of the innermost group or shape."""
         return Container(self.groups if self.shape else self.groups[:-1])
 
     def holds(self, curve: Curve) -> bool:
-        """Whether a curve is in it."""
+        """Return whether a curve is in the container."""
         is_in_groups = curve.groups[: len(self.groups)] == self.groups
         return is_in_groups and (not self.shape or curve.shape == self.shape)
 
@@ -218,18 +217,18 @@ OUTSIDE = Container()
 
 
 class Node(msgspec.Struct, frozen=True):
-    """A curve, or a shape or a group with what is in it.
+    """Node of the tree: a curve, or a shape or group with its children.
 
     Attributes
     ----------
     kind, name
-        What it is, and what it is called.
+        Kind and name of the node.
     indices
-        The places of its curves in the document, one after the other.
+        The indices of its curves in the document, without gaps.
     container
-        What it is in.
+        The groups and the shape around the node.
     children
-        What is in it, in the order of the document; nothing in a curve.
+        The nodes in it, in the order of the document; empty for a curve.
     """
 
     kind: NodeKind
@@ -240,19 +239,19 @@ class Node(msgspec.Struct, frozen=True):
 
     @property
     def depth(self) -> int:
-        """The number of shapes and groups around it."""
+        """The number of groups and shapes around the node."""
         return self.container.depth
 
     @property
     def as_container(self) -> Container:
-        """The surroundings of what is in it."""
+        """The container of the children."""
         groups = self.container.groups
         if self.kind is NodeKind.GROUP:
             return Container((*groups, self.name))
         return Container(groups, self.name)
 
     def walk(self) -> Iterator[Node]:
-        """Yield it and all that is in it."""
+        """Yield the node and all nodes in it."""
         yield self
         for part in self.children:
             yield from part.walk()
@@ -262,9 +261,9 @@ _last: tuple[Sequence[Curve], tuple[Node, ...]] = ((), ())
 
 
 def curve_tree(curves: Sequence[Curve]) -> tuple[Node, ...]:
-    """Return the curves, shapes and groups that are in nothing else, in order.
+    """Return the outermost curves, shapes and groups, in order.
 
-    That of the last curves asked for is kept: all actions ask, at every step, what is chosen of them.
+    The tree of the last curves is remembered: many actions ask for it at every step.
     """
     global _last  # noqa: PLW0603
     if _last[0] is not curves or not isinstance(curves, tuple):
@@ -272,60 +271,62 @@ def curve_tree(curves: Sequence[Curve]) -> tuple[Node, ...]:
     return _last[1]
 
 
-def _nodes(curves: Sequence[Curve], places: range, around: tuple[str, ...]) -> Iterator[Node]:
-    depth, place, here = len(around), places.start, Container(around)
-    while place < places.stop:
-        curve, end = curves[place], place + 1
+def _nodes(curves: Sequence[Curve], indices: range, groups: tuple[str, ...]) -> Iterator[Node]:
+    depth, index, container = len(groups), indices.start, Container(groups)
+    while index < indices.stop:
+        curve, end = curves[index], index + 1
         if len(curve.groups) > depth:
-            end = _run_end(curves, place, depth, places.stop)
+            end = _run_end(curves, index, depth, indices.stop)
             name = curve.groups[depth]
-            parts = tuple(_nodes(curves, range(place, end), (*around, name)))
-            yield Node(NodeKind.GROUP, name, range(place, end), here, parts)
+            parts = tuple(_nodes(curves, range(index, end), (*groups, name)))
+            yield Node(NodeKind.GROUP, name, range(index, end), container, parts)
         elif curve.shape:
-            while end < places.stop and curves[end].shape == curve.shape:
+            while end < indices.stop and curves[end].shape == curve.shape:
                 end += 1
-            within = Container(around, curve.shape)
-            leaves = (
-                Node(NodeKind.CURVE, curves[i].name, range(i, i + 1), within) for i in range(place, end)
-            )
-            yield Node(NodeKind.SHAPE, curve.shape, range(place, end), here, tuple(leaves))
+            shape = Container(groups, curve.shape)
+            leaves = (Node(NodeKind.CURVE, curves[i].name, range(i, i + 1), shape) for i in range(index, end))
+            yield Node(NodeKind.SHAPE, curve.shape, range(index, end), container, tuple(leaves))
         else:
-            yield Node(NodeKind.CURVE, curve.name, range(place, end), here)
-        place = end
+            yield Node(NodeKind.CURVE, curve.name, range(index, end), container)
+        index = end
 
 
-def _run_end(curves: Sequence[Curve], place: int, depth: int, stop: int) -> int:
-    """Return where the group that a curve is in at a depth ends."""
-    path, end = curves[place].groups[: depth + 1], place + 1
+def _run_end(curves: Sequence[Curve], index: int, depth: int, stop: int) -> int:
+    """Return the end of the group around a curve at a depth."""
+    path, end = curves[index].groups[: depth + 1], index + 1
     while end < stop and curves[end].groups[: depth + 1] == path:
         end += 1
     return end
 
 
 def node_count_label(nodes: Sequence[Node], adjective: str = "") -> str:
-    """Return "3 curves", or "1 group and 2 curves": how many there are of each kind."""
+    """Return "3 curves" or "1 group and 2 curves"."""
     counts = Counter(node.kind for node in nodes)
-    found = [kind for kind in reversed(NodeKind) if counts[kind]]
-    return enumerated([count_of(counts[kind], f"{adjective}{kind.name.lower()}") for kind in found])
+    kinds = [kind for kind in reversed(NodeKind) if counts[kind]]
+    return enumerated([count_of(counts[kind], f"{adjective}{kind.name.lower()}") for kind in kinds])
 
 
-def group_around(curves: Sequence[Curve], place: int, depth: int) -> range:
-    """Return the places of the group that a curve is in at a depth, 0 for the outermost."""
-    path, start = curves[place].groups[: depth + 1], place
+def group_around(curves: Sequence[Curve], index: int, depth: int) -> range:
+    """Return the indices of the curves in the group around a curve at a depth, 0 for the outermost."""
+    path, start = curves[index].groups[: depth + 1], index
     while start > 0 and curves[start - 1].groups[: depth + 1] == path:
         start -= 1
-    return range(start, _run_end(curves, place, depth, len(curves)))
+    return range(start, _run_end(curves, index, depth, len(curves)))
 
 
-def whole_nodes(curves: Sequence[Curve], chosen: Collection[int], left: Collection[str] = ()) -> list[Node]:
-    """Return the largest parts of the tree all of whose curves are chosen; of groups `left` their parts."""
-    return list(_wholes(curve_tree(curves), frozenset(chosen), frozenset(left)))
+def whole_nodes(
+    curves: Sequence[Curve], selected: Collection[int], open_groups: Collection[str] = ()
+) -> list[Node]:
+    """Return the largest nodes whose curves are all selected; open groups are replaced by their children."""
+    return list(_whole_nodes(curve_tree(curves), frozenset(selected), frozenset(open_groups)))
 
 
-def _wholes(nodes: Sequence[Node], chosen: frozenset[int], left: frozenset[str]) -> Iterator[Node]:
+def _whole_nodes(
+    nodes: Sequence[Node], selected: frozenset[int], open_groups: frozenset[str]
+) -> Iterator[Node]:
     for node in nodes:
-        is_left = node.kind is NodeKind.GROUP and node.name in left
-        if not is_left and chosen.issuperset(node.indices):
+        is_open = node.kind is NodeKind.GROUP and node.name in open_groups
+        if not is_open and selected.issuperset(node.indices):
             yield node
         else:
-            yield from _wholes(node.children, chosen, left)
+            yield from _whole_nodes(node.children, selected, open_groups)

@@ -12,12 +12,12 @@ from .words import decimal_sum, number
 
 
 def set_unit(document: Document, unit: str) -> Document:
-    """Call a length of one by another name; every number stays, and means that from now on."""
+    """Set the name of the unit; the numbers stay the same."""
     return replace(document, unit=unit)
 
 
 def set_grid_spacing(document: Document, spacing: float) -> Document:
-    """Draw the lines of the grid at another distance; 0 adapts it to the zoom."""
+    """Set the distance of grid lines; 0 adapts it to the zoom."""
     return replace(document, grid_spacing=checked(spacing, "The spacing"))
 
 
@@ -27,35 +27,35 @@ _DIGITS = 9
 
 
 def guide_label(guide: Guide, unit: str = "") -> str:
-    """Return where a guide lies: "x = 20 mm"."""
+    """Return the position of a guide: "x = 20 mm"."""
     position = number(guide.position, _DIGITS)
     return f"{guide.axis.value} = {position} {unit}".rstrip()
 
 
 def add_guide(document: Document, axis: Axis, position: float) -> Document:
-    """Draw a guide more; refused where there is one."""
+    """Add a guide, unless there is one at that position."""
     guide = Guide(axis, _checked(axis, position))
     if guide in document.guides:
-        raise AlreadySoError(f"There is a guide at {guide_label(guide)} already.")
+        raise AlreadySoError(f"There is already a guide at {guide_label(guide)}.")
     return replace(document, guides=(*document.guides, guide))
 
 
-def move_guide(document: Document, place: int, position: float) -> Document:
-    """Put a guide elsewhere along its axis."""
-    guide = _guide(document, place)
-    return _with_guide(document, place, replace(guide, position=_checked(guide.axis, position)))
+def move_guide(document: Document, index: int, position: float) -> Document:
+    """Move a guide along its axis."""
+    guide = _guide(document, index)
+    return _with_guide(document, index, replace(guide, position=_checked(guide.axis, position)))
 
 
-def remove_guide(document: Document, place: int) -> Document:
+def remove_guide(document: Document, index: int) -> Document:
     """Remove a guide."""
-    _guide(document, place)
-    return _with_guide(document, place)
+    _guide(document, index)
+    return _with_guide(document, index)
 
 
 def clear_guides(document: Document) -> Document:
     """Remove all guides."""
     if not document.guides:
-        raise EditError("There are no guides.")
+        raise EditError("There are no guides to remove.")
     return replace(document, guides=())
 
 
@@ -63,14 +63,14 @@ def _checked(axis: Axis, position: float) -> float:
     return checked(position, f"The {axis.value} of a guide")
 
 
-def _with_guide(document: Document, place: int, *other: Guide) -> Document:
-    return replace(document, guides=(*document.guides[:place], *other, *document.guides[place + 1 :]))
+def _with_guide(document: Document, index: int, *other: Guide) -> Document:
+    return replace(document, guides=(*document.guides[:index], *other, *document.guides[index + 1 :]))
 
 
-def _guide(document: Document, place: int) -> Guide:
-    if not 0 <= place < len(document.guides):
-        raise EditError("There is no such guide.")
-    return document.guides[place]
+def _guide(document: Document, index: int) -> Guide:
+    if not 0 <= index < len(document.guides):
+        raise EditError("This guide does not exist any more.")
+    return document.guides[index]
 
 
 # Reference image
@@ -79,44 +79,41 @@ _LEAST_SIZE = 1e-9
 
 
 def set_image(document: Document, image: ReferenceImage | None) -> Document:
-    """Trace this picture, or none."""
+    """Set or remove the reference image."""
     return replace(document, image=image)
 
 
 def _image(document: Document) -> ReferenceImage:
     if document.image is None:
-        raise EditError("There is no reference image.")
+        raise EditError("There is no reference image. Add one first.")
     return document.image
 
 
 def place_image(document: Document, corner: Vector | None = None, width: float | None = None) -> Document:
-    """Put the picture's lower left corner at `corner` and make it `width` wide; its aspect stays.
-
-    What is not given stays, too.
-    """
+    """Set the lower left corner and the width of the reference image; None keeps either, the aspect stays."""
     image = _image(document)
     width = checked(image.width if width is None else width, "The width of the image")
     height = checked(width * (image.height / image.width), "The height of the image")
     if not min(width, height) >= _LEAST_SIZE:
-        raise EditError("The image must be wider and higher than nothing.")
+        raise EditError("The width and the height of the image must be greater than 0.")
     x, y = checked_vector((image.x, image.y) if corner is None else corner, "the image")
     return replace(document, image=replace(image, x=x, y=y, width=width, height=height))
 
 
 def move_image(document: Document, by: Vector) -> Document:
-    """Move the picture by the vector `by`."""
+    """Move the reference image by the vector `by`."""
     image = _image(document)
     return place_image(document, (image.x + by[0], image.y + by[1]))
 
 
 def step_image(document: Document, by: Vector) -> Document:
-    """Move the picture by a decimal step, as `decimal_translation` does."""
+    """Move the reference image by a decimal step, as `decimal_translation` does."""
     image = _image(document)
     return place_image(document, (decimal_sum(image.x, by[0]), decimal_sum(image.y, by[1])))
 
 
 def scale_image(document: Document, corner: Vector, factor: float) -> Document:
-    """Scale the picture by `factor` about one of its corners, given in shares: (0, 0) is the lower left."""
+    """Scale the reference image by `factor` about a corner, (0, 0) for the lower left one."""
     image = _image(document)
     x = image.x + corner[0] * image.width * (1 - factor)
     y = image.y + corner[1] * image.height * (1 - factor)
@@ -124,21 +121,21 @@ def scale_image(document: Document, corner: Vector, factor: float) -> Document:
 
 
 def set_image_opacity(document: Document, opacity: float) -> Document:
-    """Fade the picture."""
+    """Set the opacity of the reference image, 0 to 1."""
     if not 0 <= opacity <= 1:
         raise EditError("The opacity must lie between 0 and 1.")
     return replace(document, image=replace(_image(document), opacity=float(opacity)))
 
 
 def set_image_locked(document: Document, locked: bool) -> Document:
-    """Keep the picture safe from being moved, or free it."""
+    """Lock or unlock the reference image."""
     return replace(document, image=replace(_image(document), locked=locked))
 
 
 def set_image_file(document: Document, path: str, aspect: float) -> Document:
-    """Show another file at the same place; `aspect` is its width over its height."""
+    """Show another image file at the same position; `aspect` is its width over its height."""
     image = _image(document)
     if not 0.0 < aspect < math.inf:
-        raise EditError("The image must be wider and higher than nothing.")
-    found = replace(document, image=replace(image, path=path, height=image.width / aspect))
-    return place_image(found)
+        raise EditError("The width and the height of the image must be greater than 0.")
+    new = replace(document, image=replace(image, path=path, height=image.width / aspect))
+    return place_image(new)

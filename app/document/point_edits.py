@@ -20,7 +20,7 @@ from .rule_edits import with_room_to_close
 
 
 def insert_points(document: Document, curve: int, index: int, points: Sequence[Point]) -> Document:
-    """Insert `points` before point `index`; `index` equal to the number of points appends."""
+    """Insert points before point `index`; an `index` equal to the number of points appends them."""
     for point in points:
         _check_point(point, "the point")
     old = document.curves[curve].points
@@ -28,70 +28,70 @@ def insert_points(document: Document, curve: int, index: int, points: Sequence[P
 
 
 def append_point(document: Document, curve: int, point: Point, *, parameter_scale: float = 1.0) -> Document:
-    """Append `point`; derivatives set before are rescaled so that the shape drawn so far stays.
+    """Append a point; explicit derivatives are rescaled so that the curve drawn so far keeps its shape.
 
-    Under an automatic rule the parameters of the old points are squeezed into a part of the interval when
-    a point is appended. `parameter_scale` is that factor, dt_new / dt_old; a velocity per unit of t grows by
-    1/parameter_scale, an acceleration by its square, and the handles stay where the person put them.
+    Where a rule gives the parameters, those of the old points move into a part of the interval when a point
+    is appended. `parameter_scale` is the factor dt_new / dt_old: velocities per unit of t grow by
+    1/parameter_scale, accelerations by its square, and handles stay where they are.
     """
     checked_vector(point.position, "the point")
-    old = (rescaled(each, parameter_scale) for each in document.curves[curve].points)
+    old = (rescaled(old_point, parameter_scale) for old_point in document.curves[curve].points)
     return _with_points(document, curve, (*old, point))
 
 
 def set_points(document: Document, curve: int, points: Iterable[Point]) -> Document:
-    """Put `points` in the place of all points; every number is checked."""
+    """Replace all points; every number is checked."""
     points = tuple(points)
     for index, point in enumerate(points):
         _check_point(point, f"point {index}")
     return _with_points(document, curve, points)
 
 
-def _check_point(point: Point, what: str) -> None:
-    checked_vector(point.position, what)
+def _check_point(point: Point, subject: str) -> None:
+    checked_vector(point.position, subject)
     if point.t is not None:
-        checked(point.t, f"The t of {what}")
+        checked(point.t, f"The t of {subject}")
     for _, name in VECTORS:
         vector = getattr(point, name)
         if vector is not None:
-            checked_vector(vector, f"the {name.partition('_')[0]} of {what}")
+            checked_vector(vector, f"the {name.partition('_')[0]} of {subject}")
 
 
 def delete_points(document: Document, curve: int, indices: Collection[int]) -> Document:
-    """Remove the points at `indices`; a closed curve that has too few left to close is open from then on."""
+    """Remove the points at `indices`; a closed curve with too few points left is opened."""
     old = document.curves[curve]
-    kept = [point for i, point in enumerate(old.points) if i not in indices]
-    if len(kept) < old.family.least_to_close and old.closed:
+    remaining = [point for i, point in enumerate(old.points) if i not in indices]
+    if len(remaining) < old.family.least_to_close and old.closed:
         document = document.with_curve(curve, replace(old, closed=False))
-    return with_moved_points(document, curve, kept)
+    return with_moved_points(document, curve, remaining)
 
 
 def set_position(document: Document, curve: int, index: int, position: Vector) -> Document:
-    """Put point `index` at `position`."""
+    """Move point `index` to `position`."""
     points = list(document.curves[curve].points)
     points[index] = moved_to(points[index], position, f"point {index}")
     return with_moved_points(document, curve, points)
 
 
 def move_points(document: Document, curve: int, indices: Collection[int], by: Vector) -> Document:
-    """Move the points at `indices` by the vector `by`; their handles go along, those of others stay."""
+    """Move the points at `indices` with their handles by the vector `by`; handles of other points stay."""
     return shift_points(document, curve, indices, translation(by))
 
 
 def translation(by: Vector) -> PointsChange:
-    """Return what puts points elsewhere, by the vector `by`."""
+    """Return the change that moves points by the vector `by`."""
     x, y = float(by[0]), float(by[1])
     return lambda points: all_moved_to(
-        points, [each.x + x for each in points], [each.y + y for each in points]
+        points, [point.x + x for point in points], [point.y + y for point in points]
     )
 
 
 PointsChange = Callable[[Sequence[Point]], Iterable[Point]]
-"""What is made of some points, one of each."""
+"""Change of some points: a function that returns one new point for each."""
 
 
 def shift_points(document: Document, curve: int, indices: Collection[int], shift: PointsChange) -> Document:
-    """Put the points at `indices` elsewhere, all by the same way; of a whole curve nothing else changes."""
+    """Move the points at `indices` by the same vector; if these are all points, nothing else changes."""
     old = document.curves[curve]
     if len(indices) < len(old.points):
         return change_points(document, curve, indices, shift)
@@ -99,33 +99,34 @@ def shift_points(document: Document, curve: int, indices: Collection[int], shift
 
 
 def change_points(document: Document, curve: int, indices: Collection[int], change: PointsChange) -> Document:
-    """Put what `change` makes of them in the place of the points at `indices`, which go together."""
+    """Replace the points at `indices` by the result of `change`; they move together."""
     points = list(document.curves[curve].points)
     for index, point in zip(indices, change([points[index] for index in indices]), strict=True):
         points[index] = point
     return with_moved_points(document, curve, points, indices)
 
 
-def moved_to(point: Point, position: Vector, what: str = "the point") -> Point:
-    """Return a point at another position, if a document may hold that."""
-    x, y = checked_vector(position, what)
+def moved_to(point: Point, position: Vector, subject: str = "the point") -> Point:
+    """Return a point at another position; refuse positions that a document may not hold."""
+    x, y = checked_vector(position, subject)
     return replace(point, x=x, y=y)
 
 
 def all_moved_to(points: Sequence[Point], xs: Sequence[float], ys: Sequence[float]) -> list[Point]:
-    """Return points at other positions, as `moved_to` each: thousands at every move of a drag."""
+    """Return points at other positions, as `moved_to` does, but fast: thousands at every move of a drag."""
     if not (are_within(xs) and are_within(ys)):
-        # One of them is to be refused, or its numbers are not plain yet.
-        return [moved_to(*each) for each in zip(points, zip(xs, ys, strict=True), strict=True)]
+        # A position must be refused, or its numbers are not plain yet.
+        return [moved_to(*pair) for pair in zip(points, zip(xs, ys, strict=True), strict=True)]
     return [replace(point, x=x, y=y) for point, x, y in zip(points, xs, ys, strict=True)]
 
 
 def with_moved_points(
     document: Document, curve: int, points: Iterable[Point], together: Collection[int] = ()
 ) -> Document:
-    """Put `points`, the same at other places or fewer, in the place of all.
+    """Replace all points by the same points at other positions, or by fewer.
 
-    The handles of those that stay stay, and those of points that went `together` keep their shape.
+    Handles of points that did not move stay, and curve pieces between points that moved `together` keep their
+    shape.
     """
     old = document.curves[curve]
     new = with_room_to_close(replace(old, points=tuple(points)))
@@ -149,9 +150,9 @@ def _with_point(document: Document, curve: int, index: int, point: Point) -> Doc
 def set_velocity(
     document: Document, curve: int, index: int, velocity: Vector | None, *, ahead: bool = False
 ) -> Document:
-    """Fix the velocity of point `index`, per unit of t, or leave it to the rule (None).
+    """Set the velocity of point `index`, per unit of t; None leaves it to the rule.
 
-    At a corner the one before the point, or the one `ahead` of it.
+    At a corner it is the velocity before the point or, if `ahead`, the one after it.
     """
     return set_derivative(document, curve, index, 1, velocity, ahead=ahead)
 
@@ -159,10 +160,10 @@ def set_velocity(
 def set_derivative(
     document: Document, curve: int, index: int, order: int, vector: Vector | None, *, ahead: bool = False
 ) -> Document:
-    """Fix the derivative of an order at point `index`, per unit of t, or leave it to the rule (None).
+    """Set the derivative of an order at point `index`, per unit of t; None leaves it to the rule.
 
-    At a corner the one before the point, or the one `ahead` of it; where the two are tied, the other velocity
-    turns along.
+    At a corner it is the derivative before the point or, if `ahead`, the one after it. Where the two
+    velocities are tied, the other one is turned as well.
     """
     if vector is not None:
         vector = checked_vector(vector, f"the {DERIVATIVES[order - 1].name} of point {index}")
@@ -176,7 +177,7 @@ ALL_ORDERS = range(1, len(DERIVATIVES) + 1)
 def clear_derivatives(
     document: Document, curve: int, indices: Collection[int], orders: Collection[int] = ALL_ORDERS
 ) -> Document:
-    """Leave the derivatives of these orders of the points at `indices` to the rules."""
+    """Leave the derivatives of these orders to the rules, at the points at `indices`."""
     cleared: dict[str, object] = dict.fromkeys(name for order, name in VECTORS if order in orders)
     if 1 in orders:
         cleared["tied"] = False
@@ -191,7 +192,7 @@ def clear_derivatives(
 def make_corner(
     document: Document, curve: int, index: int, before: Vector | None, after: Vector | None
 ) -> Document:
-    """Let the curve have a corner at point `index`, with these velocities (None: estimated)."""
+    """Make point `index` a corner with these velocities (None: estimated)."""
     point = document.curves[curve].points[index]
     corner = replace(point.as_corner(), velocity=before, velocity_after=after, tied=False)
     return _with_point(document, curve, index, corner)
@@ -205,9 +206,9 @@ def make_smooth(document: Document, curve: int, index: int, velocity: Vector | N
 
 
 class JetValue(msgspec.Struct, frozen=True):
-    """A position (order 0) or a derivative of some order that a point is to have.
+    """A position (order 0) or a derivative of some order that a point gets.
 
-    `ahead` chooses the side at a corner; elsewhere both sides are one.
+    At a corner, `ahead` selects the side after the point; elsewhere it has no effect.
     """
 
     index: int
@@ -217,13 +218,13 @@ class JetValue(msgspec.Struct, frozen=True):
 
 
 def with_jet_values(curve: Curve, values: Iterable[JetValue]) -> Curve:
-    """Return `curve` with these values set; derivatives among them are explicit from then on.
+    """Return a curve with these positions and explicit derivatives.
 
-    Of a tied point the velocity on the other side turns along.
+    At a tied point the velocity on the other side is turned as well.
     """
     points = list(curve.points)
-    for each in values:
-        points[each.index] = _with_value(curve, points[each.index], each)
+    for value in values:
+        points[value.index] = _with_value(curve, points[value.index], value)
     return replace(curve, points=tuple(points))
 
 
@@ -231,6 +232,6 @@ def _with_value(curve: Curve, point: Point, given: JetValue) -> Point:
     if given.order == 0:
         x, y = checked_vector(given.value, f"the position of point {given.index}")
         return replace(point, x=x, y=y)
-    each = DERIVATIVES[given.order - 1]
-    vector = checked_vector(given.value, f"the {each.name} of point {given.index}")
+    name = DERIVATIVES[given.order - 1].name
+    vector = checked_vector(given.value, f"the {name} of point {given.index}")
     return with_derivative(curve, given.index, given.order, vector, ahead=given.ahead, point=point)

@@ -21,12 +21,12 @@ from .words import number, with_minus
 
 
 def set_family(document: Document, curve: int, family: Family) -> Document:
-    """Draw the same points with another family; going back gives the same curve back."""
+    """Set the family; the points stay, so that setting the former family restores the curve."""
     return document.with_curve(curve, document.curves[curve].with_family(family))
 
 
 def set_family_setting(document: Document, curve: int, name: str, value: SettingValue) -> Document:
-    """Set a setting of the curve's family."""
+    """Set a setting of the curve's family; settings at their defaults are not stored."""
     old = document.curves[curve]
     setting = old.family.settings.named(name)
     if setting is None:
@@ -34,13 +34,15 @@ def set_family_setting(document: Document, curve: int, name: str, value: Setting
     if not setting.allows(value):
         requirement = with_minus(setting.requirement) if setting.limits else setting.requirement
         raise EditError(f"{setting.label} must be {requirement}.")
-    chosen = old.family.settings.without_defaults({**old.settings, name: value})
-    return document if chosen == old.settings else document.with_curve(curve, replace(old, settings=chosen))
+    settings = old.family.settings.without_defaults({**old.settings, name: value})
+    if settings == old.settings:
+        return document
+    return document.with_curve(curve, replace(old, settings=settings))
 
 
 def set_rule(document: Document, curve: int, rule: EstimateRule) -> Document:
-    """Choose how derivatives that nobody set are estimated: those that the rule is for."""
-    (field,) = (each.rule_field for each in DERIVATIVES if isinstance(rule, each.rules))
+    """Set the rule that estimates the derivatives of its order where they are not explicit."""
+    (field,) = (row.rule_field for row in DERIVATIVES if isinstance(rule, row.rules))
     return document.with_curve(curve, replace(document.curves[curve], **{field: rule}))
 
 
@@ -48,7 +50,7 @@ def set_rule(document: Document, curve: int, rule: EstimateRule) -> Document:
 
 
 def set_alpha(document: Document, curve: int, alpha: float) -> Document:
-    """Use the power rule Δt = |Δp|^alpha."""
+    """Set the power rule Δt = |Δp|^alpha."""
     if not 0 <= alpha <= 1:
         raise EditError("α must lie between 0 (uniform) and 1 (chord length).")
     old = document.curves[curve]
@@ -59,26 +61,26 @@ def set_alpha(document: Document, curve: int, alpha: float) -> Document:
 def set_parametrization(
     document: Document, curve: int, kind: ParametrizationKind, parameters: Sequence[float]
 ) -> Document:
-    """Choose the rule for the parameters.
+    """Set the rule for the parameters.
 
-    Going to manual brings back the manual parameters the points had, if every point still has one, and
-    otherwise starts from `parameters`, those in force now.
+    The manual rule restores the manual parameters that the points carry, if every point carries one;
+    otherwise it starts with `parameters`, the present ones.
     """
     old = document.curves[curve]
     if kind is ParametrizationKind.MANUAL and any(point.t is None for point in old.points):
         return freeze_parameters(document, curve, parameters)
-    chosen = replace(old, parametrization=replace(old.parametrization, kind=kind))
-    return document.with_curve(curve, with_room_to_close(chosen))
+    new = replace(old, parametrization=replace(old.parametrization, kind=kind))
+    return document.with_curve(curve, with_room_to_close(new))
 
 
 def freeze_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
-    """Make `parameters` the manual parameters; a closed curve has one more, where it returns to its start."""
+    """Make `parameters` manual; a closed curve has one more, at which it returns to its first point."""
     old = document.curves[curve]
-    own, closing = parameters[: len(old.points)], parameters[len(old.points) :]
-    # A point that keeps its t stays the same value: what was computed of it is used again.
+    times, closing = parameters[: len(old.points)], parameters[len(old.points) :]
+    # A point that keeps its t stays the same object, so that values computed from it are reused.
     points = tuple(
         point if point.t == t else replace(point, t=float(t))
-        for point, t in zip(old.points, own, strict=True)
+        for point, t in zip(old.points, times, strict=True)
     )
     rule = replace(old.parametrization, kind=ParametrizationKind.MANUAL)
     if closing:
@@ -87,7 +89,7 @@ def freeze_parameters(document: Document, curve: int, parameters: Sequence[float
 
 
 def set_parameters(document: Document, curve: int, parameters: Sequence[float]) -> Document:
-    """Make `parameters`, one for each knot, the manual parameters; their order must be that of the points."""
+    """Make increasing `parameters` manual, one for each knot."""
     parameters = [checked(t, f"The t of point {index}") for index, t in enumerate(parameters)]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
@@ -98,30 +100,31 @@ def set_parameters(document: Document, curve: int, parameters: Sequence[float]) 
 def set_parameter(
     document: Document, curve: int, index: int, t: float, parameters: Sequence[float]
 ) -> Document:
-    """Give point `index` the parameter `t` and freeze the others at `parameters`; the order is kept."""
+    """Set the parameter of point `index` and make the other `parameters` manual; the order must stay."""
     t = checked(t, f"The t of point {index}")
     if index > 0 and not t > (before := parameters[index - 1]):
         raise not_after(index, before)
     if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
-        whose = (
+        neighbour = (
             f"the t of point {index + 1}"
             if index + 1 < len(document.curves[curve].points)
-            else "where the curve returns to its first point"
+            else "the t at which the curve returns to its first point"
         )
-        raise EditError(f"The t of point {index} must be less than {number(after, 6)}, {whose}.")
+        raise EditError(f"The t of point {index} must be less than {number(after, 6)}, {neighbour}.")
     return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
 
 
 def set_interval(document: Document, curve: int, start: float, end: float) -> Document:
-    """Let the parameters span [start, end]; the curve keeps its shape and is run through faster or slower.
+    """Let the parameters span [start, end]; the shape of the curve stays, its speed changes.
 
-    Manual parameters are mapped along, and derivatives that the person set are rescaled, so that the
-    handles stay.
+    Manual parameters are mapped to the new interval, and explicit derivatives are rescaled so that handles
+    stay.
     """
     start, end = checked(start, "The start of the interval"), checked(end, "The end of the interval")
     if not start < end:
         raise EditError(
-            f"The interval must end after it starts; {number(end, 6)} is not greater than {number(start, 6)}."
+            f"The end of the interval must be greater than its start; {number(end, 6)} is not greater than "
+            f"{number(start, 6)}."
         )
     old = document.curves[curve]
     old_start, old_end = old.interval
@@ -136,7 +139,7 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
 
 
 def _shifted(point: Point, old: tuple[float, float], new: tuple[float, float]) -> Point:
-    """Map a manual parameter from interval `old` to `new`, the ends exactly."""
+    """Map the manual parameter of a point from interval `old` to `new`, the ends exactly."""
     if point.t is None:
         return point
     s = (point.t - old[0]) / (old[1] - old[0])
@@ -151,9 +154,9 @@ def refuse_equal_parameters(curve: Curve, reason: str) -> None:
 
 
 def with_room_to_close(curve: Curve) -> Curve:
-    """Let the interval of a closed curve with manual parameters end after the t of its last point.
+    """Return a curve whose interval leaves room for the closing segment, if it has manual parameters.
 
-    A curve of a family that cannot close stays open, but keeps the wish for the family it may get next.
+    Curves of families that cannot close are drawn open, but keep `closed` for the next family.
     """
     if not (curve.closed and curve.is_manual and curve.points):
         return curve

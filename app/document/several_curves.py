@@ -1,6 +1,6 @@
-"""Several curves at once: edits of all of them, and of points that change together.
+"""Edits of several curves at once, and of points of several curves that change together.
 
-`curves` are indices of curves. Like all edits these are pure, and change all or nothing.
+`curves` are indices of curves. An edit changes all of them or raises `EditError`.
 """
 
 from __future__ import annotations
@@ -22,42 +22,42 @@ from .words import count_of
 
 
 class AddedCurves(NamedTuple):
-    """A document with copies of curves added, and their places in it, in the order of the originals."""
+    """A document with copies of curves, and the indices of the copies in the order of the originals."""
 
     document: Document
     indices: tuple[int, ...]
 
 
 def whole_curves(document: Document, curves: Collection[int]) -> PointGroup:
-    """Return all points of some curves."""
-    places = sorted(curves)
+    """Return all points of some curves, as a group that is named as a whole."""
+    indices = sorted(curves)
     return PointGroup(
-        tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in places),
+        tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in indices),
         is_whole=True,
-        name=(name := common_name(document, places)),
-        several_label="" if name is not None else count_label(document, places),
+        name=(name := common_name(document, indices)),
+        several_label="" if name is not None else count_label(document, indices),
     )
 
 
 def unlocked_curves(document: Document, curves: Collection[int]) -> frozenset[int]:
-    """Return those of some curves that are not locked; all where all are locked, for an edit to refuse."""
-    meant = frozenset(curves)
-    return frozenset(place for place in meant if not document.curves[place].locked) or meant
+    """Return the unlocked ones of some curves; if all are locked, all of them, so that the edit refuses."""
+    curves = frozenset(curves)
+    return frozenset(index for index in curves if not document.curves[index].locked) or curves
 
 
 def locked_remark(document: Document, curves: Collection[int]) -> str:
-    """Return which of some curves are not `unlocked_curves`: "1 locked curve stays"; empty for none."""
-    left = frozenset(curves) - unlocked_curves(document, curves)
-    if not left:
+    """Return the remark "1 locked curve stays" about the locked ones of some curves; empty for none."""
+    locked = frozenset(curves) - unlocked_curves(document, curves)
+    if not locked:
         return ""
-    nodes = whole_nodes(document.curves, expand_to_shapes(document, left))
+    nodes = whole_nodes(document.curves, expand_to_shapes(document, locked))
     return f"{node_count_label(nodes, 'locked ')} {'stays' if len(nodes) == 1 else 'stay'}"
 
 
 def whole_unlocked_curves(document: Document, curves: Collection[int]) -> PointGroup:
-    """Return all points of those of some curves that are `unlocked_curves`; the group tells what stays."""
-    free = unlocked_curves(document, curves)
-    return replace(whole_curves(document, free), remark=locked_remark(document, curves))
+    """Return all points of the `unlocked_curves` of some curves; its remark says which curves are locked."""
+    unlocked = unlocked_curves(document, curves)
+    return replace(whole_curves(document, unlocked), remark=locked_remark(document, curves))
 
 
 # Edits
@@ -74,7 +74,7 @@ def step_group(document: Document, group: PointGroup, by: Vector) -> Document:
 
 
 def transform_group(document: Document, group: PointGroup, by: Affine) -> Document:
-    """Map the points of a group and the derivatives set there."""
+    """Transform the points of a group and their explicit derivatives."""
     return _whole_mapped(
         document,
         group,
@@ -91,30 +91,30 @@ def set_appearance(
     locked: bool | None = None,
     colour: str | None = None,
 ) -> Document:
-    """Show or hide curves, lock or free them, draw them in a colour; None leaves each as it is."""
-    given = {"visible": visible, "locked": locked}
-    looks = {name: value for name, value in given.items() if value is not None}
+    """Show or hide curves, lock or unlock them, set their colour; None leaves each as it is."""
+    flags = {"visible": visible, "locked": locked}
+    changes = {name: value for name, value in flags.items() if value is not None}
     return map_curves(
         document,
         expand_to_shapes(document, curves),
         lambda curve: replace(
-            curve, **looks, style=curve.style if colour is None else curve.style.in_colour(colour)
+            curve, **changes, style=curve.style if colour is None else curve.style.in_colour(colour)
         ),
     )
 
 
 def show_all(document: Document) -> Document:
-    """Show what is hidden."""
+    """Show all curves."""
     return set_appearance(document, range(len(document.curves)), visible=True)
 
 
 def unlock_all(document: Document) -> Document:
-    """Free what is locked."""
+    """Unlock all curves."""
     return set_appearance(document, range(len(document.curves)), locked=False)
 
 
 def remove_curves(document: Document, curves: Collection[int]) -> Document:
-    """Remove curves; where none is left, an empty one is."""
+    """Remove curves; an empty curve takes the place of the last one."""
     before = document
     for curve in sorted(curves, reverse=True):
         document = remove_curve(document, curve)
@@ -123,129 +123,128 @@ def remove_curves(document: Document, curves: Collection[int]) -> Document:
 
 
 def extract_curves(document: Document, curves: Collection[int]) -> Document:
-    """Return some curves of a document in a document of their own."""
-    chosen = tuple(document.curves[place] for place in sorted(curves))
-    return tidy_shapes(replace(document, curves=chosen, image=None))
+    """Return a document of some of the curves alone, without the reference image."""
+    extracted = tuple(document.curves[index] for index in sorted(curves))
+    return tidy_shapes(replace(document, curves=extracted, image=None))
 
 
 def reorder_curves(document: Document, order: Sequence[int]) -> Document:
-    """Return the document with its curves in this order, each given by its place now."""
-    return replace(document, curves=tuple(document.curves[place] for place in order))
+    """Return the document with its curves in another order, given by their present indices."""
+    return replace(document, curves=tuple(document.curves[index] for index in order))
 
 
 def index_of(document: Document, curve: Curve) -> int:
-    """Return the place of a curve, by identity: another one may be equal to it."""
-    return next(place for place, each in enumerate(document.curves) if each is curve)
+    """Return the index of a curve, found by identity: another one may be equal to it."""
+    return next(index for index, other in enumerate(document.curves) if other is curve)
 
 
 def active_after_removal(
     document: Document, curves: Collection[int], active: int, edited: Collection[int] = ()
 ) -> int:
-    """Return which curve is the active one when `curves` are gone.
+    """Return the index of the active curve after `curves` were removed.
 
-    Of those `edited`, or of the shape of the active one, the nearest that is left; where none is, the one
-    that takes its place.
+    It is the nearest remaining curve of the `edited` ones, or of the shape of the active one; if none
+    remains, the curve at the index of the active one.
     """
-    left = [place for place in edited or shape_of(document, active) if place not in curves]
-    nearest = min(left, key=lambda place: abs(place - active), default=active)
-    before = sum(place not in curves for place in range(nearest))
+    remaining = [index for index in edited or shape_of(document, active) if index not in curves]
+    nearest = min(remaining, key=lambda index: abs(index - active), default=active)
+    before = sum(index not in curves for index in range(nearest))
     return max(0, min(before, len(document.curves) - len(curves) - 1))
 
 
 def duplicate_curves(document: Document, curves: Collection[int]) -> AddedCurves:
-    """Add copies of curves, in their order, as they look, visible and free.
+    """Add copies of curves, in their order and style, visible and unlocked.
 
-    Each stays in the group of its original, in front of the last that is copied there. Copies of whole shapes
-    and groups are shapes and groups of their own; those of a part of a shape are in front of it, and not in
-    it.
+    Each copy is in the group of its original, in front of the last original there. Copies of whole shapes and
+    groups are shapes and groups of their own; copies of a part of a shape are in front of it, not in it.
     """
     copied = dict[Container, tuple[int, list[int]]]()
     for node in whole_nodes(document.curves, curves):
-        around, at = node.container, node.indices.stop
-        if around.shape:
-            around, at = around.parent, shape_of(document, node.indices.start).stop
-        _, before = copied.get(around, (at, []))
-        copied[around] = (at, [*before, *node.indices])
-    new, places = document, dict[int, int]()
-    for around, (place, originals) in sorted(copied.items(), key=lambda each: each[1][0]):
-        at = place + len(places)
-        new = add_curves(new, list(as_contained(document.curves, originals, around).values()), at, around)
-        places |= zip(originals, range(at, at + len(originals)), strict=True)
-    return AddedCurves(new, tuple(places[curve] for curve in sorted(places)))
+        container, end = node.container, node.indices.stop
+        if container.shape:
+            container, end = container.parent, shape_of(document, node.indices.start).stop
+        _, before = copied.get(container, (end, []))
+        copied[container] = (end, [*before, *node.indices])
+    new, indices = document, dict[int, int]()
+    for container, (end, originals) in sorted(copied.items(), key=lambda entry: entry[1][0]):
+        at = end + len(indices)
+        copies = list(as_contained(document.curves, originals, container).values())
+        new = add_curves(new, copies, at, container)
+        indices |= zip(originals, range(at, at + len(originals)), strict=True)
+    return AddedCurves(new, tuple(indices[curve] for curve in sorted(indices)))
 
 
 def add_curves(
     document: Document, curves: Sequence[Curve], at: int, container: Container = OUTSIDE
 ) -> Document:
-    """Add curves from elsewhere at place `at` of the order, visible and free, under names of their own.
+    """Add curves from another document at index `at`, visible and unlocked, under unused names.
 
-    Of the shapes and groups that they are in, that which they come into keeps its name.
+    Of the shapes and groups that they are in, only the `container` keeps its name.
     """
-    own = with_unused_group_names(
+    added = with_unused_group_names(
         with_unused_names(curves, {curve.name for curve in document.curves}), document, container
     )
-    return replace(document, curves=(*document.curves[:at], *own, *document.curves[at:]))
+    return replace(document, curves=(*document.curves[:at], *added, *document.curves[at:]))
 
 
 def add_imported(document: Document, new: Document) -> tuple[Document, int]:
-    """Return the document with the curves of another in front, and the place of the first of them.
+    """Return the document with the curves of another one in front, and the index of the first of them.
 
-    A lone curve without points is what a new document begins with; it gives way, and with it unit and guides.
-    The other's picture to trace comes along where there is none yet.
+    A blank document is replaced, with its unit and guides. The reference image of the other document is added
+    where there is none yet.
     """
-    is_begun = not is_blank(document)
-    base, image = document if is_begun else without_curve(document, 0), document.image or new.image
-    place, own = len(base.curves), with_unused_group_names(new.curves, base)
-    document = replace(base, curves=(*base.curves, *own), image=image)
-    if is_begun:
-        return document, place
+    is_replaced = is_blank(document)
+    base, image = without_curve(document, 0) if is_replaced else document, document.image or new.image
+    index, added = len(base.curves), with_unused_group_names(new.curves, base)
+    document = replace(base, curves=(*base.curves, *added), image=image)
+    if not is_replaced:
+        return document, index
     return replace(document, unit=new.unit or document.unit, guides=new.guides or document.guides), 0
 
 
 def ignored_on_import(document: Document, new: Document) -> list[str]:
-    """Return what `add_imported` leaves behind of the other document beside its curves: "its grid"."""
-    found = ["its picture to trace"] if new.image and document.image else []
+    """Return the parts of the other document that `add_imported` ignores, such as "its grid"."""
+    ignored = ["its reference image"] if new.image and document.image else []
     if is_blank(document):
-        return found
+        return ignored
     if new.unit not in ("", document.unit):
-        found.append(f"its unit {new.unit}")
+        ignored.append(f"its unit {new.unit}")
     if new.grid_spacing not in (0.0, document.grid_spacing):
-        found.append("its grid")
+        ignored.append("its grid")
     guides = set(new.guides) - set(document.guides)
-    return [*found, *([count_of(len(guides), "guide")] if guides else [])]
+    return [*ignored, *([count_of(len(guides), "guide")] if guides else [])]
 
 
 def is_blank(document: Document) -> bool:
-    """Whether a document is what File > New opens: one curve without points."""
+    """Return whether a document equals that of File > New: one curve without points."""
     return len(document.curves) == 1 and not document.curves[0].points
 
 
-def with_unused_names(curves: Sequence[Curve], taken: Collection[str]) -> list[Curve]:
-    """Return the curves, visible and free, under names not `taken`: "Leaf", "Leaf copy", "Leaf copy 2"."""
-    used, fresh = set(taken), []
+def with_unused_names(curves: Sequence[Curve], used_names: Collection[str]) -> list[Curve]:
+    """Return the curves, visible and unlocked, under unused names: "Leaf", "Leaf copy", "Leaf copy 2"."""
+    used, result = set(used_names), []
     for curve in curves:
         name = unused_copy_name(curve.name, used)
         used.add(name)
-        fresh.append(replace(curve, name=name, visible=True, locked=False))
-    return fresh
+        result.append(replace(curve, name=name, visible=True, locked=False))
+    return result
 
 
 def name_or_count(document: Document, curves: Collection[int]) -> str:
-    """Return the name of the curve, or of the shape or group that they are, or "3 curves"."""
+    """Return the `common_name` of curves, or "3 curves"."""
     name = common_name(document, curves)
     return count_label(document, curves) if name is None else name
 
 
 def count_label(document: Document, curves: Collection[int]) -> str:
-    """Return "3 curves"; with whole shapes or groups among them, "1 shape and 2 curves"."""
-    marked = [document.curves[curve] for curve in curves]
-    if [each for each in marked if each.shape or each.groups]:
+    """Return "3 curves", or "1 shape and 2 curves" where whole shapes or groups are among them."""
+    if any(document.curves[index].shape or document.curves[index].groups for index in curves):
         return node_count_label(whole_nodes(document.curves, curves))
     return count_of(len(curves), "curve")
 
 
 def common_name(document: Document, curves: Collection[int]) -> str | None:
-    """Return the name of the curve, or of the shape or group that they are; None where they are several."""
+    """Return the name of the one curve, shape or group that `curves` make up; None where they are several."""
     if len(curves) == 1:
         return document.curves[next(iter(curves))].name
     first = document.curves[min(curves, default=0)]
@@ -256,32 +255,32 @@ def common_name(document: Document, curves: Collection[int]) -> str | None:
 
 
 def _whole_shifted(document: Document, group: PointGroup, shift: PointsChange) -> Document:
-    """Put the points of a group elsewhere, all by the same way; see `shift_points`."""
+    """Move the points of a group, all in the same way; see `shift_points`."""
 
-    def edit(each: Document, curve: int, indices: Collection[int]) -> Document:
-        return shift_points(each, curve, indices, shift)
+    def edit(document: Document, curve: int, indices: Collection[int]) -> Document:
+        return shift_points(document, curve, indices, shift)
 
     return _changed_whole(document, group, shift, edit, lambda _: True)
 
 
-def _whole_mapped(document: Document, group: PointGroup, place: PointsChange, edit: PointsEdit) -> Document:
-    """Return what `edit` makes of the points of a group, of those without more than a place by `place`."""
-    return _changed_whole(document, group, place, edit, _has_only_places)
+def _whole_mapped(document: Document, group: PointGroup, change: PointsChange, edit: PointsEdit) -> Document:
+    """Edit the points of a group; whole curves that consist of positions alone are changed by `change`."""
+    return _changed_whole(document, group, change, edit, _has_only_positions)
 
 
-def _has_only_places(curve: Curve) -> bool:
-    """Whether nothing else of a curve follows where all of its points go."""
+def _has_only_positions(curve: Curve) -> bool:
+    """Return whether nothing but positions changes when all points of a curve are moved."""
     return not (curve.has_derivatives or (curve.closed and curve.is_manual))
 
 
 def _changed_whole(
     document: Document,
     group: PointGroup,
-    place: PointsChange,
+    change: PointsChange,
     edit: PointsEdit,
     is_simple: Callable[[Curve], bool],
 ) -> Document:
-    """Put whole simple curves elsewhere at once, and do an edit to the others one by one."""
+    """Change whole simple curves at once, and edit the others one by one."""
     group.refuse_locked(document)
     curves, rest, whole = list(document.curves), list[tuple[int, frozenset[int]]](), list[int]()
     for part in group.parts:
@@ -291,9 +290,9 @@ def _changed_whole(
         else:
             rest.append(part)
     if whole:
-        new = iter(place([*chain.from_iterable([curves[each].points for each in whole])]))
-        for each in whole:
-            curve = curves[each]
-            curves[each] = replace(curve, points=tuple(islice(new, len(curve.points))))
+        new = iter(change([*chain.from_iterable([curves[index].points for index in whole])]))
+        for index in whole:
+            curve = curves[index]
+            curves[index] = replace(curve, points=tuple(islice(new, len(curve.points))))
         document = replace(document, curves=tuple(curves))
     return replace(group, parts=tuple(rest)).apply_to_each(document, edit) if rest else document

@@ -1,4 +1,4 @@
-"""Segments made straight: from one point to the next on a line, at an even pace."""
+"""Segments made straight: from one point to the next along a line, at constant speed."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from .point_edits import JetValue, with_jet_values
 
 
 def straight_refusal(family: Family) -> str:
-    """Return why a curve of a family has no straight segments, as a sentence; empty if it can have some."""
+    """Return the message that curves of a family have no straight segments; empty if they can have some."""
     if family.derivatives:
         return ""
-    is_so = (
-        "is one polynomial and has no segments of its own"
+    reason = (
+        "is one polynomial and has no segments"
         if family.curve_class.is_one_polynomial
-        else "has no velocities at its points, of which a straight segment is made"
+        else "has no velocities at its points to make a segment straight with"
     )
-    return f"{family.subject} {is_so}; choose {titles_with_derivatives()}."
+    return f"{family.subject} {reason}. Choose {titles_with_derivatives()}."
 
 
 def straighten(
@@ -31,29 +31,29 @@ def straighten(
     """Make segments exactly straight.
 
     Segment i leads from point i to the next one; in a closed curve the last leads back to point 0. The points
-    at its ends become corners, unless they are ends of an open curve: the sides within the segment get
-    its mean velocity and no higher derivative, the others keep what was set there. A point whose velocities
-    are tied stays smooth, and turns to the line; between two lines of different directions it cannot.
+    at its ends become corners, unless they are ends of an open curve: the sides within the segment get its
+    mean velocity and higher derivatives of 0, the other sides stay as they are. A tied point stays smooth,
+    and its other handle is turned along the line; between two lines of different directions the tie ends.
 
     Parameters
     ----------
     document, curve
         The curve to change.
     segments
-        Which segments.
+        Their indices.
     parameters
-        Those in force; a closed curve has one more, where it returns to its start.
+        The present ones; a closed curve has one more, where it returns to its start.
 
     Raises
     ------
     EditError
-        If the curve is no chain of segments, has no such segment, or a velocity would be out of range.
+        If curves of the family have no segments, a segment does not exist, or a velocity is out of range.
     """
     old = document.curves[curve]
     if reason := straight_refusal(old.family):
         raise EditError(reason)
     if any(not 0 <= segment < len(parameters) - 1 for segment in segments):
-        raise EditError("There is no such segment.")
+        raise EditError("This segment does not exist any more.")
     points = list(old.points)
     for index in corners_of(old, segments):
         points[index] = _as_corner(old, index, segments)
@@ -62,21 +62,20 @@ def straighten(
 
 
 def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
-    """Return the points at the ends of segments at which the curve can have a corner, in order."""
+    """Return the ends of segments at which the curve can have a corner, in order."""
     ends = {index for segment in segments for index in ends_of(curve, segment)}
     return sorted(index for index in ends if curve.is_closed or 0 < index < len(curve.points) - 1)
 
 
 def _as_corner(curve: Curve, index: int, segments: Collection[int]) -> Point:
     point, behind = curve.points[index], (index - 1) % len(curve.points)
-    lines = [each in segments or is_straight(curve, each) for each in (behind, index)]
-    if all(lines):
+    if all(segment in segments or is_straight(curve, segment) for segment in (behind, index)):
         point = untie(point)
     return point if point.corner else point.as_corner()
 
 
 def _along_chord(curve: Curve, segment: int, parameters: Sequence[float]) -> list[JetValue]:
-    """Return the derivatives within a segment that is run through along its chord."""
+    """Return the derivatives within a segment that runs along its chord."""
     start, end = ends_of(curve, segment)
     h = parameters[segment + 1] - parameters[segment]
     p, q = curve.points[start], curve.points[end]

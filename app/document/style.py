@@ -1,4 +1,4 @@
-"""Stroke and fill of a curve."""
+"""Style of a curve: stroke and fill."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from .fields import LENGTH, SHARE, Requirement, Value, at_least, at_most_items, 
 from .words import NamedEnum
 
 INK: Final = ""
-"""Paint in the ink of the theme, or of the picture."""
+"""Paint of the default colour: that of the theme, or of an exported picture."""
 
 NO_PAINT: Final = "none"
-"""Paint that leaves nothing."""
+"""Paint of nothing."""
 
 LARGEST_DASHES: Final = 64
-"""Dashes and gaps that a style may have."""
+"""Largest number of dashes and gaps of a style."""
 
 LEAST_DASH: Final = 1e-3
-"""In place of a dash of length 0, which has ends but no direction; in widths."""
+"""Length, in widths, that is drawn for a dash of length 0, which would have no direction."""
 
 USUAL_WIDTH: Final = 0.003
-"""Of a line whose style does not say it, against the longer side of the picture."""
+"""Width of a line without a width of its own, relative to the longer side of the picture."""
 
 _PAINT = matching("#[0-9a-f]{6}|none|", 'be written as "#rrggbb" in lower case, or "none"')
 _DASHES = at_most_items(LARGEST_DASHES, f"hold at most {LARGEST_DASHES} numbers")
-_SEEN = Requirement(lambda dash: not dash or any(dash), "hold a number greater than 0", of_all=True)
+_HAS_DASH = Requirement(lambda dash: not dash or any(dash), "hold a number greater than 0", of_all=True)
 
 
 class LineCap(NamedEnum):
@@ -46,7 +46,7 @@ class LineJoin(NamedEnum):
 
 
 class FillRule(NamedEnum):
-    """Rule that says what is inside of curves that cross or lie within each other."""
+    """Rule for the inside of curves that cross or enclose each other."""
 
     NONZERO = "nonzero", "Nonzero"
     EVENODD = "evenodd", "Even-odd"
@@ -60,12 +60,11 @@ class Style(Value, frozen=True):
     stroke, stroke_opacity
         Paint of the line.
     width
-        Of the line, in the unit of the document; None for a line of the usual width, which is the same at
-        every zoom.
+        Width of the line, in the unit of the document; None for the default width, the same at every zoom.
     cap, join, miter_limit
         Ends and corners of the line; longer miters than the limit times the width become bevels.
     dash, dash_offset
-        Lengths of dashes and gaps in turn, and where the pattern begins, in multiples of the width.
+        Lengths of dashes and gaps in turn, and the start of the pattern, in multiples of the width.
     fill, fill_rule, fill_opacity
         Paint of the inside; an open curve is closed for it by a straight line.
     """
@@ -75,7 +74,7 @@ class Style(Value, frozen=True):
     cap: Annotated[LineCap, "Line ends"] = LineCap.ROUND
     join: Annotated[LineJoin, "Line corners"] = LineJoin.ROUND
     miter_limit: Annotated[float, at_least(1), "Miter limit"] = 4.0
-    dash: Annotated[tuple[float, ...], _DASHES, at_least(0), _SEEN, "Dashes"] = ()
+    dash: Annotated[tuple[float, ...], _DASHES, at_least(0), _HAS_DASH, "Dashes"] = ()
     dash_offset: Annotated[float, "Start of the dashes"] = 0.0
     stroke_opacity: Annotated[float, SHARE, "Stroke opacity"] = 1.0
     fill: Annotated[str, _PAINT, "Fill"] = NO_PAINT
@@ -84,32 +83,32 @@ class Style(Value, frozen=True):
 
     @property
     def has_stroke(self) -> bool:
-        """Whether a line is drawn."""
+        """Whether the line is drawn."""
         return self.stroke != NO_PAINT
 
     @property
     def has_fill(self) -> bool:
-        """Whether the inside is painted."""
+        """Whether the inside is filled."""
         return self.fill != NO_PAINT
 
     @property
     def has_caps(self) -> bool:
-        """Whether the ends of a line are seen: one of no length is a dot then."""
+        """Whether the ends of the line are drawn: a line of length 0 is a dot then."""
         return self.has_stroke and self.cap is not LineCap.BUTT
 
     @property
     def dashes_and_gaps(self) -> tuple[float, ...]:
-        """The dashes as they are drawn, an even number: of an odd one, dashes and gaps change their roles."""
+        """The dashes as they are drawn: an odd number is repeated, with dashes and gaps exchanged."""
         return self.dash if len(self.dash) % 2 == 0 else self.dash * 2
 
     def in_colour(self, paint: str) -> Style:
-        """Return the style with another colour: of its line, or of its inside where it has no line."""
+        """Return the style with another colour of its line, or of its fill where it has no line."""
         is_inside = self.has_fill and not self.has_stroke
         return replace(self, **{"fill" if is_inside else "stroke": paint})
 
     @property
     def swapped(self) -> Style:
-        """The style whose inside is painted as the line was, and whose line as the inside was."""
+        """The style with the paints of fill and stroke exchanged."""
         return replace(
             self,
             stroke=self.fill,
@@ -120,10 +119,10 @@ class Style(Value, frozen=True):
 
     @property
     def colour(self) -> str:
-        """The paint that the curve is known by: that of its line, or of its inside where it has no line."""
+        """The colour that represents the curve: that of its line, or of its fill where it has no line."""
         paint = self.stroke if self.has_stroke else self.fill
         return INK if paint == NO_PAINT else paint
 
 
 PLAIN_STYLE: Final = Style()
-"""A line in the ink of the theme."""
+"""Style of new curves: a line in the default colour."""

@@ -1,6 +1,6 @@
-"""Edits of how curves look, and what several of them have in common.
+"""Edits of the style of curves, and the values that several styles have in common.
 
-`curves` are places in the document. What is done to one curve of a shape is done to all of it.
+`curves` are indices of curves; an edit of one curve of a shape changes the whole shape.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from .model import Curve, Document
 from .style import INK, NO_PAINT, Style
 
 STYLE_WORDS: Final = {field.name: field.label for field in fields_of(Style)}
-"""The fields of a style in words, as steps of the history name them: "Stroke width of Leaf"."""
+"""Labels of the fields of a style, as steps of the history name them: "Stroke width of Leaf"."""
 
 
 def set_style(document: Document, curves: Collection[int], **fields: object) -> Document:
-    """Give curves other values in some fields of their styles; the rest stays each curve's own."""
+    """Set some fields of the styles of curves."""
     return map_curves(
         document,
         expand_to_shapes(document, curves),
@@ -31,30 +31,29 @@ def set_style(document: Document, curves: Collection[int], **fields: object) -> 
 
 
 def colours_of(curves: Iterable[Curve]) -> list[str]:
-    """Return the colours that curves are painted in, those of most of them first."""
-    found = Counter[str]()
+    """Return the colours of the fills and strokes of curves, the most frequent first."""
+    counts = Counter[str]()
     for curve in curves:
-        found.update([curve.style.fill, curve.style.stroke])
-    return [paint for paint, _ in found.most_common() if paint not in (INK, NO_PAINT)]
+        counts.update([curve.style.fill, curve.style.stroke])
+    return [paint for paint, _ in counts.most_common() if paint not in (INK, NO_PAINT)]
 
 
 def swap_paints(document: Document, curves: Collection[int]) -> Document:
-    """Paint the insides of curves as their lines were, and their lines as their insides were."""
+    """Exchange the paints of fill and stroke of curves."""
     return map_curves(
         document, expand_to_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
     )
 
 
 def common_values(styles: Iterable[Style]) -> dict[str, object]:
-    """Return the values that all of the styles have, by their fields; what differs is left out.
-
-    Of no styles there are none.
-    """
+    """Return the values that all of the styles have in common, by their fields; empty for no styles."""
     styles = list(styles)
     if not styles:
         return {}
     first, *others = styles
-    found = {name: getattr(first, name) for name in Style.__struct_fields__}
+    values = {name: getattr(first, name) for name in Style.__struct_fields__}
     return {
-        name: value for name, value in found.items() if all(getattr(each, name) == value for each in others)
+        name: value
+        for name, value in values.items()
+        if all(getattr(style, name) == value for style in others)
     }

@@ -1,7 +1,7 @@
-"""Edits of several points at once: move, scale, rotate, mirror, align, distribute, step along a grid.
+"""Affine maps, and edits of several points: transform, move by decimal steps, align, distribute.
 
-Like all edits these are pure. A handle that the person set turns and grows with its point, so that a rigid
-motion of all points carries the whole curve along, and one of some of them changes only what lies between.
+Explicit handles are transformed with their points: a rigid motion of all points moves the whole curve, and
+one of some points changes only the curve between them and the others.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ _VECTOR_NAMES = tuple(name for _, name in VECTORS)
 
 
 class Affine(msgspec.Struct, frozen=True):
-    """An affine map, kept as its difference from the identity.
+    """An affine map, stored as its difference from the identity.
 
-    That difference makes what should not move stay to the last bit.
+    So that fixed points stay where they are to the last bit.
 
     Attributes
     ----------
@@ -49,22 +49,22 @@ class Affine(msgspec.Struct, frozen=True):
     shift: Vector = (0.0, 0.0)
 
     def point(self, p: Vector) -> Vector:
-        """Return where the map puts a point."""
-        way = (p[0] - self.centre[0], p[1] - self.centre[1])
-        return self._applied((p[0] + self.shift[0], p[1] + self.shift[1]), way)
+        """Return the image of a point."""
+        offset = (p[0] - self.centre[0], p[1] - self.centre[1])
+        return self._applied((p[0] + self.shift[0], p[1] + self.shift[1]), offset)
 
     def columns(self, points: Iterable[Point]) -> tuple[list[float], list[float]]:
-        """Return where the map puts points, as `point` each, their x and their y."""
+        """Return the x and the y of the images of points, each as `point` returns it."""
         xx, xy, yx, yy = map(float, (self.xx, self.xy, self.yx, self.yy))
         x0, y0, dx, dy = map(float, (*self.centre, *self.shift))
-        places = [(each.x, each.y) for each in points]
+        positions = [(point.x, point.y) for point in points]
         return (
-            [x + dx + xx * (x - x0) + xy * (y - y0) for x, y in places],
-            [y + dy + yx * (x - x0) + yy * (y - y0) for x, y in places],
+            [x + dx + xx * (x - x0) + xy * (y - y0) for x, y in positions],
+            [y + dy + yx * (x - x0) + yy * (y - y0) for x, y in positions],
         )
 
     def vector(self, v: Vector) -> Vector:
-        """Return what the map makes of a derivative."""
+        """Return the image of a derivative."""
         return self._applied(v, v)
 
     def _applied(self, start: Vector, v: Vector) -> Vector:
@@ -80,7 +80,7 @@ def scaling(x: float, y: float, centre: Vector) -> Affine:
 
 
 def reflection(axis: int, centre: Vector) -> Affine:
-    """Return the mirror image along x (axis 0: left and right change places) or y, about `centre`."""
+    """Return the mirror image along x (axis 0: left and right are exchanged) or y, about `centre`."""
     return scaling(*((-1.0, 1.0) if axis == 0 else (1.0, -1.0)), centre)
 
 
@@ -95,15 +95,15 @@ def rotation(degrees: float, centre: Vector) -> Affine:
 
 
 def is_mirrored(by: Affine) -> bool:
-    """Whether a map makes a mirror image."""
+    """Return whether a map reverses orientation."""
     return (1.0 + by.xx) * (1.0 + by.yy) < by.xy * by.yx
 
 
 def rotation_of(by: Affine) -> float:
     """Return the degrees of the rotation nearest to a map, from −180 to 180.
 
-    Of one that mirrors, of the rotation after a mirror image sideways, which is half a turn from that after
-    one upside down.
+    A map that reverses orientation is taken as a rotation after a reflection along x; after a reflection
+    along y the rotation would be half a turn more.
     """
     sideways = -1.0 if is_mirrored(by) else 1.0
     xx, yx = sideways * (1.0 + by.xx), sideways * by.yx
@@ -111,7 +111,7 @@ def rotation_of(by: Affine) -> float:
 
 
 LARGEST_SKEW = 89.0
-"""Degrees of a skew, to either side; at 90 nothing would be left of a shape."""
+"""Largest angle of a skew, to either side; at 90° a shape would collapse."""
 
 
 def skew(axis: int, degrees: float, centre: Vector) -> Affine:
@@ -123,26 +123,26 @@ def skew(axis: int, degrees: float, centre: Vector) -> Affine:
         If it is by more than `LARGEST_SKEW`.
     """
     if abs(degrees) > LARGEST_SKEW:
-        raise EditError(f"A skew lies between −{LARGEST_SKEW:g}° and {LARGEST_SKEW:g}°.")
+        raise EditError(f"Enter a skew between −{LARGEST_SKEW:g}° and {LARGEST_SKEW:g}°.")
     shift = math.copysign(1.0, degrees) if abs(degrees) == 45.0 else math.tan(math.radians(degrees))
     return Affine(0.0, shift, 0.0, 0.0, centre) if axis == 0 else Affine(0.0, 0.0, shift, 0.0, centre)
 
 
 def transform_points(document: Document, curve: int, indices: Collection[int], by: Affine) -> Document:
-    """Map the points at `indices` and the handles set there."""
+    """Transform the points at `indices` and their explicit handles."""
     return change_points(document, curve, indices, lambda points: _mapped(points, by))
 
 
 def positions_mapped(by: Affine) -> PointsChange:
-    """Return what puts points where a map takes them; the derivatives set there stay."""
+    """Return the change that moves points to their images under a map; their derivatives stay."""
     return lambda points: all_moved_to(points, *by.columns(points))
 
 
 def _mapped(points: Sequence[Point], by: Affine) -> list[Point]:
-    placed_there = all_moved_to(points, *by.columns(points))
+    moved = all_moved_to(points, *by.columns(points))
     if not any(map(any, map(derivatives_of, points))):
-        return placed_there
-    return [_with_vectors_mapped(point, by) for point in placed_there]
+        return moved
+    return [_with_vectors_mapped(point, by) for point in moved]
 
 
 def _with_vectors_mapped(point: Point, by: Affine) -> Point:
@@ -153,19 +153,19 @@ def _with_vectors_mapped(point: Point, by: Affine) -> Point:
     }
     mapped = replace(point, **vectors) if vectors else point
     if mapped.tied and mapped.velocity and mapped.velocity_after:
-        # Parallel they are still, but for roundings, which many transforms would add up.
+        # The velocities are still parallel up to rounding errors, which many transforms would add up.
         return tie(mapped, mapped.velocity, mapped.velocity_after)
     return mapped
 
 
 def decimal_translation(by: Vector) -> PointsChange:
-    """Return what moves points by decimal steps: 0.1 and a step of 0.2 make 0.3, not 0.30000000000000004."""
+    """Return the change that moves points by decimal steps: 0.1 + 0.2 is 0.3, not 0.30000000000000004."""
     across, up = map(_decimal_step, by)
     return lambda points: all_moved_to(points, across(list(map(_x, points))), up(list(map(_y, points))))
 
 
 def _decimal_step(by: float) -> Callable[[list[float]], list[float]]:
-    """Return what adds `by` as `decimal_sum` does, to many numbers; mostly it is none along one axis."""
+    """Return the function that adds `by` to many numbers as `decimal_sum` does; `by` is often 0."""
     if not by:
         return lambda values: values
     step = Decimal(repr(by))
@@ -191,21 +191,21 @@ def _middle(values: Sequence[float]) -> float:
 
 
 class Edge(Enum):
-    """Line that points are aligned at.
+    """Edge or centre line that points are aligned to.
 
     Attributes
     ----------
     axis
-        The coordinate that it fixes, 0 for x.
+        The coordinate that is aligned: 0 for x, 1 for y.
     target
-        Returns that coordinate from those of the points.
+        Function that returns the common coordinate from those of the points.
     """
 
     axis: int
     target: Callable[[Sequence[float]], float]
 
     def __new__(cls, value: str, axis: int, target: Callable[[Sequence[float]], float]) -> Self:
-        """Return a member, whose value is its name in sentences."""
+        """Return a member whose value is its name within a sentence."""
         member = object.__new__(cls)
         member._value_, member.axis, member.target = value, axis, target
         return member
@@ -219,12 +219,12 @@ class Edge(Enum):
 
 
 class Reference(NamedEnum):
-    """Thing that curves are aligned to.
+    """Reference that curves are aligned to.
 
     Attributes
     ----------
     tip
-        What that means.
+        Explanation of the reference.
     """
 
     def __init__(self, value: str, label: str = "", tip: str = "") -> None:
@@ -240,19 +240,19 @@ class Reference(NamedEnum):
 
     @property
     def is_around(self) -> bool:
-        """Whether it is there without the chosen curves, so that one of them can be aligned to it."""
+        """Whether the reference is independent of the selection: a single curve can be aligned to it."""
         return self is Reference.DRAWING
 
 
 class Spacing(NamedEnum):
-    """Distance that is the same between neighbours of curves that are distributed."""
+    """Distance that becomes equal between neighbours when curves are distributed."""
 
     CENTRES = "centres", "Centres"
     GAPS = "gaps", "Gaps"
 
 
 def align_points(document: Document, group: PointGroup, edge: Edge) -> Document:
-    """Give the points of a group one x (left, centre, right) or one y (top, middle, bottom)."""
+    """Give the points of a group the same x (left, centre, right) or the same y (top, middle, bottom)."""
     if group.count < 2:
         raise EditError("Select at least two points to align them.")
     curves, axis = document.curves, edge.axis
@@ -261,7 +261,7 @@ def align_points(document: Document, group: PointGroup, edge: Edge) -> Document:
     )
     return group.apply(
         document,
-        lambda each, curve, indices: set_coordinates(each, curve, dict.fromkeys(indices, target), axis),
+        lambda new, curve, indices: set_coordinates(new, curve, dict.fromkeys(indices, target), axis),
     )
 
 
@@ -277,10 +277,10 @@ def distribute_points(document: Document, group: PointGroup, axis: int) -> Docum
     )
     first, last, count = order[0][0], order[-1][0], len(order) - 1
     values: dict[int, dict[int, float]] = {}
-    for place, (_, curve, index) in enumerate(order):
-        values.setdefault(curve, {})[index] = first * ((count - place) / count) + last * (place / count)
+    for rank, (_, curve, index) in enumerate(order):
+        values.setdefault(curve, {})[index] = first * ((count - rank) / count) + last * (rank / count)
     return group.apply(
-        document, lambda each, curve, _indices: set_coordinates(each, curve, values[curve], axis)
+        document, lambda new, curve, _indices: set_coordinates(new, curve, values[curve], axis)
     )
 
 

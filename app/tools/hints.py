@@ -8,7 +8,7 @@ from .pointer import Cursor, Hint, Hit, Part, Pointer
 from .transform import TransformKind, grip_keys
 from .transform_box import Grip, ScaleBox, TransformBox
 
-LOCKED = "“{}” is locked; unlock it in the list of curves to change it."
+LOCKED = "“{}” is locked. Unlock it in the list of curves to change it."
 
 
 def selected(group: PointGroup) -> str:

@@ -164,7 +164,7 @@ def test_a_polynomial_is_not_closed():
 
 def test_two_points_alone_are_not_closed_and_the_reason_is_said():
     document = point_edits.delete_points(manual(CUBIC_SPLINE), 0, [0, 1])
-    with pytest.raises(EditError, match=r"at least three points here: of two, a cubic .*there and back"):
+    with pytest.raises(EditError, match=r"at least three points here: through two, a cubic .*there and back"):
         curve_edits.set_closed(document, 0, True)
 
 
@@ -242,7 +242,7 @@ def test_remembered_parameters_come_back_to_a_closed_curve():
 
 def test_the_t_of_the_last_point_stays_before_the_return():
     closed = curve_edits.set_closed(manual(), 0, True)
-    with pytest.raises(EditError, match="less than 4, where the curve returns to its first point"):
+    with pytest.raises(EditError, match="less than 4, the t at which the curve returns to its first point"):
         rule_edits.set_parameter(closed, 0, 3, 4.5, [0.0, 1.0, 2.0, 3.0, 4.0])
     later = rule_edits.set_parameter(closed, 0, 4, 6.0, [0.0, 1.0, 2.0, 3.0, 4.0])
     assert later.curves[0].parametrization.end == 6.0

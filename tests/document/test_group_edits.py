@@ -107,7 +107,7 @@ def test_a_shape_has_the_style_of_the_hindmost_that_is_filled():
         Style(stroke="none", fill="#aa0000", fill_rule=FillRule.EVENODD)
     }
     assert made.indices == range(3)
-    with pytest.raises(EditError, match="two curves or more"):
+    with pytest.raises(EditError, match="two or more curves"):
         combine(some, {1})
 
 
@@ -157,7 +157,7 @@ def test_groups_are_taken_apart_by_one_level(drawn, chosen, made):
 def test_no_group_is_no_group_to_take_apart():
     some = document("a(bc)")
     assert groups_to_ungroup(some, {0, 1}) == []
-    with pytest.raises(EditError, match="Choose a group"):
+    with pytest.raises(EditError, match="Select a group"):
         ungroup(some, {0, 1})
 
 
@@ -285,7 +285,7 @@ def test_shapes_and_groups_are_renamed():
     assert rename_node(some, inner, "G2") is some
     with pytest.raises(EditError, match="needs a name"):
         rename_node(some, shape, "  ")
-    with pytest.raises(EditError, match="another shape or group"):
+    with pytest.raises(EditError, match="Another shape or group"):
         rename_node(some, shape, "G2")
 
 

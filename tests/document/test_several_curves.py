@@ -74,9 +74,9 @@ def test_what_is_too_large_changes_nothing(four):
 @each_row(
     ("places", "sentence"),
     [
-        ((1,), "“B” is locked; unlock it in the list of curves to change it."),
-        ((1, 3), "“B” and “D” are locked; unlock them in the list of curves to change them."),
-        ((0, 1, 3), "“A”, “B” and “D” are locked; unlock them in the list of curves to change them."),
+        ((1,), "“B” is locked. Unlock it in the list of curves to change it."),
+        ((1, 3), "“B” and “D” are locked. Unlock them in the list of curves to change them."),
+        ((0, 1, 3), "“A”, “B” and “D” are locked. Unlock them in the list of curves to change them."),
     ],
 )
 @each_row(

@@ -53,7 +53,7 @@ def test_the_first_curve_says_how_a_shape_looks():
     torn = some.with_curve(1, replace(some.curves[1], style=Style(fill="#ff0000"), locked=True))
     assert (
         shape_problem(torn)
-        == "curves[1].style must be that of the curve before it, which is of the same shape"
+        == "curves[1].style must equal that of the curve before it, which belongs to the same shape"
     )
     assert tidy_shapes(torn) == some
 

@@ -47,7 +47,7 @@ def test_the_segment_that_closes_counts():
 
 @pytest.mark.parametrize("segment", [-1, 3])
 def test_what_is_no_segment_is_refused(segment):
-    with pytest.raises(EditError, match="no such segment"):
+    with pytest.raises(EditError, match="segment does not exist"):
         straighten(document(), 0, [segment], TIMES)
 
 

@@ -484,7 +484,7 @@ def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
     arch.click(arch.point(0))
     assert arch.session.document == before
     closing = titles(family for family in FAMILIES if family.curve_class.can_close)
-    assert arch.status.startswith(f"Choose {closing} to close the curve")
+    assert arch.status.startswith(f"To close the curve, choose {closing}")
 
 
 def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):

@@ -322,7 +322,7 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
         five.trigger("undo")
     choose(five, "BD")
     document = five.session.document
-    sentence = "“B” and “D” are locked; unlock them in the list of curves to change them."
+    sentence = "“B” and “D” are locked. Unlock them in the list of curves to change them."
     for act in (
         lambda: five.trigger("deleteCurve"),
         lambda: five.trigger("moveSelection"),
@@ -334,7 +334,7 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
     five.drag(on_curve(five, 3), (2, 9))
     assert five.session.document is document
     five.hover(on_curve(five, 3))
-    assert five.window.status_line.hint == "“D” is locked; unlock it in the list of curves to change it."
+    assert five.window.status_line.hint == "“D” is locked. Unlock it in the list of curves to change it."
     # What cannot be moved has no grips.
     assert five.window.canvas.marks.box is None
     assert undo_text(five) == "Lock 2 curves"

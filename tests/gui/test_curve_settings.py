@@ -168,8 +168,8 @@ def test_an_interval_that_was_not_touched_is_not_rounded(form):
     ("name", "text", "words"),
     [
         ("intervalEnd", "abc", "“abc” is not a number"),
-        ("intervalEnd", "0", "must end after it starts"),
-        ("intervalStart", "2", "must end after it starts"),
+        ("intervalEnd", "0", "must be greater than its start"),
+        ("intervalStart", "2", "must be greater than its start"),
         ("intervalEnd", "1e13", "1e12"),
         ("intervalEnd", "", "missing"),
     ],

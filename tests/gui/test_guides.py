@@ -251,7 +251,7 @@ def test_a_guide_that_is_there_already_is_not_added_again(drawing):
     with_guides(drawing, ("x", 2.5))
     double_click(drawing, beside(drawing))
     type_place(drawing, "2.5")
-    assert drawing.status == "There is a guide at x = 2.5 already."
+    assert drawing.status == "There is already a guide at x = 2.5."
     assert guides(drawing) == [("x", 2.5)]
 
 

@@ -140,7 +140,7 @@ def test_what_is_locked_stays_and_says_so(three, how):
     QGuiApplication.clipboard().setText("before")
     three.key(*KEYS[how])
     assert names(three) == "ABC"
-    assert three.status == "“B” is locked; unlock it in the list of curves to change it."
+    assert three.status == "“B” is locked. Unlock it in the list of curves to change it."
     assert held().text() == "before"
     three.session.selected.set_curves({0, 1})
     three.key(*KEYS[how])

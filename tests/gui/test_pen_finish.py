@@ -410,4 +410,6 @@ def test_two_points_alone_are_not_closed_and_it_is_said_why(two_drawn):
     assert "close the curve" not in hint(pen)
     pen.key(Qt.Key.Key_C)
     assert not pen.curve.is_closed
-    assert pen.status.startswith("A closed curve needs at least three points here: of two, a cubic spline")
+    assert pen.status.startswith(
+        "A closed curve needs at least three points here: through two, a cubic spline"
+    )

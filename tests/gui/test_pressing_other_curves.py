@@ -144,7 +144,7 @@ def test_at_the_edge_of_reach_it_is_moved_or_there_is_a_band_but_never_both(thre
         assert three.session.document is before, pixels
 
 
-LOCKED = "“C” is locked; unlock it in the list of curves to change it."
+LOCKED = "“C” is locked. Unlock it in the list of curves to change it."
 
 
 @pytest.fixture(params=[True, False], ids=["edited", "none edited"])

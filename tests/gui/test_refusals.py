@@ -41,7 +41,7 @@ def has(widget, colour):
 
 HERMITES = "choose Hermite, quintic Hermite or septic Hermite."
 NO_VELOCITIES = f"A Lagrange curve has no velocities at its points; {HERMITES}"
-NO_SEGMENTS = f"A Lagrange curve is one polynomial and has no segments of its own; {HERMITES}"
+NO_SEGMENTS = f"A Lagrange curve is one polynomial and has no segments. C{HERMITES[1:]}"
 
 
 @pytest.mark.parametrize(

@@ -363,7 +363,7 @@ def test_new_duplicate_and_delete(three):
 def test_a_locked_curve_refuses_gestures_and_edits_with_a_sentence(three):
     three.trigger("curveLocked")
     document = three.session.document
-    sentence = "“B” is locked; unlock it in the list of curves to change it."
+    sentence = "“B” is locked. Unlock it in the list of curves to change it."
     three.drag_point(1, to=(1, 5))
     assert (three.session.document, three.status) == (document, sentence)
     three.add_point(1, 5)

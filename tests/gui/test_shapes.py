@@ -294,7 +294,7 @@ def test_a_name_that_is_taken_is_refused(ring):
     fold(ring, "Group 1")
     model = view.curves
     model.setData(model.index(row_named(ring, "Shape 1")), "Group 1")
-    assert ring.status == "“Group 1” is the name of another shape or group."
+    assert ring.status == "Another shape or group is called “Group 1”. Enter another name."
 
 
 def test_a_screen_reader_hears_of_shapes(ring):
@@ -468,7 +468,7 @@ def test_a_group_does_not_go_into_itself(group):
     document = group.session.document
     drag_row(group, "Group 1", top_of(group, "Inner"))
     assert group.session.document is document
-    assert group.status == "A shape or a group cannot go into itself."
+    assert group.status == "A shape or group cannot be moved into itself."
 
 
 # Groups

@@ -179,7 +179,7 @@ def test_an_angle_that_leaves_nothing_is_refused(arch):
     document = arch.session.document
     arch.key(Key.Key_R, SHIFT)
     arch.type_amount("90")
-    assert "A skew lies between −89° and 89°." in arch.status
+    assert "Enter a skew between −89° and 89°." in arch.status
     arch.escape()
     assert arch.session.document is document
 

@@ -127,7 +127,7 @@ def test_a_locked_or_empty_curve_says_so(arch):
     arch.trigger("curveLocked")
     document = arch.session.document
     arch.key(Key.Key_G)
-    assert arch.status == "“Arch” is locked; unlock it in the list of curves to change it."
+    assert arch.status == "“Arch” is locked. Unlock it in the list of curves to change it."
     assert not arch.window.canvas.is_dragging
     arch.trigger("newCurve")
     arch.key(Key.Key_S)

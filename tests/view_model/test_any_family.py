@@ -300,7 +300,7 @@ def test_closing_is_what_the_family_can(name):
     closing = titles(each for each in FAMILIES if each.curve_class.can_close)
     assert closing.startswith("Hermite, quintic Hermite")
     assert closing.endswith(" or cosine steps")
-    assert str(refusal.value).startswith(f"Choose {closing} to close the curve")
+    assert str(refusal.value).startswith(f"To close the curve, choose {closing}")
 
 
 @each_row("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
