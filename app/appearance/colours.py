@@ -22,23 +22,23 @@ CURVE_COLOURS: Final = {
     "Sky blue": "#56b4e9",
     "Yellow": "#f0e442",
 }
-"""The colours a curve can have, as a document writes them; the ink is that of the theme."""
+"""The colours for curves, as a document writes them; ink, the empty text, is that of the theme."""
 
 
 def curve_colour(code: str, theme: Theme) -> QColor:
-    """Return the colour of a line in this theme: as chosen, or moved until it can be seen on the paper."""
+    """Return the colour of a line in this theme, adjusted until it is visible on the paper."""
     if code in ("", NO_PAINT):
         return QColor(theme.curve)
     return QColor(colour_on(theme.paper.name(), code))
 
 
 def fill_colour(code: str, theme: Theme) -> QColor:
-    """Return the colour of an area in this theme: as chosen, for an area is seen by what lies around it."""
+    """Return the colour of an area in this theme, never adjusted: its surroundings make it visible."""
     return QColor(theme.curve) if code in ("", NO_PAINT) else QColor(code)
 
 
 def line_colour(code: str, theme: Theme) -> QColor:
-    """Return a colour of marks and lines that are told apart by it: Okabe–Ito, darker on light paper."""
+    """Return a distinguishing colour of marks and lines: Okabe–Ito, darker on light paper."""
     published = OKABE_ITO["dark"]
     return QColor(OKABE_ITO[theme.name][published.index(code)]) if code in published else QColor(code)
 
@@ -55,9 +55,9 @@ def point_colours(n: int, theme: Theme) -> tuple[QColor, ...]:
     Parameters
     ----------
     n : int
-        How many, 0 or more.
+        Number of points, 0 or more.
     theme : Theme
-        Where they will be drawn.
+        Theme in which they are drawn.
 
     Returns
     -------
@@ -68,7 +68,7 @@ def point_colours(n: int, theme: Theme) -> tuple[QColor, ...]:
 
 
 _SIDE = 16
-"""Pixels along the sides of the picture: headers and menus scale what is smaller than their icons are."""
+"""Side of the picture in pixels: headers and menus would scale a smaller one."""
 
 
 @lru_cache(maxsize=512)
@@ -88,7 +88,7 @@ def swatch(colour: str, size: int) -> QPixmap:
 
 
 def paint_picture(paint: str, theme: Theme, size: int = _SIDE) -> QPixmap:
-    """Return a square of a paint, as a style writes it; of none, one that is struck through."""
+    """Return a square filled with a paint as a style writes it; struck through for no paint."""
     picture = QPixmap(2 * size, 2 * size)
     picture.setDevicePixelRatio(2)
     picture.fill(Qt.GlobalColor.transparent)
@@ -105,7 +105,7 @@ def paint_picture(paint: str, theme: Theme, size: int = _SIDE) -> QPixmap:
 
 
 def draw_style(painter: QPainter, centre: QPointF, size: float, style: Style, theme: Theme) -> None:
-    """Draw a disc of the fill within a ring of the stroke; of a line alone, a disc."""
+    """Draw a disc of the fill within a ring of the stroke; without a fill, a disc of the stroke."""
     painter.setPen(Qt.PenStyle.NoPen)
     line = curve_colour(style.stroke, theme)
     if not style.has_fill:

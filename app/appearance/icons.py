@@ -31,7 +31,7 @@ def icon(name: str, theme: Theme) -> QIcon:
     name : str
         File name without ``.svg``.
     theme : Theme
-        Where it will be shown.
+        Theme in which it is shown.
 
     Returns
     -------
@@ -41,24 +41,24 @@ def icon(name: str, theme: Theme) -> QIcon:
     Raises
     ------
     FileNotFoundError
-        When there is no such icon.
+        If there is no such icon.
     """
     return QIcon(_IconEngine(_files().get(name) or str(resource("icons", f"{name}.svg")), theme))
 
 
 @cache
 def _files() -> dict[str, str]:
-    """Return the files of all icons by their names: to look for each of hundreds takes a while."""
+    """Return the files of all icons by their names: one listing is faster than hundreds of lookups."""
     return {path.name.removesuffix(".svg"): path.path for path in os.scandir(resource("icons"))}
 
 
 class _IconEngine(SafeOverrides, QIconEngine):
-    """Draws an icon when a size of it is first asked for: at the start most never are."""
+    """Draws an icon when a size of it is first requested: most never are."""
 
     def __init__(self, path: str, theme: Theme) -> None:
         super().__init__()
         self._path, self._theme = path, theme
-        self._made: dict[tuple[int, QIcon.Mode, QIcon.State], QPixmap] = {}
+        self._pixmaps: dict[tuple[int, QIcon.Mode, QIcon.State], QPixmap] = {}
 
     @cached_property
     def _drawing(self) -> str:
@@ -67,9 +67,9 @@ class _IconEngine(SafeOverrides, QIconEngine):
     def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
         """Return the icon at a size in pixels of the device."""
         key = (min(size.width(), size.height()), mode, state)
-        if key not in self._made:
-            self._made[key] = QPixmap.fromImage(self._image(*key))
-        return self._made[key]
+        if key not in self._pixmaps:
+            self._pixmaps[key] = QPixmap.fromImage(self._image(*key))
+        return self._pixmaps[key]
 
     def _image(self, pixels: int, mode: QIcon.Mode, state: QIcon.State) -> QImage:
         shape = _render(self._drawing, max(pixels, 1))
@@ -105,7 +105,7 @@ class _IconEngine(SafeOverrides, QIconEngine):
 
 @cache
 def app_icon() -> QIcon:
-    """Return the program's own icon, for windows and the task bar: one for all; it has its own colours."""
+    """Return the icon of the program, in its own colours, for windows and the task bar."""
     result = QIcon()
     drawing = resource("icons", "app.svg").read_text(encoding="utf-8")
     for pixels in (*_PIXELS, 128, 256):

@@ -16,7 +16,7 @@ from ..view_model.palette import ACCENT, INK, PAPER
 
 
 class ThemeMode(NamedEnum):
-    """The appearance that the person asked for."""
+    """The appearance that the user has chosen."""
 
     SYSTEM = "system", "As the system"
     LIGHT = "light", "Light"
@@ -100,7 +100,7 @@ DARK: Final = _theme("dark", surface="#22272d", muted="#9aa3ad", warning="#ffab5
 
 
 def theme_of(palette: QPalette) -> Theme:
-    """Return the theme that goes with a palette: dark when its windows are darker than their text."""
+    """Return the theme of a palette: dark when its windows are darker than their text."""
     window = palette.color(QPalette.ColorRole.Window)
     text = palette.color(QPalette.ColorRole.WindowText)
     return DARK if window.lightnessF() < text.lightnessF() else LIGHT
@@ -369,35 +369,35 @@ def style_sheet_of(theme: Theme) -> str:
 
 
 class FollowsTheme(SafeOverrides):
-    """Mixin for widgets, named before Qt's class: `set_theme` is called whenever there is another theme.
+    """Mixin for widgets, named before Qt's class: `set_theme` is called whenever the theme changes.
 
-    It begins with `follow_theme`, called when the widget is built.
+    The widget calls `follow_theme` once, at the end of its constructor.
 
     Attributes
     ----------
     theme
-        The theme that it shows.
+        The current theme of the widget.
     """
 
     theme: Theme = LIGHT
     _is_following = False
 
     def follow_theme(self) -> None:
-        """Show the theme of the moment, and from now on every other one."""
-        # Not the widget's own palette: that is behind until the widget has been polished.
+        """Use the current theme, and from now on every new one."""
+        # Not the widget's own palette: it is outdated until the widget has been polished.
         theme = theme_of(QApplication.palette())
         if self._is_following and theme is self.theme:
-            return  # a palette is told more than once; a style sheet of one's own is a change of it, too
+            return  # Qt reports a palette repeatedly, and a new style sheet as a new palette
         self._is_following, self.theme = True, theme
         self.set_theme(theme)
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         raise NotImplementedError
 
     @guard
     def changeEvent(self, event: QEvent) -> None:
-        """Show another theme; called by Qt."""
+        """Follow a change of the palette; called by Qt."""
         super().changeEvent(event)  # type: ignore[misc]  # that of the widget's class
         if self._is_following and event.type() == QEvent.Type.PaletteChange:
             self.follow_theme()

@@ -52,7 +52,7 @@ class CrashDialog(FittedDialog):
         hint.setStyleSheet(f"color: {theme_of(QApplication.palette()).muted.name()}")
         parts = (self._title(), safety, hint, (self._report, 1))
         column_of(*parts, margins=(20, 18, 20, 0), spacing=10, parent=self.body)
-        self.hold(self._buttons(), wished=QSize(560, 0))
+        self.hold(self._buttons(), preferred=QSize(560, 0))
 
     def _title(self) -> Label:
         title = Label("Something went wrong inside Curvebench.", name="crashTitle")

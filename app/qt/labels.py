@@ -1,4 +1,4 @@
-"""Words of others on the screen as they are written: names, paths and messages are data, not HTML.
+"""Text as it is written on the screen: names, paths and messages are data, not HTML.
 
 Where a text has a tag in its first line, a ``QLabel`` and a tooltip show it as HTML; in a menu an “&” becomes
 an underline.
@@ -13,13 +13,13 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 _NO_SPACE = "\N{ZERO WIDTH SPACE}"
 _LONG_WORD = re.compile(r"\S{16}(?=\S{16})")
-"""So much of a longer word stays together."""
+"""Sixteen characters of a longer word stay together."""
 
 
 class Label(QLabel):
-    """A label of plain text, unless it says that it is HTML; data in that go through `html_of`.
+    """A label of plain text, or of HTML with `is_html`, in which data go through `html_of`.
 
-    `name` is its object name, `label` what screen readers call it.
+    `name` is its object name, `label` its name for screen readers.
     """
 
     def __init__(
@@ -48,16 +48,16 @@ def tip_of(text: str) -> str:
 
 
 def set_tip(widget: QWidget, tip: str) -> None:
-    """Give a widget a tooltip where it is another: Qt sends an event for the same one, too."""
+    """Set the tooltip of a widget if it differs: Qt sends an event even for the same one."""
     if widget.toolTip() != tip:
         widget.setToolTip(tip)
 
 
 def menu_text(text: str) -> str:
-    """Return what an action, a button or a tab shows a text by."""
+    """Return a text for an action, a button or a tab, with “&” doubled."""
     return text.replace("&", "&&")
 
 
 def breakable(text: str) -> str:
-    """Return a text whose long words may be broken: a message box cuts off what is wider than the screen."""
-    return _LONG_WORD.sub(lambda found: found[0] + _NO_SPACE, text)
+    """Return a text whose long words may be broken: a message box cuts off wider ones than the screen."""
+    return _LONG_WORD.sub(lambda match: match[0] + _NO_SPACE, text)

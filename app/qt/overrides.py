@@ -31,7 +31,7 @@ _Method = TypeVar("_Method", bound=Callable[..., object])
 class SafeOverrides:
     """Mixin for classes derived from Qt's: every method that overrides one of Qt's is guarded.
 
-    It is named before Qt's class, ``class Canvas(SafeOverrides, QWidget)``, and serves the subclasses too.
+    Named before Qt's class, ``class Canvas(SafeOverrides, QWidget)``, it guards the subclasses as well.
     Where an override fails, the exception goes to `sys.excepthook` and Qt gets an empty value of the type
     that the override declares to return. A window that failed to close stays open.
     """
@@ -47,29 +47,29 @@ class SafeOverrides:
 
 
 def overrides_of(cls: type) -> list[str]:
-    """Return the names of the methods in the body of `cls` that Qt's classes have too."""
+    """Return the names of the methods in the body of `cls` that override methods of Qt's classes."""
     of_qt = [vars(base) for base in cls.__mro__ if base.__module__.startswith("PySide6.")]
     return [
         name
         for name, value in vars(cls).items()
         if isinstance(value, FunctionType)
         and not name.startswith("__")
-        and any(isinstance(each.get(name), MethodDescriptorType) for each in of_qt)
+        and any(isinstance(members.get(name), MethodDescriptorType) for members in of_qt)
     ]
 
 
 def is_guarded(method: Callable[..., object]) -> bool:
-    """Return whether an exception of this method ends in it."""
+    """Return whether exceptions of this method end in it."""
     return bool(getattr(method, "_guards", False))
 
 
 def guard_library(*classes: type) -> None:
     """Guard the overrides of these classes of a library and of those that they derive from.
 
-    Events and painting are guarded as ours are. The others declare no type and may count on what an
-    exception of theirs stops: it is handed on, as before, but normalised.
+    Events and painting are guarded as those of the program. Other overrides declare no type and may rely on
+    their exceptions: these are passed on, but normalised.
     """
-    for cls in {base for each in classes for base in each.__mro__}:
+    for cls in {base for given in classes for base in given.__mro__}:
         for name in overrides_of(cls):
             method = vars(cls)[name]
             if not hasattr(method, "_guards"):
@@ -92,7 +92,7 @@ def _normalise(method: FunctionType) -> Callable[..., object]:
 def guard(method: _Method) -> _Method:
     """Return `method` with a guard around it; ``__wrapped__`` is the bare one.
 
-    For methods of a mixin, which has no class of Qt's to override.
+    For methods of a mixin, which does not derive from a class of Qt.
     """
 
     @functools.wraps(method)
@@ -111,29 +111,29 @@ def guard(method: _Method) -> _Method:
 
 
 def report(problem: Exception) -> None:
-    """Tell of an exception that ends here, as of one that nobody caught."""
+    """Report an exception that ends here as an uncaught one."""
     with suppress(Exception):
         sys.excepthook(type(problem), problem, problem.__traceback__)
-    # A painter that the method left open must end before Qt goes on with what it paints on.
+    # A painter that the method left open must end before Qt goes on with its device.
     traceback.clear_frames(problem.__traceback__)
 
 
 def _keep_open(arguments: tuple[object, ...]) -> None:
-    """Refuse a request to close among the arguments of an override: nobody has been asked yet."""
-    for each in arguments:
-        if isinstance(each, QEvent) and each.type() == QEvent.Type.Close:
-            each.ignore()
+    """Refuse a close event among the arguments: the user has not been asked about unsaved changes yet."""
+    for argument in arguments:
+        if isinstance(argument, QEvent) and argument.type() == QEvent.Type.Close:
+            argument.ignore()
 
 
 def empty_result(method: Callable[..., object]) -> Any:  # noqa: ANN401 - whatever the override declares
-    """Return what Qt gets from an override that failed: zero, false, an empty value, or no object."""
+    """Return the result of a failed override for Qt: zero, false, an empty value, or no object."""
     declared = method.__annotations__.get("return")
     kind = eval(str(declared), inspect.unwrap(method).__globals__)
     if kind in (None, Any, object):
         return None
     if isinstance(kind, enum.EnumType):
         return kind(0)
-    # What Qt passes by value can be copied; of anything else it gets the null pointer.
+    # Values of Qt can be copied; for anything else Qt gets the null pointer.
     is_pointer = kind.__module__.startswith("PySide6.") and not hasattr(kind, "__copy__")
     return None if is_pointer else kind()
 
@@ -142,37 +142,37 @@ ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 
 PASSING = (Qt.FocusReason.ActiveWindowFocusReason, Qt.FocusReason.PopupFocusReason)
-"""Ways to lose the focus of somebody who comes back to go on typing: another window, the field's own menu."""
+"""Reasons of a temporary loss of focus: another window, or the field's own menu."""
 
 
 class ClaimsKeys(SafeOverrides):
-    """Mixin for widgets, named before Qt's class: keys that `claims` knows do not go to the window."""
+    """Mixin for widgets, named before Qt's class: keys that `claims` accepts do not go to the window."""
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether a key is the widget's."""
+        """Return whether the widget handles a key."""
         raise NotImplementedError
 
     @guard
     def event(self, event: QEvent) -> bool:
         """Claim a key; called by Qt."""
-        is_asked = event.type() == QEvent.Type.ShortcutOverride
-        if is_asked and isinstance(event, QKeyEvent) and self.claims(event):
+        is_claim = event.type() == QEvent.Type.ShortcutOverride
+        if is_claim and isinstance(event, QKeyEvent) and self.claims(event):
             event.accept()
             return True
         return bool(super().event(event))  # type: ignore[misc]  # that of the widget's class
 
 
-_OF_TEXT = frozenset(map(Qt.Key, map(ord, "ACVXYZ")))
-"""Letters that edit text with Ctrl: the field's own."""
+_TEXT_KEYS = frozenset(map(Qt.Key, map(ord, "ACVXYZ")))
+"""Letters that edit text with Ctrl, and belong to the field."""
 
 _SHIFT, _CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
 
 class FieldShortcuts(SafeOverrides, QObject):
-    """Lets the shortcuts of a window act while one of its fields has the focus: Ctrl and a letter.
+    """Lets shortcuts of Ctrl and a letter act while a field of the window has the focus.
 
-    On X11 Qt's fields claim some of these, Ctrl+E for the end of the line. Where no shortcut has the keys
-    they still mean that.
+    On X11 Qt's fields claim some of these, such as Ctrl+E for the end of the line. Without a shortcut for
+    the keys they keep that meaning.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -186,11 +186,11 @@ class FieldShortcuts(SafeOverrides, QObject):
             new.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep a field from claiming a key that is no text editing."""
+        """Keep a field from claiming a key that does not edit text."""
         if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
             return False
         key, is_ctrl = event.key(), event.modifiers() & ~_SHIFT == _CTRL
-        if not is_ctrl or not Qt.Key.Key_A <= key <= Qt.Key.Key_Z or key in _OF_TEXT:
+        if not is_ctrl or not Qt.Key.Key_A <= key <= Qt.Key.Key_Z or key in _TEXT_KEYS:
             return False
         event.ignore()
         return True

@@ -20,7 +20,7 @@ _CAPS = {
     LineCap.SQUARE: Qt.PenCapStyle.SquareCap,
 }
 _JOINS = {
-    # Qt's own miters are cut off at the limit, and not bevelled.
+    # Qt's own miter join is cut off at the limit, and not bevelled.
     LineJoin.MITER: Qt.PenJoinStyle.SvgMiterJoin,
     LineJoin.ROUND: Qt.PenJoinStyle.RoundJoin,
     LineJoin.BEVEL: Qt.PenJoinStyle.BevelJoin,
@@ -28,7 +28,7 @@ _JOINS = {
 
 
 def pen_of(style: Style, colour: QColor, width: float, *, is_dashed: bool) -> QPen:
-    """Return the pen of a line, `width` wide in the units of the painter; without dashes if so wanted."""
+    """Return the pen of a line, `width` wide in units of the painter, with or without dashes."""
     pen = QPen(colour, width)
     pen.setCapStyle(_CAPS[style.cap])
     pen.setJoinStyle(_JOINS[style.join])
@@ -40,7 +40,7 @@ def pen_of(style: Style, colour: QColor, width: float, *, is_dashed: bool) -> QP
 
 
 def dot_at(x: float, y: float, style: Style, width: float) -> QPainterPath:
-    """Return what is seen of a line of no length, by its caps: Qt's pens leave it out."""
+    """Return the dot of a line of no length, made of its caps: Qt's pens draw nothing."""
     dot, half = QPainterPath(), width / 2
     if style.cap is LineCap.ROUND:
         dot.addEllipse(QPointF(x, y), half, half)
@@ -50,13 +50,13 @@ def dot_at(x: float, y: float, style: Style, width: float) -> QPainterPath:
 
 
 def overhang_of(pen: QPen) -> float:
-    """Return how far a line may be seen from where it runs."""
+    """Return the largest distance from the line at which its stroke may be visible."""
     has_miters = pen.joinStyle() == Qt.PenJoinStyle.SvgMiterJoin
     return pen.widthF() * (max(1.0, pen.miterLimit()) if has_miters else 1.0)
 
 
 def with_opacity(colour: QColor, opacity: float) -> QColor:
-    """Return a colour that is seen through."""
+    """Return a colour with this opacity."""
     result = QColor(colour)
     result.setAlphaF(opacity)
     return result

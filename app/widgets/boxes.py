@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QBoxLayout, QFormLayout, QHBoxLayout, QLayout, QVB
 from ..qt.labels import Label
 
 Part = QWidget | QLayout | str | int | tuple[QWidget | QLayout, int | Qt.AlignmentFlag]
-"""A widget, a layout, a text for a label, or a stretch; a widget or layout with its stretch or its side."""
+"""A widget, a layout, a text for a label, or a stretch; or a widget or layout with its stretch or side."""
 
 Margins = int | tuple[int, int, int, int] | None
-"""Left, top, right and bottom, or all of them; None leaves those of the style."""
+"""Left, top, right and bottom, or one number for all; None keeps those of the style."""
 
 _Box = TypeVar("_Box", bound=QBoxLayout)
 
@@ -22,14 +22,14 @@ _Box = TypeVar("_Box", bound=QBoxLayout)
 def row_of(
     *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
 ) -> QHBoxLayout:
-    """Return a layout with these parts side by side; that of `parent` where one is given."""
+    """Return a layout with these parts side by side; it is set on `parent`, if given."""
     return _filled(QHBoxLayout(), parts, margins, spacing, parent)
 
 
 def column_of(
     *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
 ) -> QVBoxLayout:
-    """Return a layout with these parts below each other; that of `parent` where one is given."""
+    """Return a layout with these parts below each other; it is set on `parent`, if given."""
     return _filled(QVBoxLayout(), parts, margins, spacing, parent)
 
 
@@ -68,13 +68,13 @@ def _filled(
     return box
 
 
-def _add(box: QBoxLayout, part: QWidget | QLayout, place: int | Qt.AlignmentFlag) -> None:
+def _add(box: QBoxLayout, part: QWidget | QLayout, stretch_or_side: int | Qt.AlignmentFlag) -> None:
     if isinstance(part, QLayout):
-        box.addLayout(part, place if isinstance(place, int) else 0)
-    elif isinstance(place, Qt.AlignmentFlag):
-        box.addWidget(part, 0, place)
+        box.addLayout(part, stretch_or_side if isinstance(stretch_or_side, int) else 0)
+    elif isinstance(stretch_or_side, Qt.AlignmentFlag):
+        box.addWidget(part, 0, stretch_or_side)
     else:
-        box.addWidget(part, place)
+        box.addWidget(part, stretch_or_side)
 
 
 def _set_margins(layout: QLayout, margins: Margins) -> None:

@@ -13,22 +13,22 @@ from .controls import named
 _OPTIONS = (
     QColorDialog.ColorDialogOption.DontUseNativeDialog,
     QColorDialog.ColorDialogOption.NoButtons,
-    # It takes the mouse, which is the popup's.
+    # The eye dropper would grab the mouse from the popup.
     QColorDialog.ColorDialogOption.NoEyeDropperButton,
 )
 
 
 class ColourPopup(SafeOverrides, QFrame):
-    """Qt's choice of colours without a dialog around it: Enter or a click elsewhere takes the colour.
+    """Qt's colour dialog as a popup: Enter or a click elsewhere chooses the colour.
 
     Signals
     -------
     colour_changed
-        Another colour is looked at, "#rrggbb".
+        Another colour is previewed, "#rrggbb".
     chosen
-        It is closed with another colour than it began with.
+        The popup was closed with another colour than the initial one.
     cancelled
-        It is closed with Escape, or with the colour that it began with.
+        The popup was closed with Escape, or with the initial colour.
     """
 
     colour_changed = Signal(str)
@@ -37,10 +37,10 @@ class ColourPopup(SafeOverrides, QFrame):
 
     def __init__(self, name: str, colour: str, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
-        named(self, name, "Choice of a colour")
+        named(self, name, "Choose a colour")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setFrameShape(QFrame.Shape.StyledPanel)
-        self._began_with, self._is_cancelled = QColor(colour).name(), False
+        self._initial, self._is_cancelled = QColor(colour).name(), False
         self._choice = QColorDialog(QColor(colour))
         self._choice.setWindowFlags(Qt.WindowType.Widget)
         for option in _OPTIONS:
@@ -54,25 +54,25 @@ class ColourPopup(SafeOverrides, QFrame):
 
     @property
     def colour(self) -> str:
-        """The colour that is looked at, "#rrggbb"."""
+        """The previewed colour, "#rrggbb"."""
         return self._choice.currentColor().name()
 
     def open_below(self, widget: QWidget) -> None:
-        """Open it below a widget, or wherever it fits on the screen."""
+        """Open the popup below a widget, or where it fits on the screen."""
         self.open_at(widget.mapToGlobal(QPoint(0, widget.height())))
 
-    def open_at(self, place: QPoint) -> None:
-        """Open it at a place of the screen, or where it fits beside that."""
+    def open_at(self, position: QPoint) -> None:
+        """Open the popup at a position of the screen, or as near as it fits."""
         self.adjustSize()
         room = self.screen().availableGeometry()
-        x = max(room.left(), min(place.x(), room.right() - self.width()))
-        y = max(room.top(), min(place.y(), room.bottom() - self.height()))
+        x = max(room.left(), min(position.x(), room.right() - self.width()))
+        y = max(room.top(), min(position.y(), room.bottom() - self.height()))
         self.move(x, y)
         self.show()
         self._choice.setFocus()
 
     def cancel(self) -> None:
-        """Close it, and nothing was chosen."""
+        """Close the popup without choosing a colour."""
         self._is_cancelled = True
         self.close()
 
@@ -86,7 +86,7 @@ class ColourPopup(SafeOverrides, QFrame):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         super().closeEvent(event)
-        if self._is_cancelled or self.colour == self._began_with:
+        if self._is_cancelled or self.colour == self._initial:
             self.cancelled.emit()
         else:
             self.chosen.emit(self.colour)

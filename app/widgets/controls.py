@@ -28,7 +28,7 @@ _STEPS = 1000
 
 
 def named(widget: _Named, name: str, label: str = "", tip: str = "") -> _Named:
-    """Give a widget its object name, the name that screen readers say, and its tip; return it."""
+    """Set object name, accessible name and tip of a widget, and return it."""
     widget.setObjectName(name)
     if label:
         widget.setAccessibleName(label)
@@ -38,7 +38,7 @@ def named(widget: _Named, name: str, label: str = "", tip: str = "") -> _Named:
 
 
 def push_button(name: str, text: str, tip: str, label: str = "") -> QPushButton:
-    """Return a button that Enter elsewhere does not press."""
+    """Return a button that is not the default of its dialog."""
     button = named(QPushButton(text), name, label, tip)
     button.setAutoDefault(False)
     return button
@@ -50,7 +50,7 @@ def check_box(name: str, text: str, tip: str, label: str = "") -> QCheckBox:
 
 
 class ChoiceBox(SafeOverrides, QComboBox):
-    """A box of choices that the wheel turns while it has the focus; else what lies around it scrolls."""
+    """A box of choices that reacts to the wheel only while it has the focus."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -66,16 +66,16 @@ class ChoiceBox(SafeOverrides, QComboBox):
 def choice_box(
     name: str, label: str, tip: str, items: Iterable[str] = (), tips: Iterable[str] = ()
 ) -> QComboBox:
-    """Return a box with these items, and a tip for each of the first of them."""
+    """Return a box with these items, and tips for the first ones."""
     box = named(ChoiceBox(), name, label, tip)
     box.addItems(list(items))
-    for place, each in enumerate(tips):
-        box.setItemData(place, each, Qt.ItemDataRole.ToolTipRole)
+    for row, tip_of_item in enumerate(tips):
+        box.setItemData(row, tip_of_item, Qt.ItemDataRole.ToolTipRole)
     return box
 
 
 class ThinProgress(QProgressBar):
-    """A low progress bar without words."""
+    """A thin progress bar without text."""
 
     def __init__(self, name: str, tip: str) -> None:
         super().__init__()
@@ -85,22 +85,22 @@ class ThinProgress(QProgressBar):
         self.setFixedSize(120, 8)
 
     def show_share(self, share: float) -> None:
-        """Show how much is done, from 0 to 1; it never runs backwards."""
+        """Show the share that is done, from 0 to 1; the bar never runs backwards."""
         self.setValue(max(self.value(), round(share * _STEPS)))
 
 
 class ToolbarWidget(QWidget):
-    """Part of the toolbar that is no button."""
+    """A widget of the toolbar other than a button."""
 
     yields_late = False
-    """Whether it keeps its words as long as the buttons beside it keep their icons and words."""
+    """Whether it becomes compact only after the buttons beside it have."""
 
     def set_compact(self, compact: bool) -> None:
-        """Take less room in a narrow window."""
+        """Use less room in a narrow window, or the usual one."""
 
 
 ICON = 16
-"""Pixels along the sides of an icon in a panel."""
+"""Side of an icon in a panel, in pixels."""
 
 
 def tool_button(
@@ -111,11 +111,11 @@ def tool_button(
     Parameters
     ----------
     text
-        Stands on the button; beside its icon, where `icon_size` tells that it has one.
+        Text on the button; beside its icon if there is an `icon_size`.
     icon_size
-        Pixels along the sides of the icon; 0 for the size that the style has.
+        Side of the icon in pixels; 0 for the size of the style.
     flat
-        Whether it has no frame until the pointer is over it.
+        Whether the button has no frame until the pointer is over it.
     """
     button = named(QToolButton(), name, label, tip)
     button.setText(text)
@@ -132,7 +132,7 @@ def action_button(
     beside: bool = False,
     flat: bool = False,
 ) -> QToolButton:
-    """Return a button for `action`, called as it is or by `name`; its text may stand `beside` the icon."""
+    """Return a button for `action`, with its name or `name`; its text may stand `beside` the icon."""
     button = QToolButton(parent)
     button.setDefaultAction(action)
     named(button, f"{name or action.objectName()}Button", action.text())
@@ -151,17 +151,17 @@ def _style_button(button: QToolButton, *, icon_size: int, beside: bool, flat: bo
 def choice_style(theme: Theme) -> str:
     """Return the style sheet for the QToolButtons of a header."""
     shape = "border-radius: 4px; padding: 2px 5px"
-    accent, chosen = theme.accent.name(), mix(theme.accent, theme.surface, 0.14).name()
+    accent, checked = theme.accent.name(), mix(theme.accent, theme.surface, 0.14).name()
     return (
         f"QToolButton {{ border: 1px solid {theme.grid_coarse.name()}; {shape} }}"
         f"QToolButton:hover {{ background: {mix(theme.ink, theme.surface, 0.07).name()} }}"
-        f"QToolButton:checked {{ background: {chosen}; color: {accent}; border-color: {accent} }}"
+        f"QToolButton:checked {{ background: {checked}; color: {accent}; border-color: {accent} }}"
         f"QToolButton:focus {{ border-color: {accent} }}"
     )
 
 
 def mirror(button: QAbstractButton, action: QAction) -> None:
-    """Let a button show whether an action is checked, and trigger it."""
+    """Let a button show the checked state of an action, and trigger it."""
     button.setCheckable(action.isCheckable())
     button.setChecked(action.isChecked())
     button.setToolTip(action.toolTip())
@@ -171,12 +171,12 @@ def mirror(button: QAbstractButton, action: QAction) -> None:
 
 
 class ChoiceRow(FollowsTheme, QWidget):
-    """One of a few, taken with one click; none is on while they differ.
+    """A row of buttons for the members of an enumeration; none is checked while values differ.
 
     Signals
     -------
     chosen
-        A button was clicked: the member.
+        The member of the clicked button.
     """
 
     chosen = Signal(object)
@@ -196,21 +196,21 @@ class ChoiceRow(FollowsTheme, QWidget):
             button.setCheckable(True)
             button.clicked.connect(lambda _checked, member=member: self._choose(member))
             self._buttons[member] = button
-        self._shown: object = None
+        self._value: object = None
         row_of(*self._buttons.values(), 1, margins=0, spacing=4, parent=self)
         self.follow_theme()
 
     def render_value(self, value: object) -> None:
-        """Show a member as the one that is on; anything else for none."""
-        self._shown = value
+        """Check the button of a member; of none for anything else."""
+        self._value = value
         for member, button in self._buttons.items():
             button.setChecked(member is value)
 
     def _choose(self, member: NamedEnum) -> None:
-        # What is on is what the owner shows.
-        self.render_value(self._shown)
+        # The owner decides which button is checked.
+        self.render_value(self._value)
         self.chosen.emit(member)
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self.setStyleSheet(choice_style(theme))

@@ -16,19 +16,19 @@ from ..qt.labels import Label, set_tip, tip_of
 from ..qt.overrides import SafeOverrides
 
 _STEP = 16
-"""Pixels by which the room of a label grows, so that a digit more or less moves nothing."""
+"""Pixels by which a label grows, so that one digit more or less moves nothing."""
 
 _SPARE = 3 * _STEP
 """Pixels of unused room that a label keeps."""
 
 
 class SteadyLabel(SafeOverrides, Label):
-    """A line of plain text that asks for more or less room only when it needs it.
+    """A line of plain text that changes its size hint only when it must.
 
     Attributes
     ----------
     colour
-        What the text is drawn in; None for the usual colour. To be set before the text.
+        Colour of the text; None for the usual one. To be set before the text.
     """
 
     def __init__(self) -> None:
@@ -46,17 +46,17 @@ class SteadyLabel(SafeOverrides, Label):
         if text == self._text:
             return
         self._text = text
-        # QLabel's own text is empty: this is what is read out.
+        # QLabel's own text is empty: screen readers read the description.
         self.setAccessibleDescription(text)
         self._measure()
         self.update()
 
     def _measure(self) -> None:
-        # Not in whole pixels, which round to the nearest: a third of one too few costs a word of the text.
-        wanted = math.ceil(QFontMetricsF(self.font(), self).horizontalAdvance(self._text))
-        if self._text and self._room - _SPARE <= wanted <= self._room:
+        # Not rounded to whole pixels: a third of a pixel too few would cost a word of the text.
+        needed = math.ceil(QFontMetricsF(self.font(), self).horizontalAdvance(self._text))
+        if self._text and self._room - _SPARE <= needed <= self._room:
             return
-        self._room = _STEP * math.ceil(wanted / _STEP)
+        self._room = _STEP * math.ceil(needed / _STEP)
         if self.sizePolicy().horizontalPolicy() != QSizePolicy.Policy.Ignored:
             self.updateGeometry()
 
@@ -81,13 +81,13 @@ class SteadyLabel(SafeOverrides, Label):
         if self.colour is not None:
             painter.setPen(self.colour)
         room = self.contentsRect()
-        shown = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, room.width())
-        painter.drawText(room, int(self.alignment() | Qt.AlignmentFlag.AlignVCenter), shown)
+        elided = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(room, int(self.alignment() | Qt.AlignmentFlag.AlignVCenter), elided)
         painter.end()
 
 
 class ElidedLabel(SteadyLabel):
-    """Gives way: it shows as much of its text as there is room for, and all of it in the tooltip."""
+    """A label that elides its text where there is too little room, and has all of it as tooltip."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -26,34 +26,34 @@ from ..qt.overrides import PASSING, ClaimsKeys, SafeOverrides
 from .controls import named
 from .number_text import angle_text, decimal_mark, field_text, typed_text
 
-_OF_DOCUMENT = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
+_DOCUMENT_KEYS = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
 _STEPS = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
-"""Keys, and how many steps up they mean."""
+"""Keys, and the steps up that they make."""
 
 _KEYPAD = Qt.KeyboardModifier.KeypadModifier
 _NOTCH = 120
-"""Eighths of a degree by which a wheel turns from notch to notch."""
+"""Eighths of a degree of one notch of a wheel."""
 
 
 class FieldEdit(ClaimsKeys, QLineEdit):
-    """Shows a text of the document; what is typed is reported with Enter or Tab, and only if it differs.
+    """A line that shows a text of the document, and reports a typed text with Enter or Tab, if it differs.
 
-    Who hears `committed` and cannot use the text calls `keep`: it stays to be mended, the cursor with it, and
-    gives way to the document's when Escape is pressed or the field is left by a click elsewhere. So does a
-    text that was not entered: half a number must never reach the curve.
+    A receiver of `committed` that cannot use the text calls `keep`: the text stays for correction, with the
+    cursor in it. Escape, or a click elsewhere, restores the document's text; the same happens to a text that
+    was not entered, because half a number must never reach the curve.
 
     Attributes
     ----------
     is_pressed_again
-        Whether Enter acts each time, also with the same text; else the window goes back to the canvas.
+        Whether Enter acts each time, even with the same text; otherwise the focus returns to the canvas.
 
     Signals
     -------
     committed
-        Another text was typed and entered.
+        A different text was typed and entered.
     left
-        Typing begins, or was given up: what was said about the last text is out of date.
+        Typing begins or was given up: a message about the last text is out of date.
     """
 
     committed = Signal(str)
@@ -64,40 +64,40 @@ class FieldEdit(ClaimsKeys, QLineEdit):
         self.is_pressed_again = False
         named(self, name, label, tip)
         self.setTextMargins(3, 0, 3, 0)
-        self._whole = self._short = self._entered = ""
+        self._full = self._short = self._entered = ""
         self.returnPressed.connect(self._commit)
         self.textEdited.connect(self.left)
 
     def show_text(self, text: str, short: str | None = None) -> None:
-        """Show the document's text, unless somebody is typing another.
+        """Show the document's text, unless another one is being typed.
 
-        While nobody has the cursor in the field it shows `short` in place of a text too long for it.
+        Without the focus, the field shows `short` in place of a text that is too long for it.
         """
-        self._whole, self._short = text, text if short is None else short
+        self._full, self._short = text, text if short is None else short
         if not self.isModified():
-            self._show_own_text()
+            self._show_document_text()
 
     def revert(self) -> None:
         """Show the document's text again."""
         self.setModified(False)
-        self._show_own_text()
+        self._show_document_text()
 
     def give_up(self) -> None:
-        """Take back what was typed: the document's text is shown again."""
+        """Discard the typed text and show the document's again."""
         self.revert()
         self.left.emit()
 
-    def _show_own_text(self) -> None:
-        text = self._whole if self.hasFocus() else self._short
+    def _show_document_text(self) -> None:
+        text = self._full if self.hasFocus() else self._short
         if self.text() != text:
             self.setText(text)
             self.setCursorPosition(0)
 
     def _commit(self) -> None:
         typed = self.text()
-        # What is shown short is another text: who types just that wants just that.
-        changed = self.isModified() and typed != self._whole
-        # So that the document's answer may be shown; and how it was typed is forgotten.
+        # The short text is another one: typing exactly that is a change.
+        changed = self.isModified() and typed != self._full
+        # Unmodified from here on, so that the document's answer is shown; typing cannot be undone.
         self.setText(typed)
         if changed:
             self._entered = typed
@@ -106,19 +106,19 @@ class FieldEdit(ClaimsKeys, QLineEdit):
             self.left.emit()
 
     def enter(self) -> None:
-        """Enter what was typed, as the Return key does."""
+        """Enter the typed text, as the Return key does."""
         if self.isModified():
             self._commit()
 
     def keep(self) -> None:
-        """Leave the text that was entered last in the field, to be mended."""
+        """Keep the text that was entered last in the field, for correction."""
         self.setText(self._entered)
         self.setModified(True)
         self.selectAll()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         if not self.isModified():
-            self._show_own_text()
+            self._show_document_text()
         super().focusInEvent(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
@@ -128,23 +128,23 @@ class FieldEdit(ClaimsKeys, QLineEdit):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         self._commit()
-        # A text that was refused is mended first.
+        # A refused text keeps the focus for correction.
         return self.isModified() or super().focusNextPrevChild(forward)
 
     def claims(self, event: QKeyEvent) -> bool:
-        # Escape is the window's key, too; while somebody types here it takes back what was typed.
+        # Escape belongs to the window as well; during typing it discards the typed text.
         return event.key() == Qt.Key.Key_Escape and self.isModified()
 
     def _passes_on(self, event: QKeyEvent) -> bool:
-        """Whether a key is meant for the document: nothing is chosen here to copy, nor typed to take back."""
+        """Return whether a key goes to the document: no text is selected to copy, none typed to undo."""
         if event.matches(QKeySequence.StandardKey.Copy):
             return not self.hasSelectedText()
-        return not self.isModified() and any(map(event.matches, _OF_DOCUMENT))
+        return not self.isModified() and any(map(event.matches, _DOCUMENT_KEYS))
 
     def event(self, event: QEvent) -> bool:
-        is_asked = event.type() == QEvent.Type.ShortcutOverride
-        if is_asked and isinstance(event, QKeyEvent) and self._passes_on(event):
-            # A QLineEdit claims these keys, whatever it can do with them.
+        is_claim = event.type() == QEvent.Type.ShortcutOverride
+        if is_claim and isinstance(event, QKeyEvent) and self._passes_on(event):
+            # A QLineEdit claims these keys even where they do nothing.
             event.ignore()
             return True
         return bool(super().event(event))
@@ -154,36 +154,36 @@ class FieldEdit(ClaimsKeys, QLineEdit):
             event.ignore()
         elif self.claims(event):
             self.give_up()
-            # The same key goes on: to the window, which gives the canvas the focus, but not to a dialog.
+            # The key goes on to the window, which focuses the canvas, but not to a dialog.
             event.setAccepted(isinstance(self.window(), QDialog))
         else:
             super().keyPressEvent(event)
 
 
 def read_number(text: str) -> float:
-    """Return the number that was typed, or the value of an expression; raise `ExpressionError` if neither."""
+    """Return the typed number, or the value of an expression; raise `ExpressionError` if it is neither."""
     return parse_number(text, decimal_mark())
 
 
 class NumberEdit(FieldEdit):
-    """Reports what is typed as a number; what is none stays to be mended.
+    """A line that reports a typed number; a text that is none stays for correction.
 
     Parameters
     ----------
     read
-        Returns what a text means, and raises `ExpressionError` with the reason where it cannot be used.
+        Returns the value of a text, or raises `ExpressionError` with the reason why it cannot be used.
     step
-        Returns the number that is so many steps up (1) or down (−1) from another, by an arrow key or, while
-        the field has the focus, the wheel. None where numbers are only typed.
+        Returns the number some steps up (1) or down (−1) from another, for the arrow keys and, while the
+        field has the focus, the wheel. None where numbers are only typed.
 
     Signals
     -------
     entered
-        Another number was entered; who cannot use it calls `keep`.
+        Another number was entered; a receiver that cannot use it calls `keep`.
     stepped
-        Another number was reached by a step; what follows quickly is meant as one.
+        Another number was reached by a step; quick steps count as one.
     refused
-        Why a text that was entered cannot be used.
+        The reason why an entered text cannot be used.
     """
 
     entered = Signal(object)
@@ -200,26 +200,26 @@ class NumberEdit(FieldEdit):
     ) -> None:
         super().__init__(name, label, tip)
         self._read, self._step, self._tip = read, step, tip
-        # Parts of a notch that the wheel has turned.
+        # The turn of the wheel since the last notch.
         self._turned = 0
         self.committed.connect(self._enter)
 
     def show_text(self, text: str, short: str | None = None) -> None:
-        """Show the document's text; the tip begins with it where `short` leaves out some of it."""
+        """Show the document's text; the tip begins with it where `short` differs."""
         super().show_text(text, short)
         exact = with_minus(text)
         set_tip(self, self._tip if short in (None, text, exact) else f"{exact} · {self._tip}")
 
     def show_number(self, value: float, digits: int | None = None) -> None:
-        """Show a number, while nobody has the cursor in the field with so many digits."""
+        """Show a number, without the focus rounded to `digits`."""
         self.show_text(typed_text(value), None if digits is None else number(value, digits, decimal_mark()))
 
     def show_length(self, value: float, unit: str = "") -> None:
-        """Show a number with its unit, while nobody has the cursor in the field in few decimals."""
+        """Show a number with its unit, without the focus with few decimals."""
         self.show_text(*(f"{text} {unit}".rstrip() for text in (typed_text(value), field_text(value))))
 
     def show_angle(self, degrees: float) -> None:
-        """Show an angle, while nobody has the cursor in the field to a thousandth of a degree."""
+        """Show an angle, without the focus rounded to a thousandth of a degree."""
         self.show_text(typed_text(degrees), angle_text(degrees))
 
     def _enter(self, text: str) -> None:
@@ -240,7 +240,7 @@ class NumberEdit(FieldEdit):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self._step is None or not self.hasFocus():
-            # Whatever lies around it scrolls.
+            # The area around the field scrolls.
             super().wheelEvent(event)
             return
         self._turned += event.angleDelta().y()
@@ -251,29 +251,29 @@ class NumberEdit(FieldEdit):
         event.accept()
 
     def _step_by(self, count: int) -> None:
-        """Go on from the number that is in the field; from what is no number there is no step."""
+        """Step from the number in the field; a text that is no number does not step."""
         assert self._step is not None
         try:
             value = self._read(self.text())
         except ExpressionError:
             return
-        if isinstance(value, float) and (other := self._step(value, count)) != value:
+        if isinstance(value, float) and (stepped := self._step(value, count)) != value:
             self._entered = self.text()
             self.setModified(False)
-            self.stepped.emit(other)
+            self.stepped.emit(stepped)
 
 
-_FAR = 999_999_999
+_UNLIMITED = 999_999_999
 
 
 def _step_between(box: RangedSpinBox | RangedDoubleSpinBox, steps: int) -> None:
-    """Step, and stay between the limits; called by Qt."""
+    """Step between the limits; called by Qt."""
     QAbstractSpinBox.stepBy(box, steps)
     box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
 
 
-def _turn(box: RangedSpinBox | RangedDoubleSpinBox, event: QWheelEvent) -> None:
-    """Step while it has the focus; else what lies around it scrolls. Called by Qt."""
+def _turn_wheel(box: RangedSpinBox | RangedDoubleSpinBox, event: QWheelEvent) -> None:
+    """Step while the box has the focus, otherwise let the area around it scroll; called by Qt."""
     if box.hasFocus():
         QAbstractSpinBox.wheelEvent(box, event)
     else:
@@ -281,14 +281,14 @@ def _turn(box: RangedSpinBox | RangedDoubleSpinBox, event: QWheelEvent) -> None:
 
 
 def _problem_of(box: RangedSpinBox | RangedDoubleSpinBox) -> str:
-    """Why the number that stands here is not possible; empty where it is."""
+    """Return why the number in the box is not possible; empty if it is."""
     if box.least <= box.value() <= box.most:
         return ""
     return f"{box.accessibleName()}: from {number(box.least, 6)} to {number(box.most, 6)}."
 
 
 def _describe(box: RangedSpinBox | RangedDoubleSpinBox, name: str, label: str, tip: str) -> None:
-    box.setRange(-_FAR, _FAR)
+    box.setRange(-_UNLIMITED, _UNLIMITED)
     box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     named(box, name, label, tip)
 
@@ -308,14 +308,14 @@ class RangedSpinBox(SafeOverrides, QSpinBox):
         self.setLocale(QLocale.c())
         _describe(self, name, label, tip)
 
-    # In the body of each class, where `SafeOverrides` finds what overrides Qt's.
+    # In the body of each class, where `SafeOverrides` finds overrides.
     stepBy = _step_between  # noqa: N815 - as Qt calls it
-    wheelEvent = _turn
+    wheelEvent = _turn_wheel
     problem = property(_problem_of)
 
 
 class RangedDoubleSpinBox(SafeOverrides, QDoubleSpinBox):
-    """As `RangedSpinBox`, with decimals."""
+    """A `RangedSpinBox` with decimals."""
 
     def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:
         super().__init__()
@@ -323,25 +323,25 @@ class RangedDoubleSpinBox(SafeOverrides, QDoubleSpinBox):
         _describe(self, name, label, tip)
 
     stepBy = _step_between  # noqa: N815 - as Qt calls it
-    wheelEvent = _turn
+    wheelEvent = _turn_wheel
     problem = property(_problem_of)
 
 
 class FieldForm(FollowsTheme, QWidget):
-    """A form with a line for what is wrong.
+    """A form with a line for a problem.
 
     Signals
     -------
     edited
-        A change is wanted: the name of the step, and its edit, a function of the document and of the place of
-        the curve that is edited. Who cannot make it calls `refuse`.
+        A change is requested: the name of the undo step, and the edit, a function of the document and the
+        index of the active curve. A receiver that cannot make it calls `refuse`.
     refused
-        Why a text that was typed is no number.
+        The reason why a typed text is no number.
 
     Attributes
     ----------
     problem
-        The line, hidden while nothing is wrong.
+        The line, hidden without a problem.
     """
 
     edited = Signal(str, object)
@@ -351,12 +351,12 @@ class FieldForm(FollowsTheme, QWidget):
         super().__init__(parent)
         self.setObjectName(name)
         self.problem = Label(name=problem, wordWrap=True)
-        # The field that was typed in last.
+        # The field in which was typed last.
         self._entry: FieldEdit | None = None
-        self._refusal = self._standing = ""
+        self._refusal = self._document_problem = ""
 
     def watch(self, *fields: FieldEdit) -> None:
-        """Say what is wrong with what is typed in these fields; to be called before they are connected."""
+        """Show problems of texts typed in these fields; to be called before they are connected."""
         for field in fields:
             field.left.connect(self._clear_refusal)
             if isinstance(field, NumberEdit):
@@ -367,7 +367,7 @@ class FieldForm(FollowsTheme, QWidget):
                 field.committed.connect(partial(self._begin, field))
 
     def forget_entry(self) -> None:
-        """Forget the field that was typed in last: it may be gone."""
+        """Forget the field in which was typed last: it may be deleted."""
         self._entry = None
 
     def _begin(self, field: FieldEdit, _value: object) -> None:
@@ -380,7 +380,7 @@ class FieldForm(FollowsTheme, QWidget):
         self.refused.emit(reason)
 
     def refuse(self, reason: str) -> None:
-        """Say why what was asked for cannot be done; a text stays to be mended while the cursor is there."""
+        """Show why the requested change was refused; a text in the focused field stays for correction."""
         self._refusal = reason
         if self._entry is not None and self._entry.hasFocus():
             self._entry.keep()
@@ -389,12 +389,12 @@ class FieldForm(FollowsTheme, QWidget):
         self._render_problem()
 
     def show_problem(self, text: str) -> None:
-        """Say what is wrong with what is shown; empty where nothing is."""
-        self._standing = text
+        """Show the problem of the document's own values; empty for none."""
+        self._document_problem = text
         self._render_problem()
 
     def clear_refusal(self) -> None:
-        """Say no longer why something was refused: it was about something else."""
+        """Remove the reason of a refusal: it was about another curve."""
         self._refusal = ""
 
     def _clear_refusal(self) -> None:
@@ -402,17 +402,17 @@ class FieldForm(FollowsTheme, QWidget):
         self._render_problem()
 
     def _render_problem(self) -> None:
-        text = self._refusal or self._standing
+        text = self._refusal or self._document_problem
         self.problem.setText(f"⚠ {text}" if text else "")
         self.problem.setVisible(bool(text))
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self.problem.setStyleSheet(f"color: {theme.warning.name()}")
 
 
 def end_editing(view: QAbstractItemView) -> None:
-    """Close the open text field, if there is one, as if the keyboard left it; Qt edits one cell at a time."""
+    """Close the open text field of a cell, if there is one, and commit its text."""
     editor = view.viewport().findChild(QLineEdit)
     if view.state() == QAbstractItemView.State.EditingState and editor is not None:
         view.commitData(editor)

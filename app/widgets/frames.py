@@ -18,39 +18,39 @@ _MOVES = (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hi
 
 
 class OverlayFrame(FollowsTheme, QFrame):
-    """A frame on top of its parent: what lies below does not move when it appears.
+    """A frame on top of its parent: the widgets below do not move when it appears.
 
-    It places itself anew, by `place`, when the parent has another size, or when `beside`, which it keeps
-    clear of, comes, goes or moves.
+    It calls `place` when the parent is resized, or when `beside`, a widget that it must not cover, appears,
+    disappears or moves.
     """
 
     def __init__(self, name: str, below: QWidget, beside: QWidget | None = None) -> None:
         super().__init__(below)
         self.setObjectName(name)
-        self._watched = [each for each in (below, beside) if each is not None]
+        self._watched = [widget for widget in (below, beside) if widget is not None]
 
     @property
     def below(self) -> QWidget:
-        """Parent widget, asked for anew: for PySide6 a viewport that was kept was once gone."""
+        """The parent widget, asked from Qt each time: PySide6 once lost a viewport that was stored."""
         below = self.parentWidget()
         assert below is not None
         return below
 
     def place(self) -> None:
-        """Take size and place on the parent."""
+        """Set size and position on the parent."""
         raise NotImplementedError
 
     def showEvent(self, event: QShowEvent) -> None:
-        # Nobody listens for a frame that is hidden: every move of the mouse would come by.
-        for each in self._watched:
-            each.installEventFilter(self)
+        # A hidden frame filters no events: every move of the mouse would pass through it.
+        for widget in self._watched:
+            widget.installEventFilter(self)
         self.place()
         super().showEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        for each in self._watched:
-            if isValid(each):
-                each.removeEventFilter(self)
+        for widget in self._watched:
+            if isValid(widget):
+                widget.removeEventFilter(self)
         super().hideEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -59,7 +59,7 @@ class OverlayFrame(FollowsTheme, QFrame):
         return super().eventFilter(watched, event)
 
     def set_sheet(self, rules: str = "", *, line: float = 0.14) -> None:
-        """Draw it as a sheet of paper with a border of this much ink; `rules` are those of what is on it."""
+        """Draw the frame as a sheet with a border of this share of ink; `rules` are for the widgets on it."""
         theme = self.theme
         border = mix(theme.ink, theme.paper, line).name()
         sheet = (
@@ -71,7 +71,7 @@ class OverlayFrame(FollowsTheme, QFrame):
 
 
 FRAME = QSize(16, 48)
-"""Room for title bar and borders, which nobody knows before a window is shown."""
+"""Room for title bar and borders, whose sizes are unknown before a window is shown."""
 
 _IN_DIALOG = QSize(900, 360)
 """Largest minimum size of a dialog without its buttons: it fits 960 × 540, a usual screen at 200 %."""
@@ -81,12 +81,12 @@ Content = TypeVar("Content", bound=QWidget)
 
 
 def room_on(screen: QScreen) -> QSize:
-    """Return how large a window can be, so that it fits the screen with its frame."""
+    """Return the largest size of a window that fits the screen with its frame."""
     return screen.availableSize() - FRAME
 
 
 class _QuietBar(SafeOverrides, QScrollBar):
-    """A scroll bar that is not seen where there is nothing to scroll, though it has its room."""
+    """A scroll bar that is invisible, but keeps its room, where there is nothing to scroll."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self.maximum() > self.minimum():
@@ -94,22 +94,22 @@ class _QuietBar(SafeOverrides, QScrollBar):
 
 
 class Scrolled(SafeOverrides, QScrollArea, Generic[Content]):
-    """Content that has the size it likes where there is room, and scrolls where there is not.
+    """Content that scrolls where there is too little room for it.
 
     Parameters
     ----------
     build
-        Makes what scrolls, in the parent that it is given: made elsewhere and moved here, with all that is
-        in it, everything would get its style anew.
+        Makes the content in the given parent: content that is made elsewhere and moved here would be styled
+        twice.
     most
-        What the content may ask for at least, whatever it needs.
+        Largest minimum size, whatever the content needs.
     is_steady
-        Whether its bar has room where nothing scrolls, too: when it comes, nothing moves under the pointer.
+        Whether the bar always has room, so that nothing moves under the pointer when it appears.
 
     Attributes
     ----------
     content
-        What scrolls.
+        The widget that scrolls.
     """
 
     def __init__(
@@ -122,12 +122,12 @@ class Scrolled(SafeOverrides, QScrollArea, Generic[Content]):
     ) -> None:
         super().__init__(parent)
         self.content, self._most = build(self.viewport()), most
-        # What it asked for when it last told of it.
-        self._asked: tuple[QSize, QSize] | None = None
+        # The size hints that Qt was told last.
+        self._reported_hints: tuple[QSize, QSize] | None = None
         self.setObjectName("scrolled")
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setWidgetResizable(True)
-        # Tab goes to what is inside, and that comes into sight by itself.
+        # Tab goes to the widgets inside, which scroll into view by themselves.
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         if is_steady:
             self.setVerticalScrollBar(_QuietBar(self))
@@ -143,33 +143,33 @@ class Scrolled(SafeOverrides, QScrollArea, Generic[Content]):
 
     @property
     def _beside(self) -> QSize:
-        """The room of the bar, where that is held."""
+        """The room of the bar, if it is always reserved."""
         is_steady = self.verticalScrollBarPolicy() == Qt.ScrollBarPolicy.ScrollBarAlwaysOn
         return QSize(self.verticalScrollBar().sizeHint().width() if is_steady else 0, 0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.content and event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Show):
-            self._ask_for_room(anew=event.type() == QEvent.Type.Show)
+            self._update_room(anew=event.type() == QEvent.Type.Show)
         return super().eventFilter(watched, event)
 
-    def _ask_for_room(self, *, anew: bool) -> None:
-        """Ask for room where another is needed than before; Qt asks once, and the content may grow later.
+    def _update_room(self, *, anew: bool) -> None:
+        """Request a layout only if the size hints have changed since Qt was told.
 
-        To lay out the window takes as long as to paint the drawing.
+        A layout of the window takes as long as a paint of the drawing.
         """
-        asked = self.sizeHint(), self.minimumSizeHint()
-        if anew or asked != self._asked:
-            self._asked = asked
+        hints = self.sizeHint(), self.minimumSizeHint()
+        if anew or hints != self._reported_hints:
+            self._reported_hints = hints
             self.updateGeometry()
 
 
 class FittedDialog(SafeOverrides, QDialog):
-    """A dialog that is never larger than the screen; its buttons stay in sight.
+    """A dialog that is never larger than the screen; its buttons stay visible.
 
     Attributes
     ----------
     body
-        What scrolls where there is not room for it.
+        The part that scrolls where there is too little room.
     """
 
     def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
@@ -179,32 +179,32 @@ class FittedDialog(SafeOverrides, QDialog):
         self.setWindowTitle(title)
         self._area = Scrolled(QWidget, _IN_DIALOG, self)
         self.body = self._area.content
-        self._wished = QSize()
+        self._preferred = QSize()
 
-    def hold(self, *feet: QWidget, wished: QSize | None = None) -> None:
-        """Show the body and below it what always stays in sight; `wished` is the least size where it fits."""
-        self._wished = wished or QSize()
+    def hold(self, *feet: QWidget, preferred: QSize | None = None) -> None:
+        """Lay out the body above `feet`, which stay visible; `preferred` is the size where it fits."""
+        self._preferred = preferred or QSize()
         layout = column_of((self._area, 1), margins=0, spacing=0, parent=self)
         if feet:
             layout.addLayout(column_of(*feet, margins=(16, 10, 16, 14)))
 
     def bring_up(self) -> None:
-        """Show it in front of the other windows."""
+        """Show the dialog in front of the other windows."""
         self.show()
         self.raise_()
         self.activateWindow()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if not event.spontaneous() and not self._wished.isNull():
-            self._wished, wished = QSize(), self._wished
-            # What the layouts know dates from when the parts were put together, without their style.
+        if not event.spontaneous() and not self._preferred.isNull():
+            self._preferred, preferred = QSize(), self._preferred
+            # The layouts were computed when the parts were put together, without their style.
             for layout in self.findChildren(QLayout):
                 layout.invalidate()
             self._area.updateGeometry()
-            size = self.sizeHint().expandedTo(wished)
+            size = self.sizeHint().expandedTo(preferred)
             if self.body.hasHeightForWidth():
-                # The hint thinks of other lines than there will be.
+                # The hint assumes other line breaks than there will be.
                 above = size.height() - self.body.sizeHint().height()
-                size.setHeight(max(wished.height(), above + self.body.heightForWidth(size.width())))
+                size.setHeight(max(preferred.height(), above + self.body.heightForWidth(size.width())))
             self.resize(size.boundedTo(room_on(self.screen())))

@@ -14,25 +14,25 @@ from ..document.lengths import typed_length
 from ..document.words import NOTHING, number, typographic
 
 NEGLIGIBLE = 1e-12
-"""Share of the greatest number beside it below which a number is a rounding residue, shown as 0."""
+"""Share of the greatest number of a column below which a number is a rounding residue, shown as 0."""
 
 _WHOLE_DIGITS = 4
 
 _FIELD_DIGITS, _FIELD_DECIMALS = 7, 4
-"""Digits, and decimals among them, of a number in a field where nobody types."""
+"""Digits of a number in a field without the focus, and decimals among them."""
 
 _ANGLE_DECIMALS = 3
 
 _ROUNDED_UP = 2e-4
-"""In powers of ten: 9.996 may be written 10.00."""
+"""Decades by which a number may be rounded up: 9.996 may become 10.00."""
 
 _LEAST_DECADE = -324
 _DECADES = 309 - _LEAST_DECADE
-"""Powers of ten of floats."""
+"""Number of decades of floats."""
 
 
 def decimal_mark() -> str:
-    """Return the decimal mark of the person's locale: a comma, or else a point."""
+    """Return the decimal mark of the user's locale: a comma or a point."""
     return "," if QLocale().decimalPoint() == "," else "."
 
 
@@ -42,34 +42,34 @@ def exact_text(value: float, mark: str = ".") -> str:
 
 
 def typed_text(value: float) -> str:
-    """Return the shortest text that a person may type for just this float, in the person's locale."""
+    """Return the shortest text for exactly this float, in the user's locale."""
     mark = decimal_mark()
     return exact_text(value, mark).removesuffix(f"{mark}0")
 
 
 def field_text(value: float) -> str:
-    """Return a number short enough for a field, in the person's locale: 80.6367, 1234.568, 0.001235."""
+    """Return a number short enough for a field, in the user's locale: 80.6367, 1234.568, 0.001235."""
     whole = _whole_digits(abs(value)) if 1 <= abs(value) < math.inf else 0
     return number(value, min(whole + _FIELD_DECIMALS, _FIELD_DIGITS), decimal_mark())
 
 
 def angle_text(degrees: float) -> str:
-    """Return an angle to a thousandth of a degree, as a person may type it."""
+    """Return an angle to a thousandth of a degree, in the user's locale."""
     return typed_text(round(degrees, _ANGLE_DECIMALS) + 0.0)
 
 
 class Extent(msgspec.Struct, frozen=True):
-    """The signs and powers of ten of the numbers in a column: all that decides how wide they are written.
+    """Signs and decades of the numbers in a column, which determine the width of their texts.
 
     Attributes
     ----------
     numbers
-        For each sign and power of ten among them a number as wide as any; 0 for those that are negligible
-        beside the greatest.
+        A number as wide as any for each sign and decade; 0 for numbers that are negligible beside the
+        greatest.
     whole_digits
-        How many digits the greatest has before the decimal mark.
+        Digits of the greatest number before the decimal mark.
     is_signed
-        Whether any is negative.
+        Whether any number is negative.
     """
 
     numbers: frozenset[float]
@@ -78,14 +78,14 @@ class Extent(msgspec.Struct, frozen=True):
 
 
 class ColumnNumbers(msgspec.Struct, frozen=True):
-    """Greatest magnitude of the numbers in a column, 0 where there is none, and their extent.
+    """Greatest magnitude of the numbers in a column, 0 without any, and their extent.
 
-    `telling` are the digits that tell them apart.
+    `distinguishing` is the number of digits that tell them apart.
     """
 
     greatest: float
     extent: Extent
-    telling: int
+    distinguishing: int
 
     @property
     def negligible(self) -> float:
@@ -94,58 +94,58 @@ class ColumnNumbers(msgspec.Struct, frozen=True):
 
 
 def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
-    """Return what is known of each column of `values`, (n, columns)."""
+    """Return the magnitude, extent and digits of each column of `values`, (n, columns)."""
     magnitudes, are_finite = np.abs(values), np.isfinite(values)
     magnitudes[~are_finite] = 0.0
     greatest = magnitudes.max(axis=0, initial=0.0)
     least = values.min(axis=0, initial=math.inf, where=are_finite)
     spread = values.max(axis=0, initial=-math.inf, where=are_finite) - least
-    shown = (magnitudes > 0) & (magnitudes >= NEGLIGIBLE * greatest)
-    rows, columns = np.nonzero(shown)
+    is_visible = (magnitudes > 0) & (magnitudes >= NEGLIGIBLE * greatest)
+    rows, columns = np.nonzero(is_visible)
     decades = np.floor(np.log10(magnitudes[rows, columns]) + _ROUNDED_UP).astype(np.intp)
-    # Marked in a grid: of ten thousand numbers there are but a few signs and decades.
+    # Marked in a grid: ten thousand numbers have only a few signs and decades.
     grid = np.zeros((values.shape[1], 2, _DECADES), dtype=bool)
     grid[columns, (values[rows, columns] < 0).astype(np.intp), decades - _LEAST_DECADE] = True
-    seen: list[list[tuple[int, int]]] = [[] for _ in greatest]
-    for column, sign, place in zip(*(each.tolist() for each in np.nonzero(grid)), strict=True):
-        seen[column].append((-1 if sign else 1, place + _LEAST_DECADE))
+    signs_and_decades: list[list[tuple[int, int]]] = [[] for _ in greatest]
+    for column, sign, decade in zip(*(indices.tolist() for indices in np.nonzero(grid)), strict=True):
+        signs_and_decades[column].append((-1 if sign else 1, decade + _LEAST_DECADE))
     is_signed = np.atleast_1d(np.any(values < 0, axis=0))
     return [
         ColumnNumbers(
             most,
-            _extent_of(seen[column], most, is_signed=bool(is_signed[column])),
-            telling_digits(spread[column], most),
+            _extent_of(signs_and_decades[column], most, is_signed=bool(is_signed[column])),
+            distinguishing_digits(spread[column], most),
         )
         for column, most in enumerate(greatest.tolist())
     ]
 
 
-def _extent_of(seen: list[tuple[int, int]], greatest: float, *, is_signed: bool) -> Extent:
+def _extent_of(signs_and_decades: list[tuple[int, int]], greatest: float, *, is_signed: bool) -> Extent:
     """Return the extent of numbers with these signs and powers of ten."""
-    # No digit of these is a 0 that is left out at the end.
-    numbers = [sign * float(f"1.111111e{decade}") for sign, decade in seen]
-    kept = (0.0 if abs(each) < NEGLIGIBLE * greatest else each for each in numbers)
-    return Extent(frozenset(kept), _whole_digits(greatest), is_signed)
+    # Digits other than 0, which would be omitted at the end.
+    numbers = [sign * float(f"1.111111e{decade}") for sign, decade in signs_and_decades]
+    relevant = (0.0 if abs(value) < NEGLIGIBLE * greatest else value for value in numbers)
+    return Extent(frozenset(relevant), _whole_digits(greatest), is_signed)
 
 
 def column_decimals(values: FloatArray, digits: int) -> int:
-    """Return how many decimals a column shows, so that its numbers are as short as they can be.
+    """Return the number of decimals of a column, as few as possible.
 
     Enough for every number to be shown exactly if `digits` digits of the greatest one allow it.
     """
     finite = values[np.isfinite(values)]
     greatest = float(np.abs(finite).max(initial=0.0))
     most, slack = most_decimals(_whole_digits(greatest), digits), NEGLIGIBLE * greatest
-    # As np.round does it, for all decimals at once.
+    # The algorithm of np.round, for all decimals at once.
     tens = 10.0 ** np.arange(most)[:, np.newaxis]
     are_exact = (np.abs(np.rint(finite * tens) / tens - finite) <= slack).all(axis=1)
     return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), most)
 
 
-def telling_digits(spread: float, greatest: float) -> int:
-    """Return how many digits it takes to tell numbers apart, three of their spread: 12 of 1700000000.04.
+def distinguishing_digits(spread: float, greatest: float) -> int:
+    """Return the digits that tell numbers apart, three of their spread: 12 for 1700000000.04.
 
-    They are 0 where the spread is none, or beyond all floats.
+    0 without a spread, or with one beyond all floats.
     """
     if not NEGLIGIBLE * greatest < spread < math.inf:
         return 0
@@ -153,7 +153,7 @@ def telling_digits(spread: float, greatest: float) -> int:
 
 
 def most_decimals(whole_digits: int, digits: int) -> int:
-    """Return how many decimals there is room for if `digits` digits hold a number with so many whole ones."""
+    """Return the decimals that fit in `digits` digits beside `whole_digits`."""
     return max(digits - whole_digits, 0)
 
 
@@ -162,10 +162,10 @@ def _whole_digits(greatest: float) -> int:
 
 
 def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, negligible: float = 0.0) -> str:
-    """Return `value` with `decimals` decimals, or with a power of ten where it has no place among them.
+    """Return `value` with `decimals` decimals, or with a power of ten if it is too large or too small.
 
-    Below `negligible` it counts as zero. Whole numbers may have four digits where `digits` are fewer: −1043
-    says more than −1e3.
+    Below `negligible` it counts as zero. Whole numbers may have four digits where `digits` is less: −1043 is
+    more precise than −1e3.
     """
     if not math.isfinite(value):
         return NOTHING
@@ -178,16 +178,16 @@ def column_text(value: float, decimals: int, digits: int, mark: str = ".", *, ne
 
 
 def widest_texts(extent: Extent, digits: int) -> set[str]:
-    """Return texts of which one is as wide as any that `column_text` writes of a column at most.
+    """Return texts of which one is as wide as the widest `column_text` of a column.
 
-    How many characters a number takes is a matter of its sign and its power of ten: one for each is enough.
+    The length of a number depends on its sign and decade only: one number for each is enough.
     """
     decimals = most_decimals(extent.whole_digits, digits)
     return {column_text(number, decimals, digits) for number in extent.numbers}
 
 
 def read_length(text: str, unit: str, now: float | None = None) -> float:
-    """Return the length that was typed in the person's locale; see `typed_length`."""
+    """Return the length that was typed in the user's locale; see `typed_length`."""
     return typed_length(text, unit, now, decimal_mark())
 
 

@@ -22,7 +22,7 @@ from .fields import NumberEdit, read_number
 from .number_text import typed_text
 
 Change = Callable[[Any], object]
-"""Is given what the person chose."""
+"""Called with the value that the user has chosen."""
 
 
 class PreferenceField(ABC, Generic[Value]):
@@ -31,7 +31,7 @@ class PreferenceField(ABC, Generic[Value]):
     Attributes
     ----------
     rows
-        Its rows in the form: labels and widgets.
+        Rows of the form: labels and widgets.
     """
 
     rows: Sequence[tuple[str, QWidget]]
@@ -53,7 +53,7 @@ class ChoicePreference(PreferenceField[NamedEnum]):
 
     def __init__(self, setting: Choice[NamedEnum], change: Change) -> None:
         self._members = list(type(setting.default))
-        labels = (each.label for each in self._members)
+        labels = (member.label for member in self._members)
         self._box = choice_box(setting.widget, setting.label, setting.tip, labels)
         self._box.activated.connect(lambda row: change(self._members[row]))
         self.rows = [(setting.label, self._box)]
@@ -69,14 +69,14 @@ class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
 
     def __init__(self, setting: Several[NamedEnum], change: Change) -> None:
         self._value, self._change = frozenset[NamedEnum](), change
-        self._checks = {each: _check_of(setting, each) for each in setting.kind}
-        for each, check in self._checks.items():
-            check.clicked.connect(lambda _checked, each=each: self._switch(each))
+        self._checks = {member: _check_of(setting, member) for member in setting.kind}
+        for member, check in self._checks.items():
+            check.clicked.connect(lambda _checked, member=member: self._switch(member))
         checks = QWidget()
         grid = QGridLayout(checks)
         grid.setContentsMargins(0, 0, 0, 0)
-        for place, check in enumerate(self._checks.values()):
-            grid.addWidget(check, place // 2, place % 2)
+        for row, check in enumerate(self._checks.values()):
+            grid.addWidget(check, row // 2, row % 2)
         self.rows = [(setting.label, checks)]
 
     def _switch(self, member: NamedEnum) -> None:
@@ -86,14 +86,14 @@ class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
     def show(self, value: Collection[NamedEnum]) -> None:
         """Show a value."""
         self._value = frozenset(value)
-        for each, check in self._checks.items():
-            check.setChecked(each in value)
+        for member, check in self._checks.items():
+            check.setChecked(member in value)
 
 
 class _WholeTextEdit(SafeOverrides, QLineEdit):
-    """A line whose whole text is selected by the click that enters it: what is typed replaces it.
+    """A line whose text is selected by the click that focuses it, so that typing replaces the text.
 
-    In a box, of which one word is chosen, typing would go on from the word that is there.
+    Otherwise typing in the box would continue the word that is chosen.
     """
 
     _is_entered = False
@@ -104,7 +104,7 @@ class _WholeTextEdit(SafeOverrides, QLineEdit):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         super().mouseReleaseEvent(event)
-        # What was dragged over is what is meant.
+        # A drag has selected a part of the text.
         if self._is_entered and not self.hasSelectedText():
             self.selectAll()
         self._is_entered = False
@@ -112,10 +112,10 @@ class _WholeTextEdit(SafeOverrides, QLineEdit):
 
 @field_of.register(Text)
 class TextPreference(PreferenceField[str]):
-    """A box with the usual texts, in which others may be typed; the first of them stands for none."""
+    """A box with the usual texts, of which the first stands for none; others may be typed."""
 
     def __init__(self, setting: Text, change: Change) -> None:
-        self._setting, self._none, self._change, self._shown = setting, setting.usual[0], change, ""
+        self._setting, self._none, self._change, self._value = setting, setting.usual[0], change, ""
         line = _WholeTextEdit(maxLength=setting.longest)
         self._box = choice_box(setting.widget, setting.label, setting.tip, setting.usual)
         self._box.setEditable(True)
@@ -127,8 +127,8 @@ class TextPreference(PreferenceField[str]):
         self.rows = [(setting.label, self._box), ("", self._note)]
 
     def show(self, value: str) -> None:
-        """Show a value, and what to know about it."""
-        self._shown = value
+        """Show a value and the note about it."""
+        self._value = value
         self._box.setCurrentText(value or self._none)
         self._show_note(value)
 
@@ -140,15 +140,15 @@ class TextPreference(PreferenceField[str]):
     def _choose(self, text: str) -> None:
         name = text.strip()
         name = "" if name == self._none else name
-        if name != self._shown:
-            self._shown = name
+        if name != self._value:
+            self._value = name
             self._show_note(name)
             self._change(name)
 
 
 @field_of.register(Distance)
 class DistancePreference(PreferenceField[float]):
-    """A number, or the word for none; what cannot be used is explained below it."""
+    """A number, or the word for none, with a line below for problems."""
 
     def __init__(self, setting: Distance, change: Change) -> None:
         self._setting, self._change = setting, change

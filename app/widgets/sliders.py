@@ -33,7 +33,7 @@ class LiveSlider(SafeOverrides, QSlider):
         Escape was pressed while the slider was dragged. The slider then counts as released: its owner shows
         the old value at once, and the rest of the drag does nothing.
     drag_ended
-        A drag has ended, one way or the other: what is, is to be shown.
+        A drag has ended, dropped or cancelled: the owner shows the present value.
     """
 
     dragged = Signal(int)
@@ -72,11 +72,11 @@ class LiveSlider(SafeOverrides, QSlider):
         if self.hasFocus():
             super().wheelEvent(event)
         else:
-            # Whatever lies around it scrolls.
+            # The area around the slider scrolls.
             event.ignore()
 
     def abandon(self) -> None:
-        """End a drag here; what the mouse still does before its release means nothing."""
+        """End a drag; further moves of the mouse before its release are ignored."""
         if self.isSliderDown():
             self._is_over = True
             self.setSliderDown(False)
@@ -94,26 +94,26 @@ class LiveSlider(SafeOverrides, QSlider):
 
 
 _PER_DECADE = 20
-"""Steps of a factor."""
+"""Steps of a factor per power of ten."""
 
 _NARROWEST = 64
-"""Pixels below which a slider cannot be set."""
+"""Smallest width in pixels at which a slider can be used."""
 
 
 class SettingSlider(QWidget):
-    """Sets a number live; Escape during a drag brings back the number at the press.
+    """A slider that sets a number live; Escape during a drag restores the number at the press.
 
     Parameters
     ----------
-    value_at, place_of
-        The number at a step of the slider, and the way back.
+    value_at, step_at
+        Return the number at a step of the slider, and the step of a number.
     text_of
-        The number as it is shown.
+        Returns the number as text.
 
     Signals
     -------
     moved
-        The person has set another number.
+        The user has set another number.
     """
 
     moved = Signal(object)
@@ -124,11 +124,11 @@ class SettingSlider(QWidget):
         label: str,
         steps: tuple[int, int],
         value_at: Callable[[int], float],
-        place_of: Callable[[float], int],
+        step_at: Callable[[float], int],
         text_of: Callable[[float], str],
     ) -> None:
         super().__init__()
-        self._place_of, self._text_of = place_of, text_of
+        self._step_at, self._text_of = step_at, text_of
         self._value = self._at_press = value_at(steps[0])
         slider = LiveSlider()
         self.slider = named(slider, name, label, f"{label}; Escape cancels a drag")
@@ -138,7 +138,7 @@ class SettingSlider(QWidget):
         widest = max(self.fontMetrics().horizontalAdvance(text_of(value_at(step))) for step in steps)
         self._label.setMinimumWidth(widest + 4)
         row_of((self.slider, 1), self._label, margins=0, spacing=6, parent=self)
-        # Emitted for whatever the person does with a slider, and for nothing else.
+        # Emitted for every action of the user, and for nothing else.
         self.slider.actionTriggered.connect(
             lambda _action: self.moved.emit(value_at(self.slider.sliderPosition()))
         )
@@ -148,7 +148,7 @@ class SettingSlider(QWidget):
     def render_value(self, value: float) -> None:
         """Show `value`."""
         self._value = value
-        self.slider.setValue(self._place_of(value))
+        self.slider.setValue(self._step_at(value))
         self._label.setText(self._text_of(value))
 
     def _remember(self) -> None:

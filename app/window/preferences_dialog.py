@@ -55,7 +55,7 @@ class PreferencesDialog(FittedDialog):
         self.tabs.addTab(self._general(), "General")
         self.tabs.addTab(self.shortcuts, "Shortcuts")
         column_of(self.tabs, margins=(0, 4, 0, 0), parent=self.body)
-        self.hold(self._buttons(), wished=QSize(540, 0))
+        self.hold(self._buttons(), preferred=QSize(540, 0))
         self.show_values()
 
     def _buttons(self) -> QDialogButtonBox:

@@ -41,7 +41,18 @@ _LIBRARIES = {*sys.stdlib_module_names, "curvecore", "numpy", "pyqtgraph", "PySi
 PASSING = {
     # What was drawn last, and what is kept so that it need not be made again.
     *("_asked", "_axes", "_cost", "_costed", "_discs_key", "_drawn", "_extents", "_frozen", "_ghost"),
-    *("_ghost_stroke", "_ground", "_in_sight", "_is_resting", "_italic", "_known", "_made", "_made_for"),
+    *(
+        "_ghost_stroke",
+        "_ground",
+        "_in_sight",
+        "_is_resting",
+        "_italic",
+        "_known",
+        "_made",
+        "_pixmaps",
+        "_reported_hints",
+        "_made_for",
+    ),
     *("_cached_pen", "_pen_key", "Halo._key", "InkCache._key", "ImageLayer._key"),
     *("_origin", "_pause", "_pens", "_pixels_of", "_room", "_seconds", "_stamps", "_stroke", "_strokes"),
     *("_upright", "_watcher", "__dict__", "is_due", "_autoRangeNeedsUpdate", "_painterPathCache"),

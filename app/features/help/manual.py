@@ -64,7 +64,7 @@ class ManualWindow(FittedDialog):
         close.clicked.connect(self.reject)
         foot = QWidget()
         row_of(1, close, margins=0, parent=foot)
-        self.hold(foot, wished=_SIZE)
+        self.hold(foot, preferred=_SIZE)
         self._search.textEdited.connect(self._list_pages)
         self._list.currentRowChanged.connect(self._show_row)
         self._text.anchorClicked.connect(self._follow)

@@ -107,7 +107,7 @@ class ImportDrawingDialog(WorkDialog):
         layout.addWidget(self.remarks)
         layout.addLayout(row_of("Into", self.into, 1))
         layout.addWidget(self.rest)
-        self.hold(self.foot, wished=QSize(660, 0))
+        self.hold(self.foot, preferred=QSize(660, 0))
 
     @property
     def _is_anew(self) -> bool:

@@ -162,7 +162,7 @@ class ImportTableDialog(WorkDialog):
         )
         foot = QWidget()
         row_of(self.summary, self.bar, 1, self.foot, margins=0, spacing=8, parent=foot)
-        self.hold(foot, wished=QSize(760, 560))
+        self.hold(foot, preferred=QSize(760, 560))
 
     def _connect(self) -> None:
         self.separator_box.activated.connect(

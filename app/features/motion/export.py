@@ -79,7 +79,7 @@ class MotionDialog(FittedDialog):
         )
         foot = QWidget()
         row_of((self._frames, 1), self._export, margins=0, parent=foot)
-        self.hold(foot, wished=QSize(240, 160))
+        self.hold(foot, preferred=QSize(240, 160))
 
     def open_for(self, seconds: float) -> None:
         """Show the dialog, with the length that the motion has at its speed."""

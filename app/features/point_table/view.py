@@ -326,7 +326,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
 
 def _telling(numbers: ColumnNumbers) -> int:
     """Return the digits that it takes to tell numbers apart where the usual ones do not; else 0."""
-    return min(numbers.telling, _MOST_DIGITS) if numbers.telling > _DIGITS[0] else 0
+    return min(numbers.distinguishing, _MOST_DIGITS) if numbers.distinguishing > _DIGITS[0] else 0
 
 
 def _paint_corner_mark(painter: QPainter, rect: QRect, theme: Theme) -> None:
