@@ -11,13 +11,14 @@ from ..document.model import Axis, Vector
 from ..plotting.axes import Extent
 from ..plotting.camera import Camera
 from ..plotting.scrolling import EdgeScroll
-from ..plotting.tool_plot import ToolPlot
-from ..tools.guides import GuideTool, hint_on_ruler
+from ..plotting.tool_plot import MOVING_KEYS, ToolPlot
+from ..tools.box import TransformKind
+from ..tools.guides import hint_on_ruler, press_on_ruler
 from ..tools.marks import Marks
 from ..tools.pointer import Hint, Hit, Part, Pointer
-from ..tools.tool import CanvasQueries, Finder, ToolRecord
+from ..tools.tool import CanvasQueries, ToolRecord
 from ..tools.toolbox import Toolbox
-from ..tools.transform import TransformKind
+from ..tools.transform import transform_by_key
 from .fitting import Framing
 from .scene import CanvasScene
 
@@ -66,8 +67,8 @@ class DrawnCanvas(CanvasQueries):
     def __init__(self, plot: ToolPlot, drawing: CanvasScene) -> None:
         self._plot, self._drawing = plot, drawing
 
-    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
-        return self._drawing.hit(pointer, tool)
+    def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
+        return self._drawing.hit(pointer, parts)
 
     def locked_at(self, pointer: Pointer) -> int:
         return self._drawing.locked_at(pointer)
@@ -125,7 +126,7 @@ class Canvas(ToolPlot):
 
     def _moved(self, pointer: Pointer) -> None:
         super()._moved(pointer)
-        if self._is_held and self.tools.scrolls:
+        if self._is_held and self.tools.scrolls_view:
             self._edge.follow(pointer.pixel)
 
     def _end_gesture(self) -> None:
@@ -150,14 +151,9 @@ class Canvas(ToolPlot):
         self.tools.choose(record)
         self._show_tool()
 
-    def lay_tool_above(self, record: ToolRecord | None) -> None:
-        """Use a tool for a while in place of the one that is selected; None gives way to that again."""
-        self.tools.lay_above(record)
-        self._show_tool()
-
     def _show_tool(self) -> None:
         tool = self.tools.tool
-        self.drawing.image.set_grips(tool.finds_image)
+        self.drawing.image.set_grips(Part.IMAGE in tool.hits)
         self.drawing.points.shows_new_handle = tool.shows_new_handle
         self.drawing.points.refresh()
         self._show_cursor(Hint())
@@ -172,15 +168,21 @@ class Canvas(ToolPlot):
     def begin_transform(self, kind: TransformKind) -> None:
         """Let the selected points, or else all, follow the pointer until Enter, a click or Escape."""
         self.setFocus(Qt.FocusReason.OtherFocusReason)
-        pointer = self._pointer_now()
-        if self.tools.begin_transform(kind, pointer):
+        pointer, tools = self._pointer_now(), self.tools
+        if tools.is_buttonless:
+            has_begun = tools.key(kind.key)
+        elif tools.is_pressed:
+            has_begun = False
+        else:
+            has_begun = tools.begin(lambda event: transform_by_key(event, kind), pointer, buttonless=True)
+        if has_begun:
             self.gesture_began.emit()
             self._pointer = self._pointer or pointer
             self._show_progress()
 
     def place_of(self, pointer: Pointer) -> object:
         """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""
-        return self.tools.place() or pointer.position
+        return self.tools.dragged_position() or pointer.position
 
     @property
     def pointed_place(self) -> Vector:
@@ -193,7 +195,7 @@ class Canvas(ToolPlot):
 
     def _axis_at(self, pointer: Pointer) -> Axis | None:
         """Return which coordinate the guides hold that are drawn out of the ruler under the pointer."""
-        ruler = None if self.tools.is_transforming else self.rulers.axis_at(pointer.pixel)
+        ruler = None if self.tools.is_buttonless else self.rulers.axis_at(pointer.pixel)
         # Guides lie along the ruler that they come from.
         return None if ruler is None else (Axis.Y, Axis.X)[ruler]
 
@@ -205,7 +207,7 @@ class Canvas(ToolPlot):
             return
         self.guide_drawn.emit()
         self.gesture_began.emit()
-        self.tools.begin_with(lambda context: GuideTool(axis, context), pointer)
+        self.tools.begin(lambda event: press_on_ruler(event, axis), pointer)
         self._show_progress()
 
     def _hovered_at(self, pointer: Pointer) -> None:
@@ -254,22 +256,16 @@ class Canvas(ToolPlot):
         """Return what lies at a place of the screen."""
         return self._hit_at(QPointF(self.viewport().mapFromGlobal(place)))
 
-    def _nudge(self, event: QKeyEvent) -> bool:
-        nudged = super()._nudge(event)
-        if nudged and not self.tools.tool.finds_image:
+    def give_key(self, key: str, event: QKeyEvent | None = None) -> bool:
+        """Give the tool a key, and keep in view what arrows and Tab move and select."""
+        had_effect = super().give_key(key, event)
+        if had_effect and key in MOVING_KEYS and Part.IMAGE not in self.tools.tool.hits:
             self.framing.reveal_selected()
-        return nudged
-
-    def walk(self, forward: bool) -> bool:
-        """Select the next point, or the one before; past the last one Tab leaves the canvas."""
-        walked = self.tools.walk(1 if forward else -1)
-        if walked:
-            self.framing.reveal_selected()
-        return walked
+        return had_effect
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         # A transform that keys drive ends with the keys; a menu or another window only borrows them.
         borrowed = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
-        if self.tools.is_transforming and event.reason() not in borrowed:
+        if self.tools.is_buttonless and event.reason() not in borrowed:
             self.cancel_gesture()
         super().focusOutEvent(event)

@@ -12,10 +12,9 @@ from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.text import Halo, Surroundings, beyond, free_corner, size_of, write_on_plate
+from ..tools.box import Grip, TransformBox, TransformKind
 from ..tools.marks import Marks, Note, Ruler
 from ..tools.snapping import Snap
-from ..tools.transform import TransformKind
-from ..tools.transform_box import Grip, TransformBox
 from .other_curves_layer import BESIDE
 
 _NOTHING = Marks()

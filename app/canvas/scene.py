@@ -19,8 +19,7 @@ from ..plotting.drawing import cut_segments, visible_segments
 from ..plotting.text import Surroundings, number_box, segments_near
 from ..plotting.tool_plot import ToolPlot
 from ..tools.marks import Marks
-from ..tools.pointer import Hit, Pointer
-from ..tools.tool import Finder
+from ..tools.pointer import Hit, Part, Pointer
 from ..view_model.basis import weights_at
 from ..view_model.curve.curve_view import CurveView
 from .curve_layer import ControlPolygonLayer, PenLayer
@@ -217,10 +216,10 @@ class CanvasScene:
         self.guides.highlight(marks.guide)
         self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
 
-    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
-        """Return the part of the drawing under the pointer that the tool can hit."""
+    def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
+        """Return the part of the drawing under the pointer if it is one of some kinds."""
         pixel_map, pixel, points = self._plot.pixel_map, pointer.pixel, self.points
-        if tool.finds_image:
+        if Part.IMAGE in parts:
             return self.image.hit(pixel, pixel_map)
         if self.view is None:
             return None
@@ -230,11 +229,11 @@ class CanvasScene:
             handles = points.visible_handles
             both_handles = handles.of_selected(pixel_map), handles.facing(pixel_map)
             hit = hit_test(pixel, pixel_map, self.view, polyline, points.selection, *both_handles)
-            if tool.finds_other_curves:
+            if Part.OTHER_POINT in parts:
                 hit = nearer(self.other_points.nearest(pixel, pixel_map), hit, pixel, pixel_map)
-        if hit is None and tool.finds_other_curves:
+        if hit is None and Part.OTHER_CURVE in parts:
             hit = self.curves.hit(pixel, pixel_map)
-        if tool.finds_guides and (hit is None or hit.inside):
+        if Part.GUIDE in parts and (hit is None or hit.inside):
             hit = self.guides.hit(pixel, pixel_map) or hit
         return hit
 

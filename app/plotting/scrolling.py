@@ -9,7 +9,7 @@ from PySide6.QtGui import QInputDevice, QKeyEvent, QMouseEvent, QNativeGestureEv
 from PySide6.QtWidgets import QWidget
 
 from ..document.model import Vector
-from ..tools.gesture import THRESHOLD
+from ..tools.tool import THRESHOLD
 from .camera import Camera
 
 

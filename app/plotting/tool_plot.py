@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from string import ascii_lowercase
 
+from msgspec.structs import replace
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QCursor, QKeyEvent
 from PySide6.QtWidgets import QWidget
@@ -11,17 +12,17 @@ from PySide6.QtWidgets import QWidget
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..tasks.task import SingleTask
-from ..tools.pointer import Cursor, Hint, Hit, Pointer, Stride
+from ..tools.pointer import Cursor, Hint, Hit, Pointer
 from ..tools.toolbox import Toolbox
 from .plot_widget import PlotWidget
 
-ARROWS = {
-    Qt.Key.Key_Left: (-1, 0),
-    Qt.Key.Key_Right: (1, 0),
-    Qt.Key.Key_Up: (0, 1),
-    Qt.Key.Key_Down: (0, -1),
+_ARROWS = {
+    Qt.Key.Key_Left: "left",
+    Qt.Key.Key_Right: "right",
+    Qt.Key.Key_Up: "up",
+    Qt.Key.Key_Down: "down",
 }
-"""Directions in the plane."""
+"""The names of the arrow keys, whatever modifiers are held."""
 
 _NAMES = {
     **{Qt.Key(Qt.Key.Key_0 + digit): str(digit) for digit in range(10)},
@@ -57,20 +58,13 @@ _WITH_SHIFT = {
 def key_name(event: QKeyEvent) -> str | None:
     """Return what a tool calls a key, a letter with Shift a capital; None for one that it never hears of."""
     key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    if key in _ARROWS:
+        return _ARROWS[key]
     if key in _WITH_SHIFT:
         held &= ~Qt.KeyboardModifier.ShiftModifier
     if held == Qt.KeyboardModifier.ShiftModifier and Qt.Key.Key_A <= key <= Qt.Key.Key_Z:
         return chr(key)
     return _NAMES.get(key) if not held else None
-
-
-def stride_of(event: QKeyEvent, pixel: float) -> Stride:
-    """Return how far an arrow key goes: with Shift ten times as far, with Ctrl a tenth."""
-    held = event.modifiers()
-    factor = 10.0 if held & Qt.KeyboardModifier.ShiftModifier else 1.0
-    if held & Qt.KeyboardModifier.ControlModifier:
-        factor *= 0.1
-    return Stride(pixel, factor)
 
 
 def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
@@ -79,6 +73,9 @@ def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
         return QCursor(Qt.CursorShape[cursor.value])
     return QCursor(icon(cursor.value, theme).pixmap(20, 20))
 
+
+MOVING_KEYS = frozenset({*_ARROWS.values(), "next", "previous"})
+"""Keys that move or select points: the panels that follow tell what has changed, no hover is needed."""
 
 _WORDS_MS = 33
 """Milliseconds between two readouts of a gesture."""
@@ -137,7 +134,7 @@ class ToolPlot(PlotWidget):
 
     def _hit_at(self, place: QPointF) -> Hit | None:
         """Return what lies at a place of the viewport."""
-        return self.tools.canvas.hit(self.pointer_at(place), self.tools.tool)
+        return self.tools.canvas.hit(self.pointer_at(place), self.tools.tool.hits)
 
     def place_of(self, pointer: Pointer) -> object:
         """Return what is told of the place under the pointer: t."""
@@ -145,10 +142,6 @@ class ToolPlot(PlotWidget):
 
     def show_marks(self) -> None:
         """Draw what the tool shows over the plot."""
-
-    def walk(self, forward: bool) -> bool:
-        """Go to the next thing with Tab, or to the one before; return whether there is one."""
-        return False
 
     def _show_background(self) -> None:
         self.show_marks()
@@ -169,7 +162,7 @@ class ToolPlot(PlotWidget):
 
     def abandon_gesture(self) -> None:
         """Drop the gesture in flight, if there is one; the document is another one."""
-        is_any = self.is_dragging or self.tools.is_transforming
+        is_any = self.is_dragging
         self.tools.abandon()
         if is_any:
             self._end_gesture()
@@ -204,7 +197,7 @@ class ToolPlot(PlotWidget):
         self._is_hover_due = False
 
     def _hovered_at(self, pointer: Pointer) -> None:
-        if self.tools.is_transforming:
+        if self.tools.is_buttonless:
             self._moved(pointer)
             return
         hint = self.tools.hover(pointer)
@@ -252,7 +245,7 @@ class ToolPlot(PlotWidget):
 
     def _show_progress(self) -> None:
         self.show_marks()
-        self.progress_changed.emit(self.tools.progress())
+        self.progress_changed.emit(self.tools.status())
 
     def _show_share(self, share: float, word: str) -> None:
         """Tell how far work beside the window has come, which takes long enough to be read of."""
@@ -265,7 +258,7 @@ class ToolPlot(PlotWidget):
             return
         self._has_words = False
         self._words_due.start(_WORDS_MS)
-        self.progress_changed.emit(self.tools.progress())
+        self.progress_changed.emit(self.tools.status())
         if self._pointer is not None:
             self.pointed_at.emit(self.place_of(self._pointer))
 
@@ -279,36 +272,35 @@ class ToolPlot(PlotWidget):
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             # While an amount is typed, digits and letters are its own and no shortcuts.
             key = key_name(event)
-            if key is not None and self.tools.claims(key):
+            if key is not None and self.tools.wants_key(key):
                 event.accept()
                 return True
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_escape, key = event.key() == Qt.Key.Key_Escape, key_name(event)
-        if (
-            (is_escape and (self.cancel_gesture() or self.dismiss()))
-            or (key is not None and self.give_key(key))
-            or self._nudge(event)
+        if (is_escape and (self.cancel_gesture() or self.dismiss())) or (
+            key is not None and self.give_key(key, event)
         ):
             event.accept()
         else:
             super().keyPressEvent(event)
 
-    def give_key(self, key: str) -> bool:
+    def give_key(self, key: str, event: QKeyEvent | None = None) -> bool:
         """Give the tool a key by name; return whether it is the tool's, also where it means nothing now."""
-        claimed, was_dragging = self.tools.claims(key), self.is_dragging
-        taken = self.tools.key(key)
-        if taken and was_dragging:
+        is_wanted, was_dragging = self.tools.wants_key(key), self.is_dragging
+        had_effect = self.tools.key(key, self._pointer_of_key(event))
+        if had_effect and was_dragging:
             self._show_progress()
-        if taken and not self.is_dragging:
+        if had_effect and not self.is_dragging and key not in MOVING_KEYS:
             self._hovered_at(self._pointer_now())
-        return taken or claimed
+        return had_effect or is_wanted
 
-    def _nudge(self, event: QKeyEvent) -> bool:
-        """Move what the tool moves by a step: with Shift ten, with Ctrl a tenth, with Alt by a pixel."""
-        direction = ARROWS.get(Qt.Key(event.key()))
-        return direction is not None and self.tools.nudge(direction, stride_of(event, self.camera.pixel_size))
+    def _pointer_of_key(self, event: QKeyEvent | None) -> Pointer:
+        """Return the pointer with the modifier keys of a key event."""
+        held = event.modifiers() if event is not None else Qt.KeyboardModifier.NoModifier
+        shift, ctrl = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
+        return replace(self._pointer_now(), shift=bool(held & shift), ctrl=bool(held & ctrl))
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         if not self.hasFocus():
@@ -316,4 +308,6 @@ class ToolPlot(PlotWidget):
             return bool(super().focusNextPrevChild(forward))
         # Tab belongs to a transform in flight; no gesture lets it lead elsewhere.
         self.give_key("tab")
-        return self.is_dragging or self.walk(forward) or bool(super().focusNextPrevChild(forward))
+        if self.is_dragging or self.give_key("next" if forward else "previous"):
+            return True
+        return bool(super().focusNextPrevChild(forward))

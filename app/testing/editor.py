@@ -24,7 +24,7 @@ from ..features.curve_list.commands import CurveListCommands
 from ..features.curve_list.rows import Spot, spot_rect
 from ..session import Session
 from ..settings.preferences import Preferences
-from ..tools.transform import TransformKind
+from ..tools.box import TransformKind
 from ..view_model.curve.handles import Handle
 from ..window.command_palette import CommandPalette
 from ..window.main_window import MainWindow

@@ -17,10 +17,9 @@ from ..view_model.reshape import Reshaped, inserted_index, with_point_inserted
 from . import hints
 from .drag_points import unless_locked
 from .editing_session import EditingSession
-from .gesture import Drag, Gesture
 from .offsets import plus
 from .pointer import Cursor, Hint, Hit, Pointer
-from .tool import ToolEvent
+from .tool import Drag, Gesture, ToolEvent
 
 _TOLERANCE = 0.05
 """Pixels that the grabbed point may be off, where the parameters answer to the points."""

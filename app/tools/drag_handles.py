@@ -13,11 +13,10 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import derivative_from_handle
 from ..view_model.point_kinds import is_breakable, with_corners, with_handle_retracted
 from .drag_points import Click, hint_on_point, press_on_point, selecting, unless_locked
-from .gesture import Drag, Gesture
 from .offsets import in_steps, plus
 from .pointer import SNAP_KEY, STEP_KEYS, Hint, Hit, Part, Pointer
 from .snapping import Snapper, stepped_from
-from .tool import GestureRow, ToolEvent
+from .tool import Drag, Gesture, GestureRow, ToolEvent
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Ctrl or Shift keeps to one axis"),

@@ -7,6 +7,7 @@ selection (`Drag.cancel`).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 
@@ -14,15 +15,15 @@ from ..document import point_edits, words
 from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup, points_of
+from ..document.selection import SelectionState
 from ..document.several_curves import move_group
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.point_kinds import inner_points, toggled
 from . import hints
-from .gesture import Drag, Gesture, Refusal
 from .offsets import along_axis, axis_held, minus, plus
 from .pointer import AXIS_KEYS, SNAP_KEY, Hint, Hit, Part, Pointer
 from .snapping import Snapper
-from .tool import ToolEvent
+from .tool import Drag, Gesture, Refusal, ToolEvent
 
 Click = Callable[[ToolEvent], object]
 
@@ -48,6 +49,29 @@ def press_on_point(event: ToolEvent, hit: Hit, on_click: Click | None = None) ->
         on_click=on_click,
     )
     return unless_locked(event, drag)
+
+
+def press_on_group(
+    event: ToolEvent, group: PointGroup, on_click: Click, selects: SelectionState | None = None
+) -> MovePoints:
+    """Start to move a group, of which the point nearest to the pointer snaps."""
+    grabbed = nearest_point(event, group)
+    return MovePoints(
+        document=event.session.document,
+        group=group,
+        grabbed=grabbed,
+        start=event.pointer.position,
+        snapper=event.snapping.for_points(group, grabbed),
+        selects=selects,
+        on_click=on_click,
+    )
+
+
+def nearest_point(event: ToolEvent, group: PointGroup) -> tuple[int, int]:
+    """Return the curve and the index of the point of a group that is nearest to the pointer."""
+    curves, pointer = event.session.document.curves, event.pointer
+    points = [(curve, index) for curve, indices in group.parts for index in indices]
+    return min(points, key=lambda at: math.dist(curves[at[0]].points[at[1]].position, pointer.position))
 
 
 def unless_locked(event: ToolEvent, drag: Drag) -> Gesture:

@@ -7,8 +7,8 @@ from msgspec.structs import asdict, replace
 
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
+from .box import TransformBox
 from .snapping import Snap
-from .transform_box import TransformBox
 
 
 class Note(msgspec.Struct, frozen=True):

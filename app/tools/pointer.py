@@ -9,12 +9,6 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
-from ..document.transforms import round_step_above
-from ..document.words import decimal_product
-
-_LEAST_PIXELS = 2.0
-"""Pixels of a step by an arrow key, at least; the round number is at most two and a half times as far."""
-
 
 AXIS_KEYS = "Ctrl or Shift: one axis"
 STEP_KEYS = "Ctrl or Shift: steps of 15°"
@@ -94,8 +88,6 @@ class Pointer(msgspec.Struct, frozen=True):
         In the plane of the plot: (x, y) on the canvas, (t, value) in the basis panel.
     pixel
         In pixels of the plot area.
-    hit
-        What lies under it; only a press and a hover need it.
     shift, ctrl, alt
         Modifier keys.
     scale
@@ -108,7 +100,6 @@ class Pointer(msgspec.Struct, frozen=True):
 
     position: Vector
     pixel: Vector
-    hit: Hit | None = None
     shift: bool = False
     ctrl: bool = False
     alt: bool = False
@@ -138,30 +129,6 @@ ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
 """The pointer of what is done with no mouse: of keys."""
 
 
-class Stride(msgspec.Struct, frozen=True):
-    """Length of the way by an arrow key.
-
-    Attributes
-    ----------
-    pixel
-        The size of a pixel in the plane.
-    factor
-        How many times as far as usual: ten with Shift, a tenth with Ctrl.
-    """
-
-    pixel: float
-    factor: float = 1.0
-
-    def length(self, step: float | None = None) -> float:
-        """Return the way: so many times `step`, or else of a round number of some pixels.
-
-        It is a short decimal number each time.
-        """
-        if step is None:
-            step = round_step_above(_LEAST_PIXELS * self.pixel)
-        return decimal_product(step, self.factor)
-
-
 class Cursor(Enum):
     """Shape of the pointer, of a tool or of what a press would do: its name in Qt, or that of an icon."""
 
@@ -178,11 +145,22 @@ class Cursor(Enum):
 
 
 class Hint(msgspec.Struct, frozen=True):
-    """The effect of a press: a sentence, whether something can be grabbed, the shape of the pointer."""
+    """The effect of a press.
+
+    Attributes
+    ----------
+    text
+        A sentence for the status line.
+    grab, cursor
+        Whether something can be grabbed; the shape of the pointer, where it is another one.
+    highlighted
+        The point to highlight, −1 for none; None for the point under the pointer.
+    """
 
     text: str = ""
     grab: bool = False
     cursor: Cursor | None = None
+    highlighted: int | None = None
 
     def cursor_over(self, idle: Cursor) -> Cursor:
         """Return the shape of the pointer; `idle` where a press means nothing in particular."""

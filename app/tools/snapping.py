@@ -1,8 +1,11 @@
-"""Snapping: targets near a point that is dragged or added, and the exact place of each."""
+"""Snapping: what a point that is dragged or added is drawn to, and the exact position there.
+
+`Snapper` snaps one point; `SnapTargets` makes the snapper of a gesture when that begins.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import msgspec
@@ -11,10 +14,16 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
-from ..document.model import Guide, Vector
+from ..document.constraints import ends_of, is_straight
+from ..document.model import Document, Guide, Vector
 from ..document.plane_edits import guide_label
+from ..document.point_group import PointGroup
 from ..document.words import NamedEnum
+from ..view_model.boxes import Bounds, nine_positions
+from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.distances import NearestPoint
+from .box import Grip
+from .editing_session import EditingSession
 from .offsets import in_steps, plus
 from .pointer import Pointer
 
@@ -240,3 +249,222 @@ def grid_value(value: float, spacing: float) -> float:
     The third line of a grid of 0.1 lies at 0.3, not at 0.1 · 3 = 0.30000000000000004.
     """
     return float(round(value / spacing) * Decimal(repr(spacing)))
+
+
+# Targets of each gesture
+
+Moving = Mapping[int, Collection[int]]
+"""Points that move along and are nothing to snap to, by their curves."""
+
+
+def targets_of(
+    views: Sequence[CurveView], curve: int, moving: Moving, place: int, kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what a point of a curve can snap to.
+
+    Parameters
+    ----------
+    views, curve
+        The curves, and which of them the point is of.
+    moving
+        What moves along.
+    place
+        The index of the point that is drawn or about to be added; −1 for what has no neighbours.
+    kinds
+        The kinds wanted; what is not wanted costs nothing.
+    """
+    own = moving.get(curve, ())
+    beside = _neighbours(views[curve], own, place)
+    # Not on a neighbour: two coincident points in a row have no distance to go by.
+    targets = _targets(views, curve, {**moving, curve: {*own, *beside}}, beside, kinds)
+    return _with_middles(targets, views, curve, moving) if SnapKind.MIDDLES in kinds else targets
+
+
+def targets_of_handle(
+    views: Sequence[CurveView], active: int, point: int, kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what the end of a handle of `point` can snap to: level with its point it is a flat tangent."""
+    # Not on its own point: a handle of no length has no direction.
+    return _targets(views, active, {active: {point}}, [point, *_neighbours(views[active], (), point)], kinds)
+
+
+def _targets(
+    views: Sequence[CurveView], curve: int, without: Moving, level: Sequence[int], kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect curves that stay, and all points but those `without`; `level` are those whose heights count."""
+    own = views[curve]
+    others = [(place, view) for place, view in enumerate(views) if place != curve and view.source.visible]
+    points, curves = [], []
+    if SnapKind.POINTS in kinds:
+        points = [
+            _points(own, without.get(curve, ())),
+            *(_points(view, without.get(place, ()), view.source.display_name) for place, view in others),
+        ]
+    if SnapKind.CURVES in kinds:
+        curves = [
+            (NearestPoint(view), view.source.display_name) for place, view in others if place not in without
+        ]
+    return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
+
+
+def targets_of_side(
+    views: Sequence[CurveView], active: int, moving: Moving, kinds: Collection[SnapKind]
+) -> Targets:
+    """Collect what a side of the box around `moving` can snap to: it meets points that it is level with."""
+    points: tuple[tuple[Vector, str], ...] = ()
+    if SnapKind.POINTS in kinds:
+        for index, view in enumerate(views):
+            if index == active or view.source.visible:
+                rest = sorted({*range(len(view.points))}.difference(moving.get(index, ())))
+                points += _named(view, rest, "" if index == active else view.source.display_name)
+    return Targets(neighbours=points)
+
+
+def _named(view: CurveView, indices: Sequence[int], of: str = "") -> tuple[tuple[Vector, str], ...]:
+    points = view.source.points
+    return tuple((points[index].position, _name(index, of)) for index in indices)
+
+
+def _name(index: int, of: str) -> str:
+    return f"point {index} of {of}" if of else f"point {index}"
+
+
+def _points(view: CurveView, without: Collection[int], of: str = "") -> SnapPlaces:
+    numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
+    return SnapPlaces(view.points[numbers], lambda place: _name(int(numbers[place]), of))
+
+
+def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
+    if place < 0:
+        return []
+    count = len(view.source.points)
+    beside = [place - 1, place + 1]
+    if view.source.is_closed:
+        beside = [index % count for index in beside]
+    return [index for index in beside if 0 <= index < count and index not in moving]
+
+
+def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, moving: Moving) -> Targets:
+    """Return the targets with midpoints of segments; those of what moves are none."""
+    found = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
+    for place, view in enumerate(views):
+        if place != curve and view.source.visible:
+            found += _middles(view, moving.get(place), view.source.display_name)
+    return replace(targets, points=(*targets.points, *found))
+
+
+def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iterator[SnapPlaces]:
+    """Yield midpoints of segments of a curve; of the one worked on those that stay.
+
+    `own` are its points that move; None for another curve, none of which does.
+    """
+    source, view_points = view.source, view.points
+    count = len(view_points) if source.is_closed else len(view_points) - 1
+    if not view.is_current or count < 1:
+        return
+    straight = [
+        segment
+        for segment in range(count)
+        if is_straight(source, segment) and (own is None or not {*own} & {*ends_of(source, segment)})
+    ]
+    ends = np.array([ends_of(source, segment) for segment in straight], dtype=np.intp).reshape(-1, 2)
+    places = [view_points[ends].mean(axis=1)]
+    numbers = list(straight)
+    if own is None and view.curve is not None and len(view.parameters) == count + 1:
+        # A bent segment of the curve that is worked on may be another one when its points move.
+        bent = sorted({*range(count)} - {*straight})
+        t = view.parameters
+        places.append(view.curve.evaluate((t[bent] + t[[each + 1 for each in bent]]) / 2))
+        numbers += bent
+    yield SnapPlaces(np.concatenate(places), lambda place: f"midpoint of {of or f'segment {numbers[place]}'}")
+
+
+class SnapTargets:
+    """Snappers of the gestures, each made when one begins.
+
+    Attributes
+    ----------
+    now
+        The snapper in use, None for none.
+    """
+
+    def __init__(
+        self,
+        session: EditingSession,
+        settings: Callable[[], Snapping],
+        grid: Callable[[], float],
+    ) -> None:
+        self._session, self._settings, self._grid = session, settings, grid
+        self.now: Snapper | None = None
+        # The snapper of the last hover, and what it was made for.
+        self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
+
+    def for_new_point(self, place: int) -> Snapper:
+        """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
+        # What there is before the press: later the new point would be drawn to itself.
+        views, active = self._session.views, self._session.active_index
+        return self._make(lambda: targets_of(views, active, {}, place, self._kinds))
+
+    def for_handle(self, point: int) -> Snapper:
+        """Return the snapper of the end of a handle."""
+        session = self._session
+        return self._make(lambda: targets_of_handle(session.views, session.active_index, point, self._kinds))
+
+    def for_points(self, group: PointGroup, grip: tuple[int, int] | None = None) -> Snapper:
+        """Return the snapper of what moves together: of one of its points, the curve and the index given."""
+        session, moving = self._session, dict(group.parts)
+        # Level with its neighbours is a point; of whole curves none has any that stay.
+        curve, place = (session.active_index, -1) if grip is None or group.is_whole else grip
+        views = session.views
+        return self._make(lambda: targets_of(views, curve, moving, place, self._kinds))
+
+    def for_pivot(self, bounds: Bounds) -> Snapper:
+        """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
+        views, active = self._session.views, self._session.active_index
+        return self._make(
+            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_positions(bounds))
+        )
+
+    def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
+        """Return the snapper of a corner or a side of the box around a group."""
+        if grip.x and grip.y:
+            return self.for_points(group)
+        session, moving = self._session, dict(group.parts)
+        views = session.views
+        return self._make(lambda: targets_of_side(views, session.active_index, moving, self._kinds))
+
+    def for_guide(self) -> Snapper:
+        """Return the snapper of a guide: points that it meets, and the grid."""
+        session = self._session
+        return self._make(
+            lambda: targets_of_side(session.views, session.active_index, {}, self._kinds), guides=()
+        )
+
+    def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
+        """Return a snapper to what `collect` returns and to guides, by default those of the document."""
+        # Guides as they are at the press.
+        guides = self._session.document.guides if guides is None else guides
+        self.now = Snapper(self._settings, self._grid, collect, guides)
+        return self.now
+
+    @property
+    def _kinds(self) -> Collection[SnapKind]:
+        return self._settings().kinds
+
+    def show_before_press(self, pointer: Pointer, place: int) -> None:
+        """Show where a press at `pointer` would put the point of index `place`."""
+        session, settings = self._session, self._settings()
+        made_for = (session.document, session.active_index, place, settings)
+        if self._hovered is None or self._hovered[0] != made_for:
+            self._hovered = (made_for, self.for_new_point(place))
+        self.now = self._hovered[1]
+        self.now.at(pointer)
+
+    @property
+    def caught(self) -> Snap | None:
+        """The catch of the snapper in use."""
+        return self.now.caught if self.now is not None else None
+
+    def reset(self) -> None:
+        """Use none."""
+        self.now = None

@@ -1,51 +1,81 @@
-"""A tool: what mouse and keys do while it is in use, and the event that comes with each event."""
+"""The protocol of the tools: `Tool.press` returns a `Gesture`; a `Drag` is one that changes the document.
+
+A tool is a class and a record in a file of ``canvas``. This one puts points above the press:
+
+    class Raise(Drag, kw_only=True):
+        curve: int
+        foot: Vector
+
+        def document_at(self, pointer: Pointer) -> Document:
+            count = len(self.document.curves[self.curve].points)
+            point = Point(self.foot[0], pointer.position[1])
+            return insert_points(self.document, self.curve, count, [point])
+
+        def undo_text(self, pointer: Pointer) -> str:
+            return "Raise point"
+
+    class RaiseTool(Tool):
+        def press(self, event: ToolEvent) -> Gesture:
+            session = event.session
+            return Raise(
+                document=session.document, curve=session.active_index, foot=event.pointer.position
+            )
+
+        def hover(self, event: ToolEvent) -> Hint:
+            return Hint("Drag to put a point above where you pressed")
+
+    RAISE = ToolRecord(name="raise", make=RaiseTool, hint="Drag upwards.", action="raiseTool", title="Raise")
+
+Threshold, preview, the undo step, Escape and the status line follow from that.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import ClassVar
 
 import msgspec
 from msgspec.structs import replace
 
-from ..document.model import Vector
-from ..document.point_group import points_of
+from ..document.limits import EditError
+from ..document.model import Document, Vector
+from ..document.selection import SelectionState
+from ..document.transforms import round_step_above
+from ..document.words import decimal_product
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.registry import Registry
 from .background import Background
-from .drag_machine import DragMachine
-from .drags import NudgePoints
+from .box import SelectionBox, TransformBox
 from .editing_session import EditingSession
-from .gesture import Gesture
-from .marks import Marks, Note
+from .marks import Marks
+from .nudge import DIRECTIONS, nudge, select_next
 from .pencil_detail import PencilDetail
-from .pointer import Cursor, Hint, Hit, Part, Pointer, Stride
-from .snappers import SnapTargets
-from .snapping import SnapKind, Snapping, with_snap
-from .target import SelectionBox
-from .transform_box import TransformBox
+from .pointer import Cursor, Hint, Hit, Part, Pointer
+from .snapping import SnapKind, Snapping, SnapTargets
+from .typed_amount import TypedAmount
 
+THRESHOLD = 3.0
+"""Pixels the pointer must travel before a press becomes a drag."""
 
-class Finder(Protocol):
-    """What a tool finds on the canvas besides the curve that is edited."""
+CANCELLED = "Cancelled."
+"""Message after Escape has ended a gesture."""
 
-    finds_other_curves: bool
-    finds_guides: bool
-    finds_image: bool
+_LEAST_PIXELS = 2.0
+"""Pixels of a step by an arrow key, at least; the round number is at most two and a half times as far."""
 
 
 class CanvasQueries:
-    """What tools work on: by default nothing lies anywhere.
+    """What a tool can ask of its plot as `event.canvas`; by default nothing lies anywhere.
 
-    A further question is a method here, answered by the plots that know; tools ask ``event.canvas``.
+    A further question is a method here, answered by the plots that know.
     """
 
-    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
-        """Return what a tool hits at the pointer."""
+    def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
+        """Return what lies at the pointer, of the parts that a tool hits."""
         return None
 
     def locked_at(self, pointer: Pointer) -> int:
-        """Return the place of the locked curve at the pointer, which presses go through; −1 for none."""
+        """Return the index of the locked curve at the pointer, which presses pass through; −1 for none."""
         return -1
 
     def grid_spacing(self) -> float:
@@ -78,68 +108,58 @@ class ToolSettings(msgspec.Struct, frozen=True):
 
 
 class ToolEvent(msgspec.Struct, frozen=True):
-    """One event, with everything that a tool needs to answer it.
+    """One press, move, hover or key, with everything that a tool needs to answer it.
 
     Attributes
     ----------
     pointer
-        Position, modifier keys, and what lies under the pointer.
+        Position and modifier keys.
     session
-        The session: the document, its views, the selection, and the way to change them.
+        Document, views and selection, and the methods that change them.
     settings
         Snapping, the unit, whether there is a box with grips.
-    drags
-        Begins a drag, follows it, makes it a step of the history.
     snapping
-        Makes what a drag snaps with.
+        Makes the snapper of a gesture.
     box
-        The selected points or curves that transforms act on.
+        The box around the selection, and its pivot.
     background
-        Does what takes longer than a moment.
+        Does work that takes longer than a moment.
     canvas
-        The plot: what lies under a pointer, the colour there, the spacing of the grid.
+        The plot: what lies under a pointer, the spacing of the grid.
     tool
         The tool in use.
+    hit
+        The part of the drawing under the pointer, for a press and a hover.
     """
 
     pointer: Pointer
     session: EditingSession
     settings: ToolSettings
-    drags: DragMachine
     snapping: SnapTargets
     box: SelectionBox
     background: Background
     canvas: CanvasQueries
     tool: Tool
-
-    @property
-    def hit(self) -> Hit | None:
-        """The part of the drawing under the pointer."""
-        return self.pointer.hit
+    hit: Hit | None = None
 
     @property
     def view(self) -> CurveView:
-        """The curve that is edited."""
+        """The view of the active curve."""
         return self.session.active_view
 
-    def grid(self) -> float:
-        """Return the spacing of the grid at the present zoom."""
-        return self.canvas.grid_spacing()
-
     def at(self, pointer: Pointer) -> ToolEvent:
-        """Return the event of an event somewhere else."""
-        return replace(self, pointer=pointer)
+        """Return the event of a pointer somewhere else."""
+        return replace(self, pointer=pointer, hit=None)
 
     def with_hit(self) -> ToolEvent:
         """Return the event with what lies under the pointer now."""
-        hit = self.canvas.hit(self.pointer, self.tool) if self.pointer.is_there else None
-        return self.at(replace(self.pointer, hit=hit))
+        hit = self.canvas.hit(self.pointer, self.tool.hits) if self.pointer.is_there else None
+        return replace(self, hit=hit)
 
     @property
     def rectangle(self) -> TransformBox | None:
         """The box around the selection, where it is displayed and can be changed; None otherwise."""
-        box = self.box.rectangle if self.settings.shows_box else None
-        return box if box is not None and not self.box.refusal_of(self.box.group) else None
+        return self.box.free_rectangle if self.settings.shows_box else None
 
     def frame_marks(self) -> Marks:
         """Return the marks of the selection while something is dragged: its box without grips, its pivot."""
@@ -149,181 +169,274 @@ class ToolEvent(msgspec.Struct, frozen=True):
         return Marks(frame=box, pivot=pivot or (box.centre if box is not None else None))
 
     def preview_snap(self, index: int) -> None:
-        """Show where a press would put the point of `index`, −1 for none in particular."""
+        """Show where a press would put the point of an index, −1 for none in particular."""
         if self.settings.snapping.on and self.pointer.is_there:
             self.snapping.show_before_press(self.pointer, index)
 
-    def step_of(self, stride: Stride) -> float:
-        """Return how far an arrow key goes: a step of the grid that snaps, or a round number."""
+    def key_step(self, *, on_grid: bool = True) -> float:
+        """Return how far an arrow key moves: a step of the grid that snaps, or a round number.
+
+        With Shift ten times as far, with Ctrl a tenth; it is a short decimal number each time.
+        """
         snapping = self.settings.snapping
-        grid = self.grid() if snapping.on and SnapKind.GRID in snapping.kinds else None
-        return stride.length(grid)
-
-    def progress(self) -> str:
-        """Return how far the drag in flight has come, and what it has snapped to."""
-        return with_snap(self.drags.progress_at(self.pointer), self.snapping.caught)
-
-    def note(self) -> Note | None:
-        """Return the amount of the drag in flight, to stand beside the pointer."""
-        text = self.drags.progress_at(self.pointer).partition(" · ")[0]
-        return Note(self.pointer.position, text, self.box.centre) if text else None
+        if on_grid and snapping.on and SnapKind.GRID in snapping.kinds:
+            step = self.canvas.grid_spacing()
+        else:
+            step = round_step_above(_LEAST_PIXELS / self.pointer.scale)
+        factor = (10.0 if self.pointer.shift else 1.0) * (0.1 if self.pointer.ctrl else 1.0)
+        return decimal_product(step, factor)
 
 
-class OldGesture:
-    """A gesture that is no drag, from its press on: it changes nothing in the document."""
+class Gesture(msgspec.Struct, kw_only=True):
+    """What happens from a press to the release. Escape calls `cancel`; three pixels make a drag of a click.
+
+    Attributes
+    ----------
+    starts_at_press
+        Whether it moves from the press on, and is never a click: the pen, whose effect is seen at once.
+    scrolls_view
+        Whether the view moves on where the pointer comes to the edge.
+    on_click
+        What a click does; None for nothing.
+    pressed_at, has_moved
+        Pixel of the press; whether the pointer has travelled far enough for a drag. The toolbox sets them.
+    """
+
+    starts_at_press: ClassVar[bool] = False
+    scrolls_view: ClassVar[bool] = True
+    on_click: Callable[[ToolEvent], object] | None = None
+    pressed_at: Vector = (0.0, 0.0)
+    has_moved: bool = False
+
+    def click(self, event: ToolEvent) -> None:
+        """End where the press was: it is a click."""
+        if self.on_click is not None:
+            self.on_click(event)
 
     def move(self, event: ToolEvent) -> None:
         """Follow the pointer."""
 
     def release(self, event: ToolEvent) -> None:
-        """End: by default as after one more move."""
-        self.move(event)
+        """End; the last move has been made."""
 
     def cancel(self, event: ToolEvent) -> None:
-        """Bring back what was there before."""
+        """Restore what was there before the press."""
+        event.session.say(CANCELLED)
 
-    def progress(self, event: ToolEvent) -> str:
-        """Return how far it has come, as a sentence for the status line."""
+    def wants_key(self, key: str) -> bool:
+        """Return whether a key is for the gesture that would be a shortcut otherwise; "enter" releases."""
+        return False
+
+    def key(self, event: ToolEvent, key: str) -> bool:
+        """Take a key: a typed digit, an axis. Return whether it had an effect; a move follows then."""
+        return False
+
+    def status(self, event: ToolEvent) -> str:
+        """Return the sentence for the status line, asked at most every 33 ms."""
         return ""
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return what is drawn over the plot: by default the frame around the selection."""
+        return event.frame_marks()
+
+    def position_at(self, pointer: Pointer) -> Vector | None:
+        """Return the position of the point that is dragged, for the coordinates in the status line."""
+        return None
+
+
+class Drag(Gesture, kw_only=True):
+    """A gesture that changes the document: previewed at each move, one undo step at the release.
+
+    Attributes
+    ----------
+    document
+        The document at the press; every move computes another one from it, never from the last move.
+    selects
+        Selection from the first preview on; cancelling and undo restore the one before.
+    refusal
+        Why the last move changed nothing; empty where it did.
+    keys, remark
+        Effects of the modifier keys; what of the selection is locked and stays.
+    """
+
+    document: Document
+    selects: SelectionState | None = None
+    refusal: str = ""
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys, for the status line."""
+        return ""
+
+    @property
+    def remark(self) -> str:
+        """What of the selection stays as it is, for the status line; empty for nothing."""
+        return ""
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the pointer there; pure. An EditError keeps the last good one."""
+        raise NotImplementedError
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return the name of the step in the history, such as "Move point 2"."""
+        raise NotImplementedError
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return how far the drag has come, such as "Rotate 30°"; empty where nothing is to be said."""
+        return ""
+
+    def move(self, event: ToolEvent) -> None:
+        """Preview the document at the pointer, or say why it cannot be."""
+        try:
+            document = self.document_at(event.pointer)
+        except EditError as reason:
+            self.refusal = str(reason)
+            event.session.refuse(self.refusal)
+            return
+        self.refusal = ""
+        event.session.preview(document, selects=self.selects)
+
+    def release(self, event: ToolEvent) -> None:
+        """Make what is previewed a step of the history."""
+        session = event.session
+        if self.refusal:
+            session.refuse(self.refusal)
+        if session.commit(session.document, self.undo_text(event.pointer)):
+            self.committed(event)
+
+    def committed(self, event: ToolEvent) -> None:
+        """Say what stays as it is, after the step has been made."""
+        if self.remark:
+            event.session.say(f"{self.remark}.")
+
+    def cancel(self, event: ToolEvent) -> None:
+        """Restore the document and the selection."""
+        event.session.cancel()
+        super().cancel(event)
+
+    def status(self, event: ToolEvent) -> str:
+        """Return the amount, what stays, and the keys; or why nothing changes."""
+        amount = self.amount(event.pointer)
+        if self.refusal or not amount:
+            return self.refusal
+        return " · ".join(filter(None, (amount, self.remark, self.keys, "Escape cancels")))
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the frame around the selection, and what the drag has snapped to."""
+        return replace(super().marks(event), snap=event.snapping.caught)
+
+
+class TypedDrag(Drag, kw_only=True):
+    """A drag whose amount can be typed meanwhile.
+
+    Attributes
+    ----------
+    typed
+        The amount as typed so far; the pointer gives it while this is empty.
+    """
+
+    typed: TypedAmount = TypedAmount()
+
+    def type(self, key: str) -> bool:
+        """Take a character of the amount; return whether it had an effect.
+
+        Raises
+        ------
+        EditError
+            For a letter that is none of a unit, and for "enter" while the amount is no number yet.
+        """
+        if key == "enter" and self.typed.refusal:
+            raise EditError(self.typed.refusal)
+        typed = self.typed.after(key)
+        if typed is None:
+            return False
+        self.typed = typed
+        return True
+
+    def release(self, event: ToolEvent) -> None:
+        """Make what is previewed a step, unless the amount is no number yet."""
+        if refusal := self.typed.refusal:
+            event.session.cancel()
+            event.session.refuse(refusal)
+        else:
+            super().release(event)
+
+
+class Refusal(Gesture, kw_only=True):
+    """Drag of what cannot be changed: it says why; a click is a click."""
+
+    reason: str
+
+    def move(self, event: ToolEvent) -> None:
+        """Say why nothing moves."""
+        event.session.refuse(self.reason)
+
+    def status(self, event: ToolEvent) -> str:
+        """Return the reason."""
+        return self.reason
 
 
 class Tool:
-    """A tool of a plot: by default it begins nothing, and follows a drag that it has begun.
-
-    Its own state is that of its gesture; everything else comes with each event. A tool that changes the
-    document begins a drag in `press` (``event.drags.press``), and the rest follows from that: threshold,
-    preview, one step of the history, Escape.
+    """Decides what a press means. Every method has a default; most tools have `press` and `hover`.
 
     Attributes
     ----------
     cursor
         The shape of the pointer where a press means nothing in particular.
-    finds_other_curves, finds_guides, finds_image
-        Whether other curves than the one that is edited can be hit; whether guides can; whether nothing but
-        the picture can.
-    shows_new_handle
-        Whether the selected point shows the handle that a press there would pull out.
-    lasts_one_gesture
-        Whether it gives way to the tool below it when its gesture has ended.
-    gesture
-        What is in flight and no drag; None for nothing.
+    hits
+        The parts of the drawing that a press can hit.
+    edits_points
+        Whether the active curve is edited while the tool is in use.
+    shows_box, shows_new_handle
+        Whether the box around the selection is drawn; whether the selected point shows the handle that a
+        press there would pull out.
     """
 
     cursor = Cursor.CROSS
-    finds_other_curves = False
-    finds_guides = False
-    finds_image = False
-    shows_new_handle = False
-    lasts_one_gesture = False
+    hits: frozenset[Part] = frozenset({Part.POINT, Part.HANDLE, Part.CURVE})
+    edits_points = True
     shows_box = False
-    gesture: OldGesture | None = None
-
-    # Events
+    shows_new_handle = False
 
     def press(self, event: ToolEvent) -> Gesture | None:
-        """Return the gesture that begins here."""
+        """Return the gesture that begins here; None for nothing."""
         return None
-
-    def move(self, event: ToolEvent) -> None:
-        """Follow the pointer while a gesture is in flight."""
-        if self.gesture is not None:
-            self.gesture.move(event)
-        else:
-            event.drags.move(event.pointer)
-
-    def release(self, event: ToolEvent) -> None:
-        """End the gesture."""
-        if self.gesture is not None:
-            self.gesture.release(event)
-        else:
-            event.drags.release(event.pointer)
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         return Hint()
 
     def key(self, event: ToolEvent, key: str) -> bool:
-        """Take a key, such as "enter" or "x"; return whether it meant something."""
-        return False
+        """Take a key, such as "enter", "left" or "x", while no gesture is in flight; return whether it did.
 
-    def claims(self, event: ToolEvent, key: str) -> bool:
-        """Whether a key is for the tool that would be a shortcut otherwise."""
-        return False
-
-    def nudge(self, event: ToolEvent, direction: Vector, stride: Stride) -> bool:
-        """Move the selected points, or curves, by a step of the grid or, not snapping, of a round number.
-
-        Return whether the arrow key meant something.
+        By default the arrows move the selected points, or curves, by a step of the grid or a round number;
+        "next" and "previous" (Tab) select another point.
         """
-        group = event.box.group
-        if group is None:
+        if key in DIRECTIONS:
+            group, (x, y), step = event.box.group, DIRECTIONS[key], event.key_step()
+            if group is not None:
+                nudge(event.session, group, (x * step, y * step))
             return True
-        step = event.step_of(stride)
-        drag = NudgePoints(event.session.document, group, (direction[0] * step, direction[1] * step))
-        event.drags.nudge(drag, ("points", group))
-        return True
+        return key in ("next", "previous") and select_next(event.session, 1 if key == "next" else -1)
 
-    def walk(self, event: ToolEvent, step: int) -> bool:
-        """Select the next (1) or previous (−1) point of the curves that are edited; return whether one is."""
-        session = event.session
-        order = [
-            (curve, index)
-            for curve in sorted(session.selected.edited)
-            for index in range(len(session.document.curves[curve].points))
-        ]
-        points, active = session.selected.points, session.active_index
-        if points:
-            place = order.index((active, max(points) if step > 0 else min(points))) + step
-        else:
-            # The first of the active curve, or its last.
-            own = [place for place, (curve, _) in enumerate(order) if curve == active]
-            place = own[0 if step > 0 else -1] if own else -1
-        if not 0 <= place < len(order):
-            return False
-        curve, index = order[place]
-        session.selected.set_group(points_of(curve, [index]))
-        return True
+    def wants_key(self, event: ToolEvent, key: str) -> bool:
+        """Return whether a key is for the tool that would be a shortcut otherwise."""
+        return False
 
-    def cancel(self, event: ToolEvent) -> None:
-        """Take the gesture in flight back."""
-        if self.gesture is not None:
-            self.gesture.cancel(event)
-        event.drags.cancel()
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return what is drawn over the plot while no gesture is in flight."""
+        return Marks(snap=event.snapping.caught)
 
-    def pick_up(self) -> None:
+    def activate(self, event: ToolEvent) -> None:
         """Begin to be used, in place of another tool."""
 
-    def takes_up(self, event: ToolEvent) -> bool:
-        """Whether it works on the active curve where none is edited."""
-        return not self.finds_other_curves
-
-    def take_over(self, event: ToolEvent) -> None:
-        """Begin to be used while no curve was edited: what is drawn from now on is another one."""
-
-    def end(self) -> None:
-        """Drop what belongs to one gesture: it has ended, or another begins."""
-        self.gesture = None
+    def deactivate(self, event: ToolEvent) -> None:
+        """End being used: another tool is chosen."""
+        self.dismiss(event)
 
     def dismiss(self, event: ToolEvent) -> bool:
         """Remove what was left on the plot; return whether there was something."""
         return False
-
-    def reset(self) -> None:
-        """Forget everything; another document is open."""
-
-    # What is shown meanwhile
-
-    def lit(self, hit: Hit | None) -> int:
-        """Return the point that lights up with what lies under the pointer, −1 for none."""
-        return hit.index if hit is not None and hit.part is Part.POINT else -1
-
-    def marks(self, event: ToolEvent) -> Marks:
-        """Return what is drawn over the plot."""
-        return Marks(snap=event.snapping.caught)
-
-    def progress(self, event: ToolEvent) -> str:
-        """Return how far the gesture in flight has come, as a sentence for the status line."""
-        return self.gesture.progress(event) if self.gesture is not None else event.progress()
 
 
 class GestureRow(msgspec.Struct, frozen=True):

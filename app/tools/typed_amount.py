@@ -150,7 +150,7 @@ class TypedAmount(msgspec.Struct, frozen=True):
             return f" ({with_minus(text)}…)"
         return "" if _PLAIN.fullmatch(text) else f" ({with_minus(text)})"
 
-    def told(self, default: str) -> str:
+    def pair_text(self, default: str) -> str:
         """Return both numbers as typed, with a mark where the next digit goes: "x 1, y 2|"."""
         parts = []
         for at, text in enumerate(self.fields):

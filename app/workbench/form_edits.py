@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from ..document.model import Document
 from ..session import Session
-from ..tools.gesture import CANCELLED
+from ..tools.tool import CANCELLED
 from ..widgets.fields import FieldForm
 from ..widgets.sliders import LiveSlider
 

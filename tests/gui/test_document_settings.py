@@ -82,7 +82,7 @@ def test_a_unit_that_no_file_knows_is_taken_and_told(editor, panel):
 def test_the_grid_is_a_step_of_the_history(editor, panel):
     line = panel.findChild(QLineEdit, "documentGrid")
     retype(editor, line, "1/4")
-    assert editor.session.document.grid_spacing == editor.window.canvas.tools.grid() == 0.25
+    assert editor.session.document.grid_spacing == editor.window.canvas.tools.canvas.grid_spacing() == 0.25
     retype(editor, line, "-1")
     assert panel.findChild(QLabel, "preferencesProblem").text().startswith("⚠")
     assert editor.session.document.grid_spacing == 0.25

@@ -43,7 +43,7 @@ def test_both_axes_have_the_same_steps_and_labels_at_every_zoom(editor):
         editor.settle()
         coarse, fine = canvas.drawing.grid.steps
         assert (coarse, fine) == adaptive_steps(canvas.pixel_map.sx), notches
-        assert canvas.tools.grid() == fine, notches
+        assert canvas.tools.canvas.grid_spacing() == fine, notches
         assert labels(editor, "bottom")[0] == labels(editor, "left")[0] == coarse, notches
         for side in ("bottom", "left"):
             marks = canvas.getAxis(side).ticks_in(canvas.pixel_map).marks
@@ -146,7 +146,7 @@ def test_what_snaps_to_the_grid_meets_a_fine_line_both_ways(editor):
     editor.session.commit(Document((make_curve(((0.0, 0.0), (4.0, 3.0))),)), "Begin")
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
-    fine = editor.window.canvas.tools.grid()
+    fine = editor.window.canvas.tools.canvas.grid_spacing()
     near = editor.pixel
     editor.trigger("toggleSnap")
     editor.drag_point(1, to=(4 + 3 * fine + near, 3 - 2 * fine - near))

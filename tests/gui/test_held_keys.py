@@ -13,6 +13,7 @@ from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import HERMITE
 from app.features.reference_image.commands import ImageCommands
+from app.tools.pointer import Part
 from tests.gui.editor_facts import picture
 
 Key = Qt.Key
@@ -196,7 +197,7 @@ def test_a_transform_begun_with_the_pointer_elsewhere_hears_them(arch):
 def test_the_picture_keeps_to_an_axis_at_once(arch, tmp_path):
     arch.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     arch.trigger("moveImage")
-    assert arch.window.canvas.tools.tool.finds_image
+    assert Part.IMAGE in arch.window.canvas.tools.tool.hits
     before = arch.session.document.image
     middle = (before.x + before.width / 2, before.y + before.height / 2)
     to = (middle[0] + 1.0, middle[1] + 0.4)

@@ -19,7 +19,7 @@ from app.features.import_export.commands import ImportCommands
 from app.features.import_export.import_drawing_dialog import ImportDrawingDialog
 from app.storage import files, validation
 from app.testing import Editor
-from app.tools import target
+from app.tools import box
 from tests.effort import calls_of, noted_calls
 from tests.waiting import until
 
@@ -224,7 +224,7 @@ def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, m
     x, y = session.views[0].polyline[1].tolist()
     editor.press((x, y))
     editor.move((x + 1.0, y + 0.5))
-    groups = noted_calls(monkeypatch, target, "changed_whole")
+    groups = noted_calls(monkeypatch, box, "whole_unlocked_curves")
     dragged = calls_of(lambda: editor.move((x + 2.0, y + 1.0)))
     released = calls_of(lambda: editor.release((x + 2.0, y + 1.0)))
     assert not groups, "the same curves are moved: they are not gathered anew at every move"

@@ -254,7 +254,7 @@ def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
 def test_the_key_of_snapping_is_told_where_a_drag_moves_the_point(pen):
     pen.choose_family(LAGRANGE)
     pen.press(at(pen, 300, 150))
-    spacing = pen.window.canvas.tools.grid()
+    spacing = pen.window.canvas.tools.canvas.grid_spacing()
     by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)
     pen.move(by_the_grid)
     assert "%: snap, or not" in pen.status

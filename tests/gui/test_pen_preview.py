@@ -103,7 +103,7 @@ def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
 
 
 def test_it_snaps(hermite):
-    spacing = hermite.window.canvas.tools.grid()
+    spacing = hermite.window.canvas.tools.canvas.grid_spacing()
     near = (12 * spacing + 3 * hermite.pixel, 9 * spacing + 2 * hermite.pixel)
     hermite.trigger("toggleSnap")
     hermite.hover(near)

@@ -22,14 +22,15 @@ from app.plotting.pixel_map import PixelMap
 from app.session import Session
 from app.storage.format import decode, encode
 from app.storage.validation import validate
+from app.tools.box import TransformKind
 from app.tools.canvas.select import SELECT
 from app.tools.explain import EXPLAIN
-from app.tools.pointer import Hit, Part, Pointer, Stride
-from app.tools.rail import RAIL
+from app.tools.parameters import RAIL
+from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapping
 from app.tools.tool import TOOLS, CanvasQueries, ToolSettings
 from app.tools.toolbox import Toolbox
-from app.tools.transform import TransformKind
+from app.tools.transform import transform_by_key
 from app.view_model.curve.handles import handles_at, handles_on, sides_facing
 
 SHOWN = PixelMap(-3.0, 5.0, 100.0, 100.0, 1000.0, 800.0)
@@ -82,7 +83,7 @@ class Gestures(RuleBasedStateMachine):
         )
         self.session.files.replace(Document(curves), None)
         self.tool, self.rail = Toolbox(self.session, SELECT), Toolbox(self.session, RAIL)
-        self.tool.canvas, self.rail.canvas = Answers(self.hit), Answers(lambda _pointer, _tool: self.tick)
+        self.tool.canvas, self.rail.canvas = Answers(self.hit), Answers(lambda _pointer, _parts: self.tick)
         self.now = 0.0
         self.session.history.clock = lambda: self.now
         # As the window connects them.
@@ -113,7 +114,7 @@ class Gestures(RuleBasedStateMachine):
             assert selected.chosen in (set(), selected.curves)
             assert not selected.points
             # Tools that begin no curve and find no other ones have a curve that is edited.
-            assert self.tool.tool.finds_other_curves or self.tool.record.beginning
+            assert Part.OTHER_CURVE in self.tool.tool.hits or self.tool.record.beginning
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -158,18 +159,18 @@ class Gestures(RuleBasedStateMachine):
     def pointer(self, position, held=None):
         return Pointer(position, SHOWN.point(*position), scale=SHOWN.sx, **(held or {}))
 
-    def hit(self, pointer, tool):
+    def hit(self, pointer, parts):
         view, chosen = self.session.active_view, self.session.selection
         if not self.session.selected.is_editing:
             return self.hit_whole(pointer)
         handles = handles_at(view, chosen), facing(view, chosen)
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
         hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, *handles)
-        if tool.finds_other_curves and self.other in self.session.selected.edited:
+        if Part.OTHER_POINT in parts and self.other in self.session.selected.edited:
             places = PixelPoints([(self.other, self.session.views[self.other])], SHOWN)
             found = places.nearest(pointer.pixel, self.session.selected.group)
             hit = nearer(found, hit, pointer.pixel, SHOWN)
-        if hit is None and tool.finds_other_curves and self.on_curve(self.other, pointer.pixel):
+        if hit is None and Part.OTHER_CURVE in parts and self.on_curve(self.other, pointer.pixel):
             hit = Hit(Part.OTHER_CURVE, self.other, pointer.position)
         return hit
 
@@ -247,7 +248,7 @@ class Gestures(RuleBasedStateMachine):
         self.tool.press(self.pointer(at, held))
         for position, modified in moves:
             self.tool.move(self.pointer(position, modified))
-            self.tool.progress()
+            self.tool.status()
             self.tool.marks()
         self.end(self.tool, ending, self.pointer(*moves[-1]))
 
@@ -269,7 +270,7 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(step=st.sampled_from([-1, 1]))
     def walk(self, step):
-        self.tool.walk(step)
+        self.tool.key("next" if step > 0 else "previous")
 
     @rule()
     def press_enter(self):
@@ -277,13 +278,15 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(kind=st.sampled_from(list(TransformKind)), at=places, moves=moves, keys=keys, ending=endings)
     def transform(self, kind, at, moves, keys, ending):
-        if not self.tool.begin_transform(kind, self.pointer(at)):
+        if not self.tool.begin(
+            lambda event: transform_by_key(event, kind), self.pointer(at), buttonless=True
+        ):
             return
         for position, modified in moves:
             self.tool.move(self.pointer(position, modified))
         for key in keys:
             self.tool.key(key)
-            self.tool.progress()
+            self.tool.status()
         if ending == "release":
             self.tool.key("enter")
             if self.tool.is_pressed:
@@ -307,13 +310,13 @@ class Gestures(RuleBasedStateMachine):
         self.end(self.rail, ending, pointer)
 
     @rule(
-        direction=st.sampled_from([(1, 0), (-1, 0), (0, -1)]),
-        factor=st.sampled_from([0.1, 1.0, 10.0]),
+        direction=st.sampled_from(["right", "left", "down"]),
+        held=st.sampled_from([{"ctrl": True}, {}, {"shift": True}]),
         pause=st.sampled_from([0.0, 2.0]),
     )
-    def nudge(self, direction, factor, pause):
+    def nudge(self, direction, held, pause):
         self.now += pause
-        self.tool.nudge(direction, Stride(0.01, factor))
+        self.tool.key(direction, Pointer((0.0, 0.0), (0.0, 0.0), scale=100.0, **held))
         # A quick one belongs to the step before, or takes it back.
         if pause == 0.0 and self.session.document != self.values[self.at]:
             index = self.session.undo_stack.index()

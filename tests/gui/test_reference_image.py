@@ -21,6 +21,7 @@ from app.document.transforms import round_step_above
 from app.features.reference_image.commands import ImageCommands
 from app.storage.files import load
 from app.testing import Editor
+from app.tools.pointer import Part
 from tests.gui.editor_facts import picture, retype
 
 
@@ -268,7 +269,7 @@ def test_the_hint_says_what_a_press_does(traced):
 def test_choosing_a_tool_gives_the_mouse_back_to_the_points(traced, tool):
     traced.trigger("moveImage")
     traced.trigger(tool)
-    assert not traced.window.canvas.tools.tool.finds_image
+    assert Part.IMAGE not in traced.window.canvas.tools.tool.hits
     assert not traced.action("moveImage").isChecked()
 
 
@@ -290,7 +291,7 @@ def test_a_locked_one_stays(traced):
     image = image_of(traced)
     assert image.locked
     assert not traced.action("moveImage").isEnabled()
-    assert not traced.window.canvas.tools.tool.finds_image
+    assert Part.IMAGE not in traced.window.canvas.tools.tool.hits
     assert not panel_of(traced).x_edit.isEnabled()
     traced.drag(middle(image), (0, 0))
     assert image_of(traced) == image
@@ -333,7 +334,7 @@ def test_removing_it(traced):
     traced.trigger("removeImage")
     assert image_of(traced) is None
     assert not traced.window.context.docks["imageDock"].isVisible()
-    assert not traced.window.canvas.tools.tool.finds_image
+    assert Part.IMAGE not in traced.window.canvas.tools.tool.hits
     traced.trigger("undo")
     assert image_of(traced) is not None
 

@@ -15,7 +15,7 @@ from app.document import point_edits, rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.transforms import rotation, transform_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.tools.transform import TransformKind
+from app.tools.box import TransformKind
 from app.view_model.curve.curve_view import view_of
 from tests.gui.editor_facts import transform, undo_text
 

@@ -16,6 +16,7 @@ from app.features.reference_image.commands import ImageCommands
 from app.session import Session
 from app.settings.preferences import Preferences
 from app.testing import wait_for_rest
+from app.tools.pointer import Part
 from app.window import MainWindow
 from tests.gui.editor_facts import picture
 
@@ -138,7 +139,7 @@ def test_a_tool_takes_the_mouse_back_from_the_picture(arch, red, name):
     arch.trigger("moveImage")
     arch.trigger(name)
     assert not arch.action("moveImage").isChecked()
-    assert not arch.window.canvas.tools.tool.finds_image
+    assert Part.IMAGE not in arch.window.canvas.tools.tool.hits
     assert [n for n in ("selectTool", "addTool", "measureTool") if arch.action(n).isChecked()] == [name]
     arch.trigger(name)
     assert arch.action(name).isChecked()

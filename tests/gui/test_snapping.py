@@ -17,8 +17,7 @@ from app.families import HERMITE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.testing import Editor
 from app.tools.pointer import Pointer
-from app.tools.snap_targets import targets_of
-from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value
+from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value, targets_of
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.distances import NearestPoint
 
@@ -350,13 +349,13 @@ def test_a_closed_curve_is_measured_from_all_its_points(pair):
 def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
     canvas = editor.window.canvas
     canvas.camera.show_box((0, 10), (0, 8))
-    wide = canvas.tools.grid()
+    wide = canvas.tools.canvas.grid_spacing()
     canvas.camera.show_box((0, 0.1), (0, 0.08))
-    assert canvas.tools.grid() == pytest.approx(wide / 100)
-    for spacing in (wide, canvas.tools.grid()):
+    assert canvas.tools.canvas.grid_spacing() == pytest.approx(wide / 100)
+    for spacing in (wide, canvas.tools.canvas.grid_spacing()):
         assert len(f"{spacing!r}") <= 6
     canvas.drawing.grid.set_spacing(0.25)
-    assert canvas.tools.grid() == 0.25
+    assert canvas.tools.canvas.grid_spacing() == 0.25
     for width in (1e-3, 1.0, 1e4, 1e9):
         canvas.camera.show_box((0, width), (0, width))
         editor.settle()
@@ -377,7 +376,7 @@ def test_settings_are_remembered(qtbot, tmp_path):
     assert (again.grid_spacing, again.unit_name) == (0.1, "mm")
     second = Editor(qtbot, preferences=again)
     assert second.action("toggleSnap").isChecked()
-    assert second.window.canvas.tools.grid() == 0.1
+    assert second.window.canvas.tools.canvas.grid_spacing() == 0.1
 
 
 @pytest.mark.parametrize(

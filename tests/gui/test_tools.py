@@ -11,33 +11,37 @@ from app.document import point_edits
 from app.document.model import Point
 from app.testing import Editor
 from app.tools.canvas.select import SELECT
-from app.tools.drag import Drag
 from app.tools.marks import Marks, Ruler
 from app.tools.pointer import Cursor, Hint
-from app.tools.tool import TOOLS, GestureRow, Tool, ToolRecord
+from app.tools.tool import TOOLS, Drag, Gesture, GestureRow, Tool, ToolRecord
 from tests.gui.editor_facts import transform
 
 HINT = "Drag to put a point above where you pressed"
 
 
-class Raise(Drag, frozen=True):
+class Raise(Drag, kw_only=True):
     """A drag that appends a point to the curve, straight above the press."""
 
     curve: int
     foot: tuple[float, float]
 
-    name = "Raise point"
     keys = "No keys"
 
     def head(self, pointer):
         return (self.foot[0], pointer.position[1])
 
-    def readout(self, pointer):
+    def undo_text(self, pointer):
+        return "Raise point"
+
+    def amount(self, pointer):
         return f"Raised to {pointer.position[1]:.1f}"
 
     def document_at(self, pointer):
         count = len(self.document.curves[self.curve].points)
         return point_edits.insert_points(self.document, self.curve, count, [Point(*self.head(pointer))])
+
+    def marks(self, event):
+        return Marks(ruler=Ruler(self.foot, self.head(event.pointer), "up"))
 
 
 class RaiseTool(Tool):
@@ -45,23 +49,12 @@ class RaiseTool(Tool):
 
     cursor = Cursor.HIGHER
 
-    def __init__(self):
-        self.drag = None
+    def press(self, event):
+        session = event.session
+        return Raise(document=session.document, curve=session.active_index, foot=event.pointer.position)
 
-    def press(self, context):
-        self.drag = Raise(context.session.document, context.session.active_index, context.pointer.position)
-        context.drags.press(context.pointer, self.drag)
-
-    def hover(self, context):
+    def hover(self, event):
         return Hint(HINT)
-
-    def end(self):
-        self.drag = None
-
-    def marks(self, context):
-        if self.drag is None:
-            return Marks()
-        return Marks(ruler=Ruler(self.drag.foot, self.drag.head(context.pointer), "up"))
 
 
 RAISE = ToolRecord(
@@ -177,14 +170,14 @@ def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(rai
 class StampTool(Tool):
     """Puts a point where it is clicked, through the one door: there is no drag."""
 
-    def press(self, context):
-        host, place = context.session, context.pointer.position
+    def press(self, event):
+        session, place = event.session, event.pointer.position
 
         def stamped(document):
-            count = len(document.curves[host.active_index].points)
-            return point_edits.insert_points(document, host.active_index, count, [Point(*place)])
+            count = len(document.curves[session.active_index].points)
+            return point_edits.insert_points(document, session.active_index, count, [Point(*place)])
 
-        context.drags.press(context.pointer, None, on_click=lambda: host.change("Stamp point", stamped))
+        return Gesture(on_click=lambda _release: session.change("Stamp point", stamped))
 
 
 def test_a_tool_that_only_clicks_does_nothing_when_dragged(raising):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -15,8 +14,11 @@ from app.document.model import Document, Point, make_curve
 from app.families import HERMITE, LAGRANGE
 from app.features.point_table.commands import PointTableCommands
 from app.session import Session
-from app.tools.drag_machine import DragMachine
+from app.tools.add_points import selection_of
+from app.tools.canvas.select import SELECT
 from app.tools.pointer import Pointer
+from app.tools.tool import Drag
+from app.tools.toolbox import Toolbox
 
 EDGE = 1e12
 
@@ -75,7 +77,9 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
     (new,) = editor.session.selected.points
     x, y = editor.point(new)
     editor.key(Qt.Key.Key_Right)
-    assert editor.point(new) == pytest.approx((x + editor.window.canvas.tools.grid(), y), abs=1e-15)
+    assert editor.point(new) == pytest.approx(
+        (x + editor.window.canvas.tools.canvas.grid_spacing(), y), abs=1e-15
+    )
 
 
 def test_what_a_program_commits_becomes_plain(odd_values):
@@ -128,30 +132,34 @@ def test_a_curve_begun_beyond_what_a_file_can_hold_leaves_the_one_that_is_edited
     assert_exists(editor.session)
 
 
-class Appended(msgspec.Struct):
+class Append(Drag, kw_only=True):
     """A drag that appends a point which no file can hold."""
 
-    session: Session
-    name: str = "Append"
-    refusal: str = ""
-
-    def name_at(self, _pointer):
-        return self.name
+    starts_at_press = True
+    done: list[bool]
 
     def document_at(self, pointer):
         point = Point(pointer.position[0], 2e12)
-        curve = self.session.committed.curves[0]
+        curve = self.document.curves[0]
         return Document((replace(curve, points=(*curve.points, point)),))
+
+    def undo_text(self, pointer):
+        return "Append"
+
+    def committed(self, event):
+        self.done.append(True)
 
 
 def test_a_gesture_that_is_refused_at_its_end_leaves_the_selection_and_offers_nothing():
     """What is said when it is done was said of what was refused, and the new point stayed selected."""
     session, done = Session(), []
     session.selected.set_points([1, 2])
-    machine, count = DragMachine(session), len(session.active_curve.points)
+    tools, count = Toolbox(session, SELECT), len(session.active_curve.points)
     pointer = Pointer((1.0, 1.0), (10.0, 10.0))
-    machine.press_at_once(pointer, Appended(session), on_done=lambda: done.append(True), makes=count)
-    machine.release(pointer)
+    selects = selection_of(0, count)
+    tools.begin(lambda event: Append(document=event.session.document, selects=selects, done=done), pointer)
+    assert session.selection == {count}
+    tools.release(pointer)
     assert not done
     assert len(session.active_curve.points) == count
     assert session.selection == {1, 2}

@@ -28,7 +28,7 @@ def test_a_dragged_point_tells_where_it_is(arch):
 
 
 def test_a_point_that_snaps_tells_its_own_place_and_not_the_hand_s(arch):
-    near = arch.window.canvas.tools.grid() * 3
+    near = arch.window.canvas.tools.canvas.grid_spacing() * 3
     arch.trigger("toggleSnap")
     arch.press(arch.point(1))
     arch.move((1 + near + 3 * arch.pixel, 2 + 2 * arch.pixel))
@@ -91,7 +91,7 @@ def test_nudges_say_where_the_point_is_and_the_step(arch):
 def test_nudges_on_the_grid_say_its_step(arch):
     arch.trigger("toggleSnap")
     arch.select([2])
-    fine = arch.window.canvas.tools.grid()
+    fine = arch.window.canvas.tools.canvas.grid_spacing()
     arch.key(RIGHT)
     assert arch.status == f"Point 2 at {3 + fine:.4g}, 2 · step {fine:.4g}, 0"
 

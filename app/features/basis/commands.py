@@ -13,7 +13,7 @@ from ...actions.needs import TWO_POINTS, Need
 from ...document import rule_edits
 from ...document.model import ParametrizationKind
 from ...state.window_state import WindowState
-from ...tools.rail import RAIL
+from ...tools.parameters import RAIL
 from ...tools.toolbox import Toolbox
 from ...view_model.basis import growth_of_points
 from ...view_model.basis_findings import findings_of, remark_on

@@ -16,7 +16,7 @@ from ...plotting.tool_plot import ToolPlot
 from ...qt.labels import Label
 from ...qt.overrides import ENTER, PASSING, SafeOverrides
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.tool import CanvasQueries, Finder
+from ...tools.tool import CanvasQueries
 from ...tools.toolbox import Toolbox
 from ...view_model.basis import BasisView
 from ...widgets.boxes import column_of
@@ -251,7 +251,7 @@ class BasisPanel(ToolPlot, CanvasQueries):
         self.tick_edit.hide()
         super().abandon_gesture()
 
-    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
+    def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
         drawing = self.drawing
         return hit_test(pointer, self.pixel_map, drawing.basis, drawing.rail, drawing.functions.kinds)
 

@@ -44,7 +44,7 @@ from ...document.several_curves import (
 )
 from ...document.style_edits import set_style
 from ...session import Session
-from ...tools.gesture import CANCELLED
+from ...tools.tool import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext, bar_menu
 from ...workbench.docks import UPPER, Panel

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action
 from ...actions.menus import PLOTS_IN_PLANE
 from ...tasks.task import DebouncedTask
-from ...tools.rail import SCRUB_ALONG
+from ...tools.parameters import SCRUB_ALONG
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView

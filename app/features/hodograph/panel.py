@@ -17,7 +17,7 @@ from ...plotting.layers import Layer
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
 from ...tools.pointer import Hit, Part, Pointer
-from ...tools.tool import CanvasQueries, Finder
+from ...tools.tool import CanvasQueries
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.hodograph import Hodograph
 from ...widgets.boxes import column_of, row_of
@@ -94,7 +94,7 @@ class HodographPlot(ToolPlot, CanvasQueries):
         self.theme = theme
         super().set_theme(theme)
 
-    def hit(self, pointer: Pointer, tool: Finder) -> Hit | None:
+    def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
         """Return the nearest place of the hodograph, however far."""
         if self.hodograph is None or not len(self.hodograph.t):
             return None

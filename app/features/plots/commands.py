@@ -14,7 +14,7 @@ from ...actions.declaration import Action, action_for_each
 from ...actions.menus import PLOTS_OVER_T
 from ...qt.overrides import SafeOverrides
 from ...tasks.task import DebouncedTask
-from ...tools.rail import SCRUB
+from ...tools.parameters import SCRUB
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
 from ...view_model.analysis.plot import PLOTS, Plot

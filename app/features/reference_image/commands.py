@@ -215,7 +215,7 @@ class ImageCommands:
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
         if after.moves_image != before.moves_image:
-            self._context.central.canvas.lay_tool_above(MOVE_IMAGE if after.moves_image else None)
+            self._context.central.canvas.choose_tool(MOVE_IMAGE if after.moves_image else after.tool)
 
 
 COMMAND_SETS = (ImageCommands,)

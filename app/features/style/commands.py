@@ -28,7 +28,7 @@ from ...session.session import Session
 from ...settings.preferences import Preferences
 from ...storage.format_error import FormatError
 from ...storage.validation import check_fields
-from ...tools.gesture import CANCELLED
+from ...tools.tool import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of
 from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard

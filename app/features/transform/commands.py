@@ -13,7 +13,7 @@ from ...document.several_curves import transform_group
 from ...document.transforms import Affine, reflection, rotation
 from ...document.words import number
 from ...state.window_state import WindowState
-from ...tools.transform import TransformKind
+from ...tools.box import TransformKind
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
 from .panel_commands import TransformPanelCommands

@@ -17,15 +17,27 @@ from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.point_kinds import closed_by_line, with_line_appended
 from ...view_model.reshape import inserted_index
 from .. import hints
+from ..add_points import (
+    AppendPoint,
+    BeginCurve,
+    InsertPoint,
+    PenAct,
+    PenSession,
+    can_end_at,
+    can_finish,
+    is_end,
+    is_no_part,
+    key_of,
+    pen_act,
+    position_in_steps,
+    selection_of,
+)
 from ..drag_handles import GESTURES, hint_on_part, press_on_part
 from ..drag_points import label_of_moved
 from ..editing_session import EditingSession
-from ..gesture import Gesture
 from ..marks import Marks
-from ..pen_drags import AppendPoint, BeginCurve, InsertPoint, PenAct, pen_act, place_in_steps
-from ..pen_session import PenSession, key_of
 from ..pointer import Hint, Hit, Pointer
-from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
+from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _ENTER = "Enter, double click: finish the curve"
 
@@ -49,28 +61,17 @@ class AddTool(Tool):
         self._preview: CurveView | None = None
         self._spot: Vector | None = None
 
-    def reset(self) -> None:
-        """Forget which curves are finished; another document is open."""
-        self._pen.reset()
-
-    def pick_up(self) -> None:
-        """Draw nothing yet."""
+    def activate(self, event: ToolEvent) -> None:
+        """Draw nothing yet; where no curve is edited, the active one stays as it is."""
         self._pen.begin()
-
-    def end(self) -> None:
-        """Show nothing of what a press would do."""
-        self._seen = self._preview = self._spot = None
-
-    def take_over(self, event: ToolEvent) -> None:
-        """Leave the active curve as it is: nobody was editing it."""
-        if hints.can_finish(event.view):
+        if not event.session.selected.is_editing and can_finish(event.view):
             self._pen.finish(event.session)
 
     # Finished curves
 
-    def claims(self, event: ToolEvent, key: str) -> bool:
-        """Whether a key takes back what the pen has drawn: unless the person has selected something else."""
-        if key not in _TAKING_BACK or event.drags.is_pressed or not self._pen.has_drawn:
+    def wants_key(self, event: ToolEvent, key: str) -> bool:
+        """Return whether a key takes back what the pen has drawn, and nothing else is selected."""
+        if key not in _TAKING_BACK or not self._pen.has_drawn:
             return False
         last = len(event.view.source.points) - 1
         return event.session.selected.group in (NO_POINTS, points_of(event.session.active_index, [last]))
@@ -78,12 +79,12 @@ class AddTool(Tool):
     def key(self, event: ToolEvent, key: str) -> bool:
         """Finish the curve that is edited with Enter, or say why not; take back its last point."""
         session = event.session
-        if self.claims(event, key):
+        if self.wants_key(event, key):
             self._take_back(event)
             return True
-        if key != "enter" or event.drags.is_pressed or event.view.source.is_closed:
-            return False
-        if not hints.can_finish(event.view):
+        if key != "enter" or event.view.source.is_closed:
+            return super().key(event, key)
+        if not can_finish(event.view):
             session.refuse("A curve needs two points before it can be finished.")
         else:
             self._finish(event)
@@ -113,7 +114,7 @@ class AddTool(Tool):
     def _ends_at(self, hit: Hit, session: EditingSession) -> bool:
         """Whether a double click on what is hit finishes the curve: on the point that it has added."""
         view = session.active_view
-        return hints.is_end(hit, view) and hints.can_finish(view) and not self._pen.is_finished(session)
+        return is_end(hit, view) and can_finish(view) and not self._pen.is_finished(session)
 
     def _go_on(self, event: ToolEvent, index: int) -> None:
         """Go on with a curve from its end at point `index`; from the first it runs the other way."""
@@ -138,19 +139,16 @@ class AddTool(Tool):
             return self._press_on_part(event, part)
         act = self._act(event)
         if act is PenAct.BEGIN:
-            self._begin(event)
-        elif event.view.source.locked:
+            return self._begin(event)
+        if event.view.source.locked:
             session.refuse(hints.LOCKED.format(event.view.source.display_name))
-        elif act is PenAct.INSERT and hit is not None:
-            _insert(event, hit)
-        else:
-            self._append(event)
-        return None
+            return None
+        return _insert(event, hit) if act is PenAct.INSERT and hit is not None else self._append(event)
 
     def _part(self, event: ToolEvent) -> Hit | None:
         """Return the point or handle that a press is about; None for none."""
         session, hit = event.session, event.hit
-        if hit is None or hints.is_no_part(hit) or _begins_anew(session):
+        if hit is None or is_no_part(hit) or _begins_anew(session):
             return None
         return hit
 
@@ -158,7 +156,7 @@ class AddTool(Tool):
         on_click: Callable[[ToolEvent], object] | None = None
         if self._pen.goes_on_at(hit, event.session):
             on_click = partial(self._go_on, index=hit.index)
-        elif hints.can_end_at(hit, event.view):
+        elif can_end_at(hit, event.view):
             on_click = partial(self._close, by_line=event.pointer.alt)
         elif event.pointer.is_double and self._ends_at(hit, event.session):
             on_click = self._finish
@@ -170,21 +168,20 @@ class AddTool(Tool):
         finished = self._pen.is_finished(event.session)
         return pen_act(event.hit, event.view, shift=event.pointer.shift, finished=finished)
 
-    def _append(self, event: ToolEvent) -> None:
-        session = event.session
-        index, key = len(event.view.source.points), key_of(session)
+    def _append(self, event: ToolEvent) -> Gesture:
+        session, index = event.session, len(event.view.source.points)
         snapper, (document, view) = event.snapping.for_new_point(index), self._start(event)
-        append = AppendPoint(
-            document,
-            session.active_index,
-            view,
-            event.pointer,
-            snapper,
-            _appending(event),
+        return AppendPoint(
+            document=document,
+            selects=selection_of(session.active_index, index),
+            curve=session.active_index,
+            view=view,
+            press=event.pointer,
+            snapper=snapper,
+            append=_appending(event),
+            pen=self._pen,
+            key_of_curve=key_of(session),
         )
-        # Only when it is done: Escape leaves a finished curve finished.
-        done = partial(self._pen.draw, key, index)
-        event.drags.press_at_once(event.pointer, append, on_done=done, makes=index)
 
     def _close(self, event: ToolEvent, *, by_line: bool) -> None:
         """Close the curve that is edited, or say why it cannot be closed."""
@@ -206,15 +203,22 @@ class AddTool(Tool):
             return document, event.view
         return document, view_of(document.curves[session.active_index], event.view)
 
-    def _begin(self, event: ToolEvent) -> None:
+    def _begin(self, event: ToolEvent) -> Gesture:
         """Begin another curve, or the empty one; it is edited from the press on."""
         session = event.session
-        document, place = with_new_curve(session.document, session.active_index, _fresh(event))
-        begun_curve = document.curves[place]
-        done = partial(self._pen.draw, (place, begun_curve.name), 0)
-        view, snapper = view_of(begun_curve), event.snapping.for_new_point(-1)
-        begin = BeginCurve(document, place, view, event.pointer, snapper, _appending(event))
-        event.drags.press_at_once(event.pointer, begin, on_done=done, active=place, makes=0)
+        document, curve = with_new_curve(session.document, session.active_index, _fresh(event))
+        view = view_of(document.curves[curve])
+        return BeginCurve(
+            document=document,
+            selects=selection_of(curve, 0),
+            curve=curve,
+            view=view,
+            press=event.pointer,
+            snapper=event.snapping.for_new_point(-1),
+            append=_appending(event),
+            pen=self._pen,
+            key_of_curve=(curve, view.source.name),
+        )
 
     # What a press would do
 
@@ -224,7 +228,7 @@ class AddTool(Tool):
         part = self._part(event)
         act = self._act(event) if part is None else None
         place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
-        in_steps = act is PenAct.APPEND and place_in_steps(view, event.pointer) is not None
+        in_steps = act is PenAct.APPEND and position_in_steps(view, event.pointer) is not None
         if place is not None and not in_steps:
             event.preview_snap(place)
         self._update_preview(event, act)
@@ -244,7 +248,7 @@ class AddTool(Tool):
         is_here = math.isfinite(event.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
         self._seen = view
-        if is_here and act is None and self._pen.is_drawn(session) and hints.can_end_at(hit, view):
+        if is_here and act is None and self._pen.is_drawn(session) and can_end_at(hit, view):
             self._preview = self._view_closed(event)
             return
         if not is_here or act is not PenAct.APPEND:
@@ -252,7 +256,7 @@ class AddTool(Tool):
             return
         pointer = event.pointer
         free = caught.position if caught is not None else pointer.position
-        place = place_in_steps(view, pointer) or free
+        place = position_in_steps(view, pointer) or free
         document, start = self._start(event)
         self._preview = view_with_point(
             document, session.active_index, start, place, self._preview, append=_appending(event)
@@ -273,11 +277,11 @@ class AddTool(Tool):
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the curve with one point more, or the spot to insert one at."""
-        is_shown = self._seen is event.view and not event.drags.is_pressed
+        is_current = self._seen is event.view
         return Marks(
             snap=event.snapping.caught,
-            preview_curve=self._preview if is_shown else None,
-            spot=self._spot if is_shown else None,
+            preview_curve=self._preview if is_current else None,
+            spot=self._spot if is_current else None,
         )
 
 
@@ -297,21 +301,18 @@ def _begins_anew(session: EditingSession) -> bool:
     return not session.selected.is_editing and bool(session.document.curves[session.active_index].points)
 
 
-def _insert(event: ToolEvent, hit: Hit) -> None:
+def _insert(event: ToolEvent, hit: Hit) -> Gesture:
     session, hit = event.session, replace(hit, index=inserted_index(event.view, hit.t))
-    place = (session.active_index, hit.index)
-    snapper = event.snapping.for_points(points_of(place[0], [place[1]]), place)
-    insert = InsertPoint(session.document, session.active_index, event.view, hit, event.pointer, snapper)
-    event.drags.press_at_once(
-        event.pointer, insert, on_done=lambda: _say_outcome(session, insert), makes=hit.index
+    point = (session.active_index, hit.index)
+    return InsertPoint(
+        document=session.document,
+        selects=selection_of(*point),
+        curve=session.active_index,
+        view=event.view,
+        hit=hit,
+        press=event.pointer,
+        snapper=event.snapping.for_points(points_of(point[0], [point[1]]), point),
     )
-
-
-def _say_outcome(session: EditingSession, insert: InsertPoint) -> None:
-    made = insert.on_curve
-    # Dragged off the curve: the change is what was wanted.
-    if session.active_view.source == made.curve:
-        session.say(made.sentence)
 
 
 def _hint_on_part(
@@ -325,9 +326,9 @@ def _hint_on_part(
 ) -> Hint:
     """Return the hint of the Add tool over a point or a handle; `goes_on`: what a click on an end does."""
     if goes_on:
-        end = "" if hints.is_end(hit, view) else " from its first point"
+        end = "" if is_end(hit, view) else " from its first point"
         return Hint(f"Click to go on with this curve{end} · Drag to move point {hit.index}", grab=True)
-    if hints.can_end_at(hit, view):
+    if can_end_at(hit, view):
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
             return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
@@ -355,7 +356,7 @@ def _hint_beside(
         other = "" if fresh.family == view.source.family else f", {fresh.family.title}"
         shift = f" · Shift: add point {index} to this one" if goes_on else ""
         return Hint(f"Click to begin another curve{other}{shift} · {keys}")
-    what, finish = f"Click to add point {index}", _ENTER if hints.can_finish(view) else ""
+    what, finish = f"Click to add point {index}", _ENTER if can_finish(view) else ""
     if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"
     else:

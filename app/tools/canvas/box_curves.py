@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Self
 
 import msgspec
 from msgspec.structs import replace
@@ -14,13 +13,14 @@ from ...document import words
 from ...document.box_edits import Piece, draw_closed_curve, drawn_index, ellipse_in, rectangle_in
 from ...document.limits import EditError
 from ...document.model import Document, Vector
+from ...document.point_group import NO_POINTS
+from ...document.selection import SelectionState
 from ...document.style import Style
 from ...document.words import decimal_sum
-from ..drag import Drag
 from ..marks import Marks, Note
 from ..pointer import Hint, Pointer
 from ..snapping import Snapper
-from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
+from ..tool import GestureRow, Tool, ToolEvent, ToolRecord, TypedDrag
 from ..typed_amount import TypedAmount
 
 _SIDES = ("its width", "its height")
@@ -64,7 +64,7 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
         return f"Ctrl: {self.regular} · Shift: about the centre"
 
 
-class DrawInBox(Drag, frozen=True):
+class DrawInBox(TypedDrag, kw_only=True):
     """A drag from one corner of the box, or with Shift from its middle, to the opposite corner.
 
     Attributes
@@ -79,8 +79,6 @@ class DrawInBox(Drag, frozen=True):
         The name of the unit of length.
     style
         Of what is drawn.
-    typed
-        Width and height as typed so far.
     """
 
     drawn: BoxCurve
@@ -89,28 +87,21 @@ class DrawInBox(Drag, frozen=True):
     snapper: Snapper
     unit: str
     style: Style
-    typed: TypedAmount = TypedAmount()
 
-    @property
-    def name(self) -> str:
-        """The name of the step."""
-        return f"Draw {self.drawn.name}"
+    def click(self, event: ToolEvent) -> None:
+        """Say that it takes a drag."""
+        event.session.say(f"{self.drawn.hint}.")
 
-    @property
-    def keys(self) -> str:
-        """Effects of the modifier keys, and what else can be typed."""
-        at = self.typed.at
-        return f"{self.drawn.keys} · digits: {_SIDES[at]}, Tab: {_SIDES[1 - at]}"
+    def wants_key(self, key: str) -> bool:
+        """Return whether a key is for width and height."""
+        return key.isdigit() or key in ("enter", "tab") or self.typed.claims(key)
 
-    @property
-    def refusal(self) -> str:
-        """Why what is typed is no number yet."""
-        return self.typed.refusal
-
-    def with_key(self, key: str) -> Self | None:
-        """Return the drag after a key that types; None for any other, EditError for a letter of no unit."""
-        typed = self.typed.after_tab(None) if key == "tab" else self.typed.after(key)
-        return None if typed is None else replace(self, typed=typed)
+    def key(self, event: ToolEvent, key: str) -> bool:
+        """Take a character of width or height, or "tab" to the other one."""
+        if key != "tab":
+            return self.type(key)
+        self.typed = self.typed.after_tab(None)
+        return True
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve in the box; raise EditError where that has no area."""
@@ -121,13 +112,32 @@ class DrawInBox(Drag, frozen=True):
         name = self.drawn.name.capitalize()
         return draw_closed_curve(self.document, self.active, name, pieces, self.style)
 
-    def readout(self, pointer: Pointer) -> str:
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Draw ellipse"."""
+        return f"Draw {self.drawn.name}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys, and what else can be typed."""
+        at = self.typed.at
+        return f"{self.drawn.keys} · digits: {_SIDES[at]}, Tab: {_SIDES[1 - at]}"
+
+    def amount(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
         sides = [words.number(abs(side)) for side in _way(*self._box(pointer))]
         for at, text in enumerate(self.typed.fields):
             if text or (self.typed.is_pair and at == self.typed.at):
                 sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
         return f"{' × '.join(sides)} {self.unit}".rstrip()
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return what has snapped, and width and height beside the pointer."""
+        marks, pointer = super().marks(event), event.pointer
+        return (
+            replace(marks, note=Note(pointer.position, self.amount(pointer), self.start))
+            if self.has_moved
+            else marks
+        )
 
     def _box(self, pointer: Pointer) -> tuple[Vector, Vector]:
         start, end = self.start, self.snapper.at(pointer)
@@ -171,56 +181,39 @@ class BoxCurveTool(Tool):
 
     def __init__(self, drawn: BoxCurve) -> None:
         self._drawn = drawn
-        self._drag: DrawInBox | None = None
 
-    def press(self, event: ToolEvent) -> None:
+    def press(self, event: ToolEvent) -> DrawInBox:
         """Begin to draw."""
-        session, snapper, drawn = event.session, event.snapping.for_new_point(-1), self._drawn
-        active, start, unit = session.active_index, snapper.at(event.pointer), event.settings.unit
-        self._drag = DrawInBox(
-            session.document, drawn, active, start, snapper, unit, session.model.style, TypedAmount(unit=unit)
+        session, snapper, unit = event.session, event.snapping.for_new_point(-1), event.settings.unit
+        active = session.active_index
+        drawn = drawn_index(session.document, active)
+        return DrawInBox(
+            document=session.document,
+            selects=SelectionState(drawn, NO_POINTS, frozenset({drawn}), frozenset(), is_editing=True),
+            drawn=self._drawn,
+            active=active,
+            start=snapper.at(event.pointer),
+            snapper=snapper,
+            unit=unit,
+            style=session.model.style,
+            typed=TypedAmount(unit=unit),
         )
-        place = drawn_index(session.document, active)
-        event.drags.press(event.pointer, self._drag, lambda: session.say(f"{drawn.hint}."), active=place)
 
-    def end(self) -> None:
-        """Drop the drag."""
-        super().end()
-        self._drag = None
-
-    def claims(self, event: ToolEvent, key: str) -> bool:
-        """Whether a key is for its numbers: a digit also after the drag, when it would be a shortcut."""
-        drag = self._drag
-        return key.isdigit() or (drag is not None and (key in ("enter", "tab") or drag.typed.claims(key)))
+    def wants_key(self, event: ToolEvent, key: str) -> bool:
+        """Return whether a key is a digit: after the drag it would be a shortcut."""
+        return key.isdigit()
 
     def key(self, event: ToolEvent, key: str) -> bool:
-        """Take what is typed of its numbers while it is dragged; "enter" ends that."""
-        if self._drag is None:
-            if key.isdigit():
-                event.session.refuse(_TOO_LATE)
-            return key.isdigit()
-        if key == "enter":
-            if self._drag.refusal:
-                raise EditError(self._drag.refusal)
-            event.drags.release(event.pointer)
-            return True
-        changed = self._drag.with_key(key)
-        if changed is not None:
-            self._drag = changed
-            event.drags.exchange(event.pointer, changed)
-        return changed is not None
+        """Say of a digit that it comes too late."""
+        if not key.isdigit():
+            return super().key(event, key)
+        event.session.refuse(_TOO_LATE)
+        return True
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         event.preview_snap(-1)
         return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
-
-    def marks(self, event: ToolEvent) -> Marks:
-        """Return what is snapped to, and the numbers of what is drawn."""
-        marks, drag, pointer = super().marks(event), self._drag, event.pointer
-        if drag is None or not event.drags.progress_at(pointer):
-            return marks
-        return replace(marks, note=Note(pointer.position, drag.readout(pointer), drag.start))
 
 
 def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> ToolRecord:

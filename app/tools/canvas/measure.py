@@ -5,86 +5,90 @@ from __future__ import annotations
 import math
 
 from ...document import words
-from ..drag import minus
-from ..drags import stepped_from
 from ..marks import Marks, Ruler
+from ..offsets import minus
 from ..pointer import SNAP_KEY, STEP_KEYS, Hint
-from ..snapping import with_snap
-from ..tool import GestureRow, OldGesture, Tool, ToolEvent, ToolRecord
+from ..snapping import Snapper, stepped_from
+from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _KEYS = f"{STEP_KEYS} · {SNAP_KEY}"
 """Effects of the modifier keys while something is measured."""
 
 
-class Measuring(OldGesture):
+class Measuring(Gesture, kw_only=True):
     """A line from the press to the pointer, both snapping; with Ctrl or Shift its angle goes in steps of 15°.
 
     Attributes
     ----------
     ruler
-        The line with what is measured.
+        The line with the text of what is measured; None once it is cancelled.
     """
 
-    def __init__(self, event: ToolEvent) -> None:
-        self._snapper, self._unit = event.snapping.for_new_point(-1), event.settings.unit
-        start = self._snapper.at(event.pointer)
-        self.ruler = Ruler(start, start, "")
+    starts_at_press = True
+    snapper: Snapper
+    unit: str
+    ruler: Ruler | None
 
     def move(self, event: ToolEvent) -> None:
         """Measure up to the pointer."""
+        if self.ruler is None:
+            return
         start = self.ruler.start
-        end = stepped_from(start, event.pointer, self._snapper)
-        way = minus(end, start)
-        dx, dy = way
-        unit = f" {self._unit}" if self._unit else ""
-        direction = words.direction(way)
+        end = stepped_from(start, event.pointer, self.snapper)
+        dx, dy = offset = minus(end, start)
+        unit = f" {self.unit}" if self.unit else ""
         length = f"{words.number(math.hypot(dx, dy))}{unit}"
-        text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {direction}"
+        text = f"{length} · Δx {words.number(dx)} · Δy {words.number(dy)} · {words.direction(offset)}"
         self.ruler = Ruler(start, end, text)
 
-    def progress(self, event: ToolEvent) -> str:
+    def cancel(self, event: ToolEvent) -> None:
+        """Remove the ruler."""
+        self.ruler = None
+
+    @property
+    def visible_ruler(self) -> Ruler | None:
+        """The ruler, once it has a length."""
+        return self.ruler if self.ruler is not None and self.ruler.start != self.ruler.end else None
+
+    def status(self, event: ToolEvent) -> str:
         """Return what is measured, and what the keys would change."""
-        text = self.ruler.text
-        return with_snap(f"{text} · {_KEYS}", event.snapping.caught) if text else ""
+        return f"{self.visible_ruler.text} · {_KEYS}" if self.visible_ruler is not None else ""
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the ruler, and what its end has snapped to."""
+        return Marks(ruler=self.visible_ruler, snap=event.snapping.caught)
 
 
 class MeasureTool(Tool):
     """Tool that measures from the press to the pointer; the ruler stays until it is dismissed."""
 
+    edits_points = False
+
     def __init__(self) -> None:
         self._measured: Measuring | None = None
 
-    def takes_up(self, event: ToolEvent) -> bool:
-        """Whether it works on the active curve where none is edited: never."""
-        return False
-
-    def press(self, event: ToolEvent) -> None:
+    def press(self, event: ToolEvent) -> Measuring:
         """Begin to measure here."""
-        self.gesture = self._measured = Measuring(event)
+        snapper = event.snapping.for_new_point(-1)
+        start = snapper.at(event.pointer)
+        self._measured = Measuring(snapper=snapper, unit=event.settings.unit, ruler=Ruler(start, start, ""))
+        return self._measured
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         event.preview_snap(-1)
         return Hint(f"Drag to measure a distance and an angle · {_KEYS} · V goes back to Select")
 
-    def cancel(self, event: ToolEvent) -> None:
-        """Remove the ruler that is drawn."""
-        if self.gesture is not None:
-            self._measured = None
-        super().cancel(event)
-
     def dismiss(self, event: ToolEvent) -> bool:
         """Remove the ruler; return whether there was one."""
         measured, self._measured = self._measured, None
-        return measured is not None
+        return measured is not None and measured.ruler is not None
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the ruler, and what its end, or a press, has snapped to."""
-        ruler = self._measured.ruler if self._measured is not None else None
-        return Marks(
-            ruler=ruler if ruler is not None and ruler.start != ruler.end else None,
-            snap=event.snapping.caught if ruler is None or self.gesture is not None else None,
-        )
+        """Return the ruler, or what a press would snap to."""
+        if self._measured is None or self._measured.ruler is None:
+            return Marks(snap=event.snapping.caught)
+        return Marks(ruler=self._measured.visible_ruler)
 
 
 MEASURE = ToolRecord(

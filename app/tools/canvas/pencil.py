@@ -18,10 +18,9 @@ from ...tasks.progress import Report
 from ...view_model.fit import SCATTERED, Fitted, fitted
 from ..background import BackgroundTask
 from ..editing_session import EditingSession
-from ..gesture import CANCELLED, THRESHOLD
 from ..marks import Marks
 from ..pointer import Hint, Pointer
-from ..tool import GestureRow, OldGesture, Tool, ToolEvent, ToolRecord
+from ..tool import THRESHOLD, Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _CLOSING = 12.0
 """Pixels between beginning and end of a line that is meant to return."""
@@ -35,58 +34,74 @@ _PATIENCE_S = 0.8
 _HINT = "Drag to draw freehand; the curve gets few points"
 
 
-class Drawing(OldGesture):
-    """A line that is being drawn; it changes nothing in the document before it ends."""
+class PencilLine(Gesture, kw_only=True):
+    """A line that is being drawn; the document changes only when it ends.
 
-    def __init__(self, event: ToolEvent) -> None:
-        self._press = event.pointer
-        self._places = [event.pointer.position]
-        self._length = self._farthest = 0.0
-        self._last = event.pointer.pixel
+    Attributes
+    ----------
+    press
+        The pointer at the press.
+    positions
+        The line so far.
+    length, farthest
+        Pixels that the pointer has travelled, and its largest distance from the press.
+    last
+        The last pixel.
+    """
+
+    starts_at_press = True
+    press: Pointer
+    positions: list[Vector]
+    last: Vector
+    length: float = 0.0
+    farthest: float = 0.0
 
     @property
     def line(self) -> tuple[Vector, ...]:
         """The line so far; nothing before the pointer has travelled far enough for a drag."""
-        return tuple(self._places) if self._farthest >= THRESHOLD else ()
+        return tuple(self.positions) if self.farthest >= THRESHOLD else ()
 
     def move(self, event: ToolEvent) -> None:
-        """Take the place of the pointer."""
+        """Add the position of the pointer."""
         pointer = event.pointer
-        self._length += math.dist(pointer.pixel, self._last)
-        self._farthest = max(self._farthest, math.dist(pointer.pixel, self._press.pixel))
-        self._last = pointer.pixel
-        if pointer.position != self._places[-1]:
-            self._places.append(pointer.position)
+        self.length += math.dist(pointer.pixel, self.last)
+        self.farthest = max(self.farthest, math.dist(pointer.pixel, self.press.pixel))
+        self.last = pointer.pixel
+        if pointer.position != self.positions[-1]:
+            self.positions.append(pointer.position)
 
     def release(self, event: ToolEvent) -> None:
-        """Make a curve of the line."""
-        self.move(event)
+        """Make a curve of the line, beside the window: it takes longer than a moment."""
         session = event.session
         if not self.line:
             session.say(f"{_HINT}.")
             return
-        returns = math.dist(self._last, self._press.pixel) <= _CLOSING
-        closed = returns and self._length > _LEAST_ROUND * _CLOSING
-        tolerance = event.settings.pencil.pixels / self._press.scale
+        returns = math.dist(self.last, self.press.pixel) <= _CLOSING
+        closed = returns and self.length > _LEAST_ROUND * _CLOSING
+        tolerance = event.settings.pencil.pixels / self.press.scale
         begin = _begun(session)
         model = replace(begin.document.curves[begin.curve_index], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
-        done = partial(_take, session, model, self._press, tolerance)
+        done = partial(_take, session, model, self.press, tolerance)
         event.background.do(BackgroundTask("The pencil's curve", work, done, self.line))
 
     def cancel(self, event: ToolEvent) -> None:
-        """Tell that nothing was drawn."""
+        """Say that nothing was drawn."""
         if self.line:
-            event.session.say(CANCELLED)
+            super().cancel(event)
 
-    def progress(self, event: ToolEvent) -> str:
-        """Tell how the line becomes a curve."""
+    def status(self, event: ToolEvent) -> str:
+        """Return how the line becomes a curve."""
         if not self.line:
             return ""
         detail = event.settings.pencil.label.lower()
-        can_close = event.session.active_view.source.family.curve_class.can_close
+        can_close = event.view.source.family.curve_class.can_close
         closed = "back to the beginning: closed · " if can_close else ""
         return f"Drawing, {detail} · {closed}Escape cancels"
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the line."""
+        return Marks(line=self.line)
 
 
 def _begun(session: EditingSession) -> NewCurve:
@@ -159,21 +174,16 @@ def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
 class PencilTool(Tool):
     """Tool that draws freehand."""
 
-    gesture: Drawing | None = None
-
-    def press(self, event: ToolEvent) -> None:
-        """Begin a line here, if there is a place for a curve."""
+    def press(self, event: ToolEvent) -> PencilLine:
+        """Begin a line here, if there is room for a curve."""
         _begun(event.session)
-        self.gesture = Drawing(event)
+        pointer = event.pointer
+        return PencilLine(press=pointer, positions=[pointer.position], last=pointer.pixel)
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
         detail = event.settings.pencil.label.lower()
         return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V goes back to Select")
-
-    def marks(self, event: ToolEvent) -> Marks:
-        """Return the line."""
-        return Marks(line=self.gesture.line if self.gesture is not None else ())
 
 
 PENCIL = ToolRecord(

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
-
 from msgspec.structs import replace
 
 from ...document.model import Vector
@@ -12,18 +9,25 @@ from ...document.point_group import PointGroup
 from ...view_model.curve.curve_view import CurveView
 from .. import hints
 from ..bend import hint_on_line, press_on_line
-from ..curve_picker import CurvePicker, click_curve, select_hit
+from ..box import Grip
 from ..drag_handles import GESTURES, hint_on_part, press_on_part
-from ..drag_points import kind_on_double_click, label_of_moved, toggling_kind
-from ..gesture import Gesture
-from ..guides import GuidePicker
+from ..drag_points import Click, kind_on_double_click, label_of_moved, press_on_group, toggling_kind
+from ..guides import hint_on_guide, press_on_guide
 from ..marks import Marks
-from ..marquee import Band, CurveMarquee, Marquee
+from ..move_pivot import PIVOT_HINT, is_on_pivot, press_on_pivot
 from ..pointer import Cursor, Hint, Hit, Part
-from ..tool import GestureRow, Tool, ToolEvent, ToolRecord
-from ..transform import TransformKind
-from ..transform_box import Grip, TransformBox
-from ..transform_drags import PIVOT_HINT, MovePivot, is_on_pivot, moving, scaling, turning
+from ..select_curves import (
+    activate_pressed,
+    click_curve,
+    deselect_curves,
+    hint_beside_curves,
+    hint_on_curve,
+    press_on_curve,
+    press_with_band,
+    select_hit,
+)
+from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
+from ..transform import hint_inside_box, hint_on_grip, press_on_grip
 
 _ON_EMPTY = (
     "Drag to select points, Shift adds · Escape: whole curves · P adds points · Wheel zooms, Space pans"
@@ -31,111 +35,48 @@ _ON_EMPTY = (
 
 
 class SelectTool(Tool):
-    """Tool that selects, moves and bends."""
+    """Tool that selects, moves and bends: `press` decides by precedence, each gesture has its file."""
 
     cursor = Cursor.ARROW
-    finds_other_curves = True
-    finds_guides = True
+    hits = Tool.hits | {Part.OTHER_POINT, Part.OTHER_CURVE, Part.GUIDE}
     shows_box = True
+    edits_points = False
 
     def __init__(self) -> None:
-        self._picker, self._guides = CurvePicker(), GuidePicker()
-        self._drags_grip = False
-        self._lit: Vector | None = None
-        # The line that the last press was on, and where: a double click is of two there, though the first
-        # has brought handles and a box.
+        # What a press would act on: a point of another curve, a guide.
+        self._spot: Vector | None = None
+        self._guide: int | None = None
+        # The line of the last press, and where: a double click is of two there, though the first has brought
+        # handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
 
-    def press(self, event: ToolEvent) -> Gesture | None:
-        """Begin what a press here means."""
+    # From the top: the pivot, points and handles, grips, guides, lines, the inside of the box
+
+    def press(self, event: ToolEvent) -> Gesture:
+        """Return the gesture that begins here."""
         line, self._pressed = self._line_clicked_twice(event), None
         if line is not None:
-            return self._press_on_curve(event, line, is_second=True)
+            return self._press_on_line(event, line, is_second=True)
         if self._is_on_pivot(event):
-            self.gesture = MovePivot(event, self._click_at_pivot(event))
-            return None
-        return self._press(self._picker.entered(event))
+            return press_on_pivot(event, _click_at_pivot(event))
+        return self._press(activate_pressed(event))
 
-    def _press(self, event: ToolEvent) -> Gesture | None:
-        hit, grip = event.hit, self._grip_at(event)
+    def _press(self, event: ToolEvent) -> Gesture:
+        hit, grip = event.hit, _grip_at(event)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
-            self._picker.press(event, hit)
-        elif hit is not None and not _is_below_grips(hit):
+            return press_on_curve(event, hit)
+        if hit is not None and not _is_below_grips(hit):
             return press_on_part(event, hit, toggling_kind(event, hit))
-        elif grip is not None:
-            self._press_on_grip(event, grip)
-        elif hit is not None and hit.part is Part.GUIDE:
-            self._guides.press(event, hit)
-        elif hit is not None and hit.inside:
-            self._press_within(event, hit)
-        elif hit is not None:
-            return self._press_on_curve(event, hit)
-        else:
-            self._press_beside(event)
-        return None
+        if grip is not None:
+            return press_on_grip(event, grip)
+        if hit is not None and hit.part is Part.GUIDE:
+            self._guide = hit.index
+            return press_on_guide(event, hit.index)
+        if hit is not None and not hit.inside:
+            return self._press_on_line(event, hit)
+        return _press_inside(event, hit) if hit is not None else _press_beside(event)
 
-    def _press_within(self, event: ToolEvent, area: Hit) -> None:
-        """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
-        if not self._is_pressed_within(event):
-            self._press_beside(event)
-        elif not event.session.selected.is_editing and not event.pointer.shift:
-            self._picker.press(event, area)
-        else:
-            self.gesture = self._band(event)(event, lambda event: click_curve(event, area), is_on_curve=True)
-
-    def _press_beside(self, event: ToolEvent) -> None:
-        """Begin to move what the box is around, or a rubber band."""
-        if (group := self._inside(event)) is not None:
-            drag = moving(event, group)
-            event.drags.press(event.pointer, drag, lambda: self._deselect(event))
-        else:
-            self.gesture = self._band(event)(event, self._picker.unpick)
-
-    def _is_pressed_within(self, event: ToolEvent) -> bool:
-        """Whether a press in what another curve fills is about that, and not about the box around points."""
-        is_choosing = not event.session.selected.is_editing and not event.pointer.shift
-        return is_choosing or self._inside(event) is None
-
-    @staticmethod
-    def _band(event: ToolEvent) -> type[Band]:
-        return Marquee if event.session.selected.is_editing else CurveMarquee
-
-    def key(self, event: ToolEvent, key: str) -> bool:
-        """Edit what is chosen with Enter."""
-        selected = event.session.selected
-        if key != "enter" or selected.is_editing or event.drags.is_pressed or not selected.chosen:
-            return False
-        selected.edit_chosen()
-        select_hit(event)
-        return True
-
-    def reset(self) -> None:
-        """Forget the curve of another document."""
-        self._pressed = None
-
-    def _deselect(self, event: ToolEvent) -> None:
-        """Let go of what the box is around: a click inside it means the empty place there."""
-        if event.session.selected.points:
-            event.session.selected.set_points([])
-        else:
-            self._picker.unpick(event)
-
-    @staticmethod
-    def _click_at_pivot(event: ToolEvent) -> Callable[[], None] | None:
-        """Return what a click on the pivot of chosen curves means: another curve that lies there."""
-        hit, session = event.hit, event.session
-        if hit is None or hit.part is not Part.OTHER_CURVE or session.selected.is_editing:
-            return None
-        if hit.index in session.selected.chosen:
-            return None
-        return partial(click_curve, event, hit)
-
-    def _press_on_grip(self, event: ToolEvent, grip: Grip) -> None:
-        self._drags_grip = True
-        drag = scaling if grip.does is TransformKind.SCALE else turning
-        event.drags.press(event.pointer, drag(event, grip))
-
-    def _press_on_curve(self, event: ToolEvent, hit: Hit, *, is_second: bool = False) -> Gesture:
+    def _press_on_line(self, event: ToolEvent, hit: Hit, *, is_second: bool = False) -> Gesture:
         self._pressed = (event.view, hit)
         return press_on_line(event, hit, is_second=is_second)
 
@@ -147,117 +88,145 @@ class SelectTool(Tool):
         view, hit = pressed
         return hit if view is event.view else None
 
-    def end(self) -> None:
-        """Drop the rubber band, or the grip."""
-        super().end()
-        self._drags_grip = False
-
-    # What is shown
-
-    def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
-        hit, grip, group = event.hit, self._grip_at(event), event.box.group
-        takes_pivot = self._is_on_pivot(event)
-        self._guides.hover(hit if grip is None and not takes_pivot else None)
-        self._lit = _unselected_place(event, hit)
-        if takes_pivot:
-            return PIVOT_HINT
-        box = self._box(event)
-        if grip is not None and group is not None and box is not None and _is_below_grips(hit):
-            return hints.on_grip(grip, box, group, event.box.refusal_of(group))
-        if (
-            hit is not None
-            and hit.part is Part.OTHER_CURVE
-            and (not hit.inside or self._is_pressed_within(event))
-        ):
-            return self._picker.hint(event, hit)
-        if (beside := self._guides.hint(event)) is not None:
-            return beside
-        if hit is not None and not hit.inside:
-            return self._hint_on_part(event, hit)
-        return self._idle_hint(event) or Hint(_ON_EMPTY)
-
     @staticmethod
-    def _hint_on_part(event: ToolEvent, hit: Hit) -> Hint:
-        """Return the hint over a point, a handle or the line of a curve that is edited."""
-        view, moves, pointer = event.view, label_of_moved(event, hit), event.pointer
-        snaps = event.settings.snapping.on
-        if hit.curve >= 0:
-            view, hit = event.session.views[hit.curve], hit.as_own
-        if view.source.locked:
-            return Hint(hints.LOCKED.format(view.source.display_name))
-        if hit.part is Part.CURVE:
-            return hint_on_line(view, pointer)
-        hint = hint_on_part(hit, view, moves, pointer, snaps=snaps)
-        return replace(hint, text=f"{hint.text}{kind_on_double_click(hit, view, pointer)}")
+    def _is_on_pivot(event: ToolEvent) -> bool:
+        """Return whether a press takes the pivot; the middle of a box only beside all that can be hit.
 
-    def _idle_hint(self, event: ToolEvent) -> Hint | None:
-        """Return what a press beside everything would do, None for nothing in particular."""
-        inside = self._inside(event)
-        if inside is None:
-            return self._picker.idle_hint(event)
-        return hints.inside_box(inside, event.pointer, snaps=event.settings.snapping.on)
-
-    def marks(self, event: ToolEvent) -> Marks:
-        """Return the rubber band, or the box with grips and the amount of what one of them does."""
-        is_idle, box = self.gesture is None and not event.drags.is_pressed, self._box(event)
-        is_banding, pivot = isinstance(self.gesture, Band), event.box.pivot
-        centre = box.centre if box is not None else None
-        return Marks(
-            band=self.gesture.band if isinstance(self.gesture, Band) else None,
-            box=box if is_idle else None,
-            frame=None if is_idle or is_banding else box,
-            pivot=event.drags.about_at(event.pointer) or (None if is_banding else pivot or centre),
-            pivot_box=box if is_idle and pivot is None else None,
-            snap=event.snapping.caught,
-            note=event.note() if self._drags_grip else None,
-            spot=self._lit if is_idle else None,
-            guide=self._guides.lit,
-        )
-
-    @staticmethod
-    def _box(event: ToolEvent) -> TransformBox | None:
-        target = event.box
-        box = target.rectangle if event.settings.shows_box else None
-        return box if box is not None and not target.refusal_of(target.group) else None
-
-    def _inside(self, event: ToolEvent) -> PointGroup | None:
-        """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
-        box = None if event.pointer.shift else self._box(event)
-        is_inside = box is not None and box.holds(event.pointer)
-        return event.box.group if is_inside else None
-
-    def _is_on_pivot(self, event: ToolEvent) -> bool:
-        """Whether a press takes the pivot; one that nobody chose gives way to points, handles and lines.
-
-        Where whole curves are chosen there is no line to bend, and it comes before these.
+        Where whole curves are selected there is no line to bend, and the middle comes before these.
         """
-        hit, group, box = event.hit, event.box.group, self._box(event)
-        pivot = event.box.pivot
-        place = pivot or (box.centre if box is not None else None)
+        hit, group, box, pivot = event.hit, event.box.group, event.rectangle, event.box.pivot
+        position = pivot or (box.centre if box is not None else None)
         # The middle of a straight segment whose ends are selected is that of their box.
         is_line = hit is not None and hit.part in (Part.CURVE, Part.OTHER_CURVE)
         is_beside = hit is None or hit.inside or hit.part is Part.GUIDE
         is_beside |= is_line and group is not None and group.is_whole
         has_room = box is not None and box.is_roomy(event.pointer.scale)
         is_free = pivot is not None or (has_room and is_beside)
-        return place is not None and is_free and is_on_pivot(place, event.pointer)
+        return position is not None and is_free and is_on_pivot(position, event.pointer)
 
-    def _grip_at(self, event: ToolEvent) -> Grip | None:
-        box = self._box(event)
-        return box.grip_at(event.pointer) if box is not None else None
+    def key(self, event: ToolEvent, key: str) -> bool:
+        """Edit the selected curves with Enter."""
+        selected = event.session.selected
+        if key != "enter" or selected.is_editing or not selected.chosen:
+            return super().key(event, key)
+        selected.edit_chosen()
+        select_hit(event)
+        return True
+
+    # What a press would do
+
+    def hover(self, event: ToolEvent) -> Hint:
+        """Return what a press here would do."""
+        hit, grip, box = event.hit, _grip_at(event), event.rectangle
+        is_pivot, group = self._is_on_pivot(event), event.box.group
+        is_guide = hit is not None and hit.part is Part.GUIDE and grip is None and not is_pivot
+        self._guide = hit.index if hit is not None and is_guide else None
+        self._spot = _unselected_point(event, hit)
+        if is_pivot:
+            return PIVOT_HINT
+        if grip is not None and group is not None and box is not None and _is_below_grips(hit):
+            return hint_on_grip(grip, box, group, event.box.refusal_of(group))
+        if hit is not None and hit.part is Part.OTHER_CURVE and not (hit.inside and _is_for_box(event)):
+            return hint_on_curve(event, hit)
+        if self._guide is not None:
+            return hint_on_guide(event, self._guide)
+        if hit is not None and not hit.inside:
+            return _hint_on_edited(event, hit)
+        return _hint_beside(event)
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the box with grips, its pivot, and what a press would act on."""
+        box, pivot = event.rectangle, event.box.pivot
+        return Marks(
+            box=box,
+            pivot=pivot or (box.centre if box is not None else None),
+            pivot_box=box if pivot is None else None,
+            snap=event.snapping.caught,
+            spot=self._spot,
+            guide=self._guide,
+        )
+
+
+def _press_inside(event: ToolEvent, area: Hit) -> Gesture:
+    """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
+    if _is_for_box(event):
+        return _press_beside(event)
+    if not event.session.selected.is_editing and not event.pointer.shift:
+        return press_on_curve(event, area)
+    return press_with_band(event, lambda release: click_curve(release, area), is_on_curve=True)
+
+
+def _press_beside(event: ToolEvent) -> Gesture:
+    """Begin to move what the box is around, or a rubber band."""
+    if (group := _group_inside(event)) is not None:
+        return press_on_group(event, group, _deselect)
+    return press_with_band(event, deselect_curves)
+
+
+def _is_for_box(event: ToolEvent) -> bool:
+    """Return whether a press in what another curve fills is about the box around the selection."""
+    is_choosing = not event.session.selected.is_editing and not event.pointer.shift
+    return not is_choosing and _group_inside(event) is not None
+
+
+def _group_inside(event: ToolEvent) -> PointGroup | None:
+    """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
+    box = None if event.pointer.shift else event.rectangle
+    return event.box.group if box is not None and box.holds(event.pointer) else None
+
+
+def _deselect(event: ToolEvent) -> None:
+    """Deselect what the box is around: a click inside it means the empty place there."""
+    if event.session.selected.points:
+        event.session.selected.set_points([])
+    else:
+        deselect_curves(event)
+
+
+def _click_at_pivot(event: ToolEvent) -> Click | None:
+    """Return what a click on the pivot of selected curves means: another curve that lies there."""
+    hit, selected = event.hit, event.session.selected
+    if hit is None or hit.part is not Part.OTHER_CURVE or selected.is_editing or hit.index in selected.chosen:
+        return None
+    return lambda _release: click_curve(event, hit)
+
+
+def _grip_at(event: ToolEvent) -> Grip | None:
+    box = event.rectangle
+    return box.grip_at(event.pointer) if box is not None else None
 
 
 def _is_below_grips(hit: Hit | None) -> bool:
-    """Whether a grip of the box comes before what is hit."""
+    """Return whether a grip of the box comes before what is hit."""
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
-def _unselected_place(event: ToolEvent, hit: Hit | None) -> Vector | None:
-    """Return where the point of another curve is that is hit; None for one that is selected."""
+def _unselected_point(event: ToolEvent, hit: Hit | None) -> Vector | None:
+    """Return the position of the point of another curve that is hit; None for one that is selected."""
     if hit is None or hit.part is not Part.OTHER_POINT:
         return None
     return hit.position if hit.index not in event.session.selected.group.of(hit.curve) else None
+
+
+def _hint_on_edited(event: ToolEvent, hit: Hit) -> Hint:
+    """Return the hint over a point, a handle or the line of a curve that is edited."""
+    view, moves, pointer = event.view, label_of_moved(event, hit), event.pointer
+    if hit.curve >= 0:
+        view, hit = event.session.views[hit.curve], hit.as_own
+    if view.source.locked:
+        return Hint(hints.LOCKED.format(view.source.display_name))
+    if hit.part is Part.CURVE:
+        return hint_on_line(view, pointer)
+    hint = hint_on_part(hit, view, moves, pointer, snaps=event.settings.snapping.on)
+    return replace(hint, text=f"{hint.text}{kind_on_double_click(hit, view, pointer)}")
+
+
+def _hint_beside(event: ToolEvent) -> Hint:
+    """Return the hint beside everything."""
+    inside = _group_inside(event)
+    if inside is not None:
+        return hint_inside_box(inside, event.pointer, snaps=event.settings.snapping.on)
+    return hint_beside_curves(event) or Hint(_ON_EMPTY)
 
 
 SELECT = ToolRecord(

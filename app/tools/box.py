@@ -1,7 +1,12 @@
-"""Target of the transforms: the selected points, or else the curves that are chosen as wholes."""
+"""The box around the selection: its grips, its pivot, and the points that transforms act on."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+from enum import Enum
+
+import msgspec
 from msgspec.structs import replace
 
 from ..document.differences import reshaped_curves
@@ -12,9 +17,153 @@ from ..document.point_group import PointGroup
 from ..document.selection import NONE_SELECTED
 from ..document.several_curves import whole_unlocked_curves
 from ..view_model.boxes import Bounds, bounds_of
+from ..view_model.curve.curve_view import CurveView
 from ..view_model.pivot import Anchor, Pivot, anchored
 from .editing_session import EditingSession
-from .transform_box import TransformBox, box_of
+from .pointer import SNAP_KEY, STEP_KEYS, Cursor, Pointer
+
+_BESIDE_POINTS, _BESIDE_CURVES = 16.0, 10.0
+"""Pixels from the box to its grips: a press there must mean neither points and handles, nor a line."""
+
+_ARM = 26.0
+"""Pixels from the box to the grip that rotates."""
+
+_REACH = 8.0
+
+_LEAST_BOX, _LEAST_TURNING_BOX = 60.0, 20.0
+"""Pixels along a box with room for a pivot that nobody chose; fewer where its grips turn."""
+
+
+class TransformKind(Enum):
+    """Kind of transform.
+
+    Attributes
+    ----------
+    title
+        The word for it.
+    key
+        What a tool calls the key that begins it, and goes on with it where another one is in flight: a
+        capital letter with Shift.
+    keys
+        What keys change meanwhile.
+    """
+
+    MOVE = ("Move", "g", f"X, Y, Ctrl or Shift: one axis · {SNAP_KEY} · type a number, or x Tab y")
+    SCALE = ("Scale", "s", "X or Y: one axis · type a number, or x Tab y")
+    ROTATE = ("Rotate", "r", f"{STEP_KEYS} · type a number")
+
+    SKEW = ("Skew", "R", f"X or Y: along which axis · {STEP_KEYS} · type a number")
+
+    def __init__(self, title: str, key: str, keys: str) -> None:
+        self.title, self.key, self.keys = title, key, keys
+
+    @property
+    def is_angle(self) -> bool:
+        """Whether its amount is an angle."""
+        return self in (TransformKind.ROTATE, TransformKind.SKEW)
+
+
+class Grip(msgspec.Struct, frozen=True):
+    """A grip: −1, 0 or 1 in each direction.
+
+    Attributes
+    ----------
+    does
+        What it does.
+    """
+
+    x: int
+    y: int
+    does: TransformKind = TransformKind.SCALE
+
+    @property
+    def cursor(self) -> Cursor:
+        """The shape of the pointer over it."""
+        if self.does is TransformKind.ROTATE:
+            return Cursor.ROTATE
+        if self.x == 0 or self.y == 0:
+            goes_along_x = (self.y == 0) is (self.does is TransformKind.SCALE)
+            return Cursor.WIDER if goes_along_x else Cursor.HIGHER
+        return Cursor.RISING if self.x == self.y else Cursor.FALLING
+
+
+_GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
+_TURNING_GRIPS = tuple(
+    Grip(each.x, each.y, TransformKind.ROTATE if each.x and each.y else TransformKind.SKEW) for each in _GRIPS
+)
+
+
+class TransformBox(Bounds, frozen=True):
+    """The bounds of selected points, or of selected curves; its grips stand around it.
+
+    Attributes
+    ----------
+    turns
+        Whether its grips rotate, at the corners, and skew, and do not scale.
+    is_whole
+        Whether it is that of whole curves.
+    """
+
+    turns: bool = False
+    is_whole: bool = False
+
+    @property
+    def pad(self) -> float:
+        """Pixels from it to its grips."""
+        return _BESIDE_CURVES if self.is_whole else _BESIDE_POINTS
+
+    def holds(self, pointer: Pointer) -> bool:
+        """Whether a pointer lies inside; of a flat box, or a tiny one, as near to it as its grips."""
+        least = self.pad / pointer.scale
+        return all(
+            abs(at - middle) <= max(size / 2, least)
+            for at, middle, size in zip(pointer.position, self.centre, self.size, strict=True)
+        )
+
+    def is_roomy(self, scale: float) -> bool:
+        """Whether its middle is a pivot to take: a press in a smaller one moves what is in it.
+
+        So does one in whole curves before their grips turn: who clicks there means what lies there.
+        """
+        if self.turns:
+            return max(self.size) * scale >= _LEAST_TURNING_BOX
+        return not self.is_whole and max(self.size) * scale >= _LEAST_BOX
+
+    def grips(self, scale: float) -> list[tuple[Grip, Vector]]:
+        """Return the grips and where they lie; none that would scale or skew a side without length."""
+        pad, (left, low), (right, high) = self.pad / scale, self.low, self.high
+        middle, useful = self.centre, [length > 0.0 for length in self.size]
+        columns, rows = (left - pad, middle[0], right + pad), (low - pad, middle[1], high + pad)
+        grips = [
+            (grip, (columns[grip.x + 1], rows[grip.y + 1]))
+            for grip in (_TURNING_GRIPS if self.turns else _GRIPS)
+            if grip.does is TransformKind.ROTATE or ((useful[0] or not grip.x) and (useful[1] or not grip.y))
+        ]
+        if self.turns:
+            return grips
+        return [*grips, (Grip(0, 1, TransformKind.ROTATE), (middle[0], high + pad + _ARM / scale))]
+
+    def grip_at(self, pointer: Pointer) -> Grip | None:
+        """Return the grip under the pointer."""
+        away = [
+            (math.dist(place, pointer.position) * pointer.scale, grip)
+            for grip, place in self.grips(pointer.scale)
+        ]
+        distance, grip = min(away, key=lambda each: each[0])
+        return grip if distance <= _REACH else None
+
+
+def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False) -> TransformBox | None:
+    """Return the box around two or more points, or curves, that are not all in one place.
+
+    `live` while they are dragged: as they are drawn.
+    """
+    if sum(len(indices) for _, indices in group.parts) < 2:
+        return None
+    bounds = bounds_of(views, group, as_drawn=live)
+    if bounds is None or not any(bounds.size):
+        return None
+    return TransformBox(bounds.low, bounds.high, is_whole=group.is_whole)
 
 
 class SelectionBox:
@@ -37,6 +186,12 @@ class SelectionBox:
     def rectangle(self) -> TransformBox | None:
         """The box around them, where there are two or more."""
         return self._now()[1]
+
+    @property
+    def free_rectangle(self) -> TransformBox | None:
+        """The box, where nothing in it is locked."""
+        group, rectangle = self._now()
+        return rectangle if rectangle is not None and not self.refusal_of(group) else None
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:
         session = self._session

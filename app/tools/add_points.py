@@ -1,0 +1,340 @@
+"""Add points with the pen: what it draws, what a press means, and each drag to its undo step."""
+
+from __future__ import annotations
+
+from enum import Enum, auto
+from functools import cached_property
+
+from msgspec.structs import replace
+
+from ..document import point_edits, words
+from ..document.constraints import tied_to_straight_segment
+from ..document.curve_edits import replace_curve
+from ..document.model import Document, Vector
+from ..document.point_group import points_of
+from ..document.selection import SelectionState
+from ..view_model.append import Appending, with_point_appended
+from ..view_model.curve.curve_view import CurveView, view_of
+from ..view_model.curve.handles import derivative_from_handle
+from ..view_model.reshape import Reshaped, with_point_inserted
+from .editing_session import EditingSession
+from .offsets import in_steps, plus
+from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer
+from .snapping import Snapper
+from .tool import Drag, ToolEvent
+
+CurveKey = tuple[int, str]
+
+
+class PenSession:
+    """Curves that are finished, and those that have been drawn since the pen was taken in hand.
+
+    Curves are known by their places and names.
+    """
+
+    def __init__(self) -> None:
+        self._finished: set[CurveKey] = set()
+        # How many points each had when the pen began to draw it.
+        self._drawn: dict[CurveKey, int] = {}
+
+    def reset(self) -> None:
+        """Forget everything; another document is open."""
+        self._finished.clear()
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget which curves are drawn: the pen is taken in hand."""
+        self._drawn.clear()
+
+    @property
+    def has_drawn(self) -> bool:
+        """Whether anything has been drawn since the pen was taken in hand."""
+        return bool(self._drawn)
+
+    def is_finished(self, session: EditingSession) -> bool:
+        """Whether the person has finished the curve that is edited, so that the next press begins another."""
+        return key_of(session) in self._finished and can_finish(session.active_view)
+
+    def goes_on_at(self, hit: Hit, session: EditingSession) -> bool:
+        """Whether a click on what is hit goes on with the curve: on either end of one that is not drawn."""
+        view = session.active_view
+        is_either = is_end(hit, view) or is_beginning(hit, view)
+        return is_either and not self.is_drawn(session) and not view.source.locked
+
+    def is_drawn(self, session: EditingSession) -> bool:
+        """Whether the pen is drawing the curve that is edited."""
+        return (
+            session.selected.is_editing and key_of(session) in self._drawn and not self.is_finished(session)
+        )
+
+    def finish(self, session: EditingSession) -> None:
+        """Take note that the curve that is edited is finished."""
+        self._finished.add(key_of(session))
+
+    def draw(self, key: CurveKey, count: int) -> None:
+        """Take note that a curve is drawn, which has had so many points before."""
+        if key in self._finished:
+            self._drawn.pop(key, None)
+        self._finished.discard(key)
+        self._drawn.setdefault(key, count)
+
+    def own_points(self, session: EditingSession) -> int:
+        """Return how many points at the end of the curve that is edited the pen has drawn."""
+        if not self.is_drawn(session) or session.active_view.source.is_closed:
+            return 0
+        return max(0, len(session.active_view.source.points) - self._drawn[key_of(session)])
+
+
+def key_of(session: EditingSession) -> tuple[int, str]:
+    """Return the place and the name of the curve that is edited."""
+    return session.active_index, session.active_view.source.name
+
+
+# What a press means
+
+
+def can_finish(view: CurveView) -> bool:
+    """Whether there is a curve with an end, so that the pen can finish it and begin another one."""
+    return not view.source.is_closed and len(view.source.points) > 1
+
+
+def can_end_at(hit: Hit | None, view: CurveView) -> bool:
+    """Whether the curve might end at what is hit: its first point, and there are others to go around."""
+    curve = view.source
+    is_first = hit is not None and is_beginning(hit, view)
+    return is_first and len(curve.points) >= curve.family.least_to_close
+
+
+def is_beginning(hit: Hit, view: CurveView) -> bool:
+    """Whether the first point of an open curve is hit."""
+    return hit.part is Part.POINT and hit.index == 0 and not view.source.is_closed
+
+
+def is_end(hit: Hit, view: CurveView) -> bool:
+    """Whether the last point of an open curve is hit."""
+    is_last = hit.part is Part.POINT and hit.index == len(view.source.points) - 1
+    return is_last and not view.source.is_closed
+
+
+def is_no_part(hit: Hit | None) -> bool:
+    """Whether neither a point nor a handle is hit: the curve itself, or nothing."""
+    return hit is None or hit.part is Part.CURVE
+
+
+class PenAct(Enum):
+    """Act of the pen where there is no point and no handle."""
+
+    APPEND = auto()
+    INSERT = auto()
+    BEGIN = auto()
+
+
+def pen_act(hit: Hit | None, view: CurveView, *, shift: bool, finished: bool = False) -> PenAct:
+    """Return what a press does: on the curve insert, beside it append; with Shift append everywhere.
+
+    A closed curve has no end to go on from, and that of a finished one is left alone: beside them another
+    curve begins.
+    """
+    if shift:
+        return PenAct.APPEND
+    if hit is not None and hit.part is Part.CURVE:
+        return PenAct.INSERT
+    return PenAct.BEGIN if view.source.is_closed or finished else PenAct.APPEND
+
+
+def position_in_steps(view: CurveView, pointer: Pointer) -> Vector | None:
+    """Return where Ctrl puts the next point: at a step of 15°, seen from the one before."""
+    points = view.source.points
+    if not (pointer.ctrl and points and pointer.is_there) or view.source.is_closed:
+        return None
+    before = points[-1].position
+    return plus(before, in_steps(pointer.offset_from(before)))
+
+
+def _is_away(pointer: Pointer, press: Pointer) -> bool:
+    """Whether the pointer is no longer where it was pressed."""
+    (x, y), (at_x, at_y) = pointer.pixel, press.pixel
+    return max(abs(x - at_x), abs(y - at_y)) >= 3
+
+
+# Drags
+
+
+def selection_of(curve: int, index: int) -> SelectionState:
+    """Return the selection of one point of a curve that is edited alone."""
+    return SelectionState(curve, points_of(curve, [index]), frozenset({curve}), frozenset(), is_editing=True)
+
+
+class AppendPoint(Drag, kw_only=True):
+    """New last point at the press; dragging sets its velocity, or moves it where there is none.
+
+    With Alt the handle behind the point stays where it was, and only the one ahead of it follows.
+
+    Attributes
+    ----------
+    curve, view
+        The curve, and its view before the press.
+    press
+        The pointer at the press.
+    append
+        Makes the point of a press that does not become a drag.
+    pen, key_of_curve
+        What the pen knows of the curves that it draws, and this one.
+    velocity_before_alt
+        The velocity when Alt was not held.
+    """
+
+    starts_at_press = True
+    curve: int
+    view: CurveView
+    press: Pointer
+    snapper: Snapper
+    pen: PenSession
+    key_of_curve: CurveKey
+    append: Appending = with_point_appended
+    velocity_before_alt: Vector | None = None
+
+    def move(self, event: ToolEvent) -> None:
+        """Note the velocity while Alt is not held, and preview."""
+        super().move(event)
+        if not event.pointer.alt and not self.refusal and self._sets_velocity(event.pointer):
+            self.velocity_before_alt = self._velocity_at(event.pointer)
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the new point, its handle drawn out to the pointer."""
+        index = self._index
+        document = self.append(self.document, self.curve, self.view, self._position(pointer))
+        if not self._sets_velocity(pointer):
+            return document
+        velocity = self._velocity_at(pointer)
+        if pointer.alt:
+            return self._with_handle_ahead(document, index, velocity)
+        return point_edits.set_velocity(document, self.curve, index, velocity)
+
+    @property
+    def _index(self) -> int:
+        return len(self.view.source.points)
+
+    def _position(self, pointer: Pointer) -> Vector:
+        moves = self._is_dragged(pointer) and not self._sets_velocity(pointer)
+        at = pointer if moves else self.press
+        stepped = position_in_steps(self.view, at)
+        if stepped is None:
+            return self.snapper.at(at)
+        self.snapper.reset()
+        return stepped
+
+    def _is_dragged(self, pointer: Pointer) -> bool:
+        return _is_away(pointer, self.press)
+
+    def _sets_velocity(self, pointer: Pointer) -> bool:
+        return self._is_dragged(pointer) and self.view.source.family.derivatives > 0
+
+    @staticmethod
+    def _offset(pointer: Pointer, position: Vector) -> Vector:
+        """Return how far the handle is drawn out, and where to: with Ctrl or Shift in steps."""
+        offset = pointer.offset_from(position)
+        return in_steps(offset) if pointer.holds_line else offset
+
+    def _velocity_at(self, pointer: Pointer) -> Vector:
+        """Return the velocity with the handle of the new point drawn out to the pointer."""
+        position = self._position(pointer)
+        document = self.append(self.document, self.curve, self.view, position)
+        tip = plus(position, self._offset(pointer, position))
+        return derivative_from_handle(view_of(document.curves[self.curve]), self._index, 1, tip, ahead=True)
+
+    def _with_handle_ahead(self, document: Document, index: int, velocity: Vector) -> Document:
+        """Return the document with another velocity ahead of the new point alone."""
+        before = self.velocity_before_alt or document.curves[self.curve].points[index].velocity
+        document = point_edits.make_corner(document, self.curve, index, before, velocity)
+        curve = document.curves[self.curve]
+        points = (*curve.points[:index], tied_to_straight_segment(curve, index))
+        return document.with_curve(self.curve, replace(curve, points=points))
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Add point 3"."""
+        return f"Add point {self._index}"
+
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys while it is dragged."""
+        # The position was decided at the press; only a velocity is still being set.
+        if not self.view.source.family.derivatives:
+            return SNAP_KEY
+        return f"{STEP_KEYS} · Alt: the handle ahead alone"
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return where the point is added, and where its velocity points."""
+        position = self._position(pointer)
+        text = f"{self.undo_text(pointer)} at {words.pair_text(position)}"
+        if not self._sets_velocity(pointer):
+            return text
+        text = f"{text}, velocity at {words.direction(self._offset(pointer, position))}"
+        if pointer.alt:
+            return f"{text} · a corner"
+        if self.view.source.is_closed:
+            return text
+        # What will hold when the next point comes.
+        is_first = not self.view.source.points
+        return f"{text} · {'the handle stays here' if is_first else 'handles stay at most this long'}"
+
+    def committed(self, event: ToolEvent) -> None:
+        """Note that the pen draws the curve; not before: Escape leaves a finished curve finished."""
+        self.pen.draw(self.key_of_curve, self._index)
+        super().committed(event)
+
+
+class BeginCurve(AppendPoint, kw_only=True):
+    """First point of another curve at the press; the document has the empty curve already."""
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Begin Curve 2"."""
+        return f"Begin {self.view.source.name}"
+
+
+class InsertPoint(Drag, kw_only=True, dict=True):
+    """New point on the curve where it was pressed, the shape kept if possible; dragging moves it."""
+
+    starts_at_press = True
+    curve: int
+    view: CurveView
+    hit: Hit
+    press: Pointer
+    snapper: Snapper
+
+    keys = SNAP_KEY
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the new point; dragged off the curve it takes its handles along."""
+        document = replace_curve(self.document, self.curve, self._on_curve.curve)
+        if self._is_on_curve(pointer):
+            return document
+        position = self.snapper.at(pointer)
+        if not self.view.source.family.interpolates:
+            # The control point is not where the curve was pressed: it moves by the same offset.
+            offset = (position[0] - self.hit.position[0], position[1] - self.hit.position[1])
+            position = plus(self._on_curve.curve.points[self.hit.index].position, offset)
+        return point_edits.set_position(document, self.curve, self.hit.index, position)
+
+    def _is_on_curve(self, pointer: Pointer) -> bool:
+        return not _is_away(pointer, self.press)
+
+    @cached_property
+    def _on_curve(self) -> Reshaped:
+        """The curve with the point where it was pressed."""
+        return with_point_inserted(self.view, self.hit.t)
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Insert point 2"."""
+        return f"Insert point {self.hit.index}"
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return where the point is inserted."""
+        if self._is_on_curve(pointer):
+            return f"{self.undo_text(pointer)} at t = {words.number(self.hit.t)}"
+        return f"{self.undo_text(pointer)} at {words.pair_text(self.snapper.at(pointer))}"
+
+    def committed(self, event: ToolEvent) -> None:
+        """Say whether the shape was kept, unless the point was dragged off the curve."""
+        if event.view.source == self._on_curve.curve:
+            event.session.say(self._on_curve.sentence)

@@ -1,0 +1,345 @@
+"""Press on curves that are not edited: move them whole, select several, edit one; and the rubber bands.
+
+A drag moves the curve that was pressed, or all selected curves if it is one of them. A click edits a curve;
+while none is edited it selects the group or shape of the curve, and a double click edits it. With Ctrl a
+group is passed over.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from msgspec.structs import replace
+
+from curvecore.arrays import FloatArray
+
+from ..document.group_edits import pressed_curves
+from ..document.groups import expand_to_shapes, shape_of
+from ..document.model import Vector
+from ..document.point_group import NO_POINTS, PointGroup, group_points, points_of
+from ..document.selection import SelectionState
+from ..document.several_curves import common_name, name_or_count, whole_unlocked_curves
+from ..view_model.curve.curve_view import CurveView
+from . import hints
+from .drag_points import Click, press_on_group
+from .editing_session import EditingSession
+from .marks import Marks
+from .pointer import Cursor, Hint, Hit, Part
+from .tool import Gesture, ToolEvent
+
+
+def activate_pressed(event: ToolEvent) -> ToolEvent:
+    """Return the event of a press on another curve that is edited: that is the active one from then on.
+
+    A point or handle of any is pressed as one of its own; the line of one, where it is of the same shape.
+    """
+    session, hit, pointer = event.session, event.hit, event.pointer
+    if hit is not None and hit.curve >= 0:
+        session.selected.go_to(hit.curve)
+        event = replace(event, hit=hit.as_own)
+    elif hit is not None and _is_of_edited_shape(event, hit) and not pointer.shift:
+        session.selected.activate(hit.index)
+        event = event.with_hit()
+    else:
+        return event
+    if not pointer.shift:
+        session.say(f"Editing “{session.active_view.source.display_name}” now.")
+    return event
+
+
+def press_on_curve(event: ToolEvent, hit: Hit) -> Gesture:
+    """Start to move the curve that was hit, with all that is selected together with it.
+
+    While no curve is edited, what is dragged is selected from then on.
+    """
+    session, selects = event.session, None
+    if not session.selected.is_editing and hit.index not in session.selected.chosen:
+        curves = _intended(event, hit)
+        active = min(curves, key=lambda curve: abs(curve - session.active_index))
+        selects = SelectionState(active, NO_POINTS, curves, curves, is_editing=False)
+    return press_on_group(event, _moved_group(event, hit), lambda _click: click_curve(event, hit), selects)
+
+
+def deselect_curves(event: ToolEvent) -> None:
+    """Select the active curve alone; while none is edited, none at all."""
+    session = event.session
+    had_others = len(session.selected.chosen) > 1
+    if not session.selected.is_editing:
+        session.selected.choose(())
+    elif had_others:
+        session.selected.set_curves((session.active_index,))
+        session.say(f"Only “{session.active_view.source.display_name}” is chosen.")
+    if locked := _locked_words(event):
+        session.refuse(locked)
+
+
+# What a press would do
+
+
+def hint_on_curve(event: ToolEvent, hit: Hit) -> Hint:
+    """Return the hint over another curve."""
+    session = event.session
+    if _is_of_edited_shape(event, hit) and not event.pointer.shift:
+        name = session.document.curves[hit.index].name
+        return Hint(f"Drag to bend “{name}” or move a point of it, click to edit it", grab=True)
+    group, is_chosen = _moved_group(event, hit), hit.index in session.selected.chosen
+    if hit.inside and (session.selected.is_editing or event.pointer.shift):
+        return Hint(f"{_words_inside(event, hit)} · Drag: select with a rubber band", grab=True)
+    click = _click_words(event, hit, is_chosen=is_chosen)
+    drag = hints.to_move(group.quoted_label, event.pointer)
+    return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
+
+
+def hint_beside_curves(event: ToolEvent) -> Hint | None:
+    """Return the hint beside everything, where there is more to say than of points to select.
+
+    That is on what is locked, and while the transforms act on whole curves, or none is edited.
+    """
+    session, group = event.session, event.box.group
+    if locked := _locked_words(event):
+        return Hint(locked)
+    if group is not None and group.is_whole:
+        after = "only the one edited" if session.selected.is_editing else "none"
+        return Hint(f"{selected_curves(session)} · G moves, S scales, R turns · Click here: {after}")
+    if session.selected.is_editing:
+        return None
+    return Hint("Drag to choose curves inside · Shift adds · Double-click edits one")
+
+
+def _verb(session: EditingSession) -> str:
+    return "edit" if session.selected.is_editing else "choose"
+
+
+def _click_words(event: ToolEvent, hit: Hit, *, is_chosen: bool) -> str:
+    """Return what a click on a curve does, and what Shift would change of drag and click."""
+    session = event.session
+    name, is_editing = _name(event, hit), session.selected.is_editing
+    if event.pointer.shift:
+        return "click to take it out" if is_chosen else "click to choose it too"
+    if is_chosen:
+        if is_editing:
+            return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
+        grips = "scale" if event.session.box.turns else "rotate and skew"
+        click = f"Click: grips that {grips} · " if _turns_grips(event, hit) else ""
+        edit = f"Double-click to edit “{name}” · "
+        return f"{click}{edit}Shift: one axis, a click takes it out"
+    later = "" if is_editing else ", double-click to edit it"
+    return f"click to {_verb(session)} it{later} · Shift+click: choose it too"
+
+
+def _words_inside(event: ToolEvent, hit: Hit) -> str:
+    """Return what a click in what a curve fills does, where a drag is a rubber band."""
+    name = _name(event, hit)
+    if not event.pointer.shift:
+        return f"Click to edit “{name}” · Shift+click: choose it too"
+    is_chosen = hit.index in event.session.selected.chosen
+    return f"Click to take “{name}” out" if is_chosen else f"Click to choose “{name}” too"
+
+
+def _name(event: ToolEvent, hit: Hit) -> str:
+    """Return the name of what a click is about: the curve that it edits, or what it chooses."""
+    session = event.session
+    is_one = session.selected.is_editing and not event.pointer.shift
+    return name_or_count(session.document, (hit.index,) if is_one else _intended(event, hit))
+
+
+def _intended(event: ToolEvent, hit: Hit) -> frozenset[int]:
+    """Return the curves that a press on one of them means; with Ctrl its shape, whatever group it is in."""
+    session = event.session
+    if event.pointer.ctrl:
+        return expand_to_shapes(session.document, (hit.index,))
+    return pressed_curves(session.document, hit.index, session.selected.choice)
+
+
+def _moved_group(event: ToolEvent, hit: Hit) -> PointGroup:
+    document, chosen = event.session.document, event.session.selected.chosen
+    meant = chosen if hit.index in chosen else _intended(event, hit)
+    return whole_unlocked_curves(document, meant)
+
+
+def _locked_words(event: ToolEvent) -> str:
+    """Return why a press on a line does nothing to it: it is locked; empty where none is."""
+    document, pointer = event.session.document, event.pointer
+    place = event.canvas.locked_at(pointer) if pointer.is_there else -1
+    return hints.LOCKED.format(name_or_count(document, shape_of(document, place))) if place >= 0 else ""
+
+
+def _is_of_edited_shape(event: ToolEvent, hit: Hit) -> bool:
+    """Whether the line of another curve of the shape that is edited is hit."""
+    session, selected = event.session, event.session.selected
+    is_line = hit.part is Part.OTHER_CURVE and not hit.inside and hit.index not in selected.chosen
+    return is_line and selected.is_editing and hit.index in shape_of(session.document, session.active_index)
+
+
+def click_curve(event: ToolEvent, hit: Hit) -> None:
+    """Edit the curve hit, or choose what it is in; with Shift choose it too, or no longer."""
+    session, selected = event.session, event.session.selected
+    if event.pointer.shift and selected.is_editing:
+        selected.set_curves(_toggled(selected.curves, _intended(event, hit)))
+    elif event.pointer.shift:
+        selected.choose(_toggled(selected.chosen, _intended(event, hit)))
+    elif selected.is_editing or event.pointer.is_double:
+        edit_curve(event, hit.index)
+        return
+    elif _turns_grips(event, hit):
+        session.box.set_turns(not session.box.turns)
+        session.say(
+            f"{selected_curves(session)} · "
+            f"The grips {'rotate and skew' if session.box.turns else 'scale'} now."
+        )
+        return
+    else:
+        selected.choose(_intended(event, hit))
+    session.say(f"{selected_curves(session)}.")
+
+
+def _turns_grips(event: ToolEvent, hit: Hit) -> bool:
+    """Whether a click has the box take other grips: on what is chosen already, where there is a box."""
+    meant, chosen = _intended(event, hit), event.session.selected.chosen
+    # With Ctrl a part of what is chosen is wanted alone.
+    is_chosen = meant == chosen if event.pointer.ctrl else meant <= chosen
+    return is_chosen and event.settings.shows_box and not event.box.refusal_of(event.box.group)
+
+
+def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:
+    return chosen - curves if curves <= chosen else chosen | curves
+
+
+def edit_curve(event: ToolEvent, curve: int) -> None:
+    """Edit a curve from now on, and select the point of it that lies under the pointer."""
+    event.session.selected.activate(curve)
+    select_hit(event)
+
+
+def select_hit(event: ToolEvent) -> None:
+    """Select the point under the pointer of the curves that are edited now, and say which are."""
+    session, hit = event.session, event.with_hit().hit
+    if hit is not None and hit.part is Part.POINT:
+        session.selected.set_group(
+            points_of(hit.curve if hit.curve >= 0 else session.active_index, [hit.index])
+        )
+    several = name_or_count(session.document, session.selected.chosen) if session.selected.chosen else ""
+    session.say(
+        f"Editing {several} now." if several else f"Editing “{session.active_view.source.display_name}” now."
+    )
+
+
+def selected_curves(session: EditingSession) -> str:
+    """Return a sentence about the curves that the tools act on."""
+    chosen, active = session.selected.chosen, session.active_view.source.display_name
+    if not session.selected.is_editing:
+        if name := common_name(session.document, chosen):
+            return f"“{name}” is chosen"
+        return f"{name_or_count(session.document, chosen)} chosen" if chosen else "No curve is chosen"
+    if not chosen:
+        return f"Only “{active}” is chosen"
+    return f"{name_or_count(session.document, chosen)} chosen, “{active}” is edited"
+
+
+# Rubber bands
+
+_BAND_KEYS = "Shift: add to what was selected"
+
+
+def press_with_band(event: ToolEvent, on_click: Click, *, is_on_curve: bool = False) -> RubberBand:
+    """Start a rubber band: around points of the curves that are edited, around whole curves where none is.
+
+    A click beside everything deselects, with Shift it leaves the selection. With nothing to deselect, and
+    where the press is on a curve, it is `on_click`.
+    """
+    session = event.session
+    before, is_editing = session.selected.choice, session.selected.is_editing
+
+    def click(release: ToolEvent) -> None:
+        if is_on_curve or not (release.pointer.shift or (is_editing and before.points.parts)):
+            on_click(release)
+        elif not release.pointer.shift:
+            session.selected.set_points([])
+
+    kind = PointBand if is_editing else CurveBand
+    return kind(start=event.pointer.position, before=before, on_click=click)
+
+
+class RubberBand(Gesture, kw_only=True):
+    """Rubber band: selects what is inside, live; with Shift added to what was selected before.
+
+    Attributes
+    ----------
+    start
+        The corner where the press was.
+    before
+        What was selected before.
+    """
+
+    start: Vector
+    before: SelectionState
+
+    def cancel(self, event: ToolEvent) -> None:
+        """Select what was selected before."""
+        event.session.selected.restore(self.before)
+        super().cancel(event)
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the band."""
+        return Marks(band=(self.start, event.pointer.position) if self.has_moved else None)
+
+    def _corners(self, event: ToolEvent) -> tuple[FloatArray, FloatArray]:
+        corners = (self.start, event.pointer.position)
+        return np.min(corners, axis=0), np.max(corners, axis=0)
+
+
+class PointBand(RubberBand, kw_only=True):
+    """Rubber band that selects points of all curves that are edited."""
+
+    def move(self, event: ToolEvent) -> None:
+        """Select the points inside, while the band is drawn."""
+        session, (low, high) = event.session, self._corners(event)
+        inside = group_points(
+            (curve, _points_inside(session.views[curve], low, high)) for curve in session.selected.edited
+        )
+        session.selected.show_group(self.before.points.joined(inside) if event.pointer.shift else inside)
+
+    def release(self, event: ToolEvent) -> None:
+        """Keep the points selected."""
+        event.session.selected.set_group(event.session.selected.group)
+
+    def status(self, event: ToolEvent) -> str:
+        """Return how many points are selected."""
+        return f"{hints.selected(event.session.selected.group)} · {_BAND_KEYS} · Escape cancels"
+
+
+def _points_inside(view: CurveView, low: FloatArray, high: FloatArray) -> frozenset[int]:
+    points = view.points
+    return frozenset(np.flatnonzero(np.all((points >= low) & (points <= high), axis=1)).tolist())
+
+
+class CurveBand(RubberBand, kw_only=True):
+    """Rubber band that selects visible, unlocked curves inside; shapes and groups as wholes."""
+
+    def move(self, event: ToolEvent) -> None:
+        """Select the curves inside, while the band is drawn."""
+        before = self.before.chosen if event.pointer.shift else frozenset()
+        event.session.selected.show_choice(before | self._inside(event))
+
+    def _inside(self, event: ToolEvent) -> frozenset[int]:
+        views, document = event.session.views, event.session.document
+        low, high = self._corners(event)
+        free = {index for index, view in enumerate(views) if view.source.is_selectable and view.has_curve}
+        inside = {index for index in free if _is_inside(views[index], low, high)}
+        result: set[int] = set()
+        for index in inside:
+            if index not in result:
+                group = pressed_curves(document, index, self.before) & free
+                result |= group if group <= inside else set()
+        return frozenset(result)
+
+    def release(self, event: ToolEvent) -> None:
+        """Keep the curves selected."""
+        event.session.selected.choose(event.session.selected.chosen)
+
+    def status(self, event: ToolEvent) -> str:
+        """Return which curves are selected."""
+        return f"{selected_curves(event.session)} · {_BAND_KEYS} · Escape cancels"
+
+
+def _is_inside(view: CurveView, low: FloatArray, high: FloatArray) -> bool:
+    return bool(np.all(view.polyline.min(axis=0) >= low) and np.all(view.polyline.max(axis=0) <= high))
