@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
+    QAbstractButton,
+    QComboBox,
     QDockWidget,
     QLabel,
     QLineEdit,
     QPushButton,
     QSlider,
+    QTabWidget,
     QTextBrowser,
     QToolButton,
     QWidget,
 )
 
+from app.families import FAMILIES
 from app.features.basis.scene import rail_height
 from app.features.lessons.commands import LessonCommands
 from app.features.lessons.lesson import LessonError, lesson_code, lesson_names, load_lesson, parse_lesson
@@ -33,6 +38,7 @@ from app.view_model.analysis.overlay import POINT_ERROR
 from app.view_model.analysis.overlays.ensemble import COUNT
 from app.view_model.analysis.settings import AnalysisSettings, LaboratorySettings
 from app.view_model.curve.curve_view import view_of
+from app.view_model.point_columns import COLUMNS
 from app.window import MainWindow
 from app.window.connect import all_actions
 from tests.waiting import until
@@ -40,6 +46,28 @@ from tests.waiting import until
 NAMES = lesson_names()
 NAMED = {each.name for each in all_actions()}
 STEPS = [(name, number) for name in NAMES for number in range(len(load_lesson(name).steps))]
+
+
+def test_quotes_of_the_window_in_lessons_are_true(editor, qtbot):
+    """In *italics* or **bold**: actions, menus, panels, boxes and what they offer, families and rules."""
+    for dock in editor.window.context.docks.side:
+        editor.show_dock(dock.objectName())
+    open_step(editor, qtbot, "04_decimal_accuracy", 0)
+    window = editor.window
+    known = {each.text for each in all_actions()} | {each.text() for each in window.findChildren(QAction)}
+    known |= {f"{each.section.menu.title} › {each.section.submenu}" for each in all_actions()}
+    known |= {dock.windowTitle() for dock in window.findChildren(QDockWidget)}
+    known |= {each.text() for kind in (QLabel, QAbstractButton) for each in window.findChildren(kind)}
+    known |= {tabs.tabText(row) for tabs in window.findChildren(QTabWidget) for row in range(tabs.count())}
+    known |= {box.itemText(row) for box in window.findChildren(QComboBox) for row in range(box.count())}
+    known |= {title for each in FAMILIES for title in (each.title, each.full_title, f"cubic {each.title}")}
+    known |= {column.name for column in COLUMNS}
+    known |= {setting.title for each in FAMILIES for setting in each.curve_class.settings}
+    words = {text.replace("&", "").replace("\n", " ").casefold() for text in known} | {"explain this wiggle"}
+    for name in NAMES:
+        for step in load_lesson(name).steps:
+            quotes = {quote.casefold() for quote in re.findall(r"\*{1,2}([^*]+)\*{1,2}", step.text)}
+            assert quotes - words == set(), f"{name}: {step.title}"
 
 
 @pytest.mark.parametrize(("name", "number"), STEPS)

@@ -16,6 +16,7 @@ def claims(lesson):
     more = lesson.with_uniform_points(eleven, 14)
     yield "Append three points", 3
     yield "with fourteen points Λ is 158", len(eleven.points) + 3, lesson.lebesgue(more)
+    yield "**Chebyshev (2nd kind)**", 2
     yield "between −0.30 and 1.03", lesson.lowest(chebyshev), lesson.highest(chebyshev)
     yield "|c′| is 32 at both ends", lesson.speed(chebyshev, 0.0)
     yield "and 3.7 in the middle", lesson.speed(chebyshev, 0.5)
@@ -44,5 +45,5 @@ def do_step_5(editor):
 
 
 def reach_goal_5(editor):
-    """Choose **Chebyshev** in the box *Parameters*."""
+    """Choose **Chebyshev (2nd kind)** in the box *Parameters*."""
     editor.choose_parametrization("chebyshev")

@@ -37,7 +37,7 @@ def do_step_3(editor):
 
 
 def reach_goal_4(editor):
-    """Choose *Power*."""
+    """Choose *Power α*."""
     editor.choose_parametrization("centripetal")
 
 
