@@ -550,7 +550,7 @@ def test_a_colour_that_is_moved_in_the_dark_is_told(editor, panel):
     editor.window.context.store.change(theme_mode=ThemeMode.DARK)
     editor.settle()
     assert seen(editor, 0, 2.5) not in (dim, LIGHT.paper.name())
-    assert f"drawn lighter than its {dim}" in child(panel, QLabel, "styleNote").text()
+    assert f"drawn lighter than {dim}" in child(panel, QLabel, "styleNote").text()
     editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
