@@ -6,7 +6,7 @@ A decorator on the method of a command set says everything about an action::
     def _new_seed(self) -> None:
         '''Draw other random errors.'''
 
-    @action_for_each(OVERLAYS, lambda each: Action(f"overlay{each.title}", …))
+    @action_for_each(OVERLAYS, lambda overlay: Action(f"overlay{overlay.title}", …))
     def _switch(self, overlay: Overlay) -> None:
         …
 
@@ -14,7 +14,7 @@ A decorator on the method of a command set says everything about an action::
     def _toggle_rulers(self) -> None:
         '''Show rulers above the canvas and at its left.'''
 
-What an action does is said by the docstring of its handler: it is the action's tip.
+The first line of the handler's docstring is the tip of the action.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from .menus import ActionBar, BarPosition, MenuSection
 from .needs import NOTHING, Need
 from .state import ActionState
 
-_DECLARED, _AT_PLACE = "declared_actions", "place_action"
+_DECLARED, _AT_POSITION = "declared_actions", "position_action"
 _ALSO, _WIDGET = "positions_in_bars", "widget_in_bar"
 
 _Handler = TypeVar("_Handler", bound=Callable[..., object])
@@ -40,24 +40,26 @@ _Record = TypeVar("_Record")
 _Fields = ParamSpec("_Fields")
 
 
-class Opened(msgspec.Struct, frozen=True):
-    """Words and state of an action in a menu that opens.
+class OpenedEntry(msgspec.Struct, frozen=True):
+    """Text, tip and state of an action in a menu that opens.
 
     Attributes
     ----------
     text, tip
-        Its text, and what it does.
-    why_not
-        The reason why it cannot be used, as a sentence; empty where it can.
+        Text of the entry, and its tip.
+    reason
+        Sentence why the action cannot be used; empty where it can.
     """
 
     text: str
     tip: str
-    why_not: str = ""
+    reason: str = ""
 
 
 class Action(msgspec.Struct, frozen=True):
-    """Description of an action: its name, how it is reached, where it stands and what it needs.
+    """Description of an action: its name and texts, its place in the menus, its keys and its condition.
+
+    A handler declares one with the decorator `action`, which takes these fields.
 
     Attributes
     ----------
@@ -66,38 +68,37 @@ class Action(msgspec.Struct, frozen=True):
     text
         Menu text, without mnemonic.
     section
-        Where in the menus it stands.
+        The section of the menu that lists the action.
     key
         One or more key sequences, comma separated; empty for none.
     icon
         A file of resources/icons, without suffix; empty for none.
     tip
-        What it does, for tooltip and status line; where empty, the first line of the handler's docstring.
+        Tip for tooltip and status line; by default the first line of the handler's docstring.
     full_name
-        What it is called where its menu is not seen: in the palette and the list of keys; the text itself
-        where empty.
+        Name where the menu is not visible: in the command palette and the list of keys; by default the text.
     needs
-        What must be there before it can be used.
+        Condition under which the action can be used.
     key_needs
-        What its keys need besides, where a slip of the finger would do more than a click means.
+        Further condition of its keys, for actions that must not run by a slip of the finger.
     checked
-        Whether it is on; makes it a switch.
+        Predicate that tells whether the action is on; makes it a switch.
     field
-        The field of the window's state that it turns on and off; empty for none.
+        Field of the window's state that the action turns on and off; empty for none.
     choices
-        The bar of switches that the arrow beside its button in the toolbar offers; None for no arrow.
+        Bar of switches in the menu of its toolbar button; None for a button without a menu.
     group
-        Name of the group of which one is on; empty for a switch of its own.
+        Name of a group of switches of which exactly one is on; empty for an independent switch.
     title
-        Its text where that changes.
+        Function that returns the text, where it changes.
     when_opened
-        What is found out of the session only when the menu of the action opens.
+        Function that asks the session for text and state when the menu of the action opens.
     short
-        What a button says of it beside its icon where there is little room; else it has its icon alone.
+        Text of its toolbar button where room is short; without one the button has an icon alone.
     during_gesture
-        Whether it leaves a gesture in flight alone, in a menu whose actions interrupt.
+        Whether the action keeps a gesture in flight, in a menu whose actions interrupt.
     keywords
-        Words by which the palette finds it, too, beside those of its name and tip.
+        Further words by which the command palette finds the action.
     """
 
     name: str
@@ -115,33 +116,33 @@ class Action(msgspec.Struct, frozen=True):
     short: str = ""
     during_gesture: bool = False
     keywords: str = ""
-    when_opened: Callable[[Session], Opened] | None = None
+    when_opened: Callable[[Session], OpenedEntry] | None = None
     field: str = ""
     choices: ActionBar | None = None
 
     def missing(self, state: ActionState) -> Need | None:
-        """Return the first of its needs that is not met, those of its section before its own."""
+        """Return the first condition that is not met, of its section or its own; None where all are met."""
         return next((needs for needs in (self.section.needs, self.needs) if not needs.is_met(state)), None)
 
     def is_on(self, state: ActionState) -> bool:
-        """Whether what it switches is on: of nothing, nothing is."""
+        """Return whether the switch is on; never without the curve that its section needs."""
         return self.checked is not None and self.section.needs.is_met(state) and self.checked(state)
 
     @property
     def interrupts(self) -> bool:
-        """Whether a gesture in flight is taken back before it begins."""
+        """Whether a gesture in flight is cancelled before the action runs."""
         return self.section.menu.interrupts and not self.during_gesture
 
 
 class Declared(msgspec.Struct, frozen=True):
-    """An action, and the handler on which it was declared.
+    """Action with the handler on which it was declared.
 
     Attributes
     ----------
     commands
         The command set of the handler.
     handler
-        Called with an instance of that, and with the record that the action stands for, if any.
+        Method of the command set; it gets the record that the action stands for, if there is one.
     """
 
     action: Action
@@ -150,24 +151,24 @@ class Declared(msgspec.Struct, frozen=True):
     record: tuple[object, ...] = ()
 
     @property
-    def places(self) -> tuple[BarPosition, ...]:
-        """Places of the action besides its menu."""
-        places = getattr(self.handler, _ALSO, ())
-        return tuple(places(*self.record)) if callable(places) else places
+    def positions(self) -> tuple[BarPosition, ...]:
+        """Positions of the action in bars."""
+        positions = getattr(self.handler, _ALSO, ())
+        return tuple(positions(*self.record)) if callable(positions) else positions
 
     def bound_to(self, commands: object) -> Callable[[], object]:
-        """Return what the action does, for one command set."""
+        """Return the handler bound to a command set and to its record."""
         return partial(self.handler, commands, *self.record)
 
 
 class Decorator:
-    """Declares the method that it is put on as the handler of actions."""
+    """Decorator that declares a method as the handler of actions."""
 
     def __init__(self, described: Callable[[], Iterable[tuple[Action, tuple[object, ...]]]]) -> None:
         self._described = described
 
     def __call__(self, handler: _Handler) -> _Handler:
-        """Declare `handler`, and leave it as it is."""
+        """Declare `handler` and return it unchanged."""
         setattr(handler, _DECLARED, self._described)
         return handler
 
@@ -181,7 +182,7 @@ def _decorator_of(make: Callable[_Fields, Action]) -> Callable[_Fields, Decorato
 
 
 action = _decorator_of(Action)
-"""Declare the decorated method as the handler of an action; takes the fields of `Action`."""
+"""Decorator that declares a method as the handler of an action; takes the fields of `Action`."""
 
 
 def _switch_of(make: Callable[_Fields, Action]) -> Callable[Concatenate[str, _Fields], Decorator]:
@@ -196,42 +197,42 @@ def _switch_of(make: Callable[_Fields, Action]) -> Callable[Concatenate[str, _Fi
 
 
 switch = _switch_of(Action)
-"""Declare an action that turns a field of the window's state on and off; takes that, and those of `Action`.
+"""Decorator of an action that turns a field of `WindowState` on and off; takes it and the fields of `Action`.
 
-The decorated method does what comes after that, often nothing: then it has a docstring, which is the tip.
+The decorated method runs afterwards. Often it has only a docstring, which is the tip.
 """
 
 
-def also(*places: BarPosition) -> Callable[[_Handler], _Handler]:
-    """Let the actions of the decorated handler stand in bars, too: toolbar, context menus, buttons."""
-    return _also(places)
+def also(*positions: BarPosition) -> Callable[[_Handler], _Handler]:
+    """Place the actions of the decorated handler in bars as well: toolbar, context menus, buttons."""
+    return _also(positions)
 
 
-def also_for_each(places: Callable[[Any], Iterable[BarPosition]]) -> Callable[[_Handler], _Handler]:
-    """Let each action of the decorated handler stand where `places` says of its record."""
-    return _also(places)
+def also_for_each(positions: Callable[[Any], Iterable[BarPosition]]) -> Callable[[_Handler], _Handler]:
+    """Place each action of the decorated handler at the positions that `positions` returns for its record."""
+    return _also(positions)
 
 
-def widget_at(place: BarPosition) -> Callable[[_Handler], _Handler]:
-    """Let what the decorated method returns stand in a bar."""
+def widget_at(position: BarPosition) -> Callable[[_Handler], _Handler]:
+    """Place the widget that the decorated method returns in a bar."""
 
     def mark(build: _Handler) -> _Handler:
-        setattr(build, _WIDGET, place)
+        setattr(build, _WIDGET, position)
         return build
 
     return mark
 
 
 def declared_widgets(kind: type, commands: object) -> Iterator[tuple[BarPosition, Any]]:
-    """Yield what a command set puts into bars besides actions, with its place."""
-    for build, place in marked(kind, _WIDGET):
-        yield place, build(commands)
+    """Yield the widgets that a command set adds to bars, with their positions."""
+    for build, position in marked(kind, _WIDGET):
+        yield position, build(commands)
 
 
-def _also(places: object) -> Callable[[_Handler], _Handler]:
+def _also(positions: object) -> Callable[[_Handler], _Handler]:
 
     def mark(handler: _Handler) -> _Handler:
-        setattr(handler, _ALSO, places)
+        setattr(handler, _ALSO, positions)
         return handler
 
     return mark
@@ -240,26 +241,26 @@ def _also(places: object) -> Callable[[_Handler], _Handler]:
 def action_for_each(
     records: Iterable[_Record] | Callable[[], Iterable[_Record]], describe: Callable[[_Record], Action]
 ) -> Decorator:
-    """Declare the decorated method as the handler of one action for each record, which it is called with.
+    """Declare the decorated method as the handler of one action per record; it is called with the record.
 
-    There may be more records by the time that a window is made.
+    `records` may be a function, for records that are registered later.
     """
     return Decorator(
-        lambda: [(describe(each), (each,)) for each in (records() if callable(records) else records)]
+        lambda: [(describe(record), (record,)) for record in (records() if callable(records) else records)]
     )
 
 
-class PlaceAction(msgspec.Struct, frozen=True):
-    """Declares the method that it is put on as what an entry of the menu for a place on the curve does.
+class PositionAction(msgspec.Struct, frozen=True):
+    """Decorator that adds a method to the context menu of a position on the curve.
 
-    The method takes the parameter t there.
+    The method takes the parameter t of the position.
 
     Attributes
     ----------
     name, text
-        The entry's objectName and text.
+        The objectName and the text of the entry.
     like
-        The action that does it elsewhere: its icon, tip and needs are the entry's.
+        The action with the same effect elsewhere; it lends the entry its icon, tip and state.
     """
 
     name: str
@@ -267,32 +268,34 @@ class PlaceAction(msgspec.Struct, frozen=True):
     like: str
 
     def __call__(self, handler: _Handler) -> _Handler:
-        """Declare `handler`, and leave it as it is."""
-        setattr(handler, _AT_PLACE, self)
+        """Declare `handler` and return it unchanged."""
+        setattr(handler, _AT_POSITION, self)
         return handler
 
 
-def place_actions(kind: type, commands: object) -> Iterator[tuple[PlaceAction, Callable[[float], object]]]:
-    """Yield the entries that a command set declares for the menu of a place, with what they do."""
-    for member, entry in marked(kind, _AT_PLACE):
+def position_actions(
+    kind: type, commands: object
+) -> Iterator[tuple[PositionAction, Callable[[float], object]]]:
+    """Yield the entries that a command set declares for the menu of a position, with their handlers."""
+    for member, entry in marked(kind, _AT_POSITION):
         yield entry, partial(member, commands)
 
 
 @cache
 def marked(commands: type, mark: str) -> tuple[tuple[Callable[..., Any], Any], ...]:
-    """Return the methods of a class that have an attribute `mark`, in order, with its value."""
-    found = ((member, getattr(member, mark, None)) for member in vars(commands).values())
-    return tuple((member, value) for member, value in found if value is not None)
+    """Return the methods of a class that have the attribute `mark`, in order, with its value."""
+    methods = ((member, getattr(member, mark, None)) for member in vars(commands).values())
+    return tuple((member, value) for member, value in methods if value is not None)
 
 
 def all_declared(command_sets: Iterable[type]) -> list[Declared]:
     """Return the actions of some command sets, in the order of the menus."""
-    found = [each for commands in command_sets for each in _declared_by(commands)]
-    return sorted(found, key=lambda each: each.action.section.place)
+    declared = [action for commands in command_sets for action in _declared_by(commands)]
+    return sorted(declared, key=lambda action: action.action.section.rank)
 
 
 def _declared_by(commands: type) -> Iterator[Declared]:
     for handler, described in marked(commands, _DECLARED):
         tip = (handler.__doc__ or "").strip().partition("\n")[0].removesuffix(".")
-        for each, record in described():
-            yield Declared(each if each.tip else replace(each, tip=tip), commands, handler, record)
+        for action, record in described():
+            yield Declared(action if action.tip else replace(action, tip=tip), commands, handler, record)

@@ -1,4 +1,4 @@
-"""Keys of actions: the defaults, what the person changed, and the owner of a key; mnemonics of menus."""
+"""Keys of actions: defaults, changes by the user, the owner of a key; and mnemonics of menus."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ RESERVED = {
     Qt.Key.Key_Return: "confirms typed input",
     Qt.Key.Key_Enter: "confirms typed input",
 }
-"""Keys that, alone or with Shift, belong to the drawing and to the fields; an action cannot have them."""
+"""Keys that the canvas and fields use, alone or with Shift; no action can have them."""
 
 _FULL_NAME, _NEEDS, _REASON, _KEYWORDS = "fullName", "needs", "reason", "keywords"
-_IS_SO = "isSoAlready"
+_IS_REDUNDANT = "isRedundant"
 
 
 class Binding(msgspec.Struct, frozen=True):
-    """An action that may have keys.
+    """Action with its default keys.
 
     Attributes
     ----------
     action
-        The action itself; it carries the keys in force.
+        The QAction; it has the current keys.
     text, menu
-        What it is called, and the menu it stands in.
+        The name of the action, and the title of its menu.
     defaults
-        The keys it has unless the person changes them.
+        The default keys.
     """
 
     action: QAction
@@ -49,12 +49,12 @@ class Binding(msgspec.Struct, frozen=True):
 
 
 class Keymap(QObject):
-    """The keys of all actions of a window.
+    """Keys of all actions of a window.
 
     Signals
     -------
     changed
-        An action has other keys.
+        The keys of an action have changed.
     """
 
     changed = Signal()
@@ -62,21 +62,21 @@ class Keymap(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._bindings: dict[str, Binding] = {}
-        # By the key that it comes with: Qt tells of a key that two actions have only when it is pressed.
-        self._came_with: dict[str, Binding] = {}
+        # By default key: Qt reports a key that two actions have only when it is pressed.
+        self._default_owners: dict[str, Binding] = {}
 
     def add(self, binding: Binding) -> None:
-        """Take in an action and give it its default keys.
+        """Add an action and give it its default keys.
 
         Raises
         ------
         ValueError
-            If one of them belongs to the drawing, or is another action's.
+            If one of the keys is reserved, or is the default key of another action.
         """
         for key in binding.defaults:
             if reason := refusal(key):
                 raise ValueError(f"“{binding.text}” cannot have its default key: {reason}")
-            other = self._came_with.setdefault(key.toString(), binding)
+            other = self._default_owners.setdefault(key.toString(), binding)
             if other is not binding:
                 raise ValueError(
                     f"“{other.text}” and “{binding.text}” both have the default key {native(key)}."
@@ -85,9 +85,11 @@ class Keymap(QObject):
         _bind(binding.action, binding.defaults)
 
     def remove(self, name: str) -> None:
-        """Forget an action; its keys are free."""
+        """Remove an action and free its keys."""
         binding = self._bindings.pop(name)
-        self._came_with = {key: each for key, each in self._came_with.items() if each is not binding}
+        self._default_owners = {
+            key: other for key, other in self._default_owners.items() if other is not binding
+        }
         _bind(binding.action, [])
 
     @property
@@ -96,30 +98,30 @@ class Keymap(QObject):
         return self._bindings
 
     def keys(self, name: str) -> list[QKeySequence]:
-        """Return the keys of an action, the first being the one that is shown."""
+        """Return the current keys of an action; the first is the one that is displayed."""
         return self._bindings[name].action.shortcuts()
 
-    def came_with(self, name: str) -> tuple[QKeySequence, ...]:
-        """Return the keys that an action comes with."""
+    def default_keys(self, name: str) -> tuple[QKeySequence, ...]:
+        """Return the default keys of an action."""
         return self._bindings[name].defaults
 
     def is_default(self, name: str) -> bool:
-        """Whether an action has the keys it came with."""
-        return self.keys(name) == list(self.came_with(name))
+        """Return whether an action has its default keys."""
+        return self.keys(name) == list(self.default_keys(name))
 
     def owner_of(self, key: QKeySequence) -> str | None:
-        """Return the name of the action that has `key`, or begins with it, or that it begins with."""
+        """Return the name of the action whose keys clash with `key`; None where it is free."""
         return next(self._owners_of(key), None)
 
     def _owners_of(self, key: QKeySequence) -> Iterator[str]:
         for name, binding in self._bindings.items():
-            if any(_clash(own, key) for own in binding.action.shortcuts()):
+            if any(_clash(bound, key) for bound in binding.action.shortcuts()):
                 yield name
 
     def disabled_at(self, keys: QKeyCombination) -> QAction | None:
-        """Return the action with these keys that cannot be used now; None where there is none.
+        """Return the disabled action with these keys; None where there is none.
 
-        Qt passes the keys of an action that is disabled on, as if they were nobody's.
+        Qt passes the keys of a disabled action on, as if no action had them.
         """
         held = keys.keyboardModifiers() & ~Qt.KeyboardModifier.KeypadModifier
         key = QKeySequence(QKeyCombination(held, keys.key()))
@@ -129,30 +131,30 @@ class Keymap(QObject):
         return None
 
     def assign(self, name: str, keys: Sequence[QKeySequence]) -> None:
-        """Give an action these keys, and take them from whoever has them."""
+        """Assign keys to an action, and remove them from all others."""
         self._give(name, keys)
         self.changed.emit()
 
     def _give(self, name: str, keys: Sequence[QKeySequence]) -> None:
         for key in keys:
             for owner in self._owners_of(key):
-                kept = [own for own in self.keys(owner) if not _clash(own, key)]
-                _bind(self._bindings[owner].action, kept)
+                remaining = [bound for bound in self.keys(owner) if not _clash(bound, key)]
+                _bind(self._bindings[owner].action, remaining)
         _bind(self._bindings[name].action, keys)
 
     def reset(self, name: str) -> None:
-        """Give an action the keys it came with, and take them from whoever has them."""
-        self.assign(name, self.came_with(name))
+        """Restore the default keys of an action, and remove them from all others."""
+        self.assign(name, self.default_keys(name))
 
     def reset_all(self) -> None:
-        """Give every action the keys it came with."""
+        """Restore the default keys of all actions."""
         for name, binding in self._bindings.items():
-            _bind(binding.action, self.came_with(name))
+            _bind(binding.action, self.default_keys(name))
         self.changed.emit()
 
     @property
     def overrides(self) -> dict[str, str]:
-        """The keys that differ from the defaults, as text that does not depend on the language."""
+        """Keys that differ from the defaults, by action, as portable text."""
         return {
             name: QKeySequence.listToString(self.keys(name), QKeySequence.SequenceFormat.PortableText)
             for name in self._bindings
@@ -160,17 +162,19 @@ class Keymap(QObject):
         }
 
     def load(self, overrides: Mapping[str, str]) -> None:
-        """Take up remembered keys; what no longer exists is skipped, and a key is given out only once.
+        """Apply saved keys; unknown actions are skipped, and a key is assigned only once.
 
-        They are taken from the actions that came with them: those may be newer than what is remembered.
+        Saved keys win over default keys, whose actions may be newer than the saved keys.
         """
-        own = {name: text for name, text in overrides.items() if name in self._bindings}
-        for name in own:
+        saved = {name: text for name, text in overrides.items() if name in self._bindings}
+        for name in saved:
             _bind(self._bindings[name].action, [])
-        for name, text in own.items():
+        for name, text in saved.items():
             keys = QKeySequence.listFromString(text, QKeySequence.SequenceFormat.PortableText)
-            free = [key for key in keys if not key.isEmpty() and own.keys().isdisjoint(self._owners_of(key))]
-            self._give(name, free)
+            unused = [
+                key for key in keys if not key.isEmpty() and saved.keys().isdisjoint(self._owners_of(key))
+            ]
+            self._give(name, unused)
         self.changed.emit()
 
 
@@ -180,41 +184,41 @@ def action_name(prefix: str, member: Enum) -> str:
 
 
 def set_full_name(action: QAction, name: str) -> None:
-    """Give an action a full name, for where the menu around it is not seen."""
+    """Give an action a full name, for places where its menu is not visible."""
     action.setProperty(_FULL_NAME, name)
 
 
 def set_keywords(action: QAction, keywords: str) -> None:
-    """Give an action words by which it is found, beside those of its name and tip."""
+    """Give an action further words by which the command palette finds it."""
     action.setProperty(_KEYWORDS, keywords)
 
 
 def keywords_of(action: QAction) -> str:
-    """Return the words by which an action is found, beside those of its name and tip."""
+    """Return the further words by which the command palette finds an action."""
     return str(action.property(_KEYWORDS) or "")
 
 
-def say_needs(action: QAction, needs: str) -> None:
-    """Tell an action what must be there before it can be used."""
+def set_needs(action: QAction, needs: str) -> None:
+    """Set the noun phrase of what an action needs."""
     action.setProperty(_NEEDS, needs)
 
 
-def say_reason(action: QAction, reason: str, *, is_so: bool = False) -> None:
-    """Tell an action why it cannot be used, as a sentence; empty where it only needs something.
+def set_reason(action: QAction, reason: str, *, is_redundant: bool = False) -> None:
+    """Set the sentence why an action cannot be used; empty for the usual one.
 
-    What it would do `is_so` already, or something is missing.
+    `is_redundant` tells that the effect of the action is there already, so that this is no refusal.
     """
     action.setProperty(_REASON, reason)
-    action.setProperty(_IS_SO, is_so)
+    action.setProperty(_IS_REDUNDANT, is_redundant)
 
 
-def is_so_already(action: QAction) -> bool:
-    """Whether an action that cannot be used would do what is so already."""
-    return bool(action.property(_IS_SO))
+def is_redundant(action: QAction) -> bool:
+    """Return whether the effect of a disabled action is there already."""
+    return bool(action.property(_IS_REDUNDANT))
 
 
-def why_not(action: QAction) -> str:
-    """Return what is missing where an action cannot be used, as a sentence."""
+def reason_disabled(action: QAction) -> str:
+    """Return the sentence why an action cannot be used."""
     if reason := action.property(_REASON):
         return str(reason)
     needs, name = action.property(_NEEDS), full_name_of(action).removesuffix("…")
@@ -222,12 +226,12 @@ def why_not(action: QAction) -> str:
 
 
 def full_name_of(action: QAction) -> str:
-    """Return what an action is called where its menu is not seen."""
+    """Return the name of an action where its menu is not visible."""
     return str(action.property(_FULL_NAME) or action.text().replace("&", ""))
 
 
 def refusal(key: QKeySequence) -> str:
-    """Return why no action can have `key`, as a sentence; empty where one can."""
+    """Return the sentence why no action can have `key`; empty where one can."""
     if key.isEmpty():
         return ""
     combination: QKeyCombination = key[0]  # type: ignore[index]  # PySide6's stubs lack __getitem__
@@ -239,23 +243,23 @@ def refusal(key: QKeySequence) -> str:
 
 
 def native(key: QKeySequence) -> str:
-    """Return a key as the person's system writes it."""
+    """Return the text of a key in the notation of the system."""
     return key.toString(QKeySequence.SequenceFormat.NativeText)
 
 
 def key_or_name(action: QAction) -> str:
-    """Return the first key of an action for a message, or its name where it has none."""
+    """Return the first key of an action, or its name where it has none, for a message."""
     keys = action.shortcuts()
     return native(keys[0]) if keys else f"“{full_name_of(action)}”"
 
 
 def keys_text(keys: Iterable[QKeySequence]) -> str:
-    """Return keys as a list in words, empty for none."""
+    """Return the text of some keys, such as "Ctrl+J or Alt+J"; empty for none."""
     return " or ".join(native(key) for key in keys)
 
 
 def _clash(one: QKeySequence, other: QKeySequence) -> bool:
-    """Whether one of two keys begins with the other."""
+    """Return whether one of two key sequences begins with the other."""
     nothing = QKeySequence.SequenceMatch.NoMatch
     return one.matches(other) != nothing or other.matches(one) != nothing
 
@@ -266,7 +270,7 @@ def _bind(action: QAction, keys: Sequence[QKeySequence]) -> None:
 
 
 def tool_tip(action: QAction) -> str:
-    """Return what an action does, and the first of its keys; where it cannot be used, what it needs."""
+    """Return the tip of an action with its first key, and for a disabled action the reason."""
     keys, needs = action.shortcuts(), action.property(_NEEDS)
     suffix = f" ({native(keys[0])})" if keys else ""
     reason = action.property(_REASON) or (f"Needs {needs}" if needs else "")
@@ -278,16 +282,16 @@ _LITERAL = "\0"
 
 
 def plain(text: str) -> str:
-    """Return the text of a menu without the sign of its mnemonic; a literal "&&" stays."""
+    """Return the text of a menu without the "&" of its mnemonic; a literal "&&" stays."""
     return text.replace("&&", _LITERAL).replace("&", "").replace(_LITERAL, "&&")
 
 
 def with_mnemonics(texts: Sequence[str]) -> list[str]:
-    """Return texts with one letter of each marked by "&", as few as can be twice.
+    """Return texts with one letter of each marked by "&", with as few repetitions as possible.
 
-    Earlier texts choose first: the letters that begin words, then those within. One that finds all its own
-    taken makes another give way, if that has one to go to (augmenting paths, Kuhn 1955). Where there are more
-    texts than letters, some share their first one: typed, it goes from the one to the other.
+    Earlier texts choose first, letters at the beginning of words before others. A text whose letters are all
+    used makes another one change, where that has a free letter (augmenting paths, Kuhn 1955). Where there are
+    more texts than letters, some share a letter; typing it cycles through them.
     """
     wishes = [_letters(plain(text)) for text in texts]
     owner: dict[str, int] = {}
@@ -305,38 +309,38 @@ def with_mnemonics(texts: Sequence[str]) -> list[str]:
 
     for index in range(len(texts)):
         settle(index, set())
-    places = {index: next(iter(letters.values()), None) for index, letters in enumerate(wishes)}
-    places.update({index: wishes[index][letter] for letter, index in owner.items()})
-    return [_marked(plain(text), places[index]) for index, text in enumerate(texts)]
+    indices = {index: next(iter(letters.values()), None) for index, letters in enumerate(wishes)}
+    indices.update({index: wishes[index][letter] for letter, index in owner.items()})
+    return [_marked(plain(text), indices[index]) for index, text in enumerate(texts)]
 
 
 def _letters(text: str) -> dict[str, int]:
-    """Return where each letter or digit of a text stands, those that begin a word first."""
-    found = [(place, letter) for place, letter in enumerate(text) if letter.isascii() and letter.isalnum()]
-    begin = [(place, letter) for place, letter in found if place == 0 or not text[place - 1].isalnum()]
-    letters: dict[str, int] = {}
-    for place, letter in [*begin, *found]:
-        letters.setdefault(letter.casefold(), place)
-    return letters
+    """Return the index of each letter or digit of a text, those at the beginning of words first."""
+    found_at = [(index, letter) for index, letter in enumerate(text) if letter.isascii() and letter.isalnum()]
+    begin = [(index, letter) for index, letter in found_at if index == 0 or not text[index - 1].isalnum()]
+    first: dict[str, int] = {}
+    for index, letter in [*begin, *found_at]:
+        first.setdefault(letter.casefold(), index)
+    return first
 
 
-def _marked(text: str, place: int | None) -> str:
-    return text if place is None else f"{text[:place]}&{text[place:]}"
+def _marked(text: str, index: int | None) -> str:
+    return text if index is None else f"{text[:index]}&{text[index:]}"
 
 
 def give_mnemonics(menu: QMenu) -> None:
-    """Mark the entries of a menu while it is open: what they are called may change until then."""
+    """Mark the entries of a menu while it is open, because their texts may change until then."""
     menu.aboutToShow.connect(lambda: _mark(menu))
     menu.aboutToHide.connect(lambda: _unmark(menu))
 
 
 def _mark(menu: QMenu) -> None:
     actions = [action for action in menu.actions() if action.text()]
-    for action, text in zip(actions, with_mnemonics([each.text() for each in actions]), strict=True):
+    for action, text in zip(actions, with_mnemonics([action.text() for action in actions]), strict=True):
         action.setText(text)
 
 
 def _unmark(menu: QMenu) -> None:
-    # Elsewhere an entry is called by its name alone.
+    # Elsewhere an entry has its plain text.
     for action in menu.actions():
         action.setText(plain(action.text()))

@@ -13,29 +13,29 @@ from itertools import count
 import msgspec
 
 from ..view_model.analysis.overlay import Group
-from .needs import CHOSEN, NOTHING, Need
+from .needs import NOTHING, SELECTED_CURVE, Need
 
 
 class BarPosition(msgspec.Struct, frozen=True):
-    """A place in a bar; entries stand in ascending order, with a separator between the tens."""
+    """Position in a bar; entries are sorted by number, with a separator between the tens."""
 
     bar: ActionBar
     number: int
 
 
 class ActionBar(msgspec.Struct, frozen=True):
-    """A bar of actions; ``STRIP(21)`` is a place in it.
+    """Bar of actions; ``TOOLBAR(21)`` is a position in it.
 
     Attributes
     ----------
     name
-        What it is.
+        The name of the bar, for developers and screen readers.
     """
 
     name: str
 
     def __call__(self, number: int) -> BarPosition:
-        """Return a place in it."""
+        """Return a position in the bar."""
         return BarPosition(self, number)
 
 
@@ -45,7 +45,7 @@ SNAP_MENU = ActionBar("menu of the magnet in the toolbar")
 FAMILIES_MENU = ActionBar("menu of further families in the toolbar")
 POINT_MENU = ActionBar("menu of a point")
 CURVE_MENU = ActionBar("menu of a curve")
-CHOSEN_MENU = ActionBar("menu of curves that are chosen as wholes")
+WHOLES_MENU = ActionBar("menu of curves that are selected as wholes")
 CANVAS_MENU = ActionBar("menu of the canvas")
 POINT_BUTTONS = ActionBar("buttons above the point table")
 CURVE_LIST_MENU = ActionBar("menu of the list of curves")
@@ -64,28 +64,28 @@ _ranks = count()
 
 
 class MenuSection(msgspec.Struct, frozen=True):
-    """Entries that stand together in a menu, or in a submenu of it.
+    """Group of entries in a menu, or in a submenu of it.
 
     Attributes
     ----------
     menu, submenu
-        Where it stands; without a submenu in the menu itself.
+        The menu, and the title of the submenu; empty for entries in the menu itself.
     is_separated
-        Whether a separator stands before it; of the first section of a submenu, before the submenu.
-    place
-        Its place among all sections.
+        Whether a separator precedes the section; for the first section of a submenu, the submenu.
+    rank
+        Position in the order of all sections.
     needs
-        What all of its actions need, besides what each needs itself.
+        Condition of all actions of the section, besides their own.
     also
-        Where in context menus it stands, too: there as a submenu.
+        Positions in context menus, where the section is a submenu.
     called
-        The title of that submenu; sections of one title that follow each other in a bar share it.
+        Title of that submenu; adjacent sections of one title share the submenu.
     """
 
     menu: Menu
     submenu: str
     is_separated: bool
-    place: int
+    rank: int
     needs: Need
     also: tuple[BarPosition, ...] = ()
     called: str = ""
@@ -99,11 +99,11 @@ class Menu:
     title
         Its text, without mnemonic.
     interrupts
-        Whether its actions take back a gesture in flight before they begin: they may change the document.
+        Whether its actions cancel a gesture in flight before they run, because they may change the document.
     needs
-        What the actions of its sections need, where these do not say otherwise.
+        Condition of the actions of all sections that have no other one.
     sections
-        What it is made of.
+        The sections of the menu, in order.
     """
 
     def __init__(self, title: str, *, interrupts: bool = False, needs: Need = NOTHING) -> None:
@@ -120,11 +120,12 @@ class Menu:
         also: Collection[BarPosition] = (),
         called: str = "",
     ) -> MenuSection:
-        """Return a new section at the end of the menu; in context menus it is called as its submenu is."""
+        """Add a section at the end of the menu; `called` is its title in context menus."""
         needs = self.needs if needs is None else needs
-        made = MenuSection(self, submenu, is_separated, next(_ranks), needs, tuple(also), called or submenu)
-        self.sections.append(made)
-        return self.sections[-1]
+        title = called or submenu
+        section = MenuSection(self, submenu, is_separated, next(_ranks), needs, tuple(also), title)
+        self.sections.append(section)
+        return section
 
 
 FILE = Menu("File", interrupts=True)
@@ -155,7 +156,7 @@ EDIT_TOOLS = EDIT.section("Tools")
 EDIT_PENCIL = EDIT.section("Tools")
 EDIT_PROGRAM = EDIT.section()
 
-CURVE = Menu("Curve", interrupts=True, needs=CHOSEN)
+CURVE = Menu("Curve", interrupts=True, needs=SELECTED_CURVE)
 CURVE_FAMILY = CURVE.section()
 CURVE_FAMILIES = CURVE.section("More Families", is_separated=False)
 CURVE_RULES = CURVE.section("Parameters", is_separated=False)
@@ -174,7 +175,7 @@ CURVE_STYLE = CURVE.section("Properties", is_separated=False, needs=NOTHING)
 CURVE_SETTINGS = CURVE.section("Properties")
 CURVE_NAME = CURVE.section("Properties", is_separated=False)
 
-POINTS = Menu("Points", interrupts=True, needs=CHOSEN)
+POINTS = Menu("Points", interrupts=True, needs=SELECTED_CURVE)
 POINTS_EDITING = POINTS.section(needs=NOTHING)
 POINTS_KINDS = POINTS.section()
 POINTS_VELOCITIES = POINTS.section()
@@ -192,11 +193,13 @@ ARRANGE_ALIGN_TO = ARRANGE.section("Align and Distribute")
 ARRANGE_ORDER = ARRANGE.section(
     "Order",
     is_separated=False,
-    needs=CHOSEN,
-    also=[CHOSEN_MENU(21), CURVE_MENU(45), CURVE_LIST_MENU(20)],
+    needs=SELECTED_CURVE,
+    also=[WHOLES_MENU(21), CURVE_MENU(45), CURVE_LIST_MENU(20)],
 )
-ARRANGE_GROUPS = ARRANGE.section(needs=CHOSEN)
-ARRANGE_SHAPES = ARRANGE.section(needs=CHOSEN, also=[CHOSEN_MENU(35), CURVE_LIST_MENU(56)], called="Shape")
+ARRANGE_GROUPS = ARRANGE.section(needs=SELECTED_CURVE)
+ARRANGE_SHAPES = ARRANGE.section(
+    needs=SELECTED_CURVE, also=[WHOLES_MENU(35), CURVE_LIST_MENU(56)], called="Shape"
+)
 ARRANGE_WALK = ARRANGE.section()
 
 ANALYSIS = Menu("Analysis")
@@ -220,7 +223,7 @@ VIEW_DRAWING = VIEW.section()
 VIEW_SNAP = VIEW.section("Snapping", is_separated=False)
 VIEW_SNAP_TO = VIEW.section("Snapping")
 VIEW_GUIDES = VIEW.section("Guides", is_separated=False)
-VIEW_SHOWN = VIEW.section()
+VIEW_ELEMENTS = VIEW.section()
 VIEW_PANELS = VIEW.section("Panels", is_separated=False)
 VIEW_FOCUS = VIEW.section("Keyboard Focus", is_separated=False)
 VIEW_PRESENTATION = VIEW.section()

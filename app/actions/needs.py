@@ -25,14 +25,14 @@ class Need(msgspec.Struct, frozen=True):
         Whether the condition is met.
     why
         Sentence shown where the condition is not met, or a function that returns it; empty for the usual one.
-    is_so
+    is_redundant
         Whether the action would do what is done already: that is a message, not a refusal.
     """
 
     words: str
     is_met: Callable[[ActionState], bool]
     why: Callable[[ActionState], str] | str = ""
-    is_so: bool = False
+    is_redundant: bool = False
 
     def reason(self, state: ActionState) -> str:
         """Return the sentence shown where the condition is not met; empty for the usual one."""
@@ -41,7 +41,7 @@ class Need(msgspec.Struct, frozen=True):
 
 NOTHING = Need("", lambda _state: True)
 SOME_CURVE = Need("a curve", lambda state: not state.is_blank)
-CHOSEN = Need(
+SELECTED_CURVE = Need(
     "a selected curve",
     lambda state: state.has_selected_curve or state.is_blank,
     why=NONE_SELECTED,

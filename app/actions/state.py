@@ -1,7 +1,6 @@
-"""Facts that decide which actions can be used, which are on and what they are called.
+"""Facts that decide which actions are enabled, which are on, and how they are named.
 
-Actions are rendered when these facts are others than before. So no fact is a position or a text that changes
-while something is dragged.
+Actions are rendered when these facts have changed. So no fact is a position or a text that changes in a drag.
 """
 
 from __future__ import annotations
@@ -33,9 +32,9 @@ _VISIBLE, _LOCKED = attrgetter("visible"), attrgetter("locked")
 
 
 class ActionState(msgspec.Struct, frozen=True, kw_only=True):
-    """The facts that decide about actions: equal facts, equal actions.
+    """Facts that decide about actions: equal facts, equal actions.
 
-    "The curve" is the active one.
+    "The curve" is the active one. To add a fact, add a field here and read it in `ActionFacts.read`.
 
     Attributes
     ----------
@@ -48,43 +47,41 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     curve_name
         The name of the curve.
     family, parametrization, rules
-        The rules of the curve; the last by the order of the derivative that each estimates, from 1 on.
+        The rules of the curve; `rules` by the order of the estimated derivative, from 1 on.
     point_count
         The number of its points.
     is_closed, is_visible, is_locked, is_in_shape
-        Its flags, and whether it is one of a shape of several.
+        Its flags, and whether it belongs to a shape of several curves.
     is_current, has_curve
-        Whether its points make a curve; whether one is drawn, which may be the last one that they made.
+        Whether its points make a curve; whether a curve is drawn, which may be the last valid one.
     is_editing
         Whether a curve is edited.
     highlighted
-        The curves that are duplicated and deleted, as a title: "3 Curves", "Group"; of a shape one alone is
-        a contour.
+        Title of the curves that are duplicated and deleted: "3 Curves", "Group", "Contour" (of a shape).
     has_selected_curve, selected_curve_count
-        Whether any curve is edited or chosen; the number of curves that are worked on together.
-    chosen_count
-        The number of things acted on as wholes: a whole group is one, and a whole shape.
+        Whether any curve is edited or selected; the number of curves that are worked on together.
+    whole_count
+        The number of things selected as wholes; a whole group or shape counts as one.
     can_combine, is_any_in_shape, is_any_in_group
-        Whether the curves that are edited or chosen are several and not one shape; whether any is in a shape,
-        or in a group.
+        Whether the selected curves are several and not one shape; whether any is in a shape, or in a group.
     is_any_hidden, is_any_locked
-        Whether any curve of the document is.
+        Whether any curve of the document is hidden, or locked.
     has_curve_in_front, has_curve_behind
-        Whether what is selected can move a step to the front or to the back.
+        Whether the selection can move a step to the front or to the back.
     selected_count, active_selected_count
         The number of selected points, and of those of the curve.
     point_kinds
         The kinds of the selected points, as indices in `POINT_KINDS`.
     has_explicit
-        Whether a selected point has a derivative that was set by hand.
+        Whether a selected point has a derivative set by hand.
     has_two_ends
         Whether two ends of open curves are selected and nothing else.
     can_undo, can_redo, can_go_back
-        Whether there is a step to undo or redo; whether other work was left for a lesson or an example.
+        Whether there is a step to undo or redo; whether a lesson or an example has replaced other work.
     has_scrub_line, grips_turn
         Whether the scrub line is shown; whether the grips of the box rotate and skew.
     has_copied_derivatives
-        Whether selected points could have derivatives that lie on the clipboard.
+        Whether derivatives on the clipboard could be pasted to selected points.
     has_guides
         Whether there are guides.
     is_image_locked
@@ -109,7 +106,7 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     highlighted: str
     has_selected_curve: bool
     selected_curve_count: int
-    chosen_count: int
+    whole_count: int
     can_combine: bool
     is_any_in_shape: bool
     is_any_in_group: bool
@@ -138,13 +135,13 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class ActionFacts:
-    """Reads the facts of one window."""
+    """Reader of the facts of one window."""
 
     def __init__(self, session: Session, store: WindowStore, clipboard: ClipboardWatch) -> None:
         self.session, self._store, self._clipboard = session, store, clipboard
 
     def read(self) -> ActionState:
-        """Return the facts as they are now."""
+        """Return the current facts."""
         session, window = self.session, self._store.state
         document, selected, active = session.document, session.selected, session.active_index
         view, group, stack = session.active_view, selected.group, session.undo_stack
@@ -170,7 +167,7 @@ class ActionFacts:
             highlighted=_highlighted(session),
             has_selected_curve=bool(marked),
             selected_curve_count=len(selected.curves),
-            chosen_count=_count_of_things(document, selected.chosen),
+            whole_count=_count_of_things(document, selected.chosen),
             can_combine=bool(whole) and not whole <= set(shape_of(document, min(whole))),
             is_any_in_shape=any(document.curves[curve].shape for curve in whole),
             is_any_in_group=are_in_groups(document, whole),
@@ -212,7 +209,7 @@ def _count_of_things(document: Document, chosen: frozenset[int]) -> int:
 
 
 def _has_curve_beside(document: Document, selected: frozenset[int], shape: range, step: int) -> bool:
-    """Whether what is selected can move a step to the front (1) or back (−1); of several, some can."""
+    """Return whether the selection, or a part of it, can move a step to the front (1) or to the back (−1)."""
     curves = document.curves
     if not selected <= set(shape):
         return len(selected) < len(curves)
@@ -239,18 +236,18 @@ def _has_explicit(document: Document, group: PointGroup) -> bool:
 
 
 DERIVATIVES = "application/x-curvebench-derivatives"
-"""MIME type of a point's derivatives: a point of which the position does not count."""
+"""MIME type of the derivatives of a point, stored as a point whose position is ignored."""
 
 
 class ClipboardWatch(QObject):
-    """Knows whether there are derivatives on the clipboard.
+    """Cached answer to whether there are derivatives on the clipboard.
 
-    Another program may have to be asked for that: it is, when somebody wants to know, and once.
+    Another program may have to be asked, so it is asked only when needed, and once.
 
     Signals
     -------
     changed
-        There is something else on the clipboard.
+        The content of the clipboard has changed.
     """
 
     changed = Signal()
@@ -263,7 +260,7 @@ class ClipboardWatch(QObject):
 
     @property
     def holds_derivatives(self) -> bool:
-        """Whether there are some now."""
+        """Whether there are derivatives on the clipboard now."""
         if self._known is None:
             data = QGuiApplication.clipboard().mimeData()
             self._known = data is not None and data.hasFormat(DERIVATIVES)
@@ -278,23 +275,21 @@ _Key = TypeVar("_Key", bound=Hashable)
 _Value = TypeVar("_Value")
 
 _WINDOW = "window"
-"""The fact that has facts of its own: an action that shows the grid does not depend on the tool."""
+"""The fact with facts of its own: an action that shows the grid does not depend on the tool."""
 
 
 class DerivedValues(Generic[_Key, _Value]):
-    """Values by key, each computed from an `ActionState` and from nothing else."""
+    """Values by key, each computed again only where a fact that it read has changed."""
 
     def __init__(self, computes: Mapping[_Key, Callable[[ActionState], _Value]]) -> None:
         self._computes = computes
-        # The facts that each has read; none of those that are yet to be computed.
+        # The facts that each value has read; none for values that are not computed yet.
         self._reads: dict[_Key, set[str]] = {}
 
     def renewed(self, state: ActionState, changed: Set[str]) -> Iterator[tuple[_Key, _Value]]:
-        """Yield the values for `state` that read any of the facts `changed`, and those not computed yet."""
+        """Yield the values that read any of the facts `changed`, and those not computed yet."""
         reads = self._reads
-        for key in [
-            each for each in self._computes if each not in reads or not reads[each].isdisjoint(changed)
-        ]:
+        for key in [key for key in self._computes if key not in reads or not reads[key].isdisjoint(changed)]:
             read = set[str]()
             value = self._computes[key](cast("ActionState", _Reader(state, read)))
             reads[key] = read
@@ -302,14 +297,14 @@ class DerivedValues(Generic[_Key, _Value]):
 
 
 class _Reader:
-    """A record of facts that notes the names of those that are read."""
+    """Record of facts that notes the names of the facts that are read."""
 
     def __init__(self, facts: ActionState | WindowState, read: set[str], prefix: str = "") -> None:
         self._facts, self._read_names, self._prefix = facts, read, prefix
 
     def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - as the type of the fact
         if name not in self._facts.__struct_fields__:
-            # A property or method: the facts that it reads are noted in turn.
+            # A property or method: the facts that it reads are noted.
             return getattr(type(self._facts), name).__get__(self)
         if name == _WINDOW:
             return _Reader(getattr(self._facts, name), self._read_names, f"{name}.")
@@ -318,7 +313,7 @@ class _Reader:
 
 
 def changed_facts(before: ActionState, after: ActionState) -> Set[str]:
-    """Return the names of facts that differ; those of the window begin with "window."."""
+    """Return the names of the facts that differ; those of the window begin with "window."."""
     return _differences(before, after) - {_WINDOW} | {
         f"{_WINDOW}.{name}" for name in _differences(before.window, after.window)
     }

@@ -29,7 +29,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
-from ..actions.keymap import full_name_of, keywords_of, native, why_not
+from ..actions.keymap import full_name_of, keywords_of, native, reason_disabled
 from ..appearance.theme import Theme, mix, theme_of
 from ..qt.labels import Label
 from ..qt.overrides import ENTER, SafeOverrides
@@ -170,7 +170,7 @@ class CommandPalette(OverlayFrame):
         if command is None:
             return
         if not command.action.isEnabled():
-            self._note.setText(why_not(command.action))
+            self._note.setText(reason_disabled(command.action))
             self._note.show()
             self.place()
             return

@@ -85,7 +85,7 @@ class Commands:
             store = self._context.store
             store.change(**{action.field: not getattr(store.state, action.field)})
         self.attempt(handler)
-        self._context.actions.take_back_click(action.name)
+        self._context.actions.show_checked(action.name)
         self.wake()
 
     def widgets(self) -> dict[BarPosition, ToolbarWidget]:

@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QDialog, QDockWidget, QMainWindow, QSplitter, QTableView, QWidget
 
-from ..actions.keymap import is_so_already, why_not
+from ..actions.keymap import is_redundant, reason_disabled
 from ..actions.qactions import Actions
 from ..actions.state import ActionFacts, ClipboardWatch
 from ..appearance.icons import app_icon
@@ -216,8 +216,8 @@ class MainWindow(SafeOverrides, QMainWindow):
         # What has been used by nobody: the keys of an action that is disabled, for one.
         disabled = self.actions_by_name.keymap.disabled_at(event.keyCombination())
         if disabled is not None:
-            tell = self.session.say if is_so_already(disabled) else self.session.refuse
-            tell(why_not(disabled))
+            tell = self.session.say if is_redundant(disabled) else self.session.refuse
+            tell(reason_disabled(disabled))
             return
         super().keyPressEvent(event)
 

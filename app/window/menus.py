@@ -12,11 +12,10 @@ from PySide6.QtCore import QPoint
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QWidget
 
-from ..actions.declaration import place_actions
+from ..actions.declaration import position_actions
 from ..actions.keymap import give_mnemonics, set_full_name, with_mnemonics
 from ..actions.menus import (
     CANVAS_MENU,
-    CHOSEN_MENU,
     CURVE_CONVERT,
     CURVE_MENU,
     FILE_EXAMPLES,
@@ -25,6 +24,7 @@ from ..actions.menus import (
     POINT_MENU,
     POINTS_KINDS,
     VIEW_PANELS,
+    WHOLES_MENU,
     Menu,
     MenuSection,
 )
@@ -167,7 +167,9 @@ class ContextMenus:
         attempt: Callable[[Callable[[], object]], None],
     ) -> None:
         self._context, self._attempt = context, attempt
-        self._at_place = [pair for kind, each in command_sets.items() for pair in place_actions(kind, each)]
+        self._at_place = [
+            pair for kind, each in command_sets.items() for pair in position_actions(kind, each)
+        ]
         context.central.canvas.menu_requested.connect(self._open_on_canvas)
 
     def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
@@ -211,7 +213,7 @@ class ContextMenus:
     def _open_on_curves(self, place: QPoint) -> None:
         """Open the menu of what is chosen as a whole; of a curve that is edited, its own."""
         is_whole = bool(self._context.session.selected.chosen)
-        bar_menu(self._context, CHOSEN_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(place)
+        bar_menu(self._context, WHOLES_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(place)
 
     def _curve_menu(self, t: float) -> QMenu:
         """Return the menu for a place on the active curve."""

@@ -270,7 +270,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
 
     def _reset(self) -> None:
         name = self.current
-        taken = {self._keymap.owner_of(key) for key in self._keymap.came_with(name)} - {None, name}
+        taken = {self._keymap.owner_of(key) for key in self._keymap.default_keys(name)} - {None, name}
         names = " and ".join(self._keymap.bindings[owner].text for owner in taken if owner is not None)
         self._keymap.reset(name)
         if names:

@@ -111,7 +111,7 @@ class Toolbar(SafeOverrides, QToolBar):
 
     def _follow(self, actions: Iterable[QAction]) -> None:
         self._in_words += [
-            each for each in actions if each.objectName() and self._actions.words_of(each, short=True)
+            each for each in actions if each.objectName() and self._actions.button_text(each, short=True)
         ]
 
     def _follow_actions(self) -> None:
@@ -183,7 +183,7 @@ class Toolbar(SafeOverrides, QToolBar):
         for action in self._in_words:
             button = self.widgetForAction(action)
             if isinstance(button, QToolButton):
-                action.setIconText(self._actions.words_of(action, short=step.short))
+                action.setIconText(self._actions.button_text(action, short=step.short))
                 button.setToolButtonStyle(step.in_use if action.objectName() in in_use else step.others)
 
 

@@ -71,7 +71,7 @@ def picture(path, width=60, height=80, colour="#ff0000"):
 
 # Looked up once, see fingerprint.py; the last three make up why an action is not possible.
 _enabled, _checked, _text, _tip = QAction.isEnabled, QAction.isChecked, QAction.text, QAction.toolTip
-_property, _WHY_NOT = QObject.property, ("isSoAlready", "reason", "needs")
+_property, _WHY_NOT = QObject.property, ("isRedundant", "reason", "needs")
 
 
 def shown_by_actions(actions):

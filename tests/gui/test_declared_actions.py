@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QLabel
 
-from app.actions.declaration import Action, PlaceAction, action, action_for_each, all_declared
+from app.actions.declaration import Action, PositionAction, action, action_for_each, all_declared
 from app.actions.keymap import plain
 from app.actions.menus import ANALYSIS, CURVE_SHAPE, PLOTS_IN_PLANE
 from app.actions.needs import Need
@@ -46,7 +46,7 @@ class CountingCommands:
             raise EditError("These points are not counted.")
         self.counted.append(len(self._context.session.selection))
 
-    @PlaceAction("countHere", "Count Here", like="countPoints")
+    @PositionAction("countHere", "Count Here", like="countPoints")
     def count_at(self, t):
         self.counted.append(t)
 

@@ -10,7 +10,6 @@ from PySide6.QtCore import QMimeData
 
 from ...actions.declaration import action, also
 from ...actions.menus import (
-    CHOSEN_MENU,
     CURVE_LIST_MENU,
     CURVE_MENU,
     EDIT_CLIPBOARD,
@@ -18,6 +17,7 @@ from ...actions.menus import (
     EDIT_DERIVATIVES,
     POINT_MENU,
     POINTS_NUMBER,
+    WHOLES_MENU,
 )
 from ...actions.needs import HERMITE_POINTS, HIGHLIGHTED, Need
 from ...actions.state import DERIVATIVES
@@ -45,7 +45,7 @@ class ClipboardCommands:
         give_keys_to_drawing(context, ClipboardCommands)
 
     @action("cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", needs=HIGHLIGHTED)
-    @also(POINT_MENU(30), CURVE_MENU(18), CHOSEN_MENU(10), CURVE_LIST_MENU(36))
+    @also(POINT_MENU(30), CURVE_MENU(18), WHOLES_MENU(10), CURVE_LIST_MENU(36))
     def _cut(self) -> None:
         """Copy the selected points, or else the curve or all chosen ones, and delete them."""
         session = self._session
@@ -57,7 +57,7 @@ class ClipboardCommands:
             session.say(f"Cut {words}.")
 
     @action("copyPoints", "Copy", EDIT_CLIPBOARD, "Ctrl+C, Ctrl+Ins", "copy", needs=HIGHLIGHTED)
-    @also(POINT_MENU(31), CURVE_MENU(19), CHOSEN_MENU(11), CURVE_LIST_MENU(37))
+    @also(POINT_MENU(31), CURVE_MENU(19), WHOLES_MENU(11), CURVE_LIST_MENU(37))
     def _copy(self) -> None:
         """Copy the selected points with their derivatives, or else the curve or all chosen ones."""
         what = highlighted(self._context)

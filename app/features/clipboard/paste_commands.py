@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
-from ...actions.menus import CANVAS_MENU, CHOSEN_MENU, CURVE_LIST_MENU, EDIT_CLIPBOARD, EDIT_DERIVATIVES
+from ...actions.menus import CANVAS_MENU, CURVE_LIST_MENU, EDIT_CLIPBOARD, EDIT_DERIVATIVES, WHOLES_MENU
 from ...document import curve_edits, point_edits
 from ...document.limits import EditError
 from ...document.model import Curve, Point, Vector
@@ -57,7 +57,7 @@ class PasteCommands:
         give_keys_to_drawing(context, PasteCommands)
 
     @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V, Shift+Ins", "paste")
-    @also(CANVAS_MENU(20), CHOSEN_MENU(12), CURVE_LIST_MENU(38))
+    @also(CANVAS_MENU(20), WHOLES_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
         """Add the curves or SVG on the clipboard at the pointer; append points (x y, or t x y)."""
         position = self._context.central.canvas.pointed_place

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QWidget
 from ...actions.declaration import action, also
 from ...actions.menus import (
     CANVAS_MENU,
-    CHOSEN_MENU,
     CURVE_ALL_FREE,
     CURVE_COLOUR,
     CURVE_LIST_BUTTONS,
@@ -21,6 +20,7 @@ from ...actions.menus import (
     CURVE_NUMBER,
     CURVE_PROPERTIES,
     EDIT_SELECT,
+    WHOLES_MENU,
 )
 from ...actions.needs import SOME_CURVE, Need
 from ...document.curve_edits import rename_curve
@@ -53,8 +53,8 @@ from .model import RowMarks
 from .panel import CurveList
 from .row_drag import Drop
 
-_HIDDEN = Need("", lambda state: state.is_any_hidden, "No curve is hidden.", is_so=True)
-_LOCKED = Need("", lambda state: state.is_any_locked, "No curve is locked.", is_so=True)
+_HIDDEN = Need("", lambda state: state.is_any_hidden, "No curve is hidden.", is_redundant=True)
+_LOCKED = Need("", lambda state: state.is_any_locked, "No curve is locked.", is_redundant=True)
 
 
 class CurveListCommands:
@@ -107,7 +107,7 @@ class CurveListCommands:
         icon="duplicate",
         title=lambda state: f"Duplicate {state.highlighted}",
     )
-    @also(CURVE_MENU(13), CHOSEN_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
+    @also(CURVE_MENU(13), WHOLES_MENU(13), CURVE_LIST_MENU(31), CURVE_LIST_BUTTONS(11))
     def _duplicate(self) -> None:
         """Add a copy of each selected curve in the same position."""
         session, order = self._session, sorted(highlighted_curves(self._context))
@@ -144,7 +144,7 @@ class CurveListCommands:
         "delete",
         title=lambda state: f"Delete {state.highlighted}",
     )
-    @also(CURVE_MENU(30), CHOSEN_MENU(15), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
+    @also(CURVE_MENU(30), WHOLES_MENU(15), CURVE_LIST_MENU(40), CURVE_LIST_BUTTONS(12))
     def _delete(self) -> None:
         """Delete the selected curves."""
         self._delete_all(highlighted_curves(self._context))
@@ -178,7 +178,7 @@ class CurveListCommands:
         full_name="Curve Visible",
         checked=lambda state: state.is_visible,
     )
-    @also(CURVE_MENU(21), CHOSEN_MENU(50), CURVE_LIST_MENU(12))
+    @also(CURVE_MENU(21), WHOLES_MENU(50), CURVE_LIST_MENU(12))
     def _switch_visible(self) -> None:
         """Show or hide the selected curves."""
         self._rows.switch_visible_of(frozenset({self._session.active_index}))
@@ -192,7 +192,7 @@ class CurveListCommands:
         full_name="Curve Locked",
         checked=lambda state: state.is_locked,
     )
-    @also(CURVE_MENU(22), CHOSEN_MENU(51), CURVE_LIST_MENU(13))
+    @also(CURVE_MENU(22), WHOLES_MENU(51), CURVE_LIST_MENU(13))
     def _switch_locked(self) -> None:
         """Lock or unlock the selected curves: locked curves cannot be changed."""
         self._rows.switch_locked_of(frozenset({self._session.active_index}))

@@ -11,9 +11,9 @@ from ...actions.menus import (
     ARRANGE_ORDER,
     ARRANGE_SHAPES,
     ARRANGE_WALK,
-    CHOSEN_MENU,
     CURVE_LIST_MENU,
     CURVE_MENU,
+    WHOLES_MENU,
 )
 from ...actions.needs import SECOND_CURVE, SOME_CURVE, Need
 from ...document.curve_edits import remove_curve
@@ -45,13 +45,13 @@ _CURVE_IN_FRONT = Need(
     "a curve in front of this one",
     lambda state: state.has_curve_in_front,
     why="The curve is already at the top.",
-    is_so=True,
+    is_redundant=True,
 )
 _CURVE_BEHIND = Need(
     "a curve behind this one",
     lambda state: state.has_curve_behind,
     why="The curve is already at the bottom.",
-    is_so=True,
+    is_redundant=True,
 )
 
 
@@ -235,7 +235,7 @@ class ShapeCommands:
         full_name="Group Curves",
         needs=SOME_CURVE,
     )
-    @also(CURVE_MENU(42), CHOSEN_MENU(30), CURVE_LIST_MENU(53))
+    @also(CURVE_MENU(42), WHOLES_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
         """Group the selected curves, to select and move them as one."""
         session, curves = self._session, _meant(self._session)
@@ -254,7 +254,7 @@ class ShapeCommands:
         full_name="Ungroup Curves",
         needs=Need("a curve in a group", lambda state: state.is_any_in_group),
     )
-    @also(CURVE_MENU(43), CHOSEN_MENU(31), CURVE_LIST_MENU(54))
+    @also(CURVE_MENU(43), WHOLES_MENU(31), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
         """Ungroup the selected group, or the group of the curve; shapes are kept."""
         session, curves = self._session, _meant(self._session)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from ...actions.declaration import PlaceAction, action, also
+from ...actions.declaration import PositionAction, action, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import (
     CANVAS_MENU,
@@ -80,7 +80,7 @@ class CurveCommands:
         """Insert a point on the curve, keeping its shape; the parameters become manual where needed."""
         self._at_scrub(self.insert_at)
 
-    @PlaceAction("insertPointHere", "Insert Point Here", like="insertPoint")
+    @PositionAction("insertPointHere", "Insert Point Here", like="insertPoint")
     def insert_at(self, t: float) -> None:
         """Insert a point on the active curve at `t`."""
         insert_at(self._session, t)
@@ -120,7 +120,7 @@ class CurveCommands:
             told = (each.reshaped.sentence for each in made.values())
             session.say(" ".join(("Inserted", f"{new}.", *told)))
 
-    @PlaceAction("splitHere", "Split Here", like="splitCurve")
+    @PositionAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
         session, done = self._session, list[Split]()
@@ -296,7 +296,7 @@ class SegmentCommands:
         else:
             session.refuse("Select two neighbouring points, or right-click the segment.")
 
-    @PlaceAction("deleteSegmentHere", "Delete Segment", like="deleteSegment")
+    @PositionAction("deleteSegmentHere", "Delete Segment", like="deleteSegment")
     def delete_at(self, t: float) -> None:
         """Delete the segment of the active curve that runs through `t`."""
         self._delete([segment_at(self._session.active_view.parameters, t)])

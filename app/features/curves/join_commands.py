@@ -8,13 +8,13 @@ import numpy as np
 
 from ...actions.declaration import action, also
 from ...actions.menus import (
-    CHOSEN_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
     CURVE_MENU,
     CURVE_SHAPE,
     POINT_MENU,
     POINTS_NUMBER,
+    WHOLES_MENU,
 )
 from ...actions.needs import SECOND_CURVE, Need
 from ...document import curve_edits
@@ -57,7 +57,7 @@ class JoinCommands:
     )
     @also(
         CURVE_MENU(12),
-        CHOSEN_MENU(34),
+        WHOLES_MENU(34),
         POINT_MENU(21),
         CURVE_LIST_MENU(32),
         CURVE_LIST_BUTTONS(13),

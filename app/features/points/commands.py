@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from ...actions.declaration import Action, PlaceAction, action, action_for_each, also, also_for_each
+from ...actions.declaration import Action, PositionAction, action, action_for_each, also, also_for_each
 from ...actions.menus import (
     CANVAS_MENU,
-    CHOSEN_MENU,
     CURVE_LIST_MENU,
     EDIT_SELECT,
     POINT_BUTTONS,
@@ -15,6 +14,7 @@ from ...actions.menus import (
     POINTS_EDITING,
     POINTS_KINDS,
     POINTS_VELOCITIES,
+    WHOLES_MENU,
 )
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, SOME_CURVE, Need
 from ...document import point_edits
@@ -149,7 +149,7 @@ class TangentCommands:
 
     # Straight segments
 
-    @PlaceAction("straightHere", "Straight Segment", like="straightSegment")
+    @PositionAction("straightHere", "Straight Segment", like="straightSegment")
     def straighten_at(self, t: float) -> None:
         """Make the segment of the active curve straight that runs through `t`."""
         session = self._session
@@ -278,7 +278,7 @@ class PointCommands:
         checked=lambda state: state.is_editing,
         keywords="points nodes whole curves leave",
     )
-    @also(CANVAS_MENU(13), CHOSEN_MENU(1), CURVE_LIST_MENU(1))
+    @also(CANVAS_MENU(13), WHOLES_MENU(1), CURVE_LIST_MENU(1))
     def _edit_or_leave(self) -> None:
         """Show the points of the chosen curves and change them (Enter), or choose whole curves (Escape)."""
         selected = self._session.selected

@@ -7,7 +7,15 @@ from collections.abc import Sequence
 from PySide6.QtGui import QAction
 
 from ... import view_model
-from ...actions.declaration import Action, Opened, action, action_for_each, also, also_for_each, widget_at
+from ...actions.declaration import (
+    Action,
+    OpenedEntry,
+    action,
+    action_for_each,
+    also,
+    also_for_each,
+    widget_at,
+)
 from ...actions.keymap import key_or_name
 from ...actions.menus import (
     CURVE_CONVERT,
@@ -108,7 +116,7 @@ class RuleCommands:
     def _further(self) -> list[tuple[QAction, str]]:
         """Return the actions of families without a button of their own, with a short word for each."""
         further = [each for group in self._actions.in_bar(FAMILIES_MENU).values() for each in group]
-        return [(each, self._actions.words_of(each, short=True)) for each in further]
+        return [(each, self._actions.button_text(each, short=True)) for each in further]
 
     def render_panel(self, view: CurveView) -> None:
         """Show the rule of the curve that is edited or chosen in the bar."""
@@ -261,15 +269,15 @@ class RuleCommands:
         return rule_edits.set_alpha(document, index, alpha)
 
 
-def _outlook(session: Session, family: Family) -> Opened:
+def _outlook(session: Session, family: Family) -> OpenedEntry:
     """Return what a conversion does to the curve of the moment."""
     found = view_model.convert.outlook(session.active_view, family)
     text, tip = f"Convert to {family.label}, ", f"Convert to {family.a_curve} of the same shape"
     if not found.within:
-        return Opened(f"{text}Keeping the Shape", tip, found.refusal)
+        return OpenedEntry(f"{text}Keeping the Shape", tip, found.refusal)
     within = number(found.within, 1)
     follow = f"Approximate the curve, which is not a polynomial, with {family.a_curve}"
-    return Opened(f"{text}Within {within}", f"{follow}; it changes by at most about {within}")
+    return OpenedEntry(f"{text}Within {within}", f"{follow}; it changes by at most about {within}")
 
 
 def _alpha_step(position: int) -> str:

@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QWidget
 from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
-from ...actions.menus import CHOSEN_MENU, CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE, EDIT_STYLE
-from ...actions.needs import CHOSEN
+from ...actions.menus import CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE, EDIT_STYLE, WHOLES_MENU
+from ...actions.needs import SELECTED_CURVE
 from ...appearance.theme import LIGHT, Theme
 from ...document.groups import expand_to_shapes
 from ...document.model import Curve, Document, make_curve
@@ -225,7 +225,7 @@ class StyleCommands:
         full_name="Style: Stroke and Fill…",
         keywords="colour width dash opacity line cap join outline",
     )
-    @also(CURVE_MENU(23), CHOSEN_MENU(40), CURVE_LIST_MENU(14))
+    @also(CURVE_MENU(23), WHOLES_MENU(40), CURVE_LIST_MENU(14))
     def _show(self) -> None:
         """Set colour, width, ends, corners, dashes and fill of the selected curves."""
         self._dock.bring_up()
@@ -272,9 +272,9 @@ class StyleClipboardCommands:
         "Ctrl+Alt+Shift+C",
         "style-copy",
         keywords="colour format painter",
-        needs=CHOSEN,
+        needs=SELECTED_CURVE,
     )
-    @also(CHOSEN_MENU(41))
+    @also(WHOLES_MENU(41))
     def _copy(self) -> None:
         """Copy stroke and fill of the active curve."""
         session, data = self._session, QMimeData()
@@ -289,9 +289,9 @@ class StyleClipboardCommands:
         "Ctrl+Shift+V",
         "style-paste",
         keywords="colour format painter",
-        needs=CHOSEN,
+        needs=SELECTED_CURVE,
     )
-    @also(CHOSEN_MENU(42))
+    @also(WHOLES_MENU(42))
     def _paste(self) -> None:
         """Apply the copied stroke and fill to the selected curves.
 

@@ -84,7 +84,7 @@ def _say_what_stays(session: Session, change: Change) -> None:
 
 def _count(state: ActionState) -> int:
     """Return how many points are selected, or else curves chosen: a group or a shape is one."""
-    return state.selected_count or state.chosen_count
+    return state.selected_count or state.whole_count
 
 
 TWO = Need("at least two selected points or curves (a group counts as one)", _can_align)
@@ -93,7 +93,7 @@ THREE = Need(
 )
 THREE_CURVES = Need(
     "at least three selected curves (a group counts as one)",
-    lambda state: not state.selected_count and state.chosen_count > 2,
+    lambda state: not state.selected_count and state.whole_count > 2,
 )
 
 

@@ -79,7 +79,7 @@ _TURNS = (
 
 _BOX = Need(
     "at least two selected points, or a selected curve",
-    lambda state: state.active_selected_count > 1 or state.chosen_count > 0,
+    lambda state: state.active_selected_count > 1 or state.whole_count > 0,
 )
 
 _Amount = TypeVar("_Amount", int, float)

@@ -14,8 +14,8 @@ from ...actions.menus import (
     MORE_TOOLS_MENU,
     TOOLBAR,
     VIEW_DRAWING,
+    VIEW_ELEMENTS,
     VIEW_PRESENTATION,
-    VIEW_SHOWN,
     VIEW_SIZE,
     VIEW_THEME,
 )
@@ -166,7 +166,7 @@ class ViewCommands:
     @action(
         "toggleScrub",
         "Scrub Line",
-        VIEW_SHOWN,
+        VIEW_ELEMENTS,
         "T",
         "spline",
         needs=CURVE_DRAWN,
@@ -193,7 +193,7 @@ class ViewCommands:
         "basis",
         "toggleBasis",
         "Basis Functions",
-        VIEW_SHOWN,
+        VIEW_ELEMENTS,
         "F8",
         "panel-bottom",
     )
@@ -204,7 +204,7 @@ class ViewCommands:
         "with_estimates",
         "toggleEstimates",
         "Basis Functions with Estimates",
-        VIEW_SHOWN,
+        VIEW_ELEMENTS,
         "Shift+F8",
         "cardinal",
         needs=HERMITE_CURVE,
@@ -216,7 +216,7 @@ class ViewCommands:
         "numbered",
         "numberPoints",
         "Point Numbers",
-        VIEW_SHOWN,
+        VIEW_ELEMENTS,
         icon="number-points",
         keywords="labels indices colours plain nodes index",
     )
@@ -227,7 +227,7 @@ class ViewCommands:
         "side_panel",
         "toggleSidePanel",
         "Side Panel",
-        VIEW_SHOWN,
+        VIEW_ELEMENTS,
         "F9",
         "panel-right",
     )

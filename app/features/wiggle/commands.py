@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from ...actions.declaration import PlaceAction, action
+from ...actions.declaration import PositionAction, action
 from ...actions.menus import ANALYSIS_EXPLAIN
 from ...actions.needs import CURVE_THROUGH_TWO
 from ...canvas.figure_layer import Trace
@@ -103,7 +103,7 @@ class WiggleCommands(QObject):
         if view.is_current:
             self._session.scrub.set(analysis.wiggle.widest(view))
 
-    @PlaceAction("explainHere", "Explain This Wiggle", like="explainWiggle")
+    @PositionAction("explainHere", "Explain This Wiggle", like="explainWiggle")
     def explain_at(self, t: float) -> None:
         """Explain the curve at `t`."""
         self._keep_scrub()
