@@ -118,7 +118,7 @@ def vector_lengths(vectors: FloatArray) -> FloatArray:
     largest = along_last(np.maximum, np.abs(vectors))
     divisor = np.where(largest > 0.0, largest, 1.0)
     with np.errstate(over="ignore", under="ignore"):
-        shares = (each / divisor for each in np.moveaxis(vectors, -1, 0))
+        shares = (coordinate / divisor for coordinate in np.moveaxis(vectors, -1, 0))
         result = largest * np.sqrt(sum(map(np.square, shares)))
     limited: FloatArray = np.minimum(result, LARGEST)
     return limited

@@ -58,7 +58,7 @@ def extremes(array: FloatArray) -> tuple[float, float]:
 def end_to_end(parts: Iterable[FloatArray]) -> FloatArray:
     """Join arrays each of which begins with the last entry of the one before it."""
     first, *others = parts
-    return np.concatenate([first, *(each[1:] for each in others)])
+    return np.concatenate([first, *(part[1:] for part in others)])
 
 
 def number_array(values: ArrayLike, name: str) -> FloatArray:
@@ -85,7 +85,7 @@ def _check_masks(values: ArrayLike, name: str) -> None:
         return
     rows = values if isinstance(values, (list, tuple)) else ()
     if not isinstance(values, masked_arrays.MaskedArray) and not any(
-        isinstance(each, masked_arrays.MaskedArray) for each in rows
+        isinstance(row, masked_arrays.MaskedArray) for row in rows
     ):
         return
     try:

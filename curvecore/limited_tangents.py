@@ -118,16 +118,16 @@ def monotone_changes(
     before, after = _weights(h)
     with np.errstate(all="ignore"):
         shares = before * (mean / slope[:-1]) ** 2, after * (mean / slope[1:]) ** 2
-    found = np.empty((len(slope) + 1, slope.shape[1], change.shape[2]))
-    found[1:-1] = np.where(mean != 0.0, shares[0] * change[:-1] + shares[1] * change[1:], 0.0)
+    changes = np.empty((len(slope) + 1, slope.shape[1], change.shape[2]))
+    changes[1:-1] = np.where(mean != 0.0, shares[0] * change[:-1] + shares[1] * change[1:], 0.0)
     for near, beside, case in zip((0, -1), (1, -2), _end_cases(steps), strict=True):
         parabola, steep = _end_parabola(Steps(h, change), near, beside), 3.0 * change[near]
         limited = np.where(case.steep[:, None], steep, parabola)
-        found[near] = np.where(case.flat[:, None], 0.0, limited)
-    return _monotone_on_sides(steps, change, found) if one_sided else found
+        changes[near] = np.where(case.flat[:, None], 0.0, limited)
+    return _monotone_on_sides(steps, change, changes) if one_sided else changes
 
 
-def _monotone_on_sides(steps: Steps, change: FloatArray, found: FloatArray) -> FloatArray:
+def _monotone_on_sides(steps: Steps, change: FloatArray, changes: FloatArray) -> FloatArray:
     """Return the changes of the velocities, at kinks those on the side to which slopes change."""
     h, slope = steps.spacing[:, :, None], steps.slope[:, :, None]
     # Slopes of 0 are their changes now; against these all others are infinite.
@@ -136,16 +136,18 @@ def _monotone_on_sides(steps: Steps, change: FloatArray, found: FloatArray) -> F
     sides = Steps(h, np.where(is_flat, change, np.copysign(np.inf, slope)))
     with np.errstate(all="ignore"):
         ends, means = _monotone_ends(sides), _harmonic_means(sides)
-    found[1:-1] = np.where(is_flat[:-1] | is_flat[1:], means, found[1:-1])
+    changes[1:-1] = np.where(is_flat[:-1] | is_flat[1:], means, changes[1:-1])
     for near, beside, case, flat_end in zip((0, -1), (1, -2), _end_cases(steps), ends, strict=True):
-        own, velocity = slope[near], case.parabola[:, None]
+        slope_here, velocity = slope[near], case.parabola[:, None]
         parabola, steep = _end_parabola(Steps(h, change), near, beside), 3.0 * change[near]
-        rising = np.where(parabola * own > 0.0, parabola, 0.0)
-        limited = np.where(own > 0.0, np.minimum(parabola, steep), np.maximum(parabola, steep))
-        is_limit = (own * slope[beside] < 0.0) & _vanishes(np.abs(velocity) - 3.0 * np.abs(own), own)
-        kinks = is_flat[near], _vanishes(velocity, own), is_limit
-        found[near] = np.select(kinks, (flat_end, rising, limited), found[near])
-    return found
+        rising = np.where(parabola * slope_here > 0.0, parabola, 0.0)
+        limited = np.where(slope_here > 0.0, np.minimum(parabola, steep), np.maximum(parabola, steep))
+        is_limit = (slope_here * slope[beside] < 0.0) & _vanishes(
+            np.abs(velocity) - 3.0 * np.abs(slope_here), slope_here
+        )
+        kinks = is_flat[near], _vanishes(velocity, slope_here), is_limit
+        changes[near] = np.select(kinks, (flat_end, rising, limited), changes[near])
+    return changes
 
 
 @in_range

@@ -220,12 +220,12 @@ def catmull_rom_velocities(
     >>> catmull_rom_velocities([[0, 0], [1, 1], [4, 0]], [0, 1, 2], alpha=0).round(9).tolist()
     [[0.0, 2.0], [2.0, 0.0], [4.0, -2.0]]
     """
-    places = point_array(points)
-    h, slope = steps_of(places, parameters)
+    positions = point_array(points)
+    h, slope = steps_of(positions, parameters)
     # Distances that underflow would divide by zero; the smallest normal number stands for them.
-    apart = places if knots_of is None else point_array(knots_of)
+    apart = positions if knots_of is None else point_array(knots_of)
     knots = np.maximum(relative_spacing(apart, alpha, "Catmull-Rom"), SMALLEST)
-    inner = _parabola_velocities(differences(places, knots))
+    inner = _parabola_velocities(differences(positions, knots))
     inner *= (knots[:-1] + knots[1:])[:, None] / (h[:-1] + h[1:])
     return _with_ends(inner, slope)
 

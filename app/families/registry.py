@@ -140,7 +140,7 @@ def _of_the_core() -> Iterator[Family]:
         for curve_class in families_of_module(import_module(f"curvecore.families.{file.name}"))
     ]
     known = {family.name: family for family in _KNOWN}
-    for curve_class in sorted(found, key=lambda each: (each.place, each.name)):
+    for curve_class in sorted(found, key=lambda each: (each.rank, each.name)):
         yield known.get(str(curve_class.name)) or Family.of(curve_class)
 
 

@@ -273,7 +273,7 @@ def with_midpoints(view: CurveView, segments: Collection[int], points: Collectio
 def _middle(view: CurveView, segment: int) -> float:
     """Return the parameter between a point and the next one."""
     assert view.curve is not None
-    parameters, end = view.curve.places, view.curve.domain[1]
+    parameters, end = view.curve.nodes, view.curve.domain[1]
     after = parameters[segment + 1] if segment + 1 < len(parameters) else end
     return float(parameters[segment] + after) / 2
 

@@ -203,7 +203,7 @@ def _cut_out(view: CurveView, first: int, last: int) -> Curve | None:
 
 
 def _parameter(view: CurveView, index: int) -> float:
-    knots = view.curve.places if view.curve is not None else view.parameters
+    knots = view.curve.nodes if view.curve is not None else view.parameters
     return float(knots[index])
 
 

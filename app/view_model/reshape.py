@@ -155,7 +155,7 @@ def inserted_index(view: CurveView, t: float) -> int:
     longer = view.curve.refined(t) if view.curve is not None and view.is_current else None
     if longer is None:
         return int(np.searchsorted(view.parameters, t))
-    return int(np.argmin(np.abs(longer.places - t)))
+    return int(np.argmin(np.abs(longer.nodes - t)))
 
 
 def through(view: CurveView, curve: ParametricCurve, family: Family | None = None) -> Curve:

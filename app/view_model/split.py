@@ -83,7 +83,7 @@ def split(view: CurveView, *cuts: float) -> Split:
 
 def parameters_between_ends(view: CurveView, indices: Collection[int]) -> list[float]:
     """Return the parameters of points, in order, without those at the ends of an open curve."""
-    knots = view.curve.places if view.curve is not None else view.parameters
+    knots = view.curve.nodes if view.curve is not None else view.parameters
     last = len(view.source.points) - 1
     return [float(knots[index]) for index in sorted(indices) if view.source.is_closed or 0 < index < last]
 

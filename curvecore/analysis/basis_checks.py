@@ -14,8 +14,8 @@ from curvecore.families.lagrange import LagrangeCurve
 _ROUNDING = 2.0**-46
 """Rounding of functions and of their sum, per unit of the sum of their sizes: 64 roundings, 128 u."""
 
-_PLACES = 16
-_MOST_PLACES = 640
+_PER_SEGMENT = 16
+_MOST_SAMPLES = 640
 _STENCIL = np.arange(-3.0, 4.0)
 _STEP = 1.0 / 64.0
 _SLOPE_AGREES = 1e-3
@@ -165,7 +165,7 @@ def sum_defect(curve: ParametricCurve) -> SumDefect | None:
     >>> sum_defect(LagrangeCurve([[0, 0], [1, 2], [3, 1]], uniform(3))) is None
     True
     """
-    t = _places(curve)
+    t = _sample_parameters(curve)
     functions = curve.basis(t)[:, :, 0]
     with np.errstate(over="ignore", invalid="ignore"):
         totals = functions.sum(axis=1)
@@ -201,12 +201,12 @@ def cardinal_defect(curve: ParametricCurve) -> CardinalDefect | None:
     >>> cardinal_defect(LagrangeCurve([[0, 0], [1, 2], [3, 1]], [0, 1, 2])) is None
     True
     """
-    found = curve.basis(curve.parameters)[:, :, 0]
-    off = np.abs(found - np.eye(len(found)))
+    functions = curve.basis(curve.parameters)[:, :, 0]
+    off = np.abs(functions - np.eye(len(functions)))
     parameter, function = np.unravel_index(int(off.argmax()), off.shape)
     if off[parameter, function] <= MEASURED:
         return None
-    return CardinalDefect(int(function), int(parameter), float(found[parameter, function]))
+    return CardinalDefect(int(function), int(parameter), float(functions[parameter, function]))
 
 
 def worst_miss(curve: ParametricCurve) -> Miss | None:
@@ -234,9 +234,9 @@ def worst_miss(curve: ParametricCurve) -> Miss | None:
     True
     """
     points = curve.jets[:, 0]
-    ways = curve.evaluate(curve.parameters) - curve.points
+    offsets = curve.evaluate(curve.parameters) - curve.points
     with np.errstate(over="ignore", under="ignore"):
-        distances = np.sqrt(np.square(ways).sum(axis=1))
+        distances = np.sqrt(np.square(offsets).sum(axis=1))
     index = int(distances.argmax())
     if distances[index] <= MEASURED * float(np.abs(points).max()):
         return None
@@ -277,26 +277,28 @@ def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
     values = values.reshape(len(middle), len(_STENCIL), -1)
     weights = LagrangeCurve(np.zeros((len(_STENCIL), 1)), _STENCIL).basis([0.0], 1)[0, :, 0]
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-        found = np.einsum("k,mkn->mn", weights, values) / step[:, None]
-        said = curve.basis(middle, 1)[:, :, 0]
+        differences = np.einsum("k,mkn->mn", weights, values) / step[:, None]
+        derivatives = curve.basis(middle, 1)[:, :, 0]
         # What the values round to, seen through the differences of them.
         noise = 16.0 * _ROUNDING * np.abs(values).sum(axis=(1, 2))[:, None] / step[:, None]
-        size = np.maximum(np.abs(found).max(axis=1), np.abs(said).max(axis=1))[:, None]
+        size = np.maximum(np.abs(differences).max(axis=1), np.abs(derivatives).max(axis=1))[:, None]
         # The seven places are rounded, too: far from 0 they are not evenly spaced.
         agrees = _SLOPE_AGREES + _ROUNDING * np.abs(middle) / step
-        excess = np.abs(said - found) - agrees[:, None] * size - noise
-    place, function = np.unravel_index(int(np.nan_to_num(excess, nan=-1.0).argmax()), excess.shape)
-    if not excess[place, function] > 0.0:
+        excess = np.abs(derivatives - differences) - agrees[:, None] * size - noise
+    row, function = np.unravel_index(int(np.nan_to_num(excess, nan=-1.0).argmax()), excess.shape)
+    if not excess[row, function] > 0.0:
         return None
-    at = float(middle[place])
-    return SlopeDefect(int(function), at, float(said[place, function]), float(found[place, function]))
+    at = float(middle[row])
+    return SlopeDefect(
+        int(function), at, float(derivatives[row, function]), float(differences[row, function])
+    )
 
 
-def _places(curve: ParametricCurve) -> FloatArray:
+def _sample_parameters(curve: ParametricCurve) -> FloatArray:
     """Return where sums are taken: evenly within each segment, or over all where there are many."""
     t = curve.parameters
-    if _PLACES * (len(t) - 1) > _MOST_PLACES:
-        return np.linspace(*curve.domain, _MOST_PLACES)
-    shares = np.arange(_PLACES) / _PLACES
+    if _PER_SEGMENT * (len(t) - 1) > _MOST_SAMPLES:
+        return np.linspace(*curve.domain, _MOST_SAMPLES)
+    shares = np.arange(_PER_SEGMENT) / _PER_SEGMENT
     inner: FloatArray = (t[:-1, None] + np.diff(t)[:, None] * shares).ravel()
     return np.append(inner, t[-1])

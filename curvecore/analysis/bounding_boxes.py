@@ -128,11 +128,11 @@ def turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
     list of Turns
         Of each curve.
     """
-    found: dict[int, Turns] = {}
+    by_index: dict[int, Turns] = {}
     for same in alike(parts):
         turns = _turning_points([curves[index] for index in same], [parts[index] for index in same])
-        found.update(zip(same.tolist(), turns, strict=True))
-    return [found[index] for index in range(len(curves))]
+        by_index.update(zip(same.tolist(), turns, strict=True))
+    return [by_index[index] for index in range(len(curves))]
 
 
 def _are_exact(curve: ParametricCurve, part: BezierPieces) -> bool:
@@ -148,19 +148,19 @@ def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPie
     flat = slopes.transpose(2, 0, 1).reshape(-1, slopes.shape[1])
     roots = sign_changes(flat, np.zeros(len(flat)))
     axis, piece = np.divmod(roots.piece, len(slopes))
-    place = roots.place
+    s = roots.s
     owner = np.searchsorted(after, piece, side="right")
     exponents = np.array([part.exponent for part in parts])
-    points = scale_by_power(values(controls[piece], place), exponents[owner][:, None])
+    points = scale_by_power(values(controls[piece], s), exponents[owner][:, None])
     order = np.argsort(owner, kind="stable")
     bounds = np.searchsorted(owner[order], np.arange(len(parts) + 1))
-    found = []
+    result = []
     for index, (curve, part) in enumerate(zip(curves, parts, strict=True)):
         here = order[bounds[index] : bounds[index + 1]]
         if _are_exact(curve, part):
             reached = points[here]
         else:
-            t = parameters_at(part, piece[here] - (after[index] - len(part.starts)), place[here])
+            t = parameters_at(part, piece[here] - (after[index] - len(part.starts)), s[here])
             reached = curve.evaluate(t)
-        found.append(Turns(reached, axis[here]))
-    return found
+        result.append(Turns(reached, axis[here]))
+    return result

@@ -175,11 +175,11 @@ def by_point(functions: FloatArray, count: int) -> FloatArray:
     ndarray, shape (m, count, ...)
         The sums of the functions of each point.
     """
-    found, again = functions[:, :count], functions.shape[1] - count
-    if again:
-        found = found.copy()
-        found[:, :again] += functions[:, count:]
-    return found
+    result, repeated = functions[:, :count], functions.shape[1] - count
+    if repeated:
+        result = result.copy()
+        result[:, :repeated] += functions[:, count:]
+    return result
 
 
 class LocalCardinals(NamedTuple):
@@ -310,8 +310,8 @@ class CardinalBasis:
         if not estimates.any():
             return None
         joints = np.arange(segments)[:, None] + np.arange(2)
-        places = joints[:, :, None] % self.count == columns[:, None, :]
-        return _Estimates(columns, np.argmax(places, axis=2), read_only(np.ascontiguousarray(estimates)))
+        belongs = joints[:, :, None] % self.count == columns[:, None, :]
+        return _Estimates(columns, np.argmax(belongs, axis=2), read_only(np.ascontiguousarray(estimates)))
 
     def _near(self, follow: Follow, reach: int) -> tuple[IntArray, FloatArray]:
         """Return the points up to `reach` joints from each segment, and what they do to its ends.
@@ -327,8 +327,8 @@ class CardinalBasis:
         columns = np.arange(segments)[:, None] + np.arange(-reach, reach + 2)
         outside = (columns < 0) | (columns >= self.count)
         columns %= self.count
-        found = self._ends_of(follow, moves)
-        estimates = np.take_along_axis(found, colour[columns][:, None, None, :], axis=3)
+        ends = self._ends_of(follow, moves)
+        estimates = np.take_along_axis(ends, colour[columns][:, None, None, :], axis=3)
         if not self.closed:
             estimates *= ~outside[:, None, None, :]
         return columns, estimates
@@ -468,12 +468,12 @@ class CardinalBasis:
             errors = signs_of_errors(self.count, closed=self.closed) * sizes[:, None]
             joints = (np.arange(len(self.parameters) - 1)[:, None] + np.arange(2)) % self.count
             velocities = [self._ends_of(follow, errors)[:, :, 0] for follow in self.one_sided]
-            self._displaced = sizes, errors, [np.stack((errors[joints], each), axis=2) for each in velocities]
+            self._displaced = sizes, errors, [np.stack((errors[joints], jet), axis=2) for jet in velocities]
         _, errors, jets = self._displaced
         segment, basis = self.curve.local_basis(t)
         with np.errstate(over="ignore", invalid="ignore"):
             near, far = self._by_higher_derivatives(segment, basis, errors)
-            moved = [np.einsum("mer,merk->mk", basis[:, :, :2], each[segment]) + near for each in jets]
+            moved = [np.einsum("mer,merk->mk", basis[:, :, :2], jet[segment]) + near for jet in jets]
             # Where a velocity jumps, its effect at the joint is no number.
             largest = np.fmax.reduce(np.abs(np.concatenate(moved, axis=1)), axis=1)
             result: FloatArray = np.fmin(largest + far, LARGEST)
@@ -488,13 +488,13 @@ class CardinalBasis:
         columns, _, values = self._estimates
         points = columns[segment]
         effects = np.einsum("mer,merw->mw", basis[:, :, 2:], values[segment][:, :, 1:])
-        place = points - segment[:, None] + 2
+        offset = points - segment[:, None] + 2
         if self.closed:
-            place %= self.count
-        is_far = (place < 0) | (place >= _FELT)
+            offset %= self.count
+        is_far = (offset < 0) | (offset >= _FELT)
         far = np.abs(effects * errors[points, 0] * is_far).sum(axis=1)
-        near = ((effects * (place == k)).sum(axis=1, keepdims=True) for k in range(_FELT))
-        return sum(each * errors[(segment + k - 2) % self.count] for k, each in enumerate(near)), far
+        near = ((effects * (offset == k)).sum(axis=1, keepdims=True) for k in range(_FELT))
+        return sum(effect * errors[(segment + k - 2) % self.count] for k, effect in enumerate(near)), far
 
 
 def signs_of_errors(count: int, *, closed: bool) -> FloatArray:

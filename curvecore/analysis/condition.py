@@ -151,18 +151,20 @@ def monomial_condition(curve: ParametricCurve, norm: float = 2) -> float:
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known")
-    return max(vandermonde_condition(each.parameters, norm, each.jets.shape[1] - 1) for each in interpolants)
+    return max(
+        vandermonde_condition(piece.parameters, norm, piece.jets.shape[1] - 1) for piece in interpolants
+    )
 
 
 def _matrix(t: Sequence[float], width: int) -> FloatArray:
     size = len(t) * width
-    places = np.array(t)[:, None]
+    column = np.array(t)[:, None]
     rows = []
     with np.errstate(over="ignore", under="ignore"):
         for order in range(width):
             factor = np.array([math.perm(k, order) for k in range(size)], dtype=np.float64)
             power = np.maximum(np.arange(size) - order, 0)
-            rows.append(factor * places**power)
+            rows.append(factor * column**power)
     return np.stack(rows, axis=1).reshape(size, size)
 
 
@@ -173,7 +175,9 @@ def _inverse(t: Sequence[float], width: int) -> FloatArray:
     size = len(t) * width
     unit_data = np.eye(size).reshape(size, len(t), width).tolist()
     columns = [interpolated(t, jets) for jets in unit_data]
-    return np.array([[as_float(x, each.denominator) for x in each.coefficients] for each in columns]).T
+    return np.array(
+        [[as_float(x, polynomial.denominator) for x in polynomial.coefficients] for polynomial in columns]
+    ).T
 
 
 def _simple_inverse(t: Sequence[float]) -> FloatArray:
@@ -182,19 +186,19 @@ def _simple_inverse(t: Sequence[float]) -> FloatArray:
     With t_i = k_i / b for integers k_i, the product of all (x - k_j) is
     divided by one factor at a time: O(n**2) operations on integers.
     """
-    places, b = scaled_integers(t)
-    n = len(places)
+    nodes, b = scaled_integers(t)
+    n = len(nodes)
     master = [1]
-    for place in places:
-        master = [low - place * high for low, high in zip([0, *master], [*master, 0], strict=True)]
+    for node in nodes:
+        master = [low - node * high for low, high in zip([0, *master], [*master, 0], strict=True)]
     result = np.empty((n, n))
-    for i, place in enumerate(places):
-        below = math.prod(place - other for j, other in enumerate(places) if j != i)
+    for i, node in enumerate(nodes):
+        below = math.prod(node - other for j, other in enumerate(nodes) if j != i)
         coefficient, power = 0, 1
         # The coefficient of t**k is that of x**k times b**k.
         powers = [power := 1] + [power := power * b for _ in range(n - 1)]
         for k in range(n - 1, -1, -1):
-            coefficient = master[k + 1] + place * coefficient
+            coefficient = master[k + 1] + node * coefficient
             result[k, i] = as_float(coefficient * powers[k], below)
     return result
 

@@ -106,7 +106,9 @@ class Joint(NamedTuple):
         """
         if self.parametric == _BREAK:
             return "break"
-        motion, line = ("≥" if each else "" for each in (self.is_parametric_open, self.is_geometric_open))
+        motion, line = (
+            "≥" if is_open else "" for is_open in (self.is_parametric_open, self.is_geometric_open)
+        )
         # An open G of the order of C says more than a C that is decided.
         says_more = (self.geometric, line) > (self.parametric, motion)
         return f"{motion}C{self.parametric}" + says_more * f", {line}G{self.geometric}"
@@ -180,7 +182,7 @@ def joint_report(curve: ParametricCurve, tolerance: float = 1e-9, closed: bool =
         indices.tolist(),
         t[indices].tolist(),
         *jumps.swapaxes(0, 1),
-        *(each.tolist() for each in numbers),
+        *(column.tolist() for column in numbers),
         before.roundings + after.roundings,
     )
     return [Joint._make(row) for row in zip(*columns, strict=True)]
@@ -232,20 +234,29 @@ def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, Flo
     h = np.diff(t)
     chords = vector_lengths(ends.values[:, 0] - starts.values[:, 0])
     speeds = 0.5 * (vector_lengths(starts.values[:, 1]) + vector_lengths(ends.values[:, 1]))
-    ways = 0.5 * (chords + h * speeds)
-    way, time = (each[indices - 1] + each[indices] for each in (ways, h))
-    typical = way[:, None] / time[:, None] ** powers
+    distances = 0.5 * (chords + h * speeds)
+    distance, time = (
+        values_of_side[indices - 1] + values_of_side[indices] for values_of_side in (distances, h)
+    )
+    typical = distance[:, None] / time[:, None] ** powers
     # A parameter that is off moves the curve as a point does that is off along it.
     errors = _DATA_ROUNDINGS * (np.abs(curve.points).max() + np.abs(t).max() * typical[:, 1])
     values = [ends.values[indices - 1], starts.values[indices]]
-    scales = [each + _UNDERFLOW for each in (ends.scale[indices - 1], starts.scale[indices])]
+    scales = [
+        values_of_side + _UNDERFLOW for values_of_side in (ends.scale[indices - 1], starts.scale[indices])
+    ]
     # Where nothing can jump, nothing does, whatever is computed on both sides.
     is_smooth = ~np.isin(t[indices], curve.breaks)
     values[0][is_smooth] = values[1][is_smooth]
     scales[0][is_smooth] = scales[1][is_smooth] = 0.0
     before, after = (
-        _Side(each, vector_lengths(each), JOINT_ROUNDINGS * scale, errors[:, None] / h[rows, None] ** powers)
-        for each, scale, rows in zip(values, scales, (indices - 1, indices), strict=True)
+        _Side(
+            values_of_side,
+            vector_lengths(values_of_side),
+            JOINT_ROUNDINGS * scale,
+            errors[:, None] / h[rows, None] ** powers,
+        )
+        for values_of_side, scale, rows in zip(values, scales, (indices - 1, indices), strict=True)
     )
     return before, after, typical
 
@@ -293,12 +304,12 @@ class _Jumps(NamedTuple):
     ) -> _Jumps:
         """Return those of direction, curvature and its change along the curve."""
         turns = [_turn_vectors(side.values) for side in (before, after)]
-        way = typical[:, :1]
+        length = typical[:, :1]
         bend = np.maximum(np.abs(bends.before), np.abs(bends.after))
         return cls(
             np.column_stack((angle, np.abs(bends.jump), vector_lengths(turns[1] - turns[0]))),
-            np.column_stack((np.ones(len(way)), bend, np.maximum(*map(vector_lengths, turns)))),
-            way ** -np.arange(3.0),
+            np.column_stack((np.ones(len(length)), bend, np.maximum(*map(vector_lengths, turns)))),
+            length ** -np.arange(3.0),
             before.of_line(before.roundings) + after.of_line(after.roundings),
             before.of_line(before.data_errors) + after.of_line(after.data_errors),
         )

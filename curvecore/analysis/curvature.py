@@ -327,26 +327,26 @@ def curvature_extrema(curve: ParametricCurve) -> CurvatureExtrema:
     degree = pieces.controls.shape[1]
     scale = np.abs(rising).max(axis=1) + np.abs(falling).max(axis=1)
     noise = 64.0 * UNIT_ROUNDOFF * scale + 4.0 * degree * turn_noise * square.max(axis=1)
-    found = _crossings(pieces, 2.0 * rising - 3.0 * falling, noise)
-    steady = found.piece < 0
-    ends = np.maximum(found.piece, 1)
+    crossings = _crossings(pieces, 2.0 * rising - 3.0 * falling, noise)
+    steady = crossings.piece < 0
+    ends = np.maximum(crossings.piece, 1)
     second = derivative(pieces.slopes)
     before, after = (curvature_of(pieces.slopes[:, side], second[:, side]) for side in (-1, 0))
     with np.errstate(invalid="ignore"):
         jump = np.abs(before[ends - 1] - after[ends % len(after)])
         steady |= jump <= _KINK * np.abs(after[ends % len(after)])
-    t = found.parameters[steady]
-    return CurvatureExtrema(t, curvature(curve, t), ~found.rising[steady])
+    t = crossings.parameters[steady]
+    return CurvatureExtrema(t, curvature(curve, t), ~crossings.rising[steady])
 
 
 def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:
     """Return c' x c'' for every piece, and the size below which it says nothing."""
     velocity = pieces.slopes
     acceleration = derivative(velocity)
-    (vx, vy), (ax, ay) = (each.transpose(2, 0, 1) for each in (velocity, acceleration))
+    (vx, vy), (ax, ay) = (vectors.transpose(2, 0, 1) for vectors in (velocity, acceleration))
     turn = product(vx, ay) - product(vy, ax)
     degree = velocity.shape[1]
-    fast, bent = (np.abs(each).max(axis=(1, 2)) for each in (velocity, acceleration))
+    fast, bent = (np.abs(vectors).max(axis=(1, 2)) for vectors in (velocity, acceleration))
     # An error of c' grows by twice the degree squared at most when it is differentiated (Markov).
     noise = pieces.slope_error * (bent + 2.0 * degree**2 * fast)
     return turn, noise + 8.0 * UNIT_ROUNDOFF * fast * bent
@@ -372,18 +372,18 @@ class _Crossings(NamedTuple):
 
 def _crossings(pieces: BezierPieces, coefficients: FloatArray, noise: FloatArray) -> _Crossings:
     roots = sign_changes(coefficients, noise)
-    inner = parameters_at(pieces, roots.piece, roots.place)
+    inner = parameters_at(pieces, roots.piece, roots.s)
     first, last = end_signs(coefficients, noise, 1), end_signs(coefficients, noise, -1)
-    found: list[tuple[float, bool, int]] = []
+    rows: list[tuple[float, bool, int]] = []
     bounds = np.searchsorted(roots.piece, np.arange(len(coefficients) + 1))
     before = 0.0
     for piece in np.flatnonzero(first):
         if before * first[piece] < 0.0:
-            found.append((float(pieces.starts[piece]), bool(first[piece] > 0.0), int(piece)))
+            rows.append((float(pieces.starts[piece]), bool(first[piece] > 0.0), int(piece)))
         rising = bool(first[piece] > 0.0)
         for t in inner[bounds[piece] : bounds[piece + 1]]:
             rising = not rising
-            found.append((float(t), rising, -1))
+            rows.append((float(t), rising, -1))
         before = last[piece]
-    table = np.array(found, dtype=np.float64).reshape(-1, 3)
+    table = np.array(rows, dtype=np.float64).reshape(-1, 3)
     return _Crossings(table[:, 0], table[:, 1] > 0.0, table[:, 2].astype(np.intp))

@@ -128,11 +128,11 @@ def self_intersections(curve: ParametricCurve, tolerance: float) -> SelfIntersec
         most = _CANDIDATES if ended else _CANDIDATES // 8
         ended &= len(pairs) <= most
         if len(pairs) > most:
-            pairs = pairs.taken(np.linspace(0, len(pairs) - 1, most).astype(np.intp))
-        found, are_isolated = _meetings(curve, pairs, scale, arcs.start)
-    points = curve.evaluate(found[:, 0]) if len(found) else np.zeros((0, 2))
+            pairs = pairs.selected(np.linspace(0, len(pairs) - 1, most).astype(np.intp))
+        parameters, are_isolated = _meetings(curve, pairs, scale, arcs.start)
+    points = curve.evaluate(parameters[:, 0]) if len(parameters) else np.zeros((0, 2))
     is_complete = is_simple and ended and are_isolated and 4.0 * margin <= max(small, 4.0 * _FINEST)
-    return SelfIntersections(found, points, is_complete)
+    return SelfIntersections(parameters, points, is_complete)
 
 
 class _Scale(NamedTuple):
@@ -142,7 +142,7 @@ class _Scale(NamedTuple):
     loop: float
 
 
-class _Found(NamedTuple):
+class _Meetings(NamedTuple):
     """Parameters (k, 2) before and after Newton's method, distances (k,), widths of arcs in t (k, 2)."""
 
     before: FloatArray
@@ -150,8 +150,8 @@ class _Found(NamedTuple):
     gap: FloatArray
     width: FloatArray
 
-    def taken(self, chosen: BoolArray | IntArray) -> _Found:
-        return _Found(*(each[chosen] for each in self))
+    def selected(self, rows: BoolArray | IntArray) -> _Meetings:
+        return _Meetings(*(column[rows] for column in self))
 
 
 def _meetings(
@@ -160,23 +160,23 @@ def _meetings(
     """Return one pair of parameters for each meeting, in order, and whether these are single places."""
     if not len(pairs):
         return np.zeros((0, 2)), True
-    found = _polished(curve, *_starting_places(pairs))
-    found = found.taken(
-        (found.gap <= scale.tolerance) & _is_loop(curve, found.parameters, scale.loop, joints)
+    meetings = _polished(curve, *_starting_parameters(pairs))
+    meetings = meetings.selected(
+        (meetings.gap <= scale.tolerance) & _is_loop(curve, meetings.parameters, scale.loop, joints)
     )
-    cluster = _clusters(curve, found, scale.tolerance)
+    cluster = _clusters(curve, meetings, scale.tolerance)
     best, are_isolated = [], True
     for label in np.unique(cluster):
         members = np.flatnonzero(cluster == label)
-        if _is_closing(curve, found.taken(members), scale.loop):
+        if _is_closing(curve, meetings.selected(members), scale.loop):
             continue
-        are_isolated &= _is_one_place(curve, found.taken(members), scale)
-        best.append(members[np.argmin(found.gap[members])])
-    result = found.parameters[np.array(best, dtype=np.intp)]
+        are_isolated &= _is_one_point(curve, meetings.selected(members), scale)
+        best.append(members[np.argmin(meetings.gap[members])])
+    result = meetings.parameters[np.array(best, dtype=np.intp)]
     return result[np.lexsort((result[:, 1], result[:, 0]))], are_isolated
 
 
-def _starting_places(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
+def _starting_parameters(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
     """Return parameters (k, 2) where straight arcs cross or are near, and the widths of the arcs (k, 2).
 
     Arcs side by side are near in many places: each end gives one.
@@ -185,17 +185,17 @@ def _starting_places(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
     u, v = pairs.first.controls[:, -1] - p, pairs.second.controls[:, -1] - q
     w, across = q - p, cross(u, v)
     size = vector_lengths(u) * vector_lengths(v)
-    s, r = (np.nan_to_num(cross(w, each) / across, posinf=0.5, neginf=0.5) for each in (v, u))
+    s, r = (np.nan_to_num(cross(w, side) / across, posinf=0.5, neginf=0.5) for side in (v, u))
     flat = np.abs(across) <= 1e-2 * size
     k = np.flatnonzero(flat)
     zero, one = np.zeros(len(k)), np.ones(len(k))
     pair = np.concatenate([np.arange(len(s)), k, k, k, k])
     s = np.concatenate([s, zero, one, _foot(w[k], u[k]), _foot(w[k] + v[k], u[k])])
     r = np.concatenate([r, _foot(-w[k], v[k]), _foot(u[k] - w[k], v[k]), zero, one])
-    place = np.clip(np.stack((s, r), axis=1), 0.0, 1.0)
+    shares = np.clip(np.stack((s, r), axis=1), 0.0, 1.0)
     start = np.stack((pairs.first.start, pairs.second.start), axis=1)[pair]
     width = np.stack((pairs.first.end, pairs.second.end), axis=1)[pair] - start
-    return start + place * width, width
+    return start + shares * width, width
 
 
 def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
@@ -203,24 +203,24 @@ def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
     return foot
 
 
-def _polished(curve: ParametricCurve, places: FloatArray, width: FloatArray) -> _Found:
+def _polished(curve: ParametricCurve, parameters: FloatArray, width: FloatArray) -> _Meetings:
     """Let Newton's method bring candidates together; each goes on while it gets better."""
     # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
     room = 64.0 * width.sum(axis=1)
-    best = places.copy()
-    least = vector_lengths(curve.evaluate(places[:, 1]) - curve.evaluate(places[:, 0]))
-    still, at, idle = np.arange(len(places)), places, np.zeros(len(places))
+    best = parameters.copy()
+    least = vector_lengths(curve.evaluate(parameters[:, 1]) - curve.evaluate(parameters[:, 0]))
+    still, at, idle = np.arange(len(parameters)), parameters, np.zeros(len(parameters))
     for _ in range(_NEWTON):
         at = _newton_step(curve, at)
         distance = vector_lengths(curve.evaluate(at[:, 1]) - curve.evaluate(at[:, 0]))
-        better = (distance < least[still]) & (np.abs(at - places[still]).sum(axis=1) <= room[still])
+        better = (distance < least[still]) & (np.abs(at - parameters[still]).sum(axis=1) <= room[still])
         best[still[better]], least[still[better]] = at[better], distance[better]
         idle = np.where(better, 0, idle + 1)
         going = idle < 2
         still, at, idle = still[going], at[going], idle[going]
         if not len(still):
             break
-    return _Found(places, np.sort(best, axis=1), least, width)
+    return _Meetings(parameters, np.sort(best, axis=1), least, width)
 
 
 def _newton_step(curve: ParametricCurve, at: FloatArray) -> FloatArray:
@@ -249,19 +249,19 @@ def _is_loop(curve: ParametricCurve, pairs: FloatArray, reach: float, joints: Fl
     return leaves
 
 
-def _clusters(curve: ParametricCurve, found: _Found, tolerance: float) -> IntArray:
+def _clusters(curve: ParametricCurve, meetings: _Meetings, tolerance: float) -> IntArray:
     """Return a label for each candidate, (k,): the same for those of one meeting.
 
     Two belong together if they are a few arcs apart on either branch, and the branches stay within the
     tolerance of each other between them.
     """
-    count = len(found.gap)
-    order = np.argsort(found.parameters[:, 0], kind="stable")
-    places = found.parameters[order]
-    reach = 4.0 * np.maximum(found.width, np.spacing(np.abs(found.parameters)))[order]
-    one, other = near_pairs(places, reach)
-    way = places[other] - places[one]
-    between = places[one] + way * np.array([0.25, 0.5, 0.75])[:, None, None]
+    count = len(meetings.gap)
+    order = np.argsort(meetings.parameters[:, 0], kind="stable")
+    parameters = meetings.parameters[order]
+    reach = 4.0 * np.maximum(meetings.width, np.spacing(np.abs(meetings.parameters)))[order]
+    one, other = near_pairs(parameters, reach)
+    offset = parameters[other] - parameters[one]
+    between = parameters[one] + offset * np.array([0.25, 0.5, 0.75])[:, None, None]
     gap = curve.evaluate(between[:, :, 1].ravel()) - curve.evaluate(between[:, :, 0].ravel())
     joined = (vector_lengths(gap).reshape(3, -1) <= tolerance).all(axis=0)
     label = np.empty(count, dtype=np.intp)
@@ -269,27 +269,27 @@ def _clusters(curve: ParametricCurve, found: _Found, tolerance: float) -> IntArr
     return label
 
 
-def _is_closing(curve: ParametricCurve, found: _Found, reach: float) -> bool:
+def _is_closing(curve: ParametricCurve, meetings: _Meetings, reach: float) -> bool:
     """Tell whether a meeting is that of the two ends of a closed curve."""
     first, last = curve.domain
     ends = curve.evaluate(np.array([first, last]))
     if vector_lengths(ends[1] - ends[0]) > reach:
         return False
     # The way from the beginning to any a, and from any b to the end, must not leave that place.
-    a, b = found.parameters[:, 0].max(), found.parameters[:, 1].min()
-    if a - first > found.width[:, 0].max() * 64.0 or last - b > found.width[:, 1].max() * 64.0:
+    a, b = meetings.parameters[:, 0].max(), meetings.parameters[:, 1].min()
+    if a - first > meetings.width[:, 0].max() * 64.0 or last - b > meetings.width[:, 1].max() * 64.0:
         return False
-    way = np.concatenate([first + (a - first) * _ALONG, b + (last - b) * _ALONG, [a, b]])
-    return bool(vector_lengths(curve.evaluate(way) - ends[0]).max() <= reach)
+    t = np.concatenate([first + (a - first) * _ALONG, b + (last - b) * _ALONG, [a, b]])
+    return bool(vector_lengths(curve.evaluate(t) - ends[0]).max() <= reach)
 
 
-def _is_one_place(curve: ParametricCurve, found: _Found, scale: _Scale) -> bool:
+def _is_one_point(curve: ParametricCurve, meetings: _Meetings, scale: _Scale) -> bool:
     """Tell whether Newton's method drew all candidates of a meeting together.
 
     Where the curve runs along itself they stay where they are.
     """
-    after = np.ptp(curve.evaluate(found.parameters[:, 0]), axis=0).max()
-    before = np.ptp(curve.evaluate(found.before[:, 0]), axis=0).max()
+    after = np.ptp(curve.evaluate(meetings.parameters[:, 0]), axis=0).max()
+    before = np.ptp(curve.evaluate(meetings.before[:, 0]), axis=0).max()
     return bool(after <= max(8.0 * scale.tolerance, before / 8.0))
 
 
@@ -310,9 +310,9 @@ class Pairs(NamedTuple):
     first: Arcs
     second: Arcs
 
-    def taken(self, chosen: BoolArray | IntArray) -> Pairs:
+    def selected(self, rows: BoolArray | IntArray) -> Pairs:
         """Return some of the pairs."""
-        return Pairs(self.first.taken(chosen), self.second.taken(chosen))
+        return Pairs(self.first.selected(rows), self.second.selected(rows))
 
     def __len__(self) -> int:
         """Return how many pairs there are."""
@@ -333,12 +333,12 @@ def simple_arcs(arcs: Arcs, small: float) -> tuple[Arcs, bool]:
         if step == _ROUNDS - 1 or count + 2 * int((~fine).sum()) > max(_ARCS, 4 * len(arcs.start)):
             is_complete = bool(fine.all())
             fine[:] = True
-        done.append(arcs.taken(fine))
+        done.append(arcs.selected(fine))
         if fine.all():
             break
-        arcs = arcs.taken(~fine).halved()
+        arcs = arcs.selected(~fine).halved()
     together = joined_arcs(done)
-    return together.taken(np.argsort(together.start, kind="stable")), is_complete
+    return together.selected(np.argsort(together.start, kind="stable")), is_complete
 
 
 def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
@@ -362,23 +362,23 @@ def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
         # Two straight neighbours may still form the tip of a loop.
         tiny = np.maximum(_extent(pairs.first.controls), _extent(pairs.second.controls)) <= small
         fine = np.where(adjoining, tiny, straight)
-        done.append(pairs.taken(fine & ~adjoining))
-        pairs = pairs.taken(~fine)
+        done.append(pairs.selected(fine & ~adjoining))
+        pairs = pairs.selected(~fine)
         if not len(pairs):
             return _joined_pairs(done), is_complete
         work += len(pairs)
         if len(pairs) > _PAIRS or work > max(_WORK, 64 * len(arcs.start)):
             break
         pairs = _divided_pairs(pairs, margin)
-    return _joined_pairs([*done, pairs.taken(~_adjoining(pairs))]), False
+    return _joined_pairs([*done, pairs.selected(~_adjoining(pairs))]), False
 
 
 def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
     """Return the pairs of arcs that may meet."""
     low, high = arcs.controls.min(axis=1) - margin, arcs.controls.max(axis=1) + margin
     most = max(_PAIRS, 4 * len(low))
-    found: list[Pairs] = [
-        Pairs(arcs.taken(np.zeros(0, dtype=np.intp)), arcs.taken(np.zeros(0, dtype=np.intp)))
+    parts: list[Pairs] = [
+        Pairs(arcs.selected(np.zeros(0, dtype=np.intp)), arcs.selected(np.zeros(0, dtype=np.intp)))
     ]
     waiting: list[tuple[IntArray, IntArray]] = []
     count = total = 0
@@ -390,12 +390,12 @@ def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
         count += len(others)
         if count > _AT_ONCE or i == last:
             first, second = (np.concatenate(column) for column in zip(*waiting, strict=True))
-            pairs = Pairs(arcs.taken(first), arcs.taken(second))
-            found.append(pairs.taken(_may_meet(pairs, margin)))
-            waiting, count, total = [], 0, total + len(found[-1])
+            pairs = Pairs(arcs.selected(first), arcs.selected(second))
+            parts.append(pairs.selected(_may_meet(pairs, margin)))
+            waiting, count, total = [], 0, total + len(parts[-1])
             if total > most:
-                return _joined_pairs(found), i == last
-    return _joined_pairs(found), True
+                return _joined_pairs(parts), i == last
+    return _joined_pairs(parts), True
 
 
 def _divided_pairs(pairs: Pairs, margin: float) -> Pairs:
@@ -404,14 +404,14 @@ def _divided_pairs(pairs: Pairs, margin: float) -> Pairs:
     which = np.arange(count)
     parts = []
     for begin in range(0, len(pairs), _AT_ONCE):
-        some = pairs.taken(np.arange(begin, min(begin + _AT_ONCE, len(pairs))))
+        some = pairs.selected(np.arange(begin, min(begin + _AT_ONCE, len(pairs))))
         left, right = some.first.divided(count), some.second.divided(count)
         origin = count * np.repeat(np.arange(len(some)), count * count)
-        each = Pairs(
-            left.taken(origin + np.tile(np.repeat(which, count), len(some))),
-            right.taken(origin + np.tile(which, count * len(some))),
+        quarter = Pairs(
+            left.selected(origin + np.tile(np.repeat(which, count), len(some))),
+            right.selected(origin + np.tile(which, count * len(some))),
         )
-        parts.append(each.taken(_may_meet(each, margin)))
+        parts.append(quarter.selected(_may_meet(quarter, margin)))
     return _joined_pairs(parts)
 
 
@@ -439,7 +439,7 @@ def _within_half_plane(slopes: FloatArray) -> BoolArray:
     size = vector_lengths(slopes)
     divisor = np.maximum(size, SMALLEST)
     x, y = slopes[..., 0], slopes[..., 1]
-    mean_x, mean_y = (along_last(np.add, each / divisor)[:, None] for each in (x, y))
+    mean_x, mean_y = (along_last(np.add, slope / divisor)[:, None] for slope in (x, y))
     # A slope of 0, at a point at rest, turns nowhere.
     ahead = (x * mean_x + y * mean_y > 0.0) | (size == 0.0)
     within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
@@ -469,7 +469,7 @@ def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
 
 def _overlap_along(a: FloatArray, b: FloatArray, x: FloatArray, y: FloatArray, margin: float) -> BoolArray:
     """Tell which pairs of arcs overlap along the axis (x, y); a few roundings apart still counts."""
-    one, other = (each[..., 0] * x + each[..., 1] * y for each in (a, b))
+    one, other = (points[..., 0] * x + points[..., 1] * y for points in (a, b))
     largest = along_last(np.maximum, np.abs(one)) + along_last(np.maximum, np.abs(other))
     return _overlap(one, other, 2.0 * margin + 2.0**-50 * largest)
 
@@ -486,18 +486,18 @@ def _overlap(one: FloatArray, other: FloatArray, room: FloatArray | float) -> Bo
 # Results that belong to one meeting
 
 
-def near_pairs(places: FloatArray, reach: FloatArray) -> tuple[IntArray, IntArray]:
+def near_pairs(parameters: FloatArray, reach: FloatArray) -> tuple[IntArray, IntArray]:
     """Return the pairs of places (k, 2), ordered by the first parameter, that are within reach in both.
 
     Every step takes the pairs so many places apart: all pairs at once take many times the memory and time
     where a curve runs along itself and most of them are near in the first parameter alone.
     """
-    ends = np.searchsorted(places[:, 0], places[:, 0] + reach[:, 0].max(initial=0.0), side="right")
-    following = ends - np.arange(len(places)) - 1
+    ends = np.searchsorted(parameters[:, 0], parameters[:, 0] + reach[:, 0].max(initial=0.0), side="right")
+    following = ends - np.arange(len(parameters)) - 1
     pairs = [np.empty((2, 0), dtype=np.intp)]
     for step in range(1, following.max(initial=0) + 1):
-        way = np.abs(places[step:] - places[:-step])
-        near = (way <= np.maximum(reach[step:], reach[:-step])).all(axis=1) & (following[:-step] >= step)
+        distance = np.abs(parameters[step:] - parameters[:-step])
+        near = (distance <= np.maximum(reach[step:], reach[:-step])).all(axis=1) & (following[:-step] >= step)
         one = np.flatnonzero(near)
         pairs.append(np.stack((one, one + step)))
     one, other = np.concatenate(pairs, axis=1)

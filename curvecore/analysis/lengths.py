@@ -145,8 +145,8 @@ class ArcLength(Immutable):
         arc = np.clip(np.searchsorted(self._arcs.start, at.values, side="right") - 1, 0, None)
         with np.errstate(all="ignore"):
             start, end = self._arcs.start[arc], self._arcs.end[arc]
-            place = np.clip((at.values - start) / (end - start), 0.0, 1.0)
-            part = integrals(self._arcs.slopes[arc], np.zeros(len(arc)), place)
+            share = np.clip((at.values - start) / (end - start), 0.0, 1.0)
+            part = integrals(self._arcs.slopes[arc], np.zeros(len(arc)), share)
             result = np.minimum((self._at[arc] + part) * self._scale, LARGEST)
         return at.shaped(result)
 
@@ -169,9 +169,9 @@ class ArcLength(Immutable):
         with np.errstate(all="ignore"):
             wanted = np.clip(at.values / self._scale, 0.0, self._at[-1])
             arc = np.clip(np.searchsorted(self._at, wanted, side="left") - 1, 0, len(self._at) - 2)
-            place = places_of(self._arcs.slopes[arc], wanted - self._at[arc], np.diff(self._at)[arc])
+            share = share_at_length(self._arcs.slopes[arc], wanted - self._at[arc], np.diff(self._at)[arc])
             start, end = self._arcs.start[arc], self._arcs.end[arc]
-            result = np.minimum(start + place * (end - start), end)
+            result = np.minimum(start + share * (end - start), end)
         return at.shaped(result)
 
 
@@ -318,12 +318,12 @@ def arc_lengths(parts: Sequence[BezierPieces], tolerances: ArrayLike) -> list[Le
         As `ArcLength.total`.
     """
     wanted = np.asarray(tolerances, dtype=np.float64)
-    found: list[Length | None] = [None] * len(parts)
+    totals: list[Length | None] = [None] * len(parts)
     for same in alike(parts):
         measured = _measured([parts[index] for index in same], wanted[same])
         for index, total in zip(same, measured.totals, strict=True):
-            found[index] = total
-    return [each for each in found if each is not None]
+            totals[index] = total
+    return [length for length in totals if length is not None]
 
 
 class _MeasuredCurves(NamedTuple):
@@ -350,7 +350,7 @@ def _measured(parts: Sequence[BezierPieces], tolerances: FloatArray) -> _Measure
     shifts = [min(part.exponent, 1000) for part in parts]
     scales = np.ldexp(1.0, shifts)
     with np.errstate(all="ignore"):
-        arcs, errors = made_accurate(arcs_of(parts, shifts), tolerances / scales)
+        arcs, errors = refined_arcs(arcs_of(parts, shifts), tolerances / scales)
         lengths = integrals(arcs.slopes, np.zeros(len(errors)), np.ones(len(errors)))
         first = np.searchsorted(arcs.curve, np.arange(len(parts)))
         values = np.add.reduceat(lengths, first)
@@ -389,9 +389,9 @@ class SpeedArcs(NamedTuple):
     slack: FloatArray
     curve: IntArray
 
-    def taken(self, chosen: BoolArray | IntArray) -> SpeedArcs:
+    def selected(self, rows: BoolArray | IntArray) -> SpeedArcs:
         """Return some of the arcs."""
-        return SpeedArcs._make(each[chosen] for each in self)
+        return SpeedArcs._make(column[rows] for column in self)
 
 
 def arcs_of(parts: Sequence[BezierPieces], shifts: Sequence[int]) -> SpeedArcs:
@@ -431,7 +431,7 @@ def _slack(slopes: FloatArray, error: FloatArray, slope_error: FloatArray) -> Fl
     return np.where(slowest > slope_error, np.minimum(smooth, slope_error), slope_error)
 
 
-def made_accurate(arcs: SpeedArcs, tolerances: FloatArray) -> tuple[SpeedArcs, FloatArray]:
+def refined_arcs(arcs: SpeedArcs, tolerances: FloatArray) -> tuple[SpeedArcs, FloatArray]:
     """Halve arcs until the lengths of all curves are accurate; return them in order with their error bounds.
 
     Each curve has its own tolerance, in its own units, and its own limit of how many arcs it may be cut into.
@@ -439,11 +439,11 @@ def made_accurate(arcs: SpeedArcs, tolerances: FloatArray) -> tuple[SpeedArcs, F
     curves = len(tolerances)
     done: list[SpeedArcs] = []
     errors: list[FloatArray] = []
-    own = np.bincount(arcs.curve, minlength=curves)
-    after = np.cumsum(own)
-    span = (arcs.end[after - 1] - arcs.start[after - own])[arcs.curve]
-    share = (0.5 * tolerances / own)[arcs.curve]
-    count, most = np.zeros(curves, dtype=np.intp), np.maximum(_MOST, 8 * own)
+    arcs_of_curve = np.bincount(arcs.curve, minlength=curves)
+    after = np.cumsum(arcs_of_curve)
+    span = (arcs.end[after - 1] - arcs.start[after - arcs_of_curve])[arcs.curve]
+    share = (0.5 * tolerances / arcs_of_curve)[arcs.curve]
+    count, most = np.zeros(curves, dtype=np.intp), np.maximum(_MOST, 8 * arcs_of_curve)
     for step in range(_ROUNDS):
         bound, polygon = _bounds(arcs.slopes)
         # Both halves of an arc together get what it had: the shares of all add up to the tolerance.
@@ -452,15 +452,15 @@ def made_accurate(arcs: SpeedArcs, tolerances: FloatArray) -> tuple[SpeedArcs, F
         count += np.bincount(arcs.curve[fine], minlength=curves)
         wanted = count + 2 * np.bincount(arcs.curve[~fine], minlength=curves)
         fine |= (wanted > most)[arcs.curve] | (step == _ROUNDS - 1)
-        done.append(arcs.taken(fine))
+        done.append(arcs.selected(fine))
         errors.append(bound[fine])
         if fine.all():
             break
-        arcs, span = _halved(arcs.taken(~fine)), np.tile(span[~fine], 2)
+        arcs, span = _halved(arcs.selected(~fine)), np.tile(span[~fine], 2)
         share = np.tile(0.5 * share[~fine], 2)
     together = SpeedArcs(*(np.concatenate(column) for column in zip(*done, strict=True)))
     order = np.lexsort((together.start, together.curve))
-    return together.taken(order), np.concatenate(errors)[order]
+    return together.selected(order), np.concatenate(errors)[order]
 
 
 def _halved(arcs: SpeedArcs) -> SpeedArcs:
@@ -498,13 +498,13 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
 def integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Return the lengths between places of arcs, shape (k,)."""
     some = [slice(first, first + _AT_ONCE) for first in range(0, max(len(slopes), 1), _AT_ONCE)]
-    return np.concatenate([_some_integrals(slopes[each], start[each], end[each]) for each in some])
+    return np.concatenate([_some_integrals(slopes[rows], start[rows], end[rows]) for rows in some])
 
 
 def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    places, gauss = _gauss()
+    nodes, gauss = _gauss()
     length = end - start
-    s = start[:, None] + length[:, None] * places
+    s = start[:, None] + length[:, None] * nodes
     degree = slopes.shape[1] - 1
     bernstein = weights(s.ravel(), degree).reshape(*s.shape, degree + 1)
     speeds = np.linalg.norm(bernstein @ slopes, axis=2)
@@ -512,29 +512,29 @@ def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> F
     return result
 
 
-def places_of(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> FloatArray:
+def share_at_length(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> FloatArray:
     """Return where arcs have the wanted lengths: Newton's method within brackets."""
     low, high = np.zeros(len(wanted)), np.ones(len(wanted))
-    place = np.clip(np.nan_to_num(wanted / whole), 0.0, 1.0)
+    share = np.clip(np.nan_to_num(wanted / whole), 0.0, 1.0)
     for _ in range(_ROUNDS):
-        excess = integrals(slopes, np.zeros(len(place)), place) - wanted
-        high, low = np.where(excess >= 0.0, place, high), np.where(excess <= 0.0, place, low)
+        excess = integrals(slopes, np.zeros(len(share)), share) - wanted
+        high, low = np.where(excess >= 0.0, share, high), np.where(excess <= 0.0, share, low)
         degree = slopes.shape[1] - 1
-        fast = np.linalg.norm(np.einsum("kb,kbd->kd", weights(place, degree), slopes), axis=1)
-        step = place - excess / fast
+        fast = np.linalg.norm(np.einsum("kb,kbd->kd", weights(share, degree), slopes), axis=1)
+        step = share - excess / fast
         inside = (step >= low) & (step <= high)
         following = np.where(inside, step, 0.5 * (low + high))
-        moved = np.abs(following - place).max(initial=0.0)
-        place = following
+        moved = np.abs(following - share).max(initial=0.0)
+        share = following
         if moved <= 4.0 * UNIT_ROUNDOFF:
             break
-    return place
+    return share
 
 
 @cache
 def _gauss() -> tuple[FloatArray, FloatArray]:
-    places, gauss = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
-    return read_only(0.5 * (places + 1.0)), read_only(0.5 * gauss)
+    nodes, gauss = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
+    return read_only(0.5 * (nodes + 1.0)), read_only(0.5 * gauss)
 
 
 @cache

@@ -26,14 +26,14 @@ _NEWTON = 60
 _CLOSE = 2.0**-30
 
 
-class ArcPlace(NamedTuple):
-    """The place s in [0, 1] of the nearest point of an arc, and a lower bound of all distances."""
+class NearestOnArc(NamedTuple):
+    """The parameter s in [0, 1] of the nearest point of an arc, and a lower bound of all distances."""
 
-    place: float
+    s: float
     bound: float
 
 
-def nearest_on_arc(rows: list[Row], tolerance: float) -> ArcPlace | None:
+def nearest_on_arc(rows: list[Row], tolerance: float) -> NearestOnArc | None:
     """Return where an arc comes nearest to 0; None where that is not found to within the tolerance.
 
     Parameters
@@ -48,7 +48,7 @@ def nearest_on_arc(rows: list[Row], tolerance: float) -> ArcPlace | None:
         return None
     squares = _squares(rows)
     noise = _NOISE * max(map(abs, squares))
-    (best, place), bound = min((squares[0], 0.0), (squares[-1], 1.0)), math.inf
+    (best, nearest), bound = min((squares[0], 0.0), (squares[-1], 1.0)), math.inf
     waiting = [(squares, 0.0, 1.0)]
     for _ in range(_STEPS):
         if not waiting:
@@ -62,7 +62,7 @@ def nearest_on_arc(rows: list[Row], tolerance: float) -> ArcPlace | None:
             s, square = _lowest(rows, start, end, start + guess * (end - start))
             bound = min(bound, square - noise)
             if square < best:
-                best, place = square, s
+                best, nearest = square, s
         else:
             middle = 0.5 * (start + end)
             left, right = _halves(coefficients)
@@ -71,8 +71,8 @@ def nearest_on_arc(rows: list[Row], tolerance: float) -> ArcPlace | None:
             waiting += parts if min(right) < min(left) else parts[::-1]
     if waiting:
         return None
-    found = ArcPlace(place, math.sqrt(max(min(bound, best), 0.0)))
-    return found if math.sqrt(best) - found.bound <= tolerance else None
+    result = NearestOnArc(nearest, math.sqrt(max(min(bound, best), 0.0)))
+    return result if math.sqrt(best) - result.bound <= tolerance else None
 
 
 def _squares(rows: list[Row]) -> Row:

@@ -118,9 +118,9 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
     (0.5, 2.0)
     """
     limit, target = tolerance_value(tolerance), _point_of(curve, point)
-    found = _nearest_of_one_piece(curve, target, limit)
-    if found is not None:
-        return found
+    quick = _nearest_of_one_piece(curve, target, limit)
+    if quick is not None:
+        return quick
     size = size_of(np.concatenate([curve.points, target[None]]))
 
     def at(t: float) -> _Descent:
@@ -140,16 +140,16 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
         controls = np.ldexp(pieces.controls, -int(more)) - np.ldexp(target, -exponent)
         slack = float(np.ldexp(pieces.error.max(), -int(more)))
         arcs = Arcs(controls, pieces.starts, pieces.ends)
-        known: dict[float, _Place] = {}
+        known: dict[float, _Candidate] = {}
 
-        def improved(t: float) -> _Place:
+        def improved(t: float) -> _Candidate:
             if t not in known:
                 better, distance = _polished(curve.domain, at, t)
-                known[t] = known[better] = _Place(better, float(np.ldexp(distance, -exponent)))
+                known[t] = known[better] = _Candidate(better, float(np.ldexp(distance, -exponent)))
             return known[t]
 
-        place = _search(arcs, float(np.ldexp(limit, -exponent)), slack, improved=improved)
-        return _nearest_at(curve, target, improved(place.parameter).parameter, place, exponent)
+        result = _search(arcs, float(np.ldexp(limit, -exponent)), slack, improved=improved)
+        return _nearest_at(curve, target, improved(result.parameter).parameter, result, exponent)
 
 
 def _nearest_of_one_piece(curve: ParametricCurve, target: FloatArray, limit: float) -> Nearest | None:
@@ -160,24 +160,24 @@ def _nearest_of_one_piece(curve: ParametricCurve, target: FloatArray, limit: flo
     if controls is None or len(controls) != 1:
         return None
     columns = zip(controls[0].T.tolist(), target.tolist(), strict=True)
-    place = nearest_on_arc([[each - x for each in column] for column, x in columns], limit)
-    if place is None:
+    nearest = nearest_on_arc([[x_of_arc - x for x_of_arc in column] for column, x in columns], limit)
+    if nearest is None:
         return None
     start, end = curve.domain
-    t = min(start + place.place * (end - start), end)
-    found = curve.evaluate(t)
-    distance = math.hypot(*(found - target).tolist())
+    t = min(start + nearest.s * (end - start), end)
+    point = curve.evaluate(t)
+    distance = math.hypot(*(point - target).tolist())
     slack = 8.0 * UNIT_ROUNDOFF * float(np.abs(controls).max())
-    return Nearest(t, found, distance, max(0.0, distance - max(0.0, place.bound - slack)))
+    return Nearest(t, point, distance, max(0.0, distance - max(0.0, nearest.bound - slack)))
 
 
 def _nearest_at(
-    curve: ParametricCurve, target: FloatArray, t: float, place: _SearchResult, exponent: int
+    curve: ParametricCurve, target: FloatArray, t: float, result: _SearchResult, exponent: int
 ) -> Nearest:
     """Return the point at t as the nearest one, given what a search found in units of 2**exponent."""
-    found = curve.evaluate(t)
-    distance = float(vector_lengths(found - target))
-    return Nearest(t, found, distance, max(0.0, distance - float(np.ldexp(place.bound, exponent))))
+    point = curve.evaluate(t)
+    distance = float(vector_lengths(point - target))
+    return Nearest(t, point, distance, max(0.0, distance - float(np.ldexp(result.bound, exponent))))
 
 
 def _point_of(curve: ParametricCurve, point: ArrayLike) -> FloatArray:
@@ -258,20 +258,20 @@ class NearestWithin:
         """
         target, reach = _point_of(self._curve, point), tolerance_value(reach, "reach")
         with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
-            place, radius = np.ldexp(target, -self._exponent), float(np.ldexp(reach, -self._exponent))
-            near = ((self._low - radius <= place) & (self._high + radius >= place)).all(axis=1)
+            centre, radius = np.ldexp(target, -self._exponent), float(np.ldexp(reach, -self._exponent))
+            near = ((self._low - radius <= centre) & (self._high + radius >= centre)).all(axis=1)
             if not near.any():
                 return None
-            arcs = self._arcs.taken(near)
-            arcs = arcs._replace(controls=arcs.controls - place)
+            arcs = self._arcs.selected(near)
+            arcs = arcs._replace(controls=arcs.controls - centre)
             # What is found at the very edge may move inside when it is polished.
             limit = (1.0 + 2.0 * _SHARE) * radius
             best = _search(arcs, min(_SHARE * radius, self._tolerance), self._slack, limit)
             if np.isnan(best.parameter):
                 return None
-            t, _ = _polished(self._curve.domain, partial(self._at, *place.tolist()), best.parameter, _TRIALS)
-            found = _nearest_at(self._curve, target, t, best, self._exponent)
-        return found if found.distance <= reach else None
+            t, _ = _polished(self._curve.domain, partial(self._at, *centre.tolist()), best.parameter, _TRIALS)
+            result = _nearest_at(self._curve, target, t, best, self._exponent)
+        return result if result.distance <= reach else None
 
     def _at(self, target_x: float, target_y: float, t: float) -> _Descent:
         """Return what Newton's method does at t, by the pieces."""
@@ -332,7 +332,7 @@ def _polished(
     return t, here.size
 
 
-class _Place(NamedTuple):
+class _Candidate(NamedTuple):
     """A parameter, and how far its point of the curve is away, in the units of a search."""
 
     parameter: float
@@ -351,7 +351,7 @@ def _search(
     tolerance: float,
     slack: float,
     reach: float = np.inf,
-    improved: Callable[[float], _Place] | None = None,
+    improved: Callable[[float], _Candidate] | None = None,
 ) -> _SearchResult:
     """Return where the arcs come nearest to 0, and a lower bound of their distance.
 
@@ -369,7 +369,7 @@ def _search(
             best, parameter = distance, float(arcs.end[i] if side else arcs.start[i])
         if improved is not None and step == 1:
             parameter, best = min(
-                _Place(parameter, best), improved(parameter), key=lambda place: place.distance
+                _Candidate(parameter, best), improved(parameter), key=lambda candidate: candidate.distance
             )
         low = np.sqrt(np.maximum(squares.min(axis=1), 0.0))
         open_ = low < best - tolerance
@@ -377,7 +377,7 @@ def _search(
         if not open_.any() or 2 * int(open_.sum()) > _MOST or step == _ROUNDS - 1:
             bound = min(bound, float(low.min(initial=np.inf)))
             break
-        arcs = arcs.taken(open_)
+        arcs = arcs.selected(open_)
         # Of a few arcs, which is the rule, a round takes as long for 16 parts of each as for halves.
         arcs = arcs.divided(16 if len(arcs.start) <= _PARTED else 2)
     return _SearchResult(parameter, max(0.0, min(bound, best) - slack))

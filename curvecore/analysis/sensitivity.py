@@ -478,15 +478,19 @@ def ensemble(
         shifts[:, -1] = shifts[:, 0]
     parameters = t + delta * random.uniform(-1.0, 1.0, (number, len(t)))
     if remake is not None:
-        curves = tuple(remake(*each) for each in zip(curve.points + shifts, parameters, strict=True))
-        return Ensemble(curves, np.stack([each.jets for each in curves]), parameters)
+        curves = tuple(
+            remake(*data_of_curve) for data_of_curve in zip(curve.points + shifts, parameters, strict=True)
+        )
+        return Ensemble(curves, np.stack([data_of_curve.jets for data_of_curve in curves]), parameters)
     jets = np.broadcast_to(curve.jets, (number, *curve.jets.shape)).copy()
     with np.errstate(over="ignore", under="ignore"):
         jets[:, :, 0] += shifts[:, joint_of_row(curve)]
     if not delta.any():
-        curves = tuple(curve.with_jets(each) for each in jets)
+        curves = tuple(curve.with_jets(data_of_curve) for data_of_curve in jets)
     else:
-        curves = tuple(curve.with_data(*each) for each in zip(jets, parameters, strict=True))
+        curves = tuple(
+            curve.with_data(*data_of_curve) for data_of_curve in zip(jets, parameters, strict=True)
+        )
     return Ensemble(curves, jets, parameters)
 
 

@@ -204,24 +204,24 @@ def lebesgue_constants(bases: Sequence[CardinalBasis]) -> list[float]:
         As `lebesgue_constant`.
     """
     controls = {index: basis.controls for index, basis in enumerate(bases) if not basis.one_sided}
-    found = [
-        1.0 if index in controls else _largest_over(each.curve, each) for index, each in enumerate(bases)
+    constants = [
+        1.0 if index in controls else _largest_over(basis.curve, basis) for index, basis in enumerate(bases)
     ]
-    for degree in dict.fromkeys(each.shape[1] for each in controls.values()):
-        same = [index for index, each in controls.items() if each.shape[1] == degree]
+    for degree in dict.fromkeys(pieces.shape[1] for pieces in controls.values()):
+        same = [index for index, pieces in controls.items() if pieces.shape[1] == degree]
         for index, constant in zip(same, _largest_of([controls[index] for index in same]), strict=True):
-            found[index] = constant
-    return found
+            constants[index] = constant
+    return constants
 
 
 def _largest_of(controls: list[FloatArray]) -> list[float]:
     """Return the largest sums of absolute values of functions with these control points, of one degree."""
-    counts = [len(each) for each in controls]
-    width = max(each.shape[2] for each in controls)
+    counts = [len(pieces) for pieces in controls]
+    width = max(pieces.shape[2] for pieces in controls)
     # What narrower ones are filled up with adds 0.
     table = np.zeros((sum(counts), controls[0].shape[1], width))
-    for each, after in zip(controls, np.cumsum(counts), strict=True):
-        table[after - len(each) : after, :, : each.shape[2]] = each
+    for pieces, after in zip(controls, np.cumsum(counts), strict=True):
+        table[after - len(pieces) : after, :, : pieces.shape[2]] = pieces
     np.nan_to_num(table, copy=False, nan=LARGEST)
 
     def sums(places: FloatArray, segment: IntArray) -> FloatArray:
@@ -259,8 +259,8 @@ class _Intervals(NamedTuple):
     segment: IntArray
     owner: IntArray
 
-    def taken(self, chosen: IntArray) -> _Intervals:
-        return _Intervals(self.low[chosen], self.high[chosen], self.segment[chosen], self.owner[chosen])
+    def selected(self, rows: IntArray) -> _Intervals:
+        return _Intervals(self.low[rows], self.high[rows], self.segment[rows], self.owner[rows])
 
 
 _SumsIn = Callable[[FloatArray, IntArray], FloatArray]
@@ -273,7 +273,7 @@ def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _Se
     if len(left.owner) > _MANY and np.bincount(left.owner).max() > _MANY:
         quarters = left.low[:, None] + (left.high - left.low)[:, None] * np.array([0.25, 0.5, 0.75])
         highest = sums(quarters, left.segment).max(axis=1)
-        left = left.taken(_highest(highest, left.owner, _MANY // 2, above=_MANY))
+        left = left.selected(_highest(highest, left.owner, _MANY // 2, above=_MANY))
     largest = np.ones(owners)
     # Near the ends of a segment a function may be negative for a short way only.
     steps = chebyshev(search.samples + 2)[1:-1]
@@ -288,7 +288,7 @@ def _largest_sums(sums: _SumsIn, intervals: _Intervals, owners: int, search: _Se
             # What a maximum may exceed its samples by falls with the square of their distance.
             keep = np.flatnonzero(peak >= (1.0 - search.shrink ** (step + 1)) * largest[left.owner])
             keep = keep[_highest(peak[keep], left.owner[keep], _MOST_PEAKS, above=_MOST_PEAKS)]
-            left, middle = left.taken(keep), middle[keep]
+            left, middle = left.selected(keep), middle[keep]
             width = 0.5 * search.shrink * (left.high - left.low)
             left = left._replace(
                 low=np.maximum(middle - width, left.low), high=np.minimum(middle + width, left.high)

@@ -54,12 +54,12 @@ class PieceRoots(NamedTuple):
     ----------
     piece : ndarray of int, shape (r,)
         Which polynomial.
-    place : ndarray, shape (r,)
+    s : ndarray, shape (r,)
         Where, in [0, 1].
     """
 
     piece: IntArray
-    place: FloatArray
+    s: FloatArray
 
 
 @cache
@@ -68,20 +68,20 @@ def binomials(degree: int) -> FloatArray:
     return read_only(np.array([float(comb(degree, k)) for k in range(degree + 1)]))
 
 
-def weights(places: FloatArray, degree: int) -> FloatArray:
+def weights(s: FloatArray, degree: int) -> FloatArray:
     """Return the Bernstein polynomials at places in [0, 1], shape (m, degree + 1)."""
-    s, r = places[:, None], (1.0 - places)[:, None]
+    s, r = s[:, None], (1.0 - s)[:, None]
     k = np.arange(degree + 1)
     with np.errstate(under="ignore"):
         result: FloatArray = binomials(degree) * s**k * r ** (degree - k)
     return result
 
 
-def values(coefficients: FloatArray, places: FloatArray) -> FloatArray:
+def values(coefficients: FloatArray, at: FloatArray) -> FloatArray:
     """Return polynomial i at places[i]: shape (k, d + 1, ...) and (k,) give (k, ...)."""
     with np.errstate(under="ignore"):
         level = coefficients
-        s = places.reshape(-1, *(1,) * (coefficients.ndim - 1))
+        s = at.reshape(-1, *(1,) * (coefficients.ndim - 1))
         while level.shape[1] > 1:
             level = level[:, :-1] + s * (level[:, 1:] - level[:, :-1])
     return level[:, 0]
@@ -192,14 +192,14 @@ def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:
     piece = np.arange(len(coefficients))
     start, size = np.zeros(len(piece)), 1.0
     work, limit = coefficients, noise
-    found: list[_Bracket] = []
+    brackets: list[_Bracket] = []
     most = max(_MOST, coefficients.size)
     for depth in range(_DEPTH):
         count = _variations(work, limit)
         single = count % 2 == 1 if depth == _DEPTH - 1 else count == 1
         # Just inside the right end, for the polynomial may be 0 at the end itself.
         rising = end_signs(work[single], limit[single], -1) > 0.0
-        found.append(_Bracket(piece[single], start[single], work[single], rising, size))
+        brackets.append(_Bracket(piece[single], start[single], work[single], rising, size))
         rest = count > 1
         if not rest.any() or 2 * int(rest.sum()) > most:
             break
@@ -208,8 +208,8 @@ def sign_changes(coefficients: FloatArray, noise: FloatArray) -> PieceRoots:
         begin = start[rest]
         start = np.stack((begin, begin + size), axis=1).ravel()
         piece, limit = np.repeat(piece[rest], 2), np.repeat(limit[rest], 2)
-        found.append(_roots_at_cuts(piece, start, work, limit))
-    return _polished(found)
+        brackets.append(_roots_at_cuts(piece, start, work, limit))
+    return _polished(brackets)
 
 
 class _Bracket(NamedTuple):
@@ -262,11 +262,11 @@ def _variations(coefficients: FloatArray, noise: FloatArray) -> IntArray:
     return count
 
 
-def _polished(found: list[_Bracket]) -> PieceRoots:
-    piece = np.concatenate([each.piece for each in found])
-    place = np.concatenate([each.start + each.size * _refined(each) for each in found])
-    order = np.lexsort((place, piece))
-    return PieceRoots(piece[order], place[order])
+def _polished(brackets: list[_Bracket]) -> PieceRoots:
+    piece = np.concatenate([bracket.piece for bracket in brackets])
+    root = np.concatenate([bracket.start + bracket.size * _refined(bracket) for bracket in brackets])
+    order = np.lexsort((root, piece))
+    return PieceRoots(piece[order], root[order])
 
 
 def _refined(bracket: _Bracket) -> FloatArray:
@@ -278,22 +278,22 @@ def _refined(bracket: _Bracket) -> FloatArray:
     if not count or not bracket.size:
         return np.zeros(count)
     coefficients, rising = bracket.coefficients, bracket.rising
-    low, high, place = np.zeros(count), np.ones(count), np.full(count, 0.5)
+    low, high, root = np.zeros(count), np.ones(count), np.full(count, 0.5)
     slopes = derivative(coefficients)
     for _ in range(_STEPS):
-        value, slope = values(coefficients, place), values(slopes, place)
+        value, slope = values(coefficients, root), values(slopes, root)
         above = (value > 0.0) == rising
-        high, low = np.where(above, place, high), np.where(above, low, place)
+        high, low = np.where(above, root, high), np.where(above, low, root)
         with np.errstate(all="ignore"):
-            step = place - value / slope
+            step = root - value / slope
         inside: BoolArray = (step >= low) & (step <= high)
         following = np.where(inside, step, 0.5 * (low + high))
-        following = np.where(value == 0.0, place, following)
-        moved = np.abs(following - place).max()
-        place = following
+        following = np.where(value == 0.0, root, following)
+        moved = np.abs(following - root).max()
+        root = following
         if moved <= _PRECISION:
             break
-    return place
+    return root
 
 
 # Hermite segments through their Bezier control points
@@ -442,9 +442,9 @@ class Arcs(NamedTuple):
     start: FloatArray
     end: FloatArray
 
-    def taken(self, chosen: BoolArray | IntArray) -> Arcs:
+    def selected(self, rows: BoolArray | IntArray) -> Arcs:
         """Return some of the arcs."""
-        return Arcs(*(each[chosen] for each in self))
+        return Arcs(*(column[rows] for column in self))
 
     def halved(self) -> Arcs:
         """Return both halves of every arc, one after the other."""

@@ -213,7 +213,7 @@ def power_coefficients(curve: ParametricCurve, start: float, end: float) -> Floa
 
 def _columns(exact: list[list[Fraction]]) -> FloatArray:
     """Return exact numbers, an axis a list, as columns of floats."""
-    rounded = [[as_float(each.numerator, each.denominator) for each in column] for column in exact]
+    rounded = [[as_float(value.numerator, value.denominator) for value in column] for column in exact]
     return np.array(rounded).T.copy()
 
 
@@ -236,46 +236,46 @@ def _interpolant_over(curve: ParametricCurve, low: float, high: float) -> Interp
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must be of polynomials whose data are known to be converted exactly")
-    ends = np.array([each.parameters[-1] for each in interpolants[:-1]])
-    found = interpolants[int(np.searchsorted(ends, low, side="right"))]
-    if high > found.parameters[-1]:
-        joint = int(np.searchsorted(curve.parameters, found.parameters[-1]))
+    ends = np.array([piece.parameters[-1] for piece in interpolants[:-1]])
+    interpolant = interpolants[int(np.searchsorted(ends, low, side="right"))]
+    if high > interpolant.parameters[-1]:
+        joint = int(np.searchsorted(curve.parameters, interpolant.parameters[-1]))
         raise CurveError(f"parameters[{joint}] is inside the stretch; no joint must be", (joint,))
-    return found
+    return interpolant
 
 
 def _shifted(polynomial: CommonPolynomial, low: float, high: float) -> list[Fraction]:
     """Return the coefficients by powers of s on [low, high]."""
     start, length = Fraction(low), Fraction(high) - Fraction(low)
     # Coefficients in powers of s by repeated division by t - start (Taylor shift).
-    shifted = [Fraction(each, polynomial.denominator) for each in polynomial.coefficients]
+    shifted = [Fraction(value, polynomial.denominator) for value in polynomial.coefficients]
     degree = len(shifted) - 1
     for i in range(degree):
         for k in range(degree - 1, i - 1, -1):
             shifted[k] += start * shifted[k + 1]
-    return [each * length**k for k, each in enumerate(shifted)]
+    return [value * length**k for k, value in enumerate(shifted)]
 
 
 def _bernstein(powers: list[Fraction]) -> list[Fraction]:
     """Return the Bernstein coefficients of a polynomial given by powers of s."""
     degree = len(powers) - 1
-    scaled = [each / math.comb(degree, k) for k, each in enumerate(powers)]
+    scaled = [value / math.comb(degree, k) for k, value in enumerate(powers)]
     return [sum((math.comb(k, j) * scaled[j] for j in range(k + 1)), Fraction(0)) for k in range(degree + 1)]
 
 
 def _condition(parameters: FloatArray) -> float:
     """Return the largest sum over i of |Bernstein coefficient k of L_i|."""
-    places, _ = scaled_integers(parameters.tolist())
-    first, last = places[0], places[-1]
-    n = len(places)
+    nodes, _ = scaled_integers(parameters.tolist())
+    first, last = nodes[0], nodes[-1]
+    n = len(nodes)
     rows = [Fraction(0)] * n
-    for i, place in enumerate(places):
+    for i, node in enumerate(nodes):
         # t - t_j is (last - t_j) s - (t_j - first) r: products stay homogeneous in r and s.
         product, below = [1], 1
-        for j, other in enumerate(places):
+        for j, other in enumerate(nodes):
             if j != i:
                 a, b = last - other, first - other
-                below *= place - other
+                below *= node - other
                 product = [
                     (a * product[k - 1] if k else 0) + (b * product[k] if k < len(product) else 0)
                     for k in range(len(product) + 1)

@@ -307,10 +307,10 @@ def _divided(controls: FloatArray, tolerance: float, box: FloatArray | None) -> 
         size += int(np.count_nonzero(fine))
         if fine.all():
             break
-        arcs = arcs.taken(~fine).halved().halved().halved()
+        arcs = arcs.selected(~fine).halved().halved().halved()
     together = _Division(*(np.concatenate(column) for column in zip(*done, strict=True)))
     order = np.argsort(together.start, kind="stable")
-    return _Division(*(each[order] for each in together))
+    return _Division(*(column[order] for column in together))
 
 
 def _uniform_parameters(breaks: FloatArray, arcs: _Division) -> tuple[FloatArray, IntArray, FloatArray]:
@@ -598,9 +598,9 @@ def merged_pieces(pieces: Pieces, tolerance: float, is_fixed: BoolArray | None =
         deviation[middle[dropped] - 1] = joined[dropped]
         # Straight parts halve in every round; a few vertices more are not worth another one.
         idle = 0 if 32 * np.count_nonzero(dropped) > t.size else idle + 1
-        kept = np.ones(t.size, dtype=bool)
-        kept[middle[dropped]] = False
-        t, points, deviation = t[kept], points[kept], deviation[kept[:-1]]
-        is_fixed = None if is_fixed is None else is_fixed[kept]
+        stays = np.ones(t.size, dtype=bool)
+        stays[middle[dropped]] = False
+        t, points, deviation = t[stays], points[stays], deviation[stays[:-1]]
+        is_fixed = None if is_fixed is None else is_fixed[stays]
         offset = 1 - offset
     return Pieces(t, points, deviation)

@@ -94,7 +94,7 @@ def _taylor(width: int, k: int, order: int, power: int, position: Fraction) -> f
 def _roots(width: int, k: int, order: int) -> set[Fraction]:
     """Return the roots of a function from 0 to 1: exact where they are simple fractions, else to 2**-160."""
     form, slope = hermite_form(width, k, order), hermite_form(width, k, order + 1)
-    found = {Fraction(end) for end in (0, 1) if form[-end] == 0}
+    roots = {Fraction(end) for end in (0, 1) if form[-end] == 0}
     for ratio in np.roots(np.trim_zeros(form)[::-1]):
         # The roots inside are simple: a multiple one, whose digits are few, is an end.
         if abs(ratio.imag) > 0.0 or ratio.real <= 0.0:
@@ -105,14 +105,14 @@ def _roots(width: int, k: int, order: int) -> set[Fraction]:
             for _ in range(3):
                 root -= _value(form, root) / _value(slope, root)
                 root = Fraction(round(root * _DIGITS), _DIGITS)
-        found.add(root if _value(form, simple) != 0 else simple)
-    return found
+        roots.add(root if _value(form, simple) != 0 else simple)
+    return roots
 
 
 def _parts(exact: list[list[Fraction]]) -> DoubleDouble:
-    high = [[float(each) for each in row] for row in exact]
+    high = [[float(value) for value in row] for row in exact]
     low = [
-        [float(each - Fraction(part)) for each, part in zip(*rows, strict=True)]
+        [float(value - Fraction(part)) for value, part in zip(*rows, strict=True)]
         for rows in zip(exact, high, strict=True)
     ]
     return DoubleDouble(*(read_only(np.array(part).reshape(2, -1, 1)) for part in (high, low)))

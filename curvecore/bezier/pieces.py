@@ -103,11 +103,11 @@ def size_of(controls: FloatArray) -> float:
     return max(float((flat.max(axis=0) - flat.min(axis=0)).max()), SMALLEST)
 
 
-def parameters_at(pieces: BezierPieces, piece: np.ndarray, place: FloatArray) -> FloatArray:
+def parameters_at(pieces: BezierPieces, piece: np.ndarray, s: FloatArray) -> FloatArray:
     """Return the parameters t of places in [0, 1] of pieces."""
     start, end = pieces.starts[piece], pieces.ends[piece]
     with np.errstate(under="ignore"):
-        result: FloatArray = np.minimum(start + place * (end - start), end)
+        result: FloatArray = np.minimum(start + s * (end - start), end)
     return result
 
 
@@ -137,8 +137,8 @@ def _joined(parts: list[BezierPieces]) -> BezierPieces:
     columns = []
     for part in parts:
         shift, by = part.exponent - exponent, degree - part.controls.shape[1]
-        shapes = (np.ldexp(elevated(each, by), shift) for each in (part.controls, part.slopes))
-        errors = (np.ldexp(each, shift) for each in (part.error, part.slope_error))
+        shapes = (np.ldexp(elevated(numbers, by), shift) for numbers in (part.controls, part.slopes))
+        errors = (np.ldexp(numbers, shift) for numbers in (part.error, part.slope_error))
         columns.append((*shapes, part.starts, part.ends, *errors))
     return BezierPieces._make([*map(np.concatenate, zip(*columns, strict=True)), exponent])
 

@@ -84,13 +84,13 @@ def integral_of(function: Function, curve: ParametricCurve, degree: int | None) 
 def integral(curve: ParametricCurve, a: float, b: float, extrapolate: Extrapolate = True) -> FloatArray:
     """Return the integral of a curve from a to b, (dim,); see `ParametricCurve.integrate`."""
     start, end = finite_number(a, "a"), finite_number(b, "b")
-    way = checked_extrapolate(extrapolate)
+    rule = checked_extrapolate(extrapolate)
     if start > end:
-        return -integral(curve, end, start, way)
+        return -integral(curve, end, start, rule)
     first, last = curve.domain
-    if way == "periodic":
+    if rule == "periodic":
         return _periodic(curve, start, end)
-    if not way and (start < first or end > last):
+    if not rule and (start < first or end > last):
         return np.full(curve.jets.shape[2], np.nan)
     return _between(curve, start, end)
 
@@ -124,20 +124,20 @@ def _between(curve: ParametricCurve, start: float, end: float) -> FloatArray:
 @cache
 def _rule(points: int) -> tuple[FloatArray, FloatArray]:
     """Return the places of a Gauss-Legendre rule on [0, 1] and its weights, whose sum is 1."""
-    places, weights = leggauss(points)
-    return read_only(0.5 + 0.5 * places), read_only(0.5 * weights)
+    nodes, weights = leggauss(points)
+    return read_only(0.5 + 0.5 * nodes), read_only(0.5 * weights)
 
 
 def _on(function: Function, starts: FloatArray, ends: FloatArray, points: int) -> FloatArray:
     """Return the integrals over intervals (k,), (k, q), by a rule of so many points on each."""
-    places, weights = _rule(points)
+    nodes, weights = _rule(points)
     lengths = ends - starts
     parts = []
     step = max(_AT_ONCE // points, 1)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         for first in range(0, max(len(starts), 1), step):
             here = slice(first, first + step)
-            t = starts[here, None] + lengths[here, None] * places
+            t = starts[here, None] + lengths[here, None] * nodes
             values = function(t.ravel())
             values = values.reshape(*t.shape, values.shape[1]) * weights[:, None]
             # The length last: it may be as small as the values are large.
@@ -171,6 +171,6 @@ def _refined(function: Function, knots: FloatArray) -> tuple[FloatArray, FloatAr
             break
         ends = np.stack((middles, ends), axis=1)[poor].ravel()
         starts, wholes = both[0][poor].ravel(), both[1][poor].reshape(-1, wholes.shape[1])
-    found = np.concatenate(done_starts)
-    order = np.argsort(found, kind="stable")
-    return np.append(found[order], knots[-1]), np.concatenate(done_parts)[order]
+    starts_of_parts = np.concatenate(done_starts)
+    order = np.argsort(starts_of_parts, kind="stable")
+    return np.append(starts_of_parts[order], knots[-1]), np.concatenate(done_parts)[order]

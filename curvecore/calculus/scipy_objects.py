@@ -102,8 +102,8 @@ def _through(
 def _check_equal(curve: ParametricCurve, given: PolynomialPieces) -> None:
     """Compare at more places of each piece than a polynomial of the larger degree can have roots."""
     count = max(given.degree, curve.degree or 0) + 2
-    places = np.sin((np.arange(count) + 0.5) * (np.pi / (2 * count))) ** 2
-    t = (given.breaks[:-1, None] + places * np.diff(given.breaks)[:, None]).ravel()
+    s = np.sin((np.arange(count) + 0.5) * (np.pi / (2 * count))) ** 2
+    t = (given.breaks[:-1, None] + s * np.diff(given.breaks)[:, None]).ravel()
     off = np.abs(curve.evaluate(t) - given.evaluate(t)).max(axis=1)
     worst = int(off.argmax())
     if off[worst] > _AS_GOOD_AS_EQUAL * np.abs(given.points).max():
@@ -180,7 +180,7 @@ class PolynomialPieces(ParametricCurve):
         if order:
             raise CurveError("derivatives of these functions are not needed")
         piece = np.clip(np.searchsorted(self._parameters, t, side="right") - 1, 0, len(self._controls) - 1)
-        places = (t - self._parameters[piece]) / np.diff(self._parameters)[piece]
+        s = (t - self._parameters[piece]) / np.diff(self._parameters)[piece]
         result = np.zeros((len(t), *self._controls.shape[:2]))
-        result[np.arange(len(t)), piece] = weights(places, self.degree)
+        result[np.arange(len(t)), piece] = weights(s, self.degree)
         return result.reshape(len(t), -1, 1)

@@ -54,17 +54,17 @@ def solutions(curve: ParametricCurve, value: float, axis: int, discontinuity: bo
     with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
         parts = [(piece, bezier_pieces(piece, _TOLERANCE)) for piece in coordinate.pieces]
         stretches = [_stretches(piece, pieces, wanted) for piece, pieces in parts]
-        found = [_crossed(*part, each, wanted) for part, each in zip(parts, stretches, strict=True)]
+        groups = [_crossed(*part, stretch, wanted) for part, stretch in zip(parts, stretches, strict=True)]
         whole = _Stretches._make(np.concatenate(column) for column in zip(*stretches, strict=True))
-        found.append(_reached(whole))
+        groups.append(_reached(whole))
         if discontinuity:
-            found.append(whole.starts[1:][whole.after[:-1] * whole.before[1:] < 0.0])
-    return sorted_distinct(np.concatenate(found))
+            groups.append(whole.starts[1:][whole.after[:-1] * whole.before[1:] < 0.0])
+    return sorted_distinct(np.concatenate(groups))
 
 
 def _stretches(curve: ParametricCurve, pieces: BezierPieces, value: float) -> _Stretches:
     turns = sign_changes(pieces.slopes[:, :, 0], pieces.slope_error)
-    knots = np.concatenate((pieces.starts, parameters_at(pieces, turns.piece, turns.place), pieces.ends[-1:]))
+    knots = np.concatenate((pieces.starts, parameters_at(pieces, turns.piece, turns.s), pieces.ends[-1:]))
     knots = sorted_distinct(knots)
     starts, ends = knots[:-1], knots[1:]
     # From inside: at a break the piece to the right counts.

@@ -325,11 +325,11 @@ class FrozenSegments:
         self._degree = controls.shape[1] - 1
         self._serves = bool((self._count <= _MOST_PIECES).all())
         if self._serves:
-            self._place_vertices()
+            self._set_vertices()
             merged = flatten_pieces(curve, tolerance, box).parameters.size
             self._serves = merged >= _MERGED / np.sqrt(_FINER_SEGMENTS) * (self._segment.size + 1)
 
-    def _place_vertices(self) -> None:
+    def _set_vertices(self) -> None:
         self._segment, step = equal_parts(self._count.astype(np.intp))
         self._local = step / self._count[self._segment]
         self._weights = weights(self._local, self._degree)[:, None, :]

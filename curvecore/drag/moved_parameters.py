@@ -100,11 +100,11 @@ class LeftOut:
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             missing = curve.points[self._moving] - self._rest.evaluate(t)
             result = self._values.copy()
-            for k, place in enumerate(t.tolist()):
-                quotients = (self._reference - self._rest.parameters) / (place - self._rest.parameters)
+            for k, parameter in enumerate(t.tolist()):
+                quotients = (self._reference - self._rest.parameters) / (parameter - self._rest.parameters)
                 function = self._shape * quotients.prod()
                 for other in np.delete(t, k).tolist():
-                    function *= (self._t - other) / (place - other)
+                    function *= (self._t - other) / (parameter - other)
                 growth += float(np.abs(function).max(initial=0.0))
                 result += function[:, None] * missing[k]
         # What is wrong with q at t_k is carried everywhere by the function of t_k.
@@ -159,18 +159,23 @@ class MovedParameters:
         if not len(moved):
             return self._basis[:, :, None]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            weights, own = self._weights(curve, moved), self._own(curve, moved)
+            weights, of_moved = self._weights(curve, moved), self._moved_factors(curve, moved)
             # l'(t) / l(t); without meaning where some t is one of the moved parameters.
-            ratio = np.reciprocal(own).prod(axis=1)
+            ratio = np.reciprocal(of_moved).prod(axis=1)
             if not self._serves(weights):
                 return None
             values = self._basis * weights
             values *= ratio[:, None]
-            values[:, moved] *= own
-            places, rows = self._rows_at_moved(curve, moved, weights)
-            values[places] = rows
+            values[:, moved] *= of_moved
+            columns, rows = self._rows_at_moved(curve, moved, weights)
+            values[columns] = rows
             # Looking at every value is dear; mostly the factors tell that none can be too large.
-            bound = self._greatest * np.abs(weights).max() * np.abs(ratio).max() * max(np.abs(own).max(), 1.0)
+            bound = (
+                self._greatest
+                * np.abs(weights).max()
+                * np.abs(ratio).max()
+                * max(np.abs(of_moved).max(), 1.0)
+            )
             if bound < LIMIT or np.abs(values).max() < LIMIT:
                 return values[:, :, None]
         return None
@@ -185,7 +190,7 @@ class MovedParameters:
         moved = np.flatnonzero(curve.parameters != self._parameters)
         return moved if len(moved) <= _MOST_MOVED else None
 
-    def _own(self, curve: ParametricCurve, moved: IntArray) -> FloatArray:
+    def _moved_factors(self, curve: ParametricCurve, moved: IntArray) -> FloatArray:
         """Return the factor that the functions of moved parameters lack in l, (m, k)."""
         t = self._t[:, None]
         return (t - self._parameters[moved]) / (t - curve.parameters[moved])
@@ -210,17 +215,17 @@ class MovedParameters:
         (w_i / w_k) / (t_k - t_i).
         """
         old, new = self._parameters, curve.parameters
-        places, rows = [], []
+        rows_of_t, rows = [], []
         for k in moved.tolist():
-            for place in np.flatnonzero(self._t == new[k]).tolist():
-                places.append(place)
+            for row_of_t in np.flatnonzero(self._t == new[k]).tolist():
+                rows_of_t.append(row_of_t)
                 rows.append(np.eye(1, len(new), k)[0])
-            for place in np.flatnonzero((self._t == old[k]) & ~np.isin(self._t, new)).tolist():
+            for row_of_t in np.flatnonzero((self._t == old[k]) & ~np.isin(self._t, new)).tolist():
                 row = self._curve.weight_ratios(k) * weights / (old[k] - old) * (old[k] - new[k])
                 row[k] = weights[k]
                 for m in moved[moved != k].tolist():
                     row *= (old[k] - new[m]) / (old[k] - old[m])
                     row[m] *= (old[k] - old[m]) / (old[k] - new[m])
-                places.append(place)
+                rows_of_t.append(row_of_t)
                 rows.append(row)
-        return np.array(places, dtype=np.intp), np.array(rows).reshape(-1, len(new))
+        return np.array(rows_of_t, dtype=np.intp), np.array(rows).reshape(-1, len(new))

@@ -36,28 +36,28 @@ _ROUNDS = 4  # of halving what is not close enough
 
 
 class _Samples(NamedTuple):
-    """Parameters (m,), the places there before anything moves, (m, 2), and w, (m, 1)."""
+    """Parameters (m,), the positions there before anything moves, (m, 2), and w, (m, 1)."""
 
     t: FloatArray
-    places: FloatArray
-    ways: FloatArray
+    positions: FloatArray
+    directions: FloatArray
 
 
 class _Vertices(NamedTuple):
     """Samples with bounds of how far the pieces between them leave their chords, (m - 1,)."""
 
     t: FloatArray
-    places: FloatArray
-    ways: FloatArray
+    positions: FloatArray
+    directions: FloatArray
     deviation: FloatArray
 
 
 class _Drawn(NamedTuple):
-    """Vertices, their places x + iy and ways (m, 1) complex: of pairs NumPy moves half as many."""
+    """Vertices, their positions x + iy and directions (m, 1) complex: of pairs NumPy moves half as many."""
 
     t: FloatArray
-    places: NDArray[np.complex128]
-    ways: NDArray[np.complex128]
+    positions: NDArray[np.complex128]
+    directions: NDArray[np.complex128]
     deviation: FloatArray
 
 
@@ -127,29 +127,33 @@ class MovedPoints:
                 self._choose(min(max(reach, _REACH), _FARTHEST))
         if self._vertices is None:
             return None
-        t, places, ways, deviation = self._vertices
-        return Pieces(t, (places + ways * complex(dx, dy)).view(np.float64), deviation)
+        t, positions, directions, deviation = self._vertices
+        return Pieces(t, (positions + directions * complex(dx, dy)).view(np.float64), deviation)
 
     def _choose(self, reach: float) -> None:
         """Choose vertices that serve within reach of the centre, a smaller one where that takes too many."""
         self._reach = reach * self._tolerance
-        self._vertices = self._chosen()
+        self._vertices = self._vertices_within_reach()
         if self._vertices is None and reach > _LEAST_REACH:
             self._choose(max(0.25 * reach, _LEAST_REACH))
             if self._vertices is None:
                 # No more is tried until it is elsewhere.
                 self._reach = reach * self._tolerance
 
-    def _chosen(self) -> _Drawn | None:
+    def _vertices_within_reach(self) -> _Drawn | None:
         """Return vertices that serve within reach of the centre; None where they are too many."""
         if len(self._curve.breaks) > _MOST_VERTICES:
             return None
         controls = drawable_pieces(self._curve)
-        found = self._sampled() if controls is None else self._on_segments(controls)
-        if found is None or not np.isfinite(found.places).all() or not np.isfinite(found.ways).all():
+        vertices = self._sampled() if controls is None else self._on_segments(controls)
+        if (
+            vertices is None
+            or not np.isfinite(vertices.positions).all()
+            or not np.isfinite(vertices.directions).all()
+        ):
             return None
-        t, places, ways, deviation = self._merged(found)
-        return _Drawn(t, places.view(np.complex128), ways.astype(np.complex128), deviation)
+        t, positions, directions, deviation = self._merged(vertices)
+        return _Drawn(t, positions.view(np.complex128), directions.astype(np.complex128), deviation)
 
     def _on_segments(self, controls: FloatArray) -> _Vertices | None:
         """Divide each segment equally: bounds of second derivatives bound the deviations."""
@@ -157,32 +161,35 @@ class MovedPoints:
         assert unit is not None
         moved = controls + unit * self._centre
         deviation = chord_bound(moved) + self._reach * chord_bound(np.pad(unit, ((0, 0), (0, 0), (0, 1))))
-        is_seen = self._enters(moved, self._reach * np.abs(unit).max(axis=(1, 2)))
+        is_inside = self._enters(moved, self._reach * np.abs(unit).max(axis=(1, 2)))
         count = np.maximum(1.0, np.ceil(np.sqrt(_FINER * deviation / self._tolerance)))
-        count = np.where(is_seen, count, 1.0)
+        count = np.where(is_inside, count, 1.0)
         if not count.sum() < _MOST_VERTICES:
             return None
         segment, step = equal_parts(count.astype(np.intp))
         local = step / count[segment]
         weight = weights(local, controls.shape[1] - 1)[:, None, :]
-        places, ways = (
-            np.vstack([np.matmul(weight, each[segment])[:, 0], each[-1, -1:]]) for each in (controls, unit)
+        positions, directions = (
+            np.vstack([np.matmul(weight, values[segment])[:, 0], values[-1, -1:]])
+            for values in (controls, unit)
         )
         start, end = self._curve.breaks[segment], self._curve.breaks[1:][segment]
         t = np.append(np.minimum(start + local * (end - start), end), self._curve.breaks[-1])
         if not (t[1:] > t[:-1]).all():
             return None
-        return _Vertices(t, places, ways, np.where(is_seen, deviation / (count * count), np.inf)[segment])
+        return _Vertices(
+            t, positions, directions, np.where(is_inside, deviation / (count * count), np.inf)[segment]
+        )
 
     def _sampled(self) -> _Vertices | None:
         """Halve what samples leave too far apart for all within reach of the centre."""
         samples = self._samples or self._sample(self._first_samples())
         for _ in range(_ROUNDS):
-            found = self._measured(samples)
-            misses = (found.deviation > self._tolerance / _FINER_SAMPLES) & (found.deviation < np.inf)
+            vertices = self._measured(samples)
+            misses = (vertices.deviation > self._tolerance / _FINER_SAMPLES) & (vertices.deviation < np.inf)
             if not misses.any():
                 self._samples = samples
-                return found
+                return vertices
             t = np.sort(np.concatenate([samples.t, 0.5 * (samples.t[1:] + samples.t[:-1])[misses]]))
             if len(t) > _MOST_SAMPLES:
                 break
@@ -205,21 +212,21 @@ class MovedPoints:
         c'' is 2 o / (h k) where a sample lies o off the chord of its neighbours, h and k away from it in t; a
         piece of length h leaves its chord by |c''| h**2 / 8.
         """
-        t, places, ways = samples
-        moved, h = places + ways * self._centre, np.diff(t)[:, None]
+        t, positions, directions = samples
+        moved, h = positions + directions * self._centre, np.diff(t)[:, None]
         off = np.zeros(len(t))
-        for each, size in ((moved, 1.0), (ways, self._reach)):
-            chord = (each[2:] * h[:-1] + each[:-2] * h[1:]) / (h[:-1] + h[1:])
-            off[1:-1] += size * np.sqrt(((each[1:-1] - chord) ** 2).sum(axis=1))
+        for values, size in ((moved, 1.0), (directions, self._reach)):
+            chord = (values[2:] * h[:-1] + values[:-2] * h[1:]) / (h[:-1] + h[1:])
+            off[1:-1] += size * np.sqrt(((values[1:-1] - chord) ** 2).sum(axis=1))
         quotient = h[1:, 0] / h[:-1, 0]
         deviation = np.zeros(len(h))
         deviation[:-1] = off[1:-1] / quotient
         deviation[1:] = np.maximum(deviation[1:], off[1:-1] * quotient)
         deviation *= 0.25 * _MARGIN
         hulls = np.stack([moved[:-1], moved[1:]], axis=1)
-        sizes = self._reach * np.abs(ways[:, 0])
+        sizes = self._reach * np.abs(directions[:, 0])
         near = np.maximum(off[1:] + sizes[1:], off[:-1] + sizes[:-1])
-        return _Vertices(t, places, ways, np.where(self._enters(hulls, near), deviation, np.inf))
+        return _Vertices(t, positions, directions, np.where(self._enters(hulls, near), deviation, np.inf))
 
     def _enters(self, points: FloatArray, room: FloatArray) -> BoolArray:
         """Tell which hulls, of points (k, j, 2) with so much room around them, (k,), the box may show."""
@@ -228,30 +235,37 @@ class MovedPoints:
         low, high = points.min(axis=1) - room[:, None], points.max(axis=1) + room[:, None]
         return may_enter(np.stack([low, high], axis=1), self._edges)
 
-    def _merged(self, found: _Vertices) -> _Vertices:
+    def _merged(self, vertices: _Vertices) -> _Vertices:
         """Leave out vertices that the tolerance needs nowhere within reach, as `merged_pieces` does."""
-        t, places, ways, deviation = found
+        t, positions, directions, deviation = vertices
         offset, idle = 0, 0
         while idle < 2 and len(t) > 2:
             middle = np.arange(1 + offset, len(t) - 1, 2)
             joined = np.maximum(deviation[middle - 1], deviation[middle])
-            joined += self._off_chord(places + ways * self._centre, ways, middle)
+            joined += self._off_chord(positions + directions * self._centre, directions, middle)
             dropped = joined <= self._tolerance
             deviation[middle[dropped] - 1] = joined[dropped]
             idle = 0 if 32 * np.count_nonzero(dropped) > len(t) else idle + 1
-            kept = np.ones(len(t), dtype=bool)
-            kept[middle[dropped]] = False
-            t, places, ways, deviation = t[kept], places[kept], ways[kept], deviation[kept[:-1]]
+            stays = np.ones(len(t), dtype=bool)
+            stays[middle[dropped]] = False
+            t, positions, directions, deviation = (
+                t[stays],
+                positions[stays],
+                directions[stays],
+                deviation[stays[:-1]],
+            )
             offset = 1 - offset
-        return _Vertices(t, places, ways, deviation)
+        return _Vertices(t, positions, directions, deviation)
 
-    def _off_chord(self, points: FloatArray, ways: FloatArray, middle: IntArray) -> FloatArray:
+    def _off_chord(self, points: FloatArray, directions: FloatArray, middle: IntArray) -> FloatArray:
         """Return how far vertices come to lie off the chord of their neighbours, at most within reach."""
         start, chord = points[middle - 1], points[middle + 1] - points[middle - 1]
         square = (chord**2).sum(axis=1)
         share = ((points[middle] - start) * chord).sum(axis=1) / np.where(square > 0.0, square, 1.0)
         share = np.clip(share, 0.0, 1.0)[:, None]
         off = points[middle] - start - share * chord
-        way = ways[middle] - (1.0 - share) * ways[middle - 1] - share * ways[middle + 1]
-        result: FloatArray = np.hypot(off[:, 0], off[:, 1]) + self._reach * np.abs(way[:, 0])
+        direction = (
+            directions[middle] - (1.0 - share) * directions[middle - 1] - share * directions[middle + 1]
+        )
+        result: FloatArray = np.hypot(off[:, 0], off[:, 1]) + self._reach * np.abs(direction[:, 0])
         return result

@@ -64,7 +64,7 @@ class BSplineCurve(ParametricCurve):
 
     name = "b_spline"
     title = "B-spline"
-    place = 80
+    rank = 80
     functions = "B-spline functions"
     interpolates = False
     most_points = None
@@ -87,14 +87,14 @@ class BSplineCurve(ParametricCurve):
         return np.concatenate((np.repeat(t[0], self.degree + 1), t[2:-2], np.repeat(t[-1], self.degree + 1)))
 
     @property
-    def places(self) -> FloatArray:
+    def nodes(self) -> FloatArray:
         """The Greville abscissae: means of the `degree` knots inside each function's support."""
         p, n = self.degree, len(self._parameters)
         inner = self.knots[np.arange(1, n + 1)[:, None] + np.arange(p)]
         # Of what begins at the first knot, so that no rounding moves them beyond the ends.
         means = inner[:, 0] + (inner - inner[:, :1]).mean(axis=1)
-        places: FloatArray = np.minimum(means, self.domain[1])
-        return places
+        nodes: FloatArray = np.minimum(means, self.domain[1])
+        return nodes
 
     @property
     def is_positive(self) -> bool:
@@ -239,16 +239,16 @@ class BSplineCurve(ParametricCurve):
     def restricted(self, start: float, end: float) -> Self:
         """Return the same curve between two parameters of its domain, with the knots between them."""
         p = self.degree
-        found = self._knotted
+        knotted = self._knotted
         for t in (start, end):
             # The ends of the domain are there as often as they have to be.
-            for _ in range(p - int(np.count_nonzero(found.knots == t))):
-                found = _with_knot(found, t)
-        first = int(np.searchsorted(found.knots, start, side="right")) - 1 - p
-        last = int(np.searchsorted(found.knots, end))
+            for _ in range(p - int(np.count_nonzero(knotted.knots == t))):
+                knotted = _with_knot(knotted, t)
+        first = int(np.searchsorted(knotted.knots, start, side="right")) - 1 - p
+        last = int(np.searchsorted(knotted.knots, end))
         inner = self.breaks[(self.breaks > start) & (self.breaks < end)]
         parameters = self._around(np.concatenate(([start], inner, [end])), last - first)
-        return type(self)(found.points[first:last], parameters)
+        return type(self)(knotted.points[first:last], parameters)
 
     @property
     def _knotted(self) -> _Knotted:
@@ -298,20 +298,20 @@ class BSplineCurve(ParametricCurve):
         zero = DoubleDouble(np.zeros(t.size), np.zeros(t.size))
         values = [DoubleDouble(np.ones(t.size), np.zeros(t.size))]
         for level in range(1, p + 1):
-            carried, found = zero, []
+            carried, next_values = zero, []
             is_value = level <= p - order
             for k in range(level):
                 start, end = knots[interval + 1 + k - level], knots[interval + 1 + k]
                 share = divide(values[k], difference(end, start))
                 if is_value:
-                    found.append(add(carried, multiply(difference(end, t), share)))
+                    next_values.append(add(carried, multiply(difference(end, t), share)))
                     carried = multiply(difference(t, start), share)
                 else:
                     share = multiply(share, DoubleDouble(np.array(float(level)), np.array(0.0)))
-                    found.append(add(carried, DoubleDouble(-share.high, -share.low)))
+                    next_values.append(add(carried, DoubleDouble(-share.high, -share.low)))
                     carried = share
-            values = [*found, carried]
-        stacked = np.stack([each.high for each in values], axis=1)
+            values = [*next_values, carried]
+        stacked = np.stack([value.high for value in values], axis=1)
         result: FloatArray = np.ldexp(stacked, -order * exponent)
         return result
 

@@ -175,17 +175,19 @@ class BasisCurve(ParametricCurve):
     def _functions(self, t: FloatArray, order: int) -> FloatArray:
         scheme = self._scheme
         arguments = (t, self._parameters, order) if scheme.has_orders else (t, self._parameters)
-        found = number_array(scheme.basis(*arguments, **self.chosen), f"the basis of {scheme.name}")
+        functions = number_array(scheme.basis(*arguments, **self.chosen), f"the basis of {scheme.name}")
         shape = (len(t), len(self._parameters))
-        if found.shape != shape:
+        if functions.shape != shape:
             raise CurveError(
-                f"the basis of {scheme.name} must have the shape (m, n) = {shape}, not {found.shape}"
+                f"the basis of {scheme.name} must have the shape (m, n) = {shape}, not {functions.shape}"
             )
-        wrong = np.argwhere(~np.isfinite(found))
+        wrong = np.argwhere(~np.isfinite(functions))
         if len(wrong):
             k, i = wrong[0].tolist()
-            raise CurveError(f"the basis of {scheme.name} is {found[k, i]} at t = {t[k]}, in function {i}")
-        return found
+            raise CurveError(
+                f"the basis of {scheme.name} is {functions[k, i]} at t = {t[k]}, in function {i}"
+            )
+        return functions
 
     def _differences(self, t: FloatArray, order: int) -> FloatArray:
         """Differentiate the polynomials through the functions at seven places around each t."""
@@ -195,8 +197,8 @@ class BasisCurve(ParametricCurve):
         # Powers of two, so that places are exact where parameters lie far from 0.
         step = np.ldexp(0.5, np.frexp(longest)[1])
         middle = self._inside_of_a_piece(t, 3.0 * step)
-        places = middle[:, None] + step[:, None] * _STENCIL
-        functions = self._functions(places.ravel(), 0).reshape(*places.shape, len(parameters))
+        samples = middle[:, None] + step[:, None] * _STENCIL
+        functions = self._functions(samples.ravel(), 0).reshape(*samples.shape, len(parameters))
         stencil = LagrangeCurve(np.zeros((_STENCIL.size, 1)), _STENCIL)
         weights = stencil.basis((t - middle) / step, order)[:, :, 0]
         result: FloatArray = np.einsum("mk,mkn->mn", weights, functions) / step[:, None] ** order
@@ -215,13 +217,13 @@ class BasisCurve(ParametricCurve):
         ends = self._parameters[[0, -1]]
         if self._scheme.breaks is None:
             return read_only(ends)
-        found = number_array(
+        breaks = number_array(
             self._scheme.breaks(self._parameters.copy(), **self.chosen),
             f"the breaks of {self._scheme.name}",
         )
-        if found.ndim != 1 or not (np.isfinite(found).all() and (np.diff(found) > 0.0).all()):
+        if breaks.ndim != 1 or not (np.isfinite(breaks).all() and (np.diff(breaks) > 0.0).all()):
             raise CurveError(f"the breaks of {self._scheme.name} must be finite and strictly increasing")
-        inner = found[(found > ends[0]) & (found < ends[1])]
+        inner = breaks[(breaks > ends[0]) & (breaks < ends[1])]
         return read_only(np.concatenate((ends[:1], inner, ends[1:])))
 
     def _probes(self) -> FloatArray:

@@ -108,7 +108,7 @@ class BezierCurve(ParametricCurve):
 
     name = "bezier"
     title = "Bézier"
-    place = 70
+    rank = 70
     functions = "Bernstein functions"
     interpolates = False
     most_points = None
@@ -124,7 +124,7 @@ class BezierCurve(ParametricCurve):
         return True
 
     @property
-    def places(self) -> FloatArray:
+    def nodes(self) -> FloatArray:
         """The Greville abscissae, where each function is largest: they lie evenly."""
         first, last = self.domain
         n = len(self._parameters)
@@ -136,7 +136,7 @@ class BezierCurve(ParametricCurve):
         if order or self.degree <= MULTIPLIED or not inside.any():
             return self._summed(t, order)
         at = _Coordinates.of(t[inside], first, last)
-        x, y = (DoubleDouble(each.high[:, 0], each.low[:, 0]) for each in (at.x, at.y))
+        x, y = (DoubleDouble(coordinate.high[:, 0], coordinate.low[:, 0]) for coordinate in (at.x, at.y))
         curve = np.empty((t.size, self.points.shape[1]))
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         curve[inside] = np.ldexp(windowed_values(np.ldexp(self.points, -exponent), x, y), exponent)
@@ -409,7 +409,12 @@ def windowed_values(points: FloatArray, x: DoubleDouble, y: DoubleDouble) -> Flo
     with np.errstate(all="ignore"):
         for start in range(0, len(result), step):
             part = slice(start, start + step)
-            ratio = divide(*(DoubleDouble(each.high[part, None], each.low[part, None]) for each in (x, y)))
+            ratio = divide(
+                *(
+                    DoubleDouble(coordinate.high[part, None], coordinate.low[part, None])
+                    for coordinate in (x, y)
+                )
+            )
             middle = np.clip(np.rint(degree * x.high[part]).astype(np.intp), 0, degree)[:, None]
             index = middle + np.arange(-reach, reach + 1)
             weights = _weights(index, middle, reach, degree, ratio)

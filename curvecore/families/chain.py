@@ -153,8 +153,8 @@ class Chain(ParametricCurve):
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Chain:
         """Return a chain with other data (rows, R, dim) and as many other parameters, each once."""
         rows = jet_array(jets, self._jets.shape[:2])
-        own = parameter_array(parameters, len(self._parameters))[joint_of_row(self)]
-        parts = zip(self._pieces, np.split(rows, self._cuts()), np.split(own, self._cuts()), strict=True)
+        of_rows = parameter_array(parameters, len(self._parameters))[joint_of_row(self)]
+        parts = zip(self._pieces, np.split(rows, self._cuts()), np.split(of_rows, self._cuts()), strict=True)
         return Chain([piece.with_data(*data) for piece, *data in parts])
 
     # Piece by piece
@@ -171,8 +171,12 @@ class Chain(ParametricCurve):
 
     def interpolants(self) -> list[Interpolant] | None:
         """Return those of the pieces; None where one of them has none."""
-        found = [piece.interpolants() for piece in self._pieces]
-        return None if None in found else [each for own in found if own is not None for each in own]
+        parts = [piece.interpolants() for piece in self._pieces]
+        return (
+            None
+            if None in parts
+            else [interpolant for part in parts if part is not None for interpolant in part]
+        )
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c to c''' at the ends of all segments of all pieces."""
@@ -193,8 +197,8 @@ class Chain(ParametricCurve):
         segment = np.empty(len(t), dtype=np.intp)
         moves = np.empty((len(t), 2, self._jets.shape[2]))
         for part in self._parts(t):
-            own, moves[part.where] = part.piece.local_parameter_derivatives(part.t)
-            segment[part.where] = own + part.joint
+            of_piece, moves[part.where] = part.piece.local_parameter_derivatives(part.t)
+            segment[part.where] = of_piece + part.joint
         return segment, moves
 
     def _parts(self, t: FloatArray) -> Iterator[_PieceParameters]:

@@ -152,7 +152,7 @@ class CubicSplineCurve(ParametricCurve):
     title = "cubic spline"
     short_title = "spline"
     full_title = "C² cubic spline"
-    place = 40
+    rank = 40
     settings = (
         FamilySetting(
             "ends",
@@ -206,8 +206,8 @@ class CubicSplineCurve(ParametricCurve):
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         if order < 2 and bool((self._outside(t) == 0).all()):
             return self._pieces._evaluate(t, order)
-        if order >= 2 and (found := self._evaluate_lines(t, order)) is not None:
-            return found
+        if order >= 2 and (values := self._evaluate_lines(t, order)) is not None:
+            return values
         jets = self._pieces.jets
         return self._summed(t, order, _Data(jets[:, 0], jets[:, 1], self._second))
 
@@ -266,9 +266,9 @@ class CubicSplineCurve(ParametricCurve):
         behind *= factors[:, 1:]
         result += behind
         if order < 2:
-            rows, own = np.arange(len(t)), data is self._units
+            rows, are_units = np.arange(len(t)), data is self._units
             for side in (0, 1):
-                if own:  # each point is its own function alone
+                if are_units:  # each point is its own function alone
                     result[rows, segment + side] += hermite[:, side, 0]
                 else:
                     result += hermite[:, side, :1] * data.points[segment + side]
@@ -303,7 +303,7 @@ class CubicSplineCurve(ParametricCurve):
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c to c''' at the ends of all segments: up to c'' the same on both sides of a joint."""
-        values, scale = (each.copy() for each in self._pieces.joint_derivatives(before=before))
+        values, scale = (array.copy() for array in self._pieces.joint_derivatives(before=before))
         h, sizes = np.diff(self._parameters), vector_lengths(self._second)
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             values[:, 2] = self._second[1:] if before else self._second[:-1]
@@ -410,7 +410,7 @@ def velocity_moves(points: FloatArray, parameters: FloatArray, ends: SplineEnds)
         starts, finishes = (double - spline.velocities[:-1]) / h, (double - spline.velocities[1:]) / h
         # A segment becomes shorter by what its beginning moves, and longer by what its end does.
         lengths = (np.eye(n - 1, n, 1) - np.eye(n - 1, n))[:, :, None]
-        shares = _Shares(*((each[:, None] * lengths).reshape(n - 1, -1) for each in (-starts, finishes)))
+        shares = _Shares(*((share[:, None] * lengths).reshape(n - 1, -1) for share in (-starts, finishes)))
         thirds = np.diff(spline.bends, axis=0) / (h * h)
         ratios = (thirds[:, None] * lengths).reshape(n - 1, -1)
         bends = _bends(h, shares, ends, np.stack([ratios[1:2] - ratios[:1], ratios[-1:] - ratios[-2:-1]]))
@@ -440,19 +440,19 @@ def refined_bends(
     """
     with np.errstate(all="ignore"):
         exponent = int(np.frexp(np.diff(parameters).max())[1])
-        places = np.ldexp(parameters, -exponent)[:, None]
-        h = difference(places[1:], places[:-1])
+        t = np.ldexp(parameters, -exponent)[:, None]
+        h = difference(t[1:], t[:-1])
         slope = divide(difference(points[1:], points[:-1]), h)
         scaled = np.ldexp(bends, 2 * exponent)
         starts, finishes = _halves_of_rows(h, slope, scaled)
-        before = DoubleDouble(*(np.roll(each, 1, axis=0) for each in finishes))
+        before = DoubleDouble(*(np.roll(part, 1, axis=0) for part in finishes))
         rows = -add(starts, before).high / 6.0
         last = np.zeros_like(rows)
         if ends is SplineEnds.CLAMPED:
             rows[0], last[-1] = -starts.high[0] / 6.0, -finishes.high[-1] / 6.0
         thirds = divide(difference(scaled[1:], scaled[:-1]), h)
         at, beside = ([0, -1], [1, -2]) if len(rows) > 1 else ([0, 0], [0, 0])
-        high, low = (each[at] - each[beside] for each in thirds)
+        high, low = (part[at] - part[beside] for part in thirds)
         change = _bends(h.high, _Shares(rows, last), ends, (high + low)[:, None] * [[[1.0]], [[-1.0]]])
         refined = bends + np.ldexp(change, -2 * exponent)
         return np.where(np.isfinite(refined), refined, bends)
@@ -598,14 +598,14 @@ def _periodic(h: FloatArray, shares: _Shares) -> FloatArray:
     """
     if len(h) == 1:
         return np.zeros_like(shares.starts)
-    around = _Shares(*(np.concatenate((each[-1:], each)) for each in shares))
+    around = _Shares(*(np.concatenate((share[-1:], share)) for share in shares))
     before, after, right_side = _inner_rows(np.concatenate((h[-1:], h)), around)
-    own_before, own_after = before[1:].copy(), after[1:].copy()
-    seam = np.zeros_like(own_before)
-    seam[0] -= own_before[0]
-    seam[-1] -= own_after[-1]
-    own_before[0] = own_after[-1] = 0.0
-    both = solve_dominant(own_before, own_after, np.concatenate((right_side[1:], seam), axis=1))
+    before_joint, after_joint = before[1:].copy(), after[1:].copy()
+    seam = np.zeros_like(before_joint)
+    seam[0] -= before_joint[0]
+    seam[-1] -= after_joint[-1]
+    before_joint[0] = after_joint[-1] = 0.0
+    both = solve_dominant(before_joint, after_joint, np.concatenate((right_side[1:], seam), axis=1))
     rest, share = both[:, :-1], both[:, -1:]
     left = right_side[:1] - before[:1] * rest[-1:] - after[:1] * rest[:1]
     first = left / (1.0 + before[:1] * share[-1:] + after[:1] * share[:1])

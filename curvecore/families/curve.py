@@ -76,7 +76,7 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
         The title where nothing else says what it is: cubic Hermite.
     short_title : str
         The title where room is short; the title's first word, if it is not given.
-    place : int
+    rank : int
         Where it stands among the families of a program that lists them, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
@@ -131,7 +131,7 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
     derivatives: ClassVar[int] = 0
     full_title: ClassVar[str] = ""
     short_title: ClassVar[str] = ""
-    place: ClassVar[int] = 1000
+    rank: ClassVar[int] = 1000
     can_close: ClassVar[bool] = False
     interpolates: ClassVar[bool] = True
     is_continuous: ClassVar[bool] = True

@@ -100,7 +100,7 @@ class FamilyDefaults(_Curve):
         return self.points if self.passes_points else self.evaluate(self.parameters)
 
     @property
-    def places(self) -> FloatArray:
+    def nodes(self) -> FloatArray:
         """The parameters near which the points act most, shape (n,): t_i, of control points others."""
         return self.parameters
 
@@ -410,7 +410,7 @@ class FamilyDefaults(_Curve):
         at = np.where(before & np.isin(t, self.breaks), np.nextafter(t, -np.inf), t)
         shorter = np.minimum(np.concatenate((h[:1], h)), np.concatenate((h, h[-1:])))
         orders = [self._about_a_point(at, order, shorter) for order in range(JOINT_ORDERS + 1)]
-        values, sizes = (np.stack(each, axis=1) for each in zip(*orders, strict=True))
+        values, sizes = (np.stack(columns, axis=1) for columns in zip(*orders, strict=True))
         # From beside a break to it: without this step, parameters far from 0 would make derivatives jump.
         values = values[:, :-1] + (t - at)[:, None, None] * values[:, 1:]
         values[:, 0] = self.evaluate(t)
@@ -428,7 +428,7 @@ class FamilyDefaults(_Curve):
         data = self.jets.copy()
         data[:, 0] -= origin
         digits = self.difference_digits[order - 1 : order] if order else ()
-        lost = sum(2.0 * 10.0**-each for each in digits) / h**order
+        lost = sum(2.0 * 10.0**-kept_digits for kept_digits in digits) / h**order
         shifts = basis[:, :, 0].sum(axis=1)
         if order:
             roundings = 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)

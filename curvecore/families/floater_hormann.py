@@ -124,7 +124,7 @@ class FloaterHormannCurve(ParametricCurve):
     name = "floater_hormann"
     title = "barycentric rational"
     short_title = "rational"
-    place = 60
+    rank = 60
     is_calm = True
     settings = (
         FamilySetting(
@@ -179,10 +179,12 @@ class FloaterHormannCurve(ParametricCurve):
         precision: the errors are then up to 1e4 times larger than those of `evaluate`.
         """
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            found = self._rational_form.quick_derivatives(self.points, t, max(orders)) if len(t) else None
-        if found is None or not all(np.isfinite(each).all() for each in found):
+            derivatives = (
+                self._rational_form.quick_derivatives(self.points, t, max(orders)) if len(t) else None
+            )
+        if derivatives is None or not all(np.isfinite(values).all() for values in derivatives):
             return super().derivatives_at(t, orders)
-        return [found[order] for order in orders]
+        return [derivatives[order] for order in orders]
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, n, dim), by differences; points about their mean lose no digits."""
@@ -204,8 +206,12 @@ class FloaterHormannCurve(ParametricCurve):
         _, exponent = np.frexp(np.abs(self.points).max(axis=0))
         result = np.empty((self.points.shape[1], t.size))
         points = np.ldexp(self.points, -exponent)
-        for where, values, own in self._rational_form.parts(t, order):
-            rows = normalise(Scaled(values, own)) if own is not None else ScaledRows(values, _NO_EXPONENT)
+        for where, values, exponents in self._rational_form.parts(t, order):
+            rows = (
+                normalise(Scaled(values, exponents))
+                if exponents is not None
+                else ScaledRows(values, _NO_EXPONENT)
+            )
             result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
         if order == 0:
@@ -303,11 +309,11 @@ class RationalForm(NamedTuple):
             delta *= self._plain_denominator(t, size)
             values = np.divide(self.plain_weights[:, None], delta, out=delta)
         else:
-            mantissa, own = scaled_differences(t, self.parameters, 0)
-            mantissa[hits], own[hits] = 0.5, 1
-            scale = self._denominator(t, Scaled(np.abs(mantissa), own))
+            mantissa, powers = scaled_differences(t, self.parameters, 0)
+            mantissa[hits], powers[hits] = 0.5, 1
+            scale = self._denominator(t, Scaled(np.abs(mantissa), powers))
             values = self.weights.mantissa[:, None] / (mantissa * scale.mantissa)
-            scaled = self.weights.exponent[:, None] - (own + scale.exponent)
+            scaled = self.weights.exponent[:, None] - (powers + scale.exponent)
             scaled[:, columns] = 0
             exponent = np.asarray(scaled)
         values[:, columns] = 0.0
@@ -317,30 +323,30 @@ class RationalForm(NamedTuple):
     def _plain_denominator(self, t: FloatArray, size: FloatArray) -> FloatArray:
         """Return D, shape (m,), for |t - t_i|, (n, m), whose products fit in one double."""
         d = self.degree
-        chosen = self._chosen(t)
+        signed = self._signed_terms(t)
         terms = np.reciprocal(_window_products(size, d + 1))
         pairs = terms[:-1] / size[d + 1 :]
         pairs *= (self.parameters[d + 1 :] - self.parameters[: -d - 1])[:, None]
-        terms *= chosen.single.take(chosen.column, axis=1)
-        pairs *= chosen.pair.take(chosen.column, axis=1)
-        return np.asarray((terms.sum(axis=0) + pairs.sum(axis=0)) * chosen.sign)
+        terms *= signed.single.take(signed.column, axis=1)
+        pairs *= signed.pair.take(signed.column, axis=1)
+        return np.asarray((terms.sum(axis=0) + pairs.sum(axis=0)) * signed.sign)
 
     def _denominator(self, t: FloatArray, size: Scaled) -> Scaled:
         """Return the same with an exponent for every factor."""
         d = self.degree
-        chosen = self._chosen(t)
+        signed = self._signed_terms(t)
         product = _window_products(size.mantissa, d + 1)
         exponent = window_sums(size.exponent, d + 1)
         gaps, gap_exponent = np.frexp(self.parameters[d + 1 :] - self.parameters[: -d - 1])
         pairs = gaps[:, None] / (product[:-1] * size.mantissa[d + 1 :])
         pair_exponent = gap_exponent[:, None] - exponent[:-1] - size.exponent[d + 1 :]
         terms = np.concatenate(
-            [chosen.single[:, chosen.column] / product, chosen.pair[:, chosen.column] * pairs]
+            [signed.single[:, signed.column] / product, signed.pair[:, signed.column] * pairs]
         )
         rows = normalise(Scaled(terms, np.concatenate([-exponent, pair_exponent])))
-        return Scaled(rows.values.sum(axis=0) * chosen.sign, rows.exponent)
+        return Scaled(rows.values.sum(axis=0) * signed.sign, rows.exponent)
 
-    def _chosen(self, t: FloatArray) -> _Chosen:
+    def _signed_terms(self, t: FloatArray) -> _SignedTerms:
         """Return which lambda_i stand alone and which with the next one, for t in the same segments."""
         segment = np.searchsorted(self.parameters, t, side="right") - 1
         segments, column = np.unique(segment, return_inverse=True)
@@ -353,7 +359,7 @@ class RationalForm(NamedTuple):
         single |= (i == count - 1) & (after >= 0) & (after % 2 == 0)
         pair = ((before > 0) & (before % 2 == 1)) | ((after >= 0) & (after % 2 == 0))
         sign = np.where((segment + self.degree) % 2 == 0, 1.0, -1.0)
-        return _Chosen(single.astype(float), pair[:-1].astype(float), column, sign)
+        return _SignedTerms(single.astype(float), pair[:-1].astype(float), column, sign)
 
     def _derivatives(self, t: FloatArray, order: int) -> tuple[FloatArray, ExponentArray]:
         local = LocalSeries.of(self.parameters, t, order)
@@ -378,7 +384,7 @@ class RationalForm(NamedTuple):
         if gaps.max() > _MOST_UNEVEN * gaps.min():
             return None
         centre = points.mean(axis=0)
-        found = [np.empty((t.size, points.shape[1])) for _ in range(highest + 1)]
+        derivatives = [np.empty((t.size, points.shape[1])) for _ in range(highest + 1)]
         size = max(1, _CHUNK // len(self.parameters))
         for start in range(0, t.size, size):
             where = slice(start, start + size)
@@ -386,9 +392,9 @@ class RationalForm(NamedTuple):
             if part is None:
                 return None
             for order, coefficient in enumerate(part):
-                found[order][where] = coefficient.T * math.factorial(order)
-        found[0] += centre
-        return found
+                derivatives[order][where] = coefficient.T * math.factorial(order)
+        derivatives[0] += centre
+        return derivatives
 
     def _quick_series(self, points: FloatArray, t: FloatArray, highest: int) -> list[FloatArray] | None:
         """Return the coefficients of the powers of y of the curve at t + y, (dim, m) each."""
@@ -413,36 +419,36 @@ class RationalForm(NamedTuple):
                 factor = inverse * (self.parameters[:, None] - self.parameters[nearest[0]])
             factor *= -inverse
             sums.append(numerators @ factor)
-        found: list[FloatArray] = []
+        series: list[FloatArray] = []
         for order in range(highest + 1):
             rest = sums[order][1:].copy()
             for s in range(1, order + 1):
-                rest -= sums[s][0] * found[order - s]
-            found.append(rest / sums[0][0])
-        return found
+                rest -= sums[s][0] * series[order - s]
+            series.append(rest / sums[0][0])
+        return series
 
     def _local_denominator(self, t: FloatArray, local: LocalSeries) -> Series:
         """Return D (delta_a + y) as a series, shape (order + 1, m)."""
         d, n = self.degree, len(self.parameters)
-        chosen = self._chosen(t)
+        signed = self._signed_terms(t)
         gaps = difference(self.parameters[d + 1 :], self.parameters[: -d - 1])
         _, gap_exponent = np.frexp(gaps.high)
         singles = local.windows(d + 1)
         terms, exponents = [singles.series], [singles.exponent]
         if n > d + 1:
             pairs = local.windows(d + 2)
-            scaled = DoubleDouble(*(np.ldexp(each, -gap_exponent)[:, None] for each in gaps))
+            scaled = DoubleDouble(*(np.ldexp(part, -gap_exponent)[:, None] for part in gaps))
             terms.append(multiply(pairs.series, scaled))
             exponents.append(pairs.exponent + gap_exponent[:, None] - local.unit)
         alternating = _signs(n - d)[:, None]
-        signs = np.concatenate([chosen.single * alternating, chosen.pair * -alternating[:-1]])[
-            :, chosen.column
+        signs = np.concatenate([signed.single * alternating, signed.pair * -alternating[:-1]])[
+            :, signed.column
         ]
         high, low = (np.concatenate(both, axis=1) * signs for both in zip(*terms, strict=True))
         return total_of(Series(DoubleDouble(high, low), np.concatenate(exponents)), signs != 0.0)
 
 
-class _Chosen(NamedTuple):
+class _SignedTerms(NamedTuple):
     """The terms that D is the sum of, all of one sign.
 
     Attributes

@@ -342,7 +342,7 @@ class HermiteCurve(PiecewiseHermite):
     name = "hermite"
     title = "Hermite"
     full_title = "cubic Hermite"
-    place = 20
+    rank = 20
     derivatives = 1
     follows = True
     _functions = CUBIC
@@ -413,7 +413,7 @@ class QuinticHermiteCurve(PiecewiseHermite):
 
     name = "quintic_hermite"
     title = "quintic Hermite"
-    place = 30
+    rank = 30
     derivatives = 2
     _functions = QUINTIC
 
@@ -480,7 +480,7 @@ class SepticHermiteCurve(PiecewiseHermite):
 
     name = "septic_hermite"
     title = "septic Hermite"
-    place = 50
+    rank = 50
     derivatives = 3
     _functions = left_functions(4)
 

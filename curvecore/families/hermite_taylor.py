@@ -179,8 +179,8 @@ def taylor_pieces(
             return None
         # Segments are the last axis until all is done: loops of NumPy's over one or two numbers are slow.
         coefficients = points.coefficients[:, None, :, 0, None] * data[0, :, None]
-        for k, each in enumerate(data[1:], 1):
-            coefficients += points.coefficients[:, None, :, k, None] * each[:, None]
+        for k, row in enumerate(data[1:], 1):
+            coefficients += points.coefficients[:, None, :, k, None] * row[:, None]
         origins = _expand_at_doubles(coefficients, starts, ends, points)
         for power in range(len(coefficients)):
             for _ in range(order + power):

@@ -48,7 +48,7 @@ class Immutable:
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what the slots hold, without what is computed when needed."""
-        names = (name for each in type(self).__mro__ for name in getattr(each, "__slots__", ()))
+        names = (name for base in type(self).__mro__ for name in getattr(base, "__slots__", ()))
         return {name: getattr(self, name) for name in names if name not in self._caches}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -65,12 +65,12 @@ def _key(value: object) -> object:
     if isinstance(value, np.ndarray):
         # Adding 0 makes -0.0, which is equal to 0.0, the same bytes.
         return value.shape, (value + 0.0).tobytes()
-    return tuple(_key(each) for each in value) if isinstance(value, tuple) else value
+    return tuple(_key(item) for item in value) if isinstance(value, tuple) else value
 
 
 def _freeze(value: object) -> None:
     if isinstance(value, np.ndarray):
         value.setflags(write=False)
     elif isinstance(value, tuple):
-        for each in value:
-            _freeze(each)
+        for item in value:
+            _freeze(item)

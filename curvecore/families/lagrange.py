@@ -135,7 +135,7 @@ class LagrangeCurve(ParametricCurve):
 
     name = "lagrange"
     title = "Lagrange"
-    place = 10
+    rank = 10
     is_one_polynomial = True
     most_points = None
 
@@ -228,9 +228,9 @@ class LagrangeCurve(ParametricCurve):
         """
         if matrix_serves(self._parameters, self.points, t, orders):
             basis = self._finite_basis(t, 0)[:, :, 0]
-            found = derivatives_by_matrix(self._parameters, self.points, basis, orders)
-            if found is not None:
-                return found
+            derivatives = derivatives_by_matrix(self._parameters, self.points, basis, orders)
+            if derivatives is not None:
+                return derivatives
         return super().derivatives_at(t, orders)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
@@ -578,8 +578,8 @@ def leave_one_out(t: FloatArray, parameters: FloatArray, shift: int, order: int)
     Scaled, shape (n, m)
     """
     exact, halved = halved_difference(t, parameters)
-    own = _own_shift(exact.high, shift)
-    factors = rescaled(exact, own)
+    row_shift = _row_shift(exact.high, shift)
+    factors = rescaled(exact, row_shift)
     running = _running_products(factors, order)
     high, low = running.series
     # Row i of the left products meets row n - 1 - i of the right ones.
@@ -593,11 +593,11 @@ def leave_one_out(t: FloatArray, parameters: FloatArray, shift: int, order: int)
     assert total is not None
     exponent = running.exponent[:, 0] + running.exponent[::-1, 1]
     # The coefficient has n - 1 - order factors.
-    exponent += (shift - own.astype(np.int64) + halved) * (len(parameters) - 1 - order)
+    exponent += (shift - row_shift.astype(np.int64) + halved) * (len(parameters) - 1 - order)
     return Scaled(total.high + total.low, exponent)
 
 
-def _own_shift(differences: FloatArray, shift: int) -> IntArray32:
+def _row_shift(differences: FloatArray, shift: int) -> IntArray32:
     """Return the powers of two that bring the columns near 1: `shift`, but for t far outside."""
     _, size = np.frexp(np.abs(differences).max(axis=0))
     return np.where(size + shift > _FAR_BITS, -size, shift).astype(np.intc)

@@ -132,18 +132,21 @@ def derivative_kernel(x: FloatArray, scaled: FloatArray, order: int, bits: float
     room = working_memory((9, *out.shape))
     columns, distances = np.arange(x.size), _exact_differences(x, scaled, room[:2], room[2])
     nearest = np.abs(distances.high, out=room[2]).argmin(axis=0)
-    own = DoubleDouble(*(each[nearest, columns] for each in distances))
-    for each, instead in zip(distances, (1.0, 0.0), strict=True):
-        each[nearest, columns] = instead
+    nearest_distance = DoubleDouble(*(part[nearest, columns] for part in distances))
+    for part, instead in zip(distances, (1.0, 0.0), strict=True):
+        part[nearest, columns] = instead
     common = column_product(distances.high, block_of(bits))
     reciprocals = _reciprocals(distances, out, room[2:8])
     # What is left of the low parts now are the relative roundings of the distances.
     common.mantissa[:] *= math.factorial(order) * (1.0 + distances.low.sum(axis=0))
-    for each in reciprocals:
-        each[nearest, columns] = 0.0
-    one = _plain(np.ones_like(own.high))
+    for part in reciprocals:
+        part[nearest, columns] = 0.0
+    one = _plain(np.ones_like(nearest_distance.high))
     series = _elementary(_power_sums(reciprocals, order, room), one)
-    products = [own, *(add(multiply(own, each), less) for less, each in pairwise(series))]
+    products = [
+        nearest_distance,
+        *(add(multiply(nearest_distance, part), less) for less, part in pairwise(series)),
+    ]
     bracket = _brackets(products, reciprocals, room)
     values = np.multiply(reciprocals.high, bracket, out=out)
     values[nearest, columns] = series[order].high
@@ -167,14 +170,14 @@ def _power_sums(numbers: DoubleDouble, order: int, room: FloatArray) -> list[Dou
 
 def _elementary(sums: list[DoubleDouble], one: DoubleDouble) -> list[DoubleDouble]:
     """Return the sums of products of no, one, two ... different numbers, by Newton's identities."""
-    found = [one]
+    functions = [one]
     for k in range(1, len(sums) + 1):
         total = _plain(np.zeros_like(one.high))
         for j in range(1, k + 1):
-            term = multiply(found[k - j], sums[j - 1])
+            term = multiply(functions[k - j], sums[j - 1])
             total = add(total, term if j % 2 else DoubleDouble(-term.high, -term.low))
-        found.append(divide(total, _plain(np.full_like(one.high, k))) if k > 1 else total)
-    return found
+        functions.append(divide(total, _plain(np.full_like(one.high, k))) if k > 1 else total)
+    return functions
 
 
 def _exact_differences(x: FloatArray, scaled: FloatArray, out: FloatArray, spare: FloatArray) -> DoubleDouble:
@@ -182,11 +185,11 @@ def _exact_differences(x: FloatArray, scaled: FloatArray, out: FloatArray, spare
     high, low = out
     parameters = scaled[:, None]
     np.subtract(x, parameters, out=high)
-    taken = np.subtract(high, x, out=spare)
-    np.subtract(high, taken, out=low)
+    rest = np.subtract(high, x, out=spare)
+    np.subtract(high, rest, out=low)
     np.subtract(x, low, out=low)
-    taken += parameters
-    low -= taken
+    rest += parameters
+    low -= rest
     return DoubleDouble(high, low)
 
 
@@ -229,20 +232,20 @@ def _brackets(products: list[DoubleDouble], reciprocals: DoubleDouble, room: Flo
     factor = np.abs(reciprocals.high, out=room[4])
     np.multiply(reciprocals.high, lowest.high, out=bracket)
     np.abs(bracket, out=size)
-    for k, each in enumerate(others):
+    for k, other in enumerate(others):
         if k:
             bracket *= reciprocals.high
             size *= factor
-        np.subtract(each.high, bracket, out=bracket)
-        size += np.abs(each.high)
+        np.subtract(other.high, bracket, out=bracket)
+        size += np.abs(other.high)
     size *= _CANCELLED
     np.abs(bracket, out=spare)
     rows, columns = np.nonzero(spare < size)
     if rows.size:
-        total = DoubleDouble(*(each[columns] for each in lowest))
-        negative = DoubleDouble(*(-each[rows, columns] for each in reciprocals))
-        for each in others:
-            total = add(DoubleDouble(*(part[columns] for part in each)), multiply(negative, total))
+        total = DoubleDouble(*(other[columns] for other in lowest))
+        negative = DoubleDouble(*(-other[rows, columns] for other in reciprocals))
+        for other in others:
+            total = add(DoubleDouble(*(part[columns] for part in other)), multiply(negative, total))
         bracket[rows, columns] = total.high
     return bracket
 
@@ -272,23 +275,23 @@ def block_of(bits: float) -> int:
 
 # Memory for working arrays
 
-_MOST_KEPT = 1 << 19  # numbers that are kept, for each thread: 4 MB
+_MOST_NUMBERS = 1 << 19  # numbers that are kept, for each thread: 4 MB
 
 
-class _Kept(threading.local):
+class _Memory(threading.local):
     """The memory of one thread."""
 
     numbers: FloatArray = np.empty(0)
 
 
-_kept = _Kept()
+_memory = _Memory()
 
 
 def working_memory(shape: tuple[int, ...]) -> FloatArray:
     """Return an array with arbitrary content, valid until the same thread asks for the next one."""
     size = math.prod(shape)
-    if size > _MOST_KEPT:
+    if size > _MOST_NUMBERS:
         return np.empty(shape)
-    if size > _kept.numbers.size:
-        _kept.numbers = np.empty(size)
-    return _kept.numbers[:size].reshape(shape)
+    if size > _memory.numbers.size:
+        _memory.numbers = np.empty(size)
+    return _memory.numbers[:size].reshape(shape)

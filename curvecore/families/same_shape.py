@@ -25,7 +25,7 @@ from curvecore.families.curve import ParametricCurve
 _RESIDUE = 1e-10
 """Share of the largest term up to which a difference counts as rounding."""
 
-_NAMES = ("place", "velocity", "acceleration", "jerk")
+_NAMES = ("position", "velocity", "acceleration", "jerk")
 """The derivatives, by their orders."""
 
 
@@ -96,9 +96,9 @@ def check_one_polynomial(curve: ParametricCurve, wanted: str) -> None:
 def check_smooth_joints(chain: BezierChain, derivatives: int, wanted: str) -> None:
     """Raise CurveError where only derivatives above the acceleration jump: that is no corner."""
     jumps = _jumps(chain, derivatives)
-    seen = np.any(jumps[:3], axis=0)
+    is_corner = np.any(jumps[:3], axis=0)
     for order in range(3, derivatives + 1):
-        count = int(np.count_nonzero(jumps[order] & ~seen))
+        count = int(np.count_nonzero(jumps[order] & ~is_corner))
         if count:
             joints = "1 joint" if count == 1 else f"{count} joints"
             raise CurveError(f"its {_NAMES[order]} jumps at {joints}, where that of a {wanted} curve goes on")
@@ -133,45 +133,45 @@ def smooth_stretches(chain: BezierChain, derivatives: int) -> list[BezierChain]:
 def _jumps(chain: BezierChain, derivatives: int) -> list[BoolArray]:
     """Return at which joints each derivative jumps, by its order, (k - 1,)."""
     ahead, behind = _end_jets(chain, derivatives, 0), _end_jets(chain, derivatives, 1)
-    steps, found = np.diff(chain.breaks), []
+    steps, jumps = np.diff(chain.breaks), []
     for order in range(derivatives + 1):
         before, after = behind[:-1, order], ahead[1:, order]
         jump = np.abs(after - before).max(axis=1, initial=0.0)
         # Rounding of the control points, seen through divisions by both lengths.
         noise = np.abs(chain.controls).max() / np.minimum(steps[:-1], steps[1:]) ** order
         scale = np.abs(np.concatenate([before, after])).max(initial=0.0)
-        found.append(jump > _RESIDUE * scale + 64.0 * perm(7, order) * 2.0**-53 * noise)
-    return found
+        jumps.append(jump > _RESIDUE * scale + 64.0 * perm(7, order) * 2.0**-53 * noise)
+    return jumps
 
 
 def _end_jets(chain: BezierChain, derivatives: int, end: int) -> FloatArray:
     """Return derivatives at the beginnings (0) or the ends (1) of the pieces, shape (k, R, dim)."""
     degree = chain.controls.shape[1] - 1
     h = np.diff(chain.breaks)[:, None]
-    found = []
+    columns = []
     for order in range(derivatives + 1):
         if order > degree:
-            found.append(np.zeros_like(chain.controls[:, 0]))
+            columns.append(np.zeros_like(chain.controls[:, 0]))
             continue
         differences = np.diff(chain.controls, n=order, axis=1)[:, -1 if end else 0]
-        found.append(perm(degree, order) * differences / h**order)
-    return np.stack(found, axis=1)
+        columns.append(perm(degree, order) * differences / h**order)
+    return np.stack(columns, axis=1)
 
 
 def _of_degree(controls: FloatArray, degree: int, wanted: str) -> FloatArray:
     """Return the pieces with control points of a degree."""
     while controls.shape[1] - 1 > degree:
-        own = controls.shape[1] - 1
-        highest = np.abs(np.diff(controls, n=own, axis=1)).max()
-        if highest > _RESIDUE * comb(own, own // 2) * np.abs(controls).max():
-            raise _too_high(own, degree, wanted, pieces=len(controls))
+        higher = controls.shape[1] - 1
+        highest = np.abs(np.diff(controls, n=higher, axis=1)).max()
+        if highest > _RESIDUE * comb(higher, higher // 2) * np.abs(controls).max():
+            raise _too_high(higher, degree, wanted, pieces=len(controls))
         controls = _reduced(controls)
     return elevated(controls, degree - controls.shape[1] + 1)
 
 
-def _too_high(own: int | None, degree: int, wanted: str, *, pieces: int) -> CurveError:
+def _too_high(higher: int | None, degree: int, wanted: str, *, pieces: int) -> CurveError:
     is_one = "it is one polynomial" if pieces == 1 else "its pieces are polynomials"
-    return CurveError(f"{is_one} of degree {own}, the pieces of a {wanted} curve have degree {degree}")
+    return CurveError(f"{is_one} of degree {higher}, the pieces of a {wanted} curve have degree {degree}")
 
 
 def _reduced(controls: FloatArray) -> FloatArray:

@@ -19,7 +19,7 @@ from curvecore.arrays import integer, point_array, tolerance_value
 from curvecore.errors import CurveError
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.setting import SettingValue
-from curvecore.fitting.fitter import MOST, NEAR, Attempt, Fitter, Told
+from curvecore.fitting.fitter import MOST, NEAR, Attempt, Fitter, RoundsProgress
 from curvecore.fitting.joints import scatter_of, sharp_turns
 from curvecore.fitting.least_squares import least_squares_curve
 from curvecore.fitting.records import Data, Fit
@@ -112,23 +112,29 @@ def fit(
     data = Data.of(points, parameters, closed, _grain(points, count, tolerance))
     has_corners = with_corners and family.derivatives and family.is_local
     corners = _corners_of(data, count, tolerance, closed=closed) if has_corners else []
-    told = Told(progress)
+    rounds = RoundsProgress(progress)
     solve = partial(least_squares_curve, family, closed=closed, settings=settings)
     moves = parameters is None
     fitter = partial(
-        Fitter, family=family, solve=solve, closed=closed, told=told, tolerance=tolerance or 0.0, moves=moves
+        Fitter,
+        family=family,
+        solve=solve,
+        closed=closed,
+        progress=rounds,
+        tolerance=tolerance or 0.0,
+        moves=moves,
     )
     everything = fitter(data, corners=corners)
     if tolerance is None:
         assert count is not None
-        return data.told(everything.attempt(count).fit)
+        return data.of_all(everything.attempt(count).fit)
     few, their_corners = data.thinned(corners)
     if len(few.points) == len(data.points):
-        return data.told(fewest(everything).fit)
-    told.goes(0.0, _SEARCH)
-    found = fewest(fitter(few, corners=their_corners), persists=False)
-    told.goes(_SEARCH, 1.0)
-    return data.told(fewest(everything, (len(found.joints) - closed, found)).fit)
+        return data.of_all(fewest(everything).fit)
+    rounds.set_range(0.0, _SEARCH)
+    rough = fewest(fitter(few, corners=their_corners), persists=False)
+    rounds.set_range(_SEARCH, 1.0)
+    return data.of_all(fewest(everything, (len(rough.joints) - closed, rough)).fit)
 
 
 def _corners_of(data: Data, count: int | None, tolerance: float | None, *, closed: bool) -> list[int]:
@@ -187,20 +193,20 @@ def fewest(fitter: Fitter, start: tuple[int, Attempt] | None = None, *, persists
     persists
         Whether some more points are tried where the data scatter.
     """
-    low, high, found = _grown(fitter, start)
-    if found.fit.is_scattered and persists and found.fit.deviation <= NEAR * fitter.tolerance:
+    low, high, attempt = _grown(fitter, start)
+    if attempt.fit.is_scattered and persists and attempt.fit.deviation <= NEAR * fitter.tolerance:
         for tries, times in enumerate(_MORE):
-            fitter.told.reaches(0.5 + 0.2 * tries)
+            fitter.progress.report(0.5 + 0.2 * tries)
             count = min(ceil(times * high), fitter.most)
-            more = fitter.attempt(count, found)
+            more = fitter.attempt(count, attempt)
             if more.fit.deviation <= fitter.tolerance:
-                low, high, found = high, count, more
+                low, high, attempt = high, count, more
                 break
-    if found.fit.deviation <= fitter.tolerance:
-        return _bisected(fitter, (low, high), found, lambda fit: fit.deviation <= fitter.tolerance)
-    if found.fit.is_scattered:
-        return _bisected(fitter, (low, high), found, lambda fit: fit.is_scattered)
-    return found
+    if attempt.fit.deviation <= fitter.tolerance:
+        return _bisected(fitter, (low, high), attempt, lambda fit: fit.deviation <= fitter.tolerance)
+    if attempt.fit.is_scattered:
+        return _bisected(fitter, (low, high), attempt, lambda fit: fit.is_scattered)
+    return attempt
 
 
 def _grown(fitter: Fitter, start: tuple[int, Attempt] | None) -> tuple[int, int, Attempt]:
@@ -209,28 +215,28 @@ def _grown(fitter: Fitter, start: tuple[int, Attempt] | None) -> tuple[int, int,
     low, tried = count - 1, dict[int, Attempt]()
     while True:
         try:
-            found = fitter.attempt(count, guide)
+            attempt = fitter.attempt(count, guide)
         except CurveError:
             if not tried:
                 raise
             break
-        tried[count] = found
+        tried[count] = attempt
         began, best = next(iter(tried.values())), min(tried.values(), key=_deviation)
-        fitter.told.nears(_deviation(began), _deviation(best), fitter.tolerance)
-        if _deviation(found) <= fitter.tolerance or found.fit.is_scattered:
-            return low, count, found
-        before = [each for number, each in tried.items() if 2 * number <= count]
+        fitter.progress.report_deviation(_deviation(began), _deviation(best), fitter.tolerance)
+        if _deviation(attempt) <= fitter.tolerance or attempt.fit.is_scattered:
+            return low, count, attempt
+        before = [earlier for number, earlier in tried.items() if 2 * number <= count]
         known = min(map(_deviation, before), default=inf)
         is_vain = _deviation(best) > max(_WORTH * known, NEAR * fitter.tolerance)
         is_vain = is_vain and known < _RESOLVED * _deviation(began)
         if count >= fitter.most or is_vain:
             break
         low, guide = count, best
-        needed = float(((found.errors / fitter.tolerance) ** fitter.power).sum())
+        needed = float(((attempt.errors / fitter.tolerance) ** fitter.power).sum())
         least = max(count + 1, int(_GROWTH * count))
         count = min(max(ceil(needed) if needed < inf else 2 * count, least), 2 * count, fitter.most)
     limit = _AS_GOOD * min(map(_deviation, tried.values()))
-    count = min(number for number, each in tried.items() if _deviation(each) <= limit)
+    count = min(number for number, earlier in tried.items() if _deviation(earlier) <= limit)
     return low, count, tried[count]
 
 
@@ -244,11 +250,11 @@ def _bisected(
     """Return the good fit of the fewest points, between a number that is not enough and one that is."""
     low, high = between
     while high - low > max(1, high // _EXACT):
-        fitter.told.reaches(1.0 - (high - low) / (2.0 * high))
+        fitter.progress.report(1.0 - (high - low) / (2.0 * high))
         middle = (low + high) // 2
-        found = fitter.attempt(middle, best)
-        if is_good(found.fit):
-            best, high = found, middle
+        attempt = fitter.attempt(middle, best)
+        if is_good(attempt.fit):
+            best, high = attempt, middle
         else:
             low = middle
     return best

@@ -133,29 +133,29 @@ class Attempt(NamedTuple):
         return bool(products.sum() <= max(_TREND, _SIGMAS / many**0.5) * squares.sum())
 
 
-class Told:
-    """The progress of the work: the share only grows, and is told again before every round."""
+class RoundsProgress:
+    """The progress of a fit: the share only grows, and is reported again before every round."""
 
     def __init__(self, progress: Callable[[float], object]) -> None:
         self._progress, self._share = progress, 0.0
         self._start, self._end = 0.0, 1.0
 
-    def goes(self, start: float, end: float) -> None:
-        """Count the shares from now on as those of a part of the work."""
+    def set_range(self, start: float, end: float) -> None:
+        """Map the shares from now on to a part of the whole work."""
         self._start, self._end = start, end
 
-    def again(self) -> None:
-        """Tell the same once more: whoever hears it may end the work."""
+    def repeat(self) -> None:
+        """Report the same share again: the callback may end the work."""
         self._progress(self._share)
 
-    def reaches(self, share: float) -> None:
-        """Tell a share between 0 and 1."""
+    def report(self, share: float) -> None:
+        """Report a share between 0 and 1."""
         self._share = max(self._share, self._start + (self._end - self._start) * share)
 
-    def nears(self, began: float, now: float, tolerance: float) -> None:
-        """Tell half the work as the logarithm of the deviation falls to that of the tolerance."""
+    def report_deviation(self, began: float, now: float, tolerance: float) -> None:
+        """Report half the work as the logarithm of the deviation falls to that of the tolerance."""
         if tolerance < now < began:
-            self.reaches(0.5 * log(began / now) / log(began / tolerance))
+            self.report(0.5 * log(began / now) / log(began / tolerance))
 
 
 class Fitter:
@@ -163,8 +163,8 @@ class Fitter:
 
     Attributes
     ----------
-    told
-        Hears how far the work is.
+    progress
+        The progress of the work.
     tolerance
         The deviation that is enough; 0 where the nearest curve is wanted.
     power
@@ -180,12 +180,12 @@ class Fitter:
         solve: Callable[..., ParametricCurve],
         corners: list[int],
         closed: bool,
-        told: Told,
+        progress: RoundsProgress,
         tolerance: float,
         *,
         moves: bool,
     ) -> None:
-        self._solve, self.told, self.tolerance = solve, told, tolerance
+        self._solve, self.progress, self.tolerance = solve, progress, tolerance
         self._data, self._family, self._corners = data, family, corners
         self._closed, self._moves = closed, moves
         order = family.derivatives + 1
@@ -210,18 +210,18 @@ class Fitter:
         best: Attempt | None = None
         at = self._start(before)
         for mesh in range(_MESHES):
-            found = self._settled(self._joints(count, before), at)
-            gained = best is None or found.fit.deviation < best.fit.deviation
-            is_done = best is not None and found.fit.deviation > _LEAST_GAIN * best.fit.deviation
-            best = found if gained else best
-            is_far = found.fit.deviation > tolerance * _FALLS ** (mesh - _MESHES) or mesh >= _FEW_MESHES
+            settled = self._settled(self._joints(count, before), at)
+            gained = best is None or settled.fit.deviation < best.fit.deviation
+            is_done = best is not None and settled.fit.deviation > _LEAST_GAIN * best.fit.deviation
+            best = settled if gained else best
+            is_far = settled.fit.deviation > tolerance * _FALLS ** (mesh - _MESHES) or mesh >= _FEW_MESHES
             if (
-                (tolerance and (is_done or is_far or found.fit.is_scattered))
-                or found.fit.deviation <= tolerance
+                (tolerance and (is_done or is_far or settled.fit.is_scattered))
+                or settled.fit.deviation <= tolerance
                 or self._family.is_one_polynomial
             ):
                 break
-            before = found
+            before = settled
         assert best is not None
         is_near = tolerance < best.fit.deviation <= NEAR * tolerance
         return self._pressed(best) if is_near else best
@@ -234,7 +234,7 @@ class Fitter:
         if before.data is data:
             return before.fit.parameters
         at = np.interp(data.along, before.data.along, before.fit.parameters)
-        return self._kept(at, *before.fit.curve.domain)
+        return self._clipped(at, *before.fit.curve.domain)
 
     def _joints(self, count: int, before: Attempt | None) -> IntArray:
         shares = self._data.along
@@ -253,20 +253,20 @@ class Fitter:
         gained = True
         for step in range(_ROUNDS):
             try:
-                found = self._round(joints, at)
+                latest = self._round(joints, at)
             except CurveError:
                 if best is None:
                     raise
                 break
-            deviation = found.fit.deviation
+            deviation = latest.fit.deviation
             before, gained = gained, best is None or deviation < _LEAST_GAIN * best.fit.deviation
-            best = found if best is None or deviation < best.fit.deviation else best
+            best = latest if best is None or deviation < best.fit.deviation else best
             # A round may be worse than the one before, and still lead to a better one.
             is_far = 0.0 < tolerance * _FALLS ** (step + 1 - _ROUNDS) < deviation
             is_lost = is_far or deviation > _LOST * best.fit.deviation
             if not (self._moves and (gained or before)) or deviation <= tolerance or is_lost:
                 break
-            at = self._kept(at + _OVER * (found.fit.parameters - at), *found.fit.curve.domain)
+            at = self._clipped(at + _OVER * (latest.fit.parameters - at), *latest.fit.curve.domain)
         assert best is not None
         if 0.0 < tolerance < best.fit.deviation:
             scattered = best.has_no_trend(tolerance, holds_ends=not self._closed)
@@ -280,19 +280,19 @@ class Fitter:
         A datum of weight w draws the curve by w h / (1 + w h) of its distance, with h the share of one datum
         among the unknowns; so much more weight brings it where it should be [4]_.
         """
-        best, found, tolerance = settled, settled, self.tolerance
+        best, latest, tolerance = settled, settled, self.tolerance
         weights = np.ones(len(settled.off))
         share = len(settled.joints) * (self._family.derivatives + 1) / len(settled.off)
         waits = 0
         for _ in range(_PRESSES):
-            excess = np.linalg.norm(found.off, axis=1) / (_SURE * tolerance) - 1.0
+            excess = np.linalg.norm(latest.off, axis=1) / (_SURE * tolerance) - 1.0
             weights += np.maximum(excess, 0.0) / share
             try:
-                found = self._round(settled.joints, found.fit.parameters, weights)
+                latest = self._round(settled.joints, latest.fit.parameters, weights)
             except CurveError:
                 break
-            waits = 0 if found.fit.deviation < _LEAST_GAIN * best.fit.deviation else waits + 1
-            best = found if found.fit.deviation < best.fit.deviation else best
+            waits = 0 if latest.fit.deviation < _LEAST_GAIN * best.fit.deviation else waits + 1
+            best = latest if latest.fit.deviation < best.fit.deviation else best
             if best.fit.deviation <= tolerance or waits > 3:
                 break
         scattered = settled.fit.is_scattered and best.fit.deviation > tolerance
@@ -300,7 +300,7 @@ class Fitter:
 
     def _round(self, joints: IntArray, at: FloatArray, weights: FloatArray | None = None) -> Attempt:
         """Return the curve that is nearest to data at these parameters, and their feet on it."""
-        self.told.again()
+        self.progress.repeat()
         data = self._data
         corners = np.flatnonzero(np.isin(joints, self._corners)).tolist()
         curve = self._solve(data.points, at, data.parameters[joints], corners=corners, weights=weights)
@@ -315,7 +315,7 @@ class Fitter:
         mean = largest * float(np.sqrt(np.mean((distance / largest) ** 2))) if largest else 0.0
         return Attempt(Fit(curve, at, largest, mean, worst), data, joints, off)
 
-    def _kept(self, t: FloatArray, start: float, end: float) -> FloatArray:
+    def _clipped(self, t: FloatArray, start: float, end: float) -> FloatArray:
         """Keep parameters in the domain, and near the ends of an open curve those that began there."""
         if self._closed:
             return np.clip(t, start, end)

@@ -31,23 +31,23 @@ def lengths_along(points: FloatArray, grain: float = 0.0) -> FloatArray:
     polyline many times as long as the curve.
     """
     along = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
-    kept = _steps_of(points, grain)
-    steps = np.linalg.norm(np.diff(points[kept], axis=0), axis=1)
-    return np.asarray(np.interp(along, along[kept], np.append(0.0, np.cumsum(steps))))
+    rows = _steps_of(points, grain)
+    steps = np.linalg.norm(np.diff(points[rows], axis=0), axis=1)
+    return np.asarray(np.interp(along, along[rows], np.append(0.0, np.cumsum(steps))))
 
 
 def _steps_of(points: FloatArray, grain: float) -> list[int]:
     """Return points each farther than `grain` from the one before; the last one among them in any case."""
     rows, last = points.tolist(), points[0].tolist()
-    kept = [0]
+    steps = [0]
     for index, row in enumerate(rows):
         if dist(row, last) > grain:
-            kept.append(index)
+            steps.append(index)
             last = row
-    if kept[-1] != len(rows) - 1:
+    if steps[-1] != len(rows) - 1:
         # The last step is a longer one, not one of errors alone.
-        kept[max(len(kept) - 1, 1) :] = [len(rows) - 1]
-    return kept
+        steps[max(len(steps) - 1, 1) :] = [len(rows) - 1]
+    return steps
 
 
 def scatter_of(points: FloatArray) -> float:
@@ -87,24 +87,24 @@ def sharp_turns(points: ArrayLike, reach: float, *, closed: bool = False) -> lis
     CurveError
         If the points are none, or the reach is not positive.
     """
-    places, reach = point_array(points), tolerance_value(reach, "reach")
-    along = lengths_along(places, 0.25 * reach)
+    data, reach = point_array(points), tolerance_value(reach, "reach")
+    along = lengths_along(data, 0.25 * reach)
     if not reach < 0.25 * along[-1]:
         return []
-    smooth = places if closed else _averaged(places, along, _SMOOTHED * reach)
-    turn, close = (_turns(smooth, along, each, closed) for each in (reach, 0.5 * reach))
+    smooth = data if closed else _averaged(data, along, _SMOOTHED * reach)
+    turn, close = (_turns(smooth, along, distance, closed) for distance in (reach, 0.5 * reach))
     inside = np.full(len(along), True) if closed else (along >= reach) & (along <= along[-1] - reach)
     sharp = inside & (turn > SHARP) & (close > _PERSISTS * turn)
     if closed:
         sharp[-1] = False
-    found: list[int] = []
+    corners: list[int] = []
     for index in sorted(np.flatnonzero(sharp).tolist(), key=lambda index: -(turn[index] + close[index])):
-        gaps = np.abs(along[found] - along[index])
+        gaps = np.abs(along[corners] - along[index])
         if closed:
             gaps = np.minimum(gaps, along[-1] - gaps)
         if (gaps >= reach).all():
-            found.append(index)
-    return sorted(found)
+            corners.append(index)
+    return sorted(corners)
 
 
 def _averaged(points: FloatArray, along: FloatArray, reach: float) -> FloatArray:
@@ -156,21 +156,21 @@ def placed(
     """
     cuts = [0, *(corner for corner in corners if 0 < corner < len(shares) - 1), len(shares) - 1]
     numbers = _allotted(np.diff(shares[cuts]), np.diff(cuts), count - 1)
-    found = [0]
+    joints = [0]
     for (start, end), number in zip(pairwise(cuts), numbers, strict=True):
         step = np.arange(number + 1) / number
         if towards_ends:
             step = 0.5 * (1.0 - np.cos(np.pi * step))
-        own = shares[start : end + 1]
-        wanted = own[0] + step * (own[-1] - own[0])
+        of_stretch = shares[start : end + 1]
+        wanted = of_stretch[0] + step * (of_stretch[-1] - of_stretch[0])
         # The nearer one of the two data around it.
-        nearest = np.interp(wanted, own, np.arange(end - start + 1.0)).round().astype(np.intp)
+        nearest = np.interp(wanted, of_stretch, np.arange(end - start + 1.0)).round().astype(np.intp)
         gap = max(min(apart, (end - start) // number), 1)
         room = gap * np.arange(number + 1)
         nearest = np.maximum.accumulate(nearest - room) + room
         nearest = np.minimum(nearest, end - start - room[::-1])
-        found.extend((start + nearest[1:]).tolist())
-    return np.array(found)
+        joints.extend((start + nearest[1:]).tolist())
+    return np.array(joints)
 
 
 def _allotted(weights: FloatArray, room: IntArray, total: int) -> list[int]:

@@ -101,21 +101,21 @@ def least_squares_curve(
     >>> curve.points.round(9).tolist()
     [[0.0, 0.0], [2.0, 4.0], [4.0, 16.0]]
     """
-    places = point_array(points)
-    own = np.asarray(knots, dtype=np.float64)
-    own = parameter_array(own, len(own))
+    data = point_array(points)
+    joints = np.asarray(knots, dtype=np.float64)
+    joints = parameter_array(joints, len(joints))
     at = parameter_values(parameters).values
-    if at.shape != (len(places),):
-        raise CurveError(f"parameters must have the shape ({len(places)},), like points")
-    counts = np.ones(len(places)) if weights is None else parameter_values(weights).values
+    if at.shape != (len(data),):
+        raise CurveError(f"parameters must have the shape ({len(data)},), like points")
+    counts = np.ones(len(data)) if weights is None else parameter_values(weights).values
     if counts.shape != at.shape or not (counts > 0.0).all():
-        raise CurveError(f"weights must be {len(places)} numbers above 0")
+        raise CurveError(f"weights must be {len(data)} numbers above 0")
     make = partial(family.from_jets, **(settings or {}))
-    sides = _Sides(family, own, corners, closed)
-    guess = sides.guess(places, at)
-    problem = _Problem(make, own, sides, guess)
-    blocks = problem.blocks(at, places, np.sqrt(counts))
-    ends = None if closed else problem.blocks(own[[0, -1]], places[[0, -1]], np.ones(2))
+    sides = _Sides(family, joints, corners, closed)
+    guess = sides.guess(data, at)
+    problem = _Problem(make, joints, sides, guess)
+    blocks = problem.blocks(at, data, np.sqrt(counts))
+    ends = None if closed else problem.blocks(joints[[0, -1]], data[[0, -1]], np.ones(2))
     try:
         return sides.curve(make, guess, solved(blocks, ends, sides.count, sides.end_positions))
     except np.linalg.LinAlgError:
@@ -200,9 +200,9 @@ class _Sides:
         jets = guess + (moves * self.scale[:, None])[self.columns]
         pieces = []
         for start, end in pairwise(self.cuts):
-            own = jets[start : end + 1, 1].copy()
-            own[-1] = jets[end, 0]
-            pieces.append(make(own, self.knots[start : end + 1]))
+            of_piece = jets[start : end + 1, 1].copy()
+            of_piece[-1] = jets[end, 0]
+            pieces.append(make(of_piece, self.knots[start : end + 1]))
         return pieces[0] if len(pieces) == 1 else Chain(pieces)
 
 
@@ -234,8 +234,8 @@ class _Problem:
         blocks = []
         segment, values = curve.local_basis(t)
         order = np.argsort(segment, kind="stable")
-        found, starts = np.unique(segment[order], return_index=True)
-        for j, members in zip(found.tolist(), np.split(order, starts[1:]), strict=True):
+        segments, starts = np.unique(segment[order], return_index=True)
+        for j, members in zip(segments.tolist(), np.split(order, starts[1:]), strict=True):
             basis = values[members].reshape(len(members), -1)
             jets = np.concatenate([self._guess[j, 1], self._guess[j + 1, 0]])
             root = roots[members, None]
@@ -264,28 +264,28 @@ class _Problem:
         off = points - np.einsum("mk,mkd->md", values, guess[piece])
         together = roots[:, None] * np.concatenate([values, off], axis=1)
         order = np.argsort(piece, kind="stable")
-        found, starts = np.unique(piece[order], return_index=True)
+        indices, starts = np.unique(piece[order], return_index=True)
         rows = [
             (reduced(together[members]), j)
-            for j, members in zip(found.tolist(), np.split(order, starts[1:]), strict=True)
+            for j, members in zip(indices.tolist(), np.split(order, starts[1:]), strict=True)
         ]
         count = len(nodes)
         return (
-            np.concatenate([own[:, :count] @ functions[j] for own, j in rows]),
-            np.concatenate([own[:, count:] for own, _ in rows]),
+            np.concatenate([block[:, :count] @ functions[j] for block, j in rows]),
+            np.concatenate([block[:, count:] for block, _ in rows]),
         )
 
     def _block(self, first: IntArray, last: IntArray, basis: FloatArray, off: FloatArray) -> Block:
         """Return rows of the unknowns at both ends; a closed curve of one segment has them twice."""
-        own, place = np.unique(np.concatenate([first, last]), return_inverse=True)
+        columns, column_of = np.unique(np.concatenate([first, last]), return_inverse=True)
         together = reduced(np.concatenate([basis, off], axis=1))
         width = basis.shape[1]
-        values = np.zeros((len(together), len(own) + self._dim))
-        values[:, place[: len(first)]] = together[:, : len(first)]
-        values[:, place[len(first) :]] += together[:, len(first) : width]
-        values[:, : len(own)] *= self._sides.scale[own]
-        values[:, len(own) :] = together[:, width:]
-        return Block(own, values)
+        values = np.zeros((len(together), len(columns) + self._dim))
+        values[:, column_of[: len(first)]] = together[:, : len(first)]
+        values[:, column_of[len(first) :]] += together[:, len(first) : width]
+        values[:, : len(columns)] *= self._sides.scale[columns]
+        values[:, len(columns) :] = together[:, width:]
+        return Block(columns, values)
 
 
 def _lagrange_values(nodes: FloatArray, x: FloatArray) -> FloatArray:
@@ -350,21 +350,21 @@ def reduced(rows: FloatArray) -> FloatArray:
 
 def solved(blocks: list[Block], ends: list[Block] | None, count: int, pivots: tuple[int, int]) -> FloatArray:
     """Return the unknowns, (count, dim), that solve the blocks as well as can be, and the ends exactly."""
-    everything, own = np.arange(count), list(pivots)
-    rows = None if ends is None else np.concatenate([each.spread(everything) for each in ends])
-    if rows is None or abs(np.linalg.det(rows[:, own])) < _NEGLIGIBLE:
+    everything, unknowns = np.arange(count), list(pivots)
+    rows = None if ends is None else np.concatenate([block.spread(everything) for block in ends])
+    if rows is None or abs(np.linalg.det(rows[:, unknowns])) < _NEGLIGIBLE:
         return _least_squares(blocks, count)
     # The two end positions by all others: x_own = held_b - held_A x.
-    held = np.linalg.solve(rows[:, own], rows)
-    held[:, own] = 0.0
-    moves = _least_squares([_without(each, own, held) for each in blocks], count)
-    moves[own] = held[:, count:] - held[:, :count] @ moves
+    held = np.linalg.solve(rows[:, unknowns], rows)
+    held[:, unknowns] = 0.0
+    moves = _least_squares([_without(block, unknowns, held) for block in blocks], count)
+    moves[unknowns] = held[:, count:] - held[:, :count] @ moves
     return moves
 
 
-def _without(block: Block, own: list[int], held: FloatArray) -> Block:
+def _without(block: Block, unknowns: list[int], held: FloatArray) -> Block:
     """Put what holds the unknowns `own` in their place: row k of `held` says x_own[k] + A x = b."""
-    inside = [k for k, column in enumerate(own) if column in block.columns]
+    inside = [k for k, column in enumerate(unknowns) if column in block.columns]
     if not inside:
         return block
     reached = np.flatnonzero(
@@ -374,12 +374,12 @@ def _without(block: Block, own: list[int], held: FloatArray) -> Block:
     values = block.spread(columns)
     width = len(columns)
     for k in inside:
-        place = int(np.searchsorted(columns, own[k]))
-        factor = values[:, place].copy()
+        column_of = int(np.searchsorted(columns, unknowns[k]))
+        factor = values[:, column_of].copy()
         values[:, :width] -= factor[:, None] * held[k, columns]
         values[:, width:] -= factor[:, None] * held[k, held.shape[1] - values.shape[1] + width :]
-    kept = ~np.isin(columns, own)
-    return Block(columns[kept], values[:, np.append(kept, np.full(values.shape[1] - width, True))])
+    stays = ~np.isin(columns, unknowns)
+    return Block(columns[stays], values[:, np.append(stays, np.full(values.shape[1] - width, True))])
 
 
 def _least_squares(blocks: list[Block], count: int) -> FloatArray:
@@ -390,9 +390,9 @@ def _least_squares(blocks: list[Block], count: int) -> FloatArray:
     """
     dim = blocks[0].values.shape[1] - len(blocks[0].columns)
     if len(blocks) == 1:
-        found = np.zeros((count, dim))
-        found[blocks[0].columns] = _any(blocks[0].values[:, :-dim], blocks[0].values[:, -dim:])
-        return found
+        solution = np.zeros((count, dim))
+        solution[blocks[0].columns] = _any(blocks[0].values[:, :-dim], blocks[0].values[:, -dim:])
+        return solution
     last_in = np.zeros(count, dtype=np.intp)
     for index, block in enumerate(blocks):
         last_in[block.columns] = index
@@ -407,12 +407,12 @@ def _least_squares(blocks: list[Block], count: int) -> FloatArray:
             rows = np.asarray(np.linalg.qr(rows, mode="r"), dtype=np.float64)
         steps.append((Block(columns, rows[:ends_here]), ends_here))
         left = Block(columns[ends_here:], rows[ends_here : len(columns), ends_here:])
-    found = np.zeros((count, dim))
+    solution = np.zeros((count, dim))
     for (columns, rows), ends_here in reversed(steps):
         width = len(columns)
-        right = rows[:, width:] - rows[:, ends_here:width] @ found[columns[ends_here:]]
-        found[columns[:ends_here]] = _triangular(rows[:, :ends_here], right)
-    return found
+        right = rows[:, width:] - rows[:, ends_here:width] @ solution[columns[ends_here:]]
+        solution[columns[:ends_here]] = _triangular(rows[:, :ends_here], right)
+    return solution
 
 
 def _triangular(matrix: FloatArray, right: FloatArray) -> FloatArray:

@@ -80,30 +80,28 @@ class Data(NamedTuple):
     @classmethod
     def of(cls, points: ArrayLike, parameters: ArrayLike | None, closed: bool, grain: float) -> Data:
         """Return data that are checked; `grain` is the length below which they tell of their errors."""
-        places = point_array(points)
-        total = len(places)
+        data = point_array(points)
+        total = len(data)
         given = None if parameters is None else parameter_array(parameters, total)
-        if closed and given is None and (places[0] != places[-1]).any():
-            places = np.concatenate([places, places[:1]])
-        along = lengths_along(places, grain)
+        if closed and given is None and (data[0] != data[-1]).any():
+            data = np.concatenate([data, data[:1]])
+        along = lengths_along(data, grain)
         is_new = np.append(True, np.diff(along) > 0.0) | (given is not None)
         if not along[-1] > 0.0 or not np.isfinite(along[-1]):
             raise CurveError("points must be distinct, and not too far apart to measure")
         at = along / along[-1] if given is None else given
         rows = np.flatnonzero(is_new)
-        return cls(places[rows], along[rows], at[rows], np.asarray(rows), total)
+        return cls(data[rows], along[rows], at[rows], np.asarray(rows), total)
 
     def thinned(self, corners: list[int]) -> tuple[Data, list[int]]:
         """Return some of the data, by which a search goes quickly, and where their corners are."""
         step = ceil(len(self.points) / _MANY)
         rows = np.union1d(np.arange(0, len(self.points), step), [*corners, len(self.points) - 1])
         points, along, parameters = self.points[rows], self.along[rows], self.parameters[rows]
-        found: list[int] = np.searchsorted(rows, corners).tolist()
-        return Data(points, along, parameters, self.rows[rows], self.total), found
+        indices: list[int] = np.searchsorted(rows, corners).tolist()
+        return Data(points, along, parameters, self.rows[rows], self.total), indices
 
-    def told(self, found: Fit) -> Fit:
-        """Return the same for all data: those that were left out belong where the one before does."""
+    def of_all(self, fit: Fit) -> Fit:
+        """Return the fit as one of all data: left out ones have the parameter of the one before."""
         which = np.searchsorted(self.rows, np.arange(self.total), side="right") - 1
-        return found._replace(
-            parameters=found.parameters[which], worst=int(self.rows[found.worst]) % self.total
-        )
+        return fit._replace(parameters=fit.parameters[which], worst=int(self.rows[fit.worst]) % self.total)

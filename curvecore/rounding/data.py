@@ -119,11 +119,11 @@ def round_data(values: ArrayLike, decimals: int) -> FloatArray:
     >>> round_data([2.675, 0.125, -1.5], 2).tolist()
     [2.68, 0.12, -1.5]
     """
-    places = integer(decimals, "decimals", 0)
+    digits = integer(decimals, "decimals", 0)
     array = number_array(values, "values")
-    unit = Decimal(1).scaleb(-places)
-    context = Context(prec=400 + places, rounding=ROUND_HALF_EVEN)
-    return _each(array, lambda value: value.quantize(unit, context=context))
+    unit = Decimal(1).scaleb(-digits)
+    context = Context(prec=400 + digits, rounding=ROUND_HALF_EVEN)
+    return _rounded(array, lambda value: value.quantize(unit, context=context))
 
 
 def round_significant(values: ArrayLike, digits: int) -> FloatArray:
@@ -153,10 +153,10 @@ def round_significant(values: ArrayLike, digits: int) -> FloatArray:
     [123000.0, 0.00123]
     """
     context = decimal_context(digits)
-    return _each(number_array(values, "values"), context.plus)
+    return _rounded(number_array(values, "values"), context.plus)
 
 
-def _each(values: FloatArray, rounded: Callable[[Decimal], Decimal]) -> FloatArray:
+def _rounded(values: FloatArray, rounded: Callable[[Decimal], Decimal]) -> FloatArray:
     """Round numbers, which must be finite, as the shortest decimals that stand for them."""
     flat = parameter_row(values.ravel())
     return np.array([float(rounded(Decimal(repr(x)))) for x in flat.tolist()]).reshape(values.shape)

@@ -107,13 +107,15 @@ class Form(NamedTuple):
         """Return the points at all t, every operation done by `a`; `store` is what keeps a coefficient."""
         prepared: dict[int, Prepared] = {}
         rows = []
-        for x, place in zip(t, data.segments(np.array([float(x) for x in t])).tolist(), strict=True):
-            if place not in prepared:
-                made = self.prepare(data, place, a)
+        for x, segment in zip(t, data.segments(np.array([float(x) for x in t])).tolist(), strict=True):
+            if segment not in prepared:
+                preparation = self.prepare(data, segment, a)
                 if store is not None:
-                    made = Prepared([[store(x) for x in row] for row in made.coefficients], made.helpers)
-                prepared[place] = made
-            rows.append(self.value(prepared[place], x, a))
+                    preparation = Prepared(
+                        [[store(x) for x in row] for row in preparation.coefficients], preparation.helpers
+                    )
+                prepared[segment] = preparation
+            rows.append(self.value(prepared[segment], x, a))
         return rows
 
 
@@ -169,7 +171,7 @@ def _monomial(data: Data, segment: int, a: Arithmetic) -> Prepared:
     for t, jet in zip(decimals(parameters), jets, strict=True):
         powers = _powers(t, jets.shape[0] * jets.shape[1], a)
         matrix += [_derivative_row(powers, order, a) for order in range(len(jet))]
-        right += [decimals(each) for each in jet]
+        right += [decimals(number) for number in jet]
     return Prepared(_solve(matrix, right, a), [])
 
 

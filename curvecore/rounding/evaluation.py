@@ -67,7 +67,7 @@ from curvecore.rounding.decimal_methods import (
     exact_context,
 )
 
-_SHOWN = 30
+_DISPLAYED = 30
 """Digits of a result that was computed exactly: enough beyond those shown that to round again is no error."""
 
 
@@ -281,8 +281,8 @@ def rounded_decimals(
             # In exact arithmetic they are all the same; these two need the least of it.
             form = _form(data, Method.BASIS if data.jets.shape[1] > 1 else Method.NEWTON)
             rows = form(data, decimals(where), exact_context(data, where))
-    shown = Context(prec=_SHOWN, rounding=ROUND_HALF_EVEN, traps=[])
-    return [[shown.plus(x) for x in row] for row in rows]
+    context_displayed = Context(prec=_DISPLAYED, rounding=ROUND_HALF_EVEN, traps=[])
+    return [[context_displayed.plus(x) for x in row] for row in rows]
 
 
 def _forms(derivatives: int) -> dict[str, Form]:

@@ -71,7 +71,7 @@ def lagrange_ratio(parameters: Sequence[float], values: Sequence[float], t: floa
     total = Fraction(0)
     for i, (node, value) in enumerate(zip(nodes, values, strict=True)):
         others = nodes[:i] + nodes[i + 1 :]
-        above, below = math.prod(x - each for each in others), math.prod(node - each for each in others)
+        above, below = math.prod(x - other for other in others), math.prod(node - other for other in others)
         total += Fraction(value) * Fraction(above, below)
     return total.as_integer_ratio()
 
@@ -117,23 +117,23 @@ def newton_coefficients(parameters: Sequence[Fraction], jets: Sequence[Sequence[
 
 def interpolated(parameters: Sequence[float], jets: Sequence[Sequence[float]]) -> CommonPolynomial:
     """Return the polynomial with given values and derivatives at distinct parameters, exactly."""
-    places = [Fraction(float(parameter)) for parameter in parameters]
+    nodes = [Fraction(float(parameter)) for parameter in parameters]
     data = [[Fraction(float(value)) for value in jet] for jet in jets]
-    differences = newton_coefficients(places, data)
+    differences = newton_coefficients(nodes, data)
     # In t 2**e, in which the parameters are integers, and over one denominator: fractions would be reduced
     # after every operation.
-    integers, scale = scaled_integers([place for place in parameters for _ in jets[0]])
-    scaled = [each / scale**order for order, each in enumerate(differences)]
-    denominator = math.lcm(*(each.denominator for each in scaled))
-    newton = [each.numerator * (denominator // each.denominator) for each in scaled]
+    integers, scale = scaled_integers([node for node in parameters for _ in jets[0]])
+    scaled = [value / scale**order for order, value in enumerate(differences)]
+    denominator = math.lcm(*(value.denominator for value in scaled))
+    newton = [value.numerator * (denominator // value.denominator) for value in scaled]
     coefficients = newton[-1:]
-    for difference, place in zip(reversed(newton[:-1]), reversed(integers[:-1]), strict=True):
-        lowered = [place * each for each in coefficients]
+    for difference, node in zip(reversed(newton[:-1]), reversed(integers[:-1]), strict=True):
+        lowered = [node * value for value in coefficients]
         raised = [difference, *coefficients]
         coefficients = [a - b for a, b in zip(raised, [*lowered, 0], strict=True)]
-    of_t = [each * scale**order for order, each in enumerate(coefficients)]
+    of_t = [value * scale**order for order, value in enumerate(coefficients)]
     common = math.gcd(denominator, *of_t)
-    return CommonPolynomial(tuple(each // common for each in of_t), denominator // common)
+    return CommonPolynomial(tuple(value // common for value in of_t), denominator // common)
 
 
 # Curves without rounding
@@ -188,11 +188,11 @@ def exact_values(
     segments = data.segments(where)
     result = np.empty((len(where), data.jets.shape[2]))
     for segment in sorted(set(segments.tolist())):
-        chosen = segments == segment
-        places, jets = data.stretch(segment)
+        inside = segments == segment
+        nodes, jets = data.stretch(segment)
         for axis, values in enumerate(jets.transpose(2, 0, 1).tolist()):
-            polynomial = interpolated(places.tolist(), values)
-            result[chosen, axis] = [polynomial.value(x) for x in where[chosen].tolist()]
+            polynomial = interpolated(nodes.tolist(), values)
+            result[inside, axis] = [polynomial.value(x) for x in where[inside].tolist()]
     return result
 
 
@@ -233,14 +233,14 @@ def exact_decimals(
     """
     data = Data.of(points, parameters, *derivatives, *[None] * (3 - len(derivatives)))
     (where,) = at = parameter_row(t)
-    places, jets = data.stretch(int(data.segments(at)[0]))
+    nodes, jets = data.stretch(int(data.segments(at)[0]))
     context = Context(prec=integer(digits, "digits", 1), rounding=ROUND_HALF_EVEN)
     result = []
     for values in jets.transpose(2, 0, 1).tolist():
         if len(values[0]) == 1:
-            ratio = lagrange_ratio(places.tolist(), [value for (value,) in values], float(where))
+            ratio = lagrange_ratio(nodes.tolist(), [value for (value,) in values], float(where))
         else:
-            ratio = interpolated(places.tolist(), values).ratio(float(where))
+            ratio = interpolated(nodes.tolist(), values).ratio(float(where))
         result.append(context.divide(*map(Decimal, ratio)))
     return result
 
@@ -276,12 +276,12 @@ def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float
     [0.0, 0.699]
     """
     k = digit_count(digits)
-    found, truth = number_array(computed, "computed"), _finite_rows(exact)
-    if found.shape != truth.shape:
-        raise CurveError(f"computed and exact must have the same shape, not {found.shape} and {truth.shape}")
+    result, truth = number_array(computed, "computed"), _finite_rows(exact)
+    if result.shape != truth.shape:
+        raise CurveError(f"computed and exact must have the same shape, not {result.shape} and {truth.shape}")
     size = float(np.abs(truth).max(initial=0.0)) if scale is None else float(scale)
     with np.errstate(all="ignore"):
-        error = np.abs(found - truth).max(axis=1)
+        error = np.abs(result - truth).max(axis=1)
         lost = np.log10(error / (0.5 * 10.0 ** (1 - k) * size))
     lost = np.where(error == 0.0, 0.0, np.nan_to_num(lost, nan=float(k)))
     return np.clip(lost, 0.0, float(k))

@@ -201,7 +201,7 @@ def test_ends_and_positive_functions(rng, make, n):
 def test_places_reproduce_t(rng, make, n):
     """With the Greville abscissae as points the curve is t itself (linear precision)."""
     parameters = np.sort(rng.random(n))
-    places = make(rng.standard_normal((n, 2)), parameters).places
+    places = make(rng.standard_normal((n, 2)), parameters).nodes
     t = np.linspace(parameters[0], parameters[-1], 31)
     assert np.abs(make(places[:, None], parameters).evaluate(t)[:, 0] - t).max() < 1e-15
 

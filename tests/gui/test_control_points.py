@@ -94,7 +94,7 @@ def test_a_click_on_the_curve_adds_a_control_point_and_keeps_the_shape(drawn, na
     assert editor.curve.is_manual is (name == "b_spline")
     assert ("The parameters are manual now." in editor.message + editor.status) is (name == "b_spline")
     (chosen,) = editor.session.selection
-    reach = np.abs(curve_of(editor).places - t)
+    reach = np.abs(curve_of(editor).nodes - t)
     assert reach[chosen] <= reach.min() + 0.02  # the click is a pixel or two beside t
     editor.trigger("undo")
     assert [point.position for point in editor.curve.points] == list(POINTS)
@@ -106,7 +106,7 @@ def test_what_is_inserted_and_dragged_goes_the_way_of_the_pointer(drawn, name):
     x, y = places(editor, 0.5)
     editor.press((x, y))
     on_curve = editor.session.active_view
-    index = int(np.argmin(np.abs(on_curve.curve.places - 0.5)))
+    index = int(np.argmin(np.abs(on_curve.curve.nodes - 0.5)))
     start = on_curve.points[index]
     editor.move((x + 0.3, y + 0.4))
     editor.release((x + 0.3, y + 0.4))
@@ -215,7 +215,7 @@ def test_the_dots_on_the_rail_s_edge_say_what_they_are(drawn, name):
     editor = drawn(name)
     panel, document = editor.window.basis_panel, editor.session.document
     curve = curve_of(editor)
-    for index, place in enumerate(curve.places.tolist()):
+    for index, place in enumerate(curve.nodes.tolist()):
         # The edge is 8 pixels above where ticks are grabbed.
         at = panel.rail_pixel(place) - QPointF(0.0, 9.0)
         editor.send(panel, QEvent.Type.MouseMove, at, held=False)

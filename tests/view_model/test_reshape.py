@@ -151,7 +151,7 @@ def test_one_more_control_point_keeps_the_shape_under_every_rule(family, count, 
             assert made.curve.parametrization.kind is kind
         # The one that is called the new one is the nearest to the place on the curve, by its parameter.
         index = inserted_index(before, float(t))
-        assert abs(after.curve.places[index] - t) == np.abs(after.curve.places - t).min()
+        assert abs(after.curve.nodes[index] - t) == np.abs(after.curve.nodes - t).min()
 
 
 def test_there_is_no_second_knot_where_there_is_one():

@@ -193,7 +193,7 @@ class RailLayer(Layer):
         self.parameters = view.ticks
         self._count = len(view.source.points)
         curve = view.curve if view.is_current else None
-        self.places = None if curve is None or curve.interpolates else curve.places
+        self.places = None if curve is None or curve.interpolates else curve.nodes
         self._idle = np.zeros(len(self.parameters), bool) if curve is None else curve.idle_parameters
         self.update()
 
