@@ -1,6 +1,6 @@
-"""From one value to the next, as under a drag: what is the same object has not changed.
+"""Differences between a document and the next one, as during a drag: same objects have not changed.
 
-Asked at every move of a mouse, so that no field is looked at by Python itself.
+Needed at every move of the mouse: values are compared by `map` over C functions, not by loops of Python.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .model import Curve, Document, Point
 _besides_curves = attrgetter(*(name for name in Document.__struct_fields__ if name != "curves"))
 _points = attrgetter("points")
 _besides_points = attrgetter(*(name for name in Curve.__struct_fields__ if name != "points"))
-_besides_place = attrgetter(*(name for name in Point.__struct_fields__ if name not in ("x", "y")))
+_besides_position = attrgetter(*(name for name in Point.__struct_fields__ if name not in ("x", "y")))
 
 
 _Step: TypeAlias = tuple[Document | None, Document | None, list[int] | None]
@@ -25,10 +25,10 @@ _last_moved: tuple[Document | None, Document | None, list[Point] | None] = (None
 
 
 def reshaped_curves(before: Document, after: Document) -> list[int] | None:
-    """Return which curves have other points in `after`; None where more than points is another thing.
+    """Return the indices of curves whose points changed; None if anything else changed.
 
-    Each has as many points as before, so that all that names a curve or a point names the same one. The last
-    answer is kept: all who hear of a step ask the same.
+    The numbers of curves and points are the same, so that all indices stay valid. The last result is
+    remembered, because every listener of a step asks for it.
     """
     global _last  # noqa: PLW0603
     step = _last
@@ -41,48 +41,50 @@ def _reshaped(before: Document, after: Document) -> list[int] | None:
     old, new = before.curves, after.curves
     if len(old) != len(new) or not all(map(is_, _besides_curves(before), _besides_curves(after))):
         return None
-    places = list(compress(range(len(new)), map(is_not, new, old)))
-    were, are = ([curves[place] for place in places] for curves in (old, new))
-    return places if _all_differ_in_points(were, are) else None
+    indices = list(compress(range(len(new)), map(is_not, new, old)))
+    were, are = ([curves[index] for index in indices] for curves in (old, new))
+    return indices if _all_differ_in_points(were, are) else None
 
 
 def known_curves(before: Document | None) -> tuple[set[int], dict[int, Curve]]:
-    """Return which curves there are, by identity, and one that has them by the identity of its points."""
+    """Return the identities of the curves of a document, and its curves by the identity of their points."""
     curves = before.curves if before is not None else ()
     return set(map(id, curves)), dict(zip(map(id, map(_points, curves)), curves, strict=True))
 
 
 def curves_changed_besides_points(before: Sequence[Curve], after: Sequence[Curve]) -> list[int]:
-    """Return the places of as many curves as before that differ in more than where their points are."""
-    places = list(compress(range(len(after)), map(is_not, after, before)))
-    were, are = ([curves[place] for place in places] for curves in (before, after))
+    """Return the indices of curves that differ in more than their points; their number is the same."""
+    indices = list(compress(range(len(after)), map(is_not, after, before)))
+    were, are = ([curves[index] for index in indices] for curves in (before, after))
     if _all_differ_in_points(were, are):
         return []
-    return [at for at, *pair in zip(places, were, are, strict=True) if not differ_only_in_points(*pair)]
+    return [
+        index for index, *pair in zip(indices, were, are, strict=True) if not differ_only_in_points(*pair)
+    ]
 
 
 def _all_differ_in_points(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
-    same_rest = map(is_, *(chain.from_iterable(map(_besides_points, each)) for each in (before, after)))
-    same_numbers = map(eq, *(map(len, map(_points, each)) for each in (before, after)))
+    same_rest = map(is_, *(chain.from_iterable(map(_besides_points, curves)) for curves in (before, after)))
+    same_numbers = map(eq, *(map(len, map(_points, curves)) for curves in (before, after)))
     return all(same_rest) and all(same_numbers)
 
 
 def differ_only_in_points(before: Curve, after: Curve) -> bool:
-    """Whether all but the points is the same of two curves, and how many these are."""
+    """Return whether two curves have the same number of points and are equal apart from these."""
     same_number = len(before.points) == len(after.points)
     return same_number and all(map(is_, _besides_points(before), _besides_points(after)))
 
 
 def have_only_moved(before: Iterable[Point], after: Iterable[Point]) -> bool:
-    """Whether all but the places is the same of points and as many others."""
-    was, now = (chain.from_iterable(map(_besides_place, each)) for each in (before, after))
+    """Return whether points differ from as many others only in their positions."""
+    was, now = (chain.from_iterable(map(_besides_position, points)) for points in (before, after))
     return all(map(is_, was, now))
 
 
 def moved_points(before: Document, after: Document) -> list[Point] | None:
-    """Return the points of `after` that are elsewhere; None where more than places is another thing.
+    """Return the points of `after` that moved; None if anything but positions changed.
 
-    The last answer is kept, as that of `reshaped_curves`.
+    The last result is remembered, as that of `reshaped_curves`.
     """
     global _last_moved  # noqa: PLW0603
     step = _last_moved
@@ -92,7 +94,7 @@ def moved_points(before: Document, after: Document) -> list[Point] | None:
 
 
 def are_last_moved(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
-    """Whether these are curves of the last step asked about, and points have moved in it and no more."""
+    """Return whether these are the curves of the last call of `moved_points`, and only points moved."""
     was, now, moved = _last_moved
     if was is None or now is None or moved is None:
         return False
@@ -100,12 +102,12 @@ def are_last_moved(before: Sequence[Curve], after: Sequence[Curve]) -> bool:
 
 
 def _moved_points(before: Document, after: Document) -> list[Point] | None:
-    places = reshaped_curves(before, after)
-    if places is None:
+    indices = reshaped_curves(before, after)
+    if indices is None:
         return None
     old, new = list[Point](), list[Point]()
-    for place in places:
-        was, now = before.curves[place].points, after.curves[place].points
+    for index in indices:
+        was, now = before.curves[index].points, after.curves[index].points
         old += compress(was, map(is_not, now, was))
         new += compress(now, map(is_not, now, was))
     return new if have_only_moved(old, new) else None

@@ -1,8 +1,8 @@
 """Numbers as people type them: ``0.5``, ``1/3``, ``sqrt(2)/2``, with a decimal comma where that is usual.
 
-The text is translated into Python's words; simpleeval computes them, with our operators and closed lists of
-names and functions. Every number is a float: no power makes it work for minutes. What is refused is refused
-with a sentence for the person.
+The text is translated into an expression of Python, which simpleeval computes with the operators, names and
+functions listed here. Every number is a float, so that no power takes minutes. `ExpressionError` explains
+each refusal to the person.
 """
 
 from __future__ import annotations
@@ -21,26 +21,26 @@ from .limits import MAX_MAGNITUDE
 from .words import number
 
 MAX_LENGTH = 200
-"""Characters of the longest text that is read; it bounds the work, and the depth of nesting."""
+"""Length of the longest text that is read; it bounds the work and the depth of nesting."""
 
 
 class ExpressionError(ValueError):
-    """A text that is not a number a document may hold; the message tells the person why."""
+    """A text is not a number that a document may hold; the message tells the person why."""
 
 
 def parse_number(text: str, locale_decimal: str = ".") -> float:
-    """Return the number that `text` means.
+    """Return the value of a number or expression.
 
     Parameters
     ----------
     text
         A number or an expression of numbers, ``pi``, ``e``, ``tau``, the functions in `FUNCTIONS` and
-        + - * / ^ ( ). The real minus sign and × · ÷ are read, too. Arguments are separated by ``;``, or by
+        + - * / ^ ( ). True minus signs and × · ÷ are read. Arguments are separated by ``;``, or by
         ``,`` where that is not the decimal mark.
     locale_decimal
         The decimal mark of the person's locale. A point is always a decimal mark, a comma only where this
-        is one or where it can be nothing else, as in ``0,8``. There are no group separators, so that 1.234
-        never becomes 1234, and 1,234 is refused.
+        is the mark or where it can be nothing else, as in ``0,8``. Group separators are not read, so that
+        1.234 never becomes 1234, and 1,234 is refused.
 
     Returns
     -------
@@ -53,7 +53,7 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
         In every other case.
     """
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(f"This is too long to be a number; {MAX_LENGTH} characters are read at most.")
+        raise ExpressionError(f"The number is too long. Type at most {MAX_LENGTH} characters.")
     text = text.translate(_SIGNS).strip().removeprefix("=")
     decimal_comma = locale_decimal == "," or _is_plain_with_comma(text)
     words = _words(text, decimal_comma=decimal_comma)
@@ -64,20 +64,20 @@ def parse_number(text: str, locale_decimal: str = ".") -> float:
     else:
         value = _computed(words)
     if not abs(value) <= MAX_MAGNITUDE:
-        raise ExpressionError("A number here must lie between −1e12 and 1e12.")
+        raise ExpressionError("Enter a number between −1e12 and 1e12.")
     return value
 
 
 def _is_plain_with_comma(text: str) -> bool:
-    """Tell whether `text` is one number whose comma can only be a decimal mark: not one of thousands."""
+    """Return whether `text` is a single number whose comma can only be a decimal mark, not a separator."""
     return bool(_PLAIN_WITH_COMMA.fullmatch(text)) and not _IN_THOUSANDS.match(text)
 
 
-# Functions and operators: each gives a finite float or says why not.
+# Functions and operators: each returns a finite float or raises an error
 
 
 class _Function(msgspec.Struct, frozen=True):
-    """A function that takes from `least` to `most` arguments."""
+    """Function of an expression that takes from `least` to `most` arguments."""
 
     name: str
     compute: Callable[..., float]
@@ -90,8 +90,8 @@ class _Function(msgspec.Struct, frozen=True):
         try:
             return _finite(float(self.compute(*arguments)))
         except ValueError:
-            shown = "; ".join(number(value, 6) for value in arguments)
-            raise ExpressionError(f"{self.name}({shown}) is not a real number.") from None
+            values = "; ".join(number(value, 6) for value in arguments)
+            raise ExpressionError(f"{self.name}({values}) is not a real number.") from None
 
     def _count(self) -> str:
         if self.least == self.most == 1:
@@ -130,7 +130,7 @@ def _power(base: float, exponent: float) -> float:
     except ValueError:
         if base == 0:
             raise ZeroDivisionError from None
-        raise ExpressionError("A negative number has no real power with a fraction as exponent.") from None
+        raise ExpressionError("A negative number has no real power with a fractional exponent.") from None
 
 
 _OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
@@ -144,16 +144,16 @@ _OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
 }
 
 
-# From text to words of Python
+# From text to words of a Python expression
 
 
 class _Word(msgspec.Struct, frozen=True):
-    """A piece of the text: its kind, as typed, as Python writes it, and where it begins there."""
+    """Word of the text: its kind, as typed, as Python code, and the column at which that code begins."""
 
     kind: str
     text: str
     code: str
-    place: int
+    column: int
 
     @property
     def ends_operand(self) -> bool:
@@ -177,34 +177,34 @@ _WITH_COMMA = re.compile(rf"(?P<number>(?:{_COMMA}|{_POINT}){_EXPONENT})|{_SYMBO
 
 def _words(text: str, *, decimal_comma: bool) -> list[_Word]:
     words: list[_Word] = []
-    place = 0
+    column = 0
     for match in (_WITH_COMMA if decimal_comma else _WITH_POINT).finditer(text):
         kind, typed = str(match.lastgroup), match.group()
         if kind != "space":
             kind, code = _translated(kind, typed)
-            words.append(_Word(kind, typed, code, place))
-            place += len(code) + 1
+            words.append(_Word(kind, typed, code, column))
+            column += len(code) + 1
     if not words:
         raise ExpressionError("A number is missing.")
     return words
 
 
 def _translated(kind: str, text: str) -> tuple[str, str]:
-    """Return the kind of a word, and what Python writes for it."""
+    """Return the kind of a word, and its Python code."""
     if kind == "number":
         value = float(text.replace(",", "."))
         if not math.isfinite(value):
-            raise ExpressionError("A number here must lie between −1e12 and 1e12.")
-        # Never an integer, nor what Python refuses: 007 and 9…9 too.
+            raise ExpressionError("Enter a number between −1e12 and 1e12.")
+        # As a float: Python refuses the integers 007 and 99…9.
         return kind, repr(value)
     if kind == "name":
         if text in FUNCTIONS:
             return "function", text
         if text in CONSTANTS:
             return "constant", text
-        raise ExpressionError(f"“{_short(text)}” is not a number, nor a function or constant known here.")
+        raise ExpressionError(f"“{_short(text)}” is not a number, function or constant.")
     if kind == "other":
-        raise ExpressionError(f"“{text}” has no place in a number.")
+        raise ExpressionError(f"“{text}” cannot be part of a number.")
     return kind, {"^": "**", ";": ","}.get(text, text)
 
 
@@ -212,7 +212,7 @@ def _translated(kind: str, text: str) -> tuple[str, str]:
 
 
 def _computed(words: list[_Word]) -> float:
-    # The first expression is typed long after the start.
+    # Late, because the first expression is typed long after the start.
     from simpleeval import InvalidExpression, SimpleEval  # noqa: PLC0415
 
     code = " ".join(word.code for word in words)
@@ -221,16 +221,16 @@ def _computed(words: list[_Word]) -> float:
     try:
         return float(evaluator.eval(code))
     except ZeroDivisionError:
-        raise ExpressionError("Division by zero has no value.") from None
+        raise ExpressionError("Division by zero.") from None
     except OverflowError:
         raise ExpressionError("The result is too large.") from None
     except (RecursionError, MemoryError):
-        raise ExpressionError("This is nested too deeply.") from None
+        raise ExpressionError("The expression is nested too deeply.") from None
     except SyntaxError as problem:
         first = (problem.offset or 0) - 1
         _refuse(words, first, max((problem.end_offset or 0) - 1, first + 1))
     except (InvalidExpression, TypeError):
-        # A call of what is no function, or a star before an argument.
+        # A call of something that is not a function, or a star before an argument.
         _refuse(words, 0, len(code))
 
 
@@ -241,28 +241,28 @@ def _constant(node: ast.Name) -> float:
 
 
 def _refuse_tuple(node: ast.Tuple) -> NoReturn:
-    """Refuse a comma outside of a function, at the end of what is before it."""
-    place = node.elts[0].end_col_offset or 0 if node.elts else 0
-    raise SyntaxError("a tuple", ("", 1, place + 1, "", 1, place + 1))
+    """Refuse a comma outside a function, at the end of the operand before it."""
+    column = node.elts[0].end_col_offset or 0 if node.elts else 0
+    raise SyntaxError("a tuple", ("", 1, column + 1, "", 1, column + 1))
 
 
 def _refuse(words: list[_Word], first: int, end: int) -> NoReturn:
-    """Say what is wrong with the words that begin from `first` to before `end` in Python's text."""
+    """Raise the error for the words that begin between the columns `first` and `end` of the Python code."""
     for before, after in pairwise(words):
-        if first <= after.place < end:
+        if first <= after.column < end:
             if before.kind == "function" and after.text != "(":
                 _refuse_bare(before.text)
             if before.ends_operand and after.starts_operand:
                 _refuse_neighbours(before, after)
-    index = next((i for i, word in enumerate(words) if word.place >= first and word.text != ")"), -1)
+    index = next((i for i, word in enumerate(words) if word.column >= first and word.text != ")"), -1)
     if words[index].code == ",":
-        # It is somebody's decimal comma or group separator.
+        # It may be a decimal comma or a group separator.
         _refuse_comma(words, index)
-    raise ExpressionError("This is not a complete number or expression.")
+    raise ExpressionError("The number or expression is incomplete.")
 
 
 def _refuse_bare(function: str) -> NoReturn:
-    raise ExpressionError(f"{function} needs its number in parentheses, {function}(2).")
+    raise ExpressionError(f"Write the argument of {function} in parentheses: {function}(2).")
 
 
 def _refuse_comma(words: list[_Word], index: int) -> NoReturn:
@@ -271,15 +271,19 @@ def _refuse_comma(words: list[_Word], index: int) -> NoReturn:
         whole, fraction = around[0].text, around[2].text
         typed = _short(f"{whole},{fraction}")
         if "." in whole + fraction:
-            raise ExpressionError(f"“{typed}”: write the number without group separators.")
-        raise ExpressionError(f"“{typed}” is unclear; write {_short(f'{whole}.{fraction}')} with a point.")
-    raise ExpressionError(f"“{words[index].text}” separates the numbers of a function, such as max(1; 2).")
+            raise ExpressionError(f"Write “{typed}” without group separators.")
+        raise ExpressionError(
+            f"“{typed}” is ambiguous. Write {_short(f'{whole}.{fraction}')} with a decimal point."
+        )
+    raise ExpressionError(
+        f"“{words[index].text}” only separates the arguments of a function, as in max(1; 2)."
+    )
 
 
 def _refuse_neighbours(before: _Word, after: _Word) -> NoReturn:
     if before.kind == after.kind == "number":
         pair = f"“{_short(before.text)}” and “{_short(after.text)}”"
-        raise ExpressionError(f"{pair} are two numbers; write one, without group separators.")
+        raise ExpressionError(f"{pair} are two numbers. Write one, without group separators.")
     raise ExpressionError(f"Write * between “{_short(before.text)}” and “{_short(after.text)}” to multiply.")
 
 

@@ -1,4 +1,4 @@
-"""Checks of the numbers that a document may hold, and the error of an edit that cannot be done."""
+"""Limits of the numbers in a document, and the error of an impossible edit."""
 
 from __future__ import annotations
 
@@ -9,45 +9,45 @@ from .fields import Vector
 from .words import number
 
 MAX_MAGNITUDE = 1e12
-"""Largest coordinate, parameter or derivative a document may hold: beyond it a drawing means nothing."""
+"""Largest coordinate, parameter or derivative that a document may hold."""
 
 
 class EditError(ValueError):
-    """An edit that cannot be done; the message tells the person why."""
+    """An edit is impossible; the message for the status line says why, and what to do."""
 
 
 class AlreadySoError(EditError):
-    """An edit that would change nothing, for what was wanted is so already: it is told, and no refusal."""
+    """An edit would change nothing: its message is shown as information, not as a refusal."""
 
 
-def checked(value: float, what: str) -> float:
-    """Return `value` if a document may hold it."""
+def checked(value: float, subject: str) -> float:
+    """Return a number as a float, or raise EditError if a document may not hold it."""
     if not math.isfinite(value):
-        raise EditError(f"{what} must be a finite number.")
+        raise EditError(f"{subject} must be a finite number.")
     if abs(value) > MAX_MAGNITUDE:
-        raise EditError(f"{what} must lie between −1e12 and 1e12.")
+        raise EditError(f"{subject} must lie between −1e12 and 1e12.")
     return float(value)
 
 
-def checked_vector(vector: Vector, what: str) -> Vector:
-    """Return `vector` if a document may hold it."""
+def checked_vector(vector: Vector, subject: str) -> Vector:
+    """Return a vector of floats, or raise EditError if a document may not hold it."""
     x, y = vector
     if abs(x) <= MAX_MAGNITUDE and abs(y) <= MAX_MAGNITUDE:
         return (float(x), float(y))
-    return (checked(x, f"The x of {what}"), checked(y, f"The y of {what}"))
+    return (checked(x, f"The x of {subject}"), checked(y, f"The y of {subject}"))
 
 
 def are_within(values: Sequence[float]) -> bool:
-    """Whether all numbers are plain floats that a document may hold, at one look."""
+    """Return whether all numbers are plain floats that a document may hold; fast for many."""
     if not values:
         return True
-    # A sum is NaN if anything is, while min and max may pass it over.
+    # A sum is NaN if any number is, while min and max may ignore NaN.
     is_plain = set(map(type, values)) == {float} and not math.isnan(sum(values))
     return is_plain and min(values) >= -MAX_MAGNITUDE and max(values) <= MAX_MAGNITUDE
 
 
 def not_after(index: int, before: float) -> EditError:
-    """Return the error of a point whose t is not greater than that of the point before it."""
+    """Return the error that the t of a point is not greater than that of the point before it."""
     return EditError(
         f"The t of point {index} must be greater than {number(before, 6)}, the t of point {index - 1}."
     )

@@ -1,9 +1,8 @@
-"""Plain numbers: what NumPy has computed becomes Python's own float before a document holds it.
+"""Plain numbers: every number of NumPy becomes a float of Python before it enters a document.
 
-A tie that no longer holds goes here, too: whatever has changed a velocity, the door is passed by all.
-
-`repr` of a ``numpy.float64`` is no number, msgspec does not write one, and arithmetic with one warns where a
-float raises. Each is a surprise far from where the number came from.
+Msgspec does not write a ``numpy.float64``, its `repr` is not a number, and arithmetic with it warns where a
+float raises: surprises far from the code that computed the number. Ties that no longer hold are removed here
+as well, because every change of a document passes through `with_plain_numbers`.
 """
 
 from __future__ import annotations
@@ -29,41 +28,42 @@ _x, _y, _t, _corner, _tied, _even = map(attrgetter, ("x", "y", "t", "corner", "t
 
 
 def with_plain_numbers(document: Document, before: Document | None = None) -> Document:
-    """Return `document` with plain values alone: itself, unless there is another one in it.
+    """Return the document with plain numbers: the same object if all are plain.
 
-    Only what is not the same object as in `before`, which is plain, is looked at.
+    Objects of `before`, which is plain, are not checked again.
     """
-    if before is not None and _has_plain_points_elsewhere(document, before):
+    if before is not None and _has_only_moved_plainly(document, before):
         return document
     known, by_points = known_curves(before)
-    places = before.curves if before is not None else ()
+    old = before.curves if before is not None else ()
     curves = tuple(
         curve
         if id(curve) in known
-        else _plain_values(
-            curve, by_points.get(id(curve.points), places[place] if place < len(places) else None)
-        )
-        for place, curve in enumerate(document.curves)
+        else _plain_values(curve, by_points.get(id(curve.points), old[index] if index < len(old) else None))
+        for index, curve in enumerate(document.curves)
     )
     document = _plain_values(document, before)
     return replace(document, curves=curves) if any(map(is_not, curves, document.curves)) else document
 
 
-def _has_plain_points_elsewhere(document: Document, before: Document) -> bool:
-    """Whether points have moved to plain places, and nothing else is another, as under most drags."""
+def _has_only_moved_plainly(document: Document, before: Document) -> bool:
+    """Return whether only points moved, to plain positions, as during most drags."""
     moved = moved_points(before, document)
     return moved is not None and {*map(type, map(_x, moved)), *map(type, map(_y, moved))} <= {float}
 
 
 @cache
 def _fields(kind: type[Value]) -> tuple[Field, ...]:
-    """Return the fields of a kind of value that may hold what is not plain; curves are looked at apart."""
-    found = (field for field in fields_of(kind) if field.kind is not Curve)
-    return tuple(field for field in found if field.kind in (float, bool) or field.holds_values)
+    """Return the fields of a kind of value that hold numbers or other values, curves excepted."""
+    return tuple(
+        field
+        for field in fields_of(kind)
+        if field.kind is not Curve and (field.kind in (float, bool) or field.holds_values)
+    )
 
 
 def _plain_values(values: Values, before: object = None) -> Values:
-    """Return one of the document's values with plain ones in it: itself where it has them."""
+    """Return a value of the document with plain numbers: the same object if all are plain."""
     changed = {}
     for field in _fields(type(values)):
         held, known = getattr(values, field.name), getattr(before, field.name, None)
@@ -79,7 +79,7 @@ def _plain_field(field: Field, held: object, known: object) -> object:
         return _plain_value(field, held, known)
     if field.kind is Point and isinstance(held, tuple):
         return _plain_points(held, known if isinstance(known, tuple) else ())
-    new = tuple(_plain_value(field, each) for each in held)
+    new = tuple(_plain_value(field, item) for item in held)
     return held if isinstance(held, tuple) and not any(map(is_not, new, held)) else new
 
 
@@ -90,7 +90,7 @@ def _plain_value(field: Field, value: object, known: object = None) -> object:
 
 
 def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple[Point, ...]:
-    """Return `points` with plain values; asked at every move of a drag, so that the usual costs little."""
+    """Return points with plain values; fast where they are plain, because every move of a drag asks."""
     changed = list(compress(points, map(is_not, points, before))) if len(points) == len(before) else points
     if _are_plain(changed):
         return points
@@ -98,7 +98,7 @@ def _plain_points(points: tuple[Point, ...], before: tuple[Point, ...]) -> tuple
 
 
 def _are_plain(points: Sequence[Point]) -> bool:
-    """Whether points hold plain values, asked without a call for each."""
+    """Return whether points hold plain values, without a call for each."""
     if not all(map(is_, chain(map(_tied, points), map(_even, points)), repeat(False))):
         return all(map(_is_plain, points))
     vectors = [vector for vector in chain.from_iterable(map(derivatives_of, points)) if vector is not None]
@@ -112,7 +112,7 @@ def _are_plain(points: Sequence[Point]) -> bool:
 
 
 def _is_plain(point: Point) -> bool:
-    # mypy takes the types of the fields for granted; here they are what is asked.
+    # The declared types do not hold here: they are what this function checks.
     x, y, t = type(point.x), type(point.y), type(point.t)
     return (
         x is float is y
@@ -135,7 +135,7 @@ def _plain_point(point: Point) -> Point:
 
 
 def _plain_number(value: object) -> object:
-    """Return a real number as a float; what is none is left to `validate`, which says what is wrong."""
+    """Return a real number as a float; any other value unchanged, for `validate` to refuse."""
     if type(value) is float or isinstance(value, bool) or not isinstance(value, Real):
         return value
     try:

@@ -15,11 +15,11 @@ from enum import StrEnum
 from typing import Self
 
 NOTHING = "–"
-"""Stands where there is no number."""
+"""Text in place of a missing number."""
 
 
 class NamedEnum(StrEnum):
-    """An enumeration whose members say, beside their value, what the window calls them.
+    """Enumeration of texts whose members have a label.
 
     Attributes
     ----------
@@ -30,58 +30,58 @@ class NamedEnum(StrEnum):
     label: str
 
     def __new__(cls, value: str, *_words: object) -> Self:
-        """Return a member: text that is the first of its words."""
+        """Return a member whose text is the first of its arguments."""
         member = str.__new__(cls, value)
         member._value_ = value
         return member
 
-    # With defaults, because a member is found by its value alone, too.
+    # With a default, because `Kind("value")` looks a member up by its value alone.
     def __init__(self, _value: str, label: str = "") -> None:
         self.label = label
 
 
 def number(value: float, digits: int = 4, mark: str = ".") -> str:
-    """Return a number with at most so many significant digits, a true minus sign and a short exponent."""
+    """Return the text of a number: `digits` significant digits, a true minus, a short exponent."""
     return typographic(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
 
 
 def rounded_up(value: float, digits: int) -> float:
-    """Return a value of at least 0 with so many digits, never less than it is: a bound stays one."""
+    """Return a value ≥ 0 rounded up to `digits` significant digits, so that a bound stays a bound."""
     return float(Context(prec=digits, rounding=ROUND_UP).create_decimal_from_float(value))
 
 
 def digits_of_range(low: float, high: float, least: int = 6) -> int:
-    """Return how many significant digits tell two numbers and their distance, `least` of them at least."""
+    """Return the number of significant digits that shows the distance of two numbers within 1 %."""
 
-    def shown(digits: int) -> float:
+    def displayed_distance(digits: int) -> float:
         return float(f"{high:.{digits}g}") - float(f"{low:.{digits}g}")
 
-    apart = high - low
-    return next((each for each in range(least, 17) if abs(shown(each) - apart) <= 0.01 * apart), 17)
+    distance = high - low
+    return next((n for n in range(least, 17) if abs(displayed_distance(n) - distance) <= 0.01 * distance), 17)
 
 
 def distance_text(value: float, other: str, *, is_bound: bool = True) -> str:
-    """Say how far something is from another thing: at most where that is certain, else about."""
+    """Return "at most 0.01 from the curve", or "about …" where the distance is no bound."""
     if not value:
         return "exact"
     text = f"at most {number(rounded_up(value, 2), 2)}" if is_bound else f"about {number(value, 2)}"
     return f"{text} from {other}"
 
 
-def with_error(value: float, error: float, shown: Callable[[float], str] = number) -> str:
-    """Return a number, with its error where that shows in four digits; "uncertain" where it may be any."""
+def with_error(value: float, error: float, text_of: Callable[[float], str] = number) -> str:
+    """Return a number with its error, if that affects four digits; "uncertain" if the error is not finite."""
     if not error > 5e-5 * abs(value):
-        return shown(value)
-    return f"{shown(value)} ± {shown(rounded_up(error, 1))}" if math.isfinite(error) else "uncertain"
+        return text_of(value)
+    return f"{text_of(value)} ± {text_of(rounded_up(error, 1))}" if math.isfinite(error) else "uncertain"
 
 
 def with_decimals(value: float, decimals: int) -> str:
-    """Return a number with so many decimals and a true minus sign."""
+    """Return the text of a number with a fixed number of decimals and a true minus sign."""
     return typographic(f"{value:.{decimals}f}") if math.isfinite(value) else NOTHING
 
 
 def typographic(text: str, mark: str = ".") -> str:
-    """Return a number that Python wrote as 1e-05 as 1e−5, with the mark; no minus before a rounded zero."""
+    """Return the text of a number with decimal `mark`: "1e-05" becomes "1e−5", "-0.0" becomes "0.0"."""
     mantissa, _, exponent = text.partition("e")
     if exponent:
         text = f"{mantissa}e{int(exponent)}"
@@ -91,28 +91,28 @@ def typographic(text: str, mark: str = ".") -> str:
 
 
 def with_minus(text: str) -> str:
-    """Return text whose hyphens, which stand before numbers alone, are true minus signs."""
+    """Return text with true minus signs in place of hyphens, which must stand before numbers only."""
     return text.replace("-", "−")
 
 
 def pair_text(value: tuple[float, float]) -> str:
-    """Return two numbers, such as the coordinates of a place or the components of a way."""
+    """Return the text of two numbers: coordinates of a position or components of a vector."""
     return f"{number(value[0])}, {number(value[1])}"
 
 
-def point_at(index: int, place: tuple[float, float]) -> str:
+def point_at(index: int, position: tuple[float, float]) -> str:
     """Return "Point 3 at 2.4, 5.158"."""
-    return f"Point {index} at {pair_text(place)}"
+    return f"Point {index} at {pair_text(position)}"
 
 
-def direction(way: tuple[float, float]) -> str:
-    """Return the direction of a way."""
-    return angle(math.degrees(math.atan2(way[1], way[0])))
+def direction(vector: tuple[float, float]) -> str:
+    """Return the direction of a vector, "45°"."""
+    return angle(math.degrees(math.atan2(vector[1], vector[0])))
 
 
-def polar(way: tuple[float, float]) -> str:
-    """Return length and direction, "3.2 at 45°"."""
-    return f"{number(math.hypot(*way))} at {direction(way)}"
+def polar(vector: tuple[float, float]) -> str:
+    """Return length and direction of a vector, "3.2 at 45°"."""
+    return f"{number(math.hypot(*vector))} at {direction(vector)}"
 
 
 def points_label(indices: Collection[int]) -> str:
@@ -131,11 +131,11 @@ def count_of(count: int, noun: str) -> str:
 
 
 def names_of(names: Sequence[str]) -> str:
-    """Return the first names, and how many more there are."""
-    shown = list(names[:3])
-    if len(names) > len(shown):
-        shown.append(f"{len(names) - len(shown)} more")
-    return enumerated(shown)
+    """Return the first three names, and the number of the others: "a, b, c and 2 more"."""
+    first = list(names[:3])
+    if len(names) > len(first):
+        first.append(f"{len(names) - len(first)} more")
+    return enumerated(first)
 
 
 def enumerated(words: Sequence[str], conjunction: str = "and") -> str:
@@ -145,7 +145,7 @@ def enumerated(words: Sequence[str], conjunction: str = "and") -> str:
 
 
 def names_with_verb(names: Sequence[str]) -> str:
-    """Return "a was", "a and b were": the beginning of a sentence that says what became of them."""
+    """Return "a was" or "a and b were", the beginning of a passive sentence."""
     return f"{names_of(names)} {'was' if len(names) == 1 else 'were'}"
 
 

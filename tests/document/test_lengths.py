@@ -61,11 +61,15 @@ def test_a_comma_is_read_where_the_locale_has_it():
 @each_row(
     ("text", "unit", "reason"),
     [
-        ("1in", "", "The document has no unit of length; type a number without “in”."),
-        ("1in", "furlong", "“furlong”, the unit of the document, has no length; type a number without “in”."),
-        ("3 foo", "mm", "“foo” is no unit of length known here, such as mm, cm, in, pt and px."),
-        ("3 foo", "", "The document has no unit of length; type a number without “foo”."),
-        ("3 + foo", "mm", "“foo” is not a number, nor a function or constant known here."),
+        ("1in", "", "The document has no unit of length. Type a number without “in”."),
+        (
+            "1in",
+            "furlong",
+            "The unit of the document, “furlong”, is not a length. Type a number without “in”.",
+        ),
+        ("3 foo", "mm", "“foo” is not a unit of length. Use mm, cm, in, pt or px."),
+        ("3 foo", "", "The document has no unit of length. Type a number without “foo”."),
+        ("3 + foo", "mm", "“foo” is not a number, function or constant."),
         ("mm", "mm", "A number is missing."),
         ("", "mm", "A number is missing."),
     ],

@@ -198,10 +198,10 @@ def test_width_and_height_may_be_expressions_but_no_halves_of_them(drawing):
     drawing.move((2.0, -2.0))
     drawing.type_amount("1/")
     drawing.key(Qt.Key.Key_Return)
-    assert drawing.status.endswith("This is not a complete number or expression.")
+    assert drawing.status.endswith("The number or expression is incomplete.")
     assert drawing.window.canvas.is_dragging
     drawing.release((2.0, -2.0))
-    assert drawing.status.endswith("This is not a complete number or expression.")
+    assert drawing.status.endswith("The number or expression is incomplete.")
     assert (drawing.session.document, steps(drawing)) == (before, count)
 
 
@@ -214,7 +214,7 @@ def test_units_may_follow_width_and_height_and_other_letters_are_refused(drawing
     assert drawing.status.startswith("2mm × 0.1cm| mm")
     for key in (Qt.Key.Key_V, Qt.Key.Key_X, Qt.Key.Key_G):
         drawing.key(key)
-        assert "is no unit of length known here" in drawing.status
+        assert "is not a unit of length" in drawing.status
     assert drawing.action("rectangleTool").isChecked()
     drawing.release((2.0, -2.0))
     left, top = at(drawing, FROM)

@@ -286,7 +286,7 @@ def test_a_bad_number_stays_open_and_says_why(table):
     assert table.session.document is before
     assert editor.isVisible()
     assert editor.text() == "2*"
-    assert "⚠ x of point 3: This is not a complete number" in table.message
+    assert "⚠ x of point 3: The number or expression is incomplete" in table.message
     assert len(said) == 1
     editor.setCursorPosition(2)
     table.qtbot.keyClick(editor, Qt.Key.Key_4)
@@ -676,8 +676,8 @@ BAD_PASTES = [
     ((0, X), "1\t2\n3\t4\n5\tabc", "Row 3, column 2: “abc” is not a number."),
     ((0, X), "1\t2\n3\t", "Row 2, column 2 is empty."),
     ((0, X), "1\t2\n3", "The rows differ in length: row 2 has 1, the first 2."),
-    ((0, X), "1\t1/0", "Row 1, column 2: Division by zero has no value."),
-    ((0, X), "1\t2e12", "Row 1, column 2: A number here must lie between"),
+    ((0, X), "1\t1/0", "Row 1, column 2: Division by zero."),
+    ((0, X), "1\t2e12", "Row 1, column 2: Enter a number between"),
     ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is unclear"),
     ((0, X), "1,234.5\t1", "group separators"),
     (
@@ -1069,7 +1069,7 @@ def test_a_closed_curve_has_a_row_for_each_point(quintic):
     assert curve.is_manual
     assert quintic.session.active_view.parameters[-1] == 1.0
     quintic.type(7, T, "1")
-    assert "where the curve returns to its first point" in quintic.message
+    assert "at which the curve returns to its first point" in quintic.message
     quintic.qtbot.keyClick(quintic.editor, Qt.Key.Key_Escape)
 
 

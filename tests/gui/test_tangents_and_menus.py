@@ -596,7 +596,7 @@ NO_POINTS = (
     ("1 2 3 4", "Points are two columns, x y, or three, t x y; these are 4 columns."),
     ("7", "Points are two columns, x y, or three, t x y; this is one column."),
     ("", "There are no numbers on the clipboard."),
-    ("1e13 0", "Row 1, column 1: A number here must lie between −1e12 and 1e12."),
+    ("1e13 0", "Row 1, column 1: Enter a number between −1e12 and 1e12."),
 )
 
 

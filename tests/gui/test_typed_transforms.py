@@ -189,7 +189,7 @@ def test_what_is_no_number_yet_is_refused_and_can_be_mended(arch, typed, shown):
     arch.type_amount(typed)
     assert arch.status.startswith(shown)
     arch.key(Key.Key_Return)
-    assert arch.status.endswith("This is not a complete number or expression.")
+    assert arch.status.endswith("The number or expression is incomplete.")
     assert arch.window.canvas.is_dragging
     arch.type_amount("4")
     assert arch.status.startswith("Move ")
@@ -202,7 +202,7 @@ def test_a_click_takes_a_transform_back_by_what_is_no_number_yet(arch):
     arch.key(Key.Key_G)
     arch.type_amount("1/")
     arch.click((-1, 3))
-    assert arch.status == "“1/”: This is not a complete number or expression."
+    assert arch.status == "“1/”: The number or expression is incomplete."
     assert (arch.session.document, arch.session.undo_stack.count()) == (document, steps)
     assert not arch.window.canvas.is_dragging
 
@@ -233,13 +233,13 @@ def test_a_unit_may_follow_the_number(arch):
 
 
 NO_UNITS = [
-    ("mm", "g2q", "“q” is no unit of length known here"),
-    ("mm", "g2mv", "“mv” is no unit of length known here"),
+    ("mm", "g2q", "“q” is not a unit of length"),
+    ("mm", "g2mv", "“mv” is not a unit of length"),
     ("", "g2m", "The document has no unit of length; type a number without “m”."),
-    ("ell", "g2m", "“ell”, the unit of the document, has no length"),
+    ("ell", "g2m", "The unit of the document, “ell”, is not a length"),
     ("mm", "s2m", "A factor or an angle has no unit; type a number without “m”."),
     ("mm", "r2b", "A factor or an angle has no unit; type a number without “b”."),
-    ("mm", "g2V", "“V” is no unit of length known here"),
+    ("mm", "g2V", "“V” is not a unit of length"),
 ]
 
 
