@@ -90,7 +90,7 @@ def assert_actions_as_rendered_anew(editor):
     """Raise unless the actions are as they are when all facts are asked again."""
     actions = editor.window.actions_by_name
     before = shown_by_actions(actions)
-    actions._sort_out()
+    actions._index()
     actions.render()
     after = shown_by_actions(actions)
     different = {name: (shown, after[name]) for name, shown in before.items() if shown != after[name]}
