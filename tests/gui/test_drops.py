@@ -188,7 +188,7 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
     assert editor.session.files.path == files / "a.curve.json"
     assert editor.session.document.image is not None
     assert editor.message == (
-        "b.png was not traced: a document has one picture to trace. "
+        "b.png was not traced: a document can have only one reference image. "
         "1 link to no file of this computer left out."
     )
 
@@ -247,9 +247,7 @@ def test_tables_dropped_at_once_are_asked_about_one_after_the_other(editor, tmp_
     dialog = only_dialog(editor)
     assert dialog.windowTitle() == "Import a.csv (1 of 3)"
     assert dialog.findChild(QPushButton, "cancelImport").text() == "Skip"
-    assert (
-        dialog.findChild(QPushButton, "skipRest").toolTip() == "Leave out this file and the 2 files after it"
-    )
+    assert dialog.findChild(QPushButton, "skipRest").toolTip() == "Skip this file and the 2 files after it"
     drop(editor, late)  # joins those that wait
     assert only_dialog(editor).windowTitle() == "Import a.csv (1 of 4)"
     press(editor, dialog, "importTable")
@@ -279,7 +277,7 @@ def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp
     press(editor, only_dialog(editor), "skipRest")
     assert dialogs(editor) == []
     assert editor.session.document is before
-    assert editor.status == "a.csv, b.csv and c.csv were left out."
+    assert editor.status == "a.csv, b.csv and c.csv were skipped."
     drop(editor, *paths)
     press(editor, only_dialog(editor), "cancelImport")
     assert only_dialog(editor).windowTitle() == "Import b.csv (2 of 3)"

@@ -402,7 +402,7 @@ def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_pat
     (tmp_path / "p.points.csv").write_text("mine", encoding="utf-8")
     export(editor, dialog, tmp_path / "p.csv", monkeypatch)
     assert (tmp_path / "p.points.csv").read_text(encoding="utf-8") == "mine"
-    assert "p.points.csv was not written. It is there already" in editor.message
+    assert "p.points.csv was not written. The file exists already" in editor.message
 
 
 def measured(editor, unit="cm", **more):

@@ -157,7 +157,7 @@ def test_the_dialog_says_what_was_taken_for_what(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "three.dat", "NACA 1\n0 1 2\n1 3 4\n"))
     assert dialog.remark.text() == (
         "Not read as numbers: “NACA 1”. Columns: t = column 1, x = column 2, y = column 3. "
-        "This is a guess; choose above the columns what they are."
+        "This is a guess; check the roles above the columns."
     )
     dialog.close()
 
@@ -240,7 +240,7 @@ def test_with_the_keyboard_alone(editor, tmp_path, monkeypatch):
     settle(editor, dialog)
     choose(dialog.preview.head.boxes[0], "y")
     assert dialog.preview.head.roles == ("y", "ignore"), "a role is given away"
-    assert dialog.problem.text() == "⚠ Say which columns are x and y."
+    assert dialog.problem.text() == "⚠ Choose the columns of x and y above the table."
     assert not dialog.ok.isEnabled()
     choose(dialog.preview.head.boxes[1], "x")
     settle(editor, dialog)
@@ -388,7 +388,7 @@ def test_a_lagrange_curve_through_thousands_of_rows_is_refused(editor, tmp_path)
 def test_another_separator_is_read_anew(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.csv", "1,5\n2,5\n3,75\n"))
     assert dialog.preview.columnCount() == 2
-    choose(dialog.separator_box, "Blanks")
+    choose(dialog.separator_box, "Spaces")
     dialog.separator_box.activated.emit(3)
     settle(editor, dialog)
     assert dialog.preview.columnCount() == 1
@@ -432,7 +432,9 @@ def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monk
     distance = dialog._prepared.tolerance
     assert distance > 0.001
     assert dialog.tolerance_edit.text() == f"{distance:g}"
-    assert dialog.problem.text() == (f"The distance is {distance:g}: 0.001 would leave more than 400 points.")
+    assert dialog.problem.text() == (
+        f"The distance was increased to {distance:g}: 0.001 would leave more than 400 points."
+    )
     assert dialog.ok.isEnabled()
     places = [each.pos() for each in (dialog.thinning_box, dialog.tolerance_edit, dialog.ok, dialog.preview)]
     choose(dialog.thinning_box, "Fit a curve within")
@@ -528,7 +530,7 @@ def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
     tree = dialog.groups
     assert tree.topLevelItem(0).text(1) == "5 curves"
     check_box(editor, tree, "figure_1")
-    assert dialog.summary.text() == "None of 5 curves; choose at least one."
+    assert dialog.summary.text() == "Select at least one of 5 curves."
     assert not dialog.ok.isEnabled()
     check_box(editor, tree, "figure_1", "axes_1", "line2d_1")
     assert dialog.summary.text() == "1 of 5 curves with 2 points, exact."

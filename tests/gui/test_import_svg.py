@@ -342,7 +342,7 @@ def test_a_page_without_a_curve_opens_as_an_empty_document_of_its_size(editor, t
     path.write_text(PAGE.format('<g id="layer1"/>'), encoding="utf-8")
     open_as_document(editor, path)
     document = editor.session.document
-    assert editor.status == "Opened page.svg: no curve."
+    assert editor.status == "Opened page.svg: no curves."
     assert ([curve.points for curve in document.curves], document.unit) == ([()], "px")
     assert {(each.axis, each.position) for each in document.guides} == {
         ("x", 0.0), ("x", 200.0), ("y", 0.0), ("y", 100.0)
@@ -358,7 +358,7 @@ def test_a_file_of_unreadable_things_alone_says_so_and_brings_nothing_into_anoth
     path, before = tmp_path / "words.svg", editor.session.document
     path.write_text(PAGE.format('<text>hey</text><path id="a" d="L5 5"/>'), encoding="utf-8")
     dialog = opened(editor, path)
-    assert dialog.summary.text() == "No curve."
+    assert dialog.summary.text() == "No curves."
     assert dialog.remarks.text() == (
         "1 text left out: hey.\n1 path drawn only up to an error in the data: a at character 1, “L5 5”."
     )

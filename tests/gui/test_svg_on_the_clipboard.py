@@ -70,7 +70,7 @@ def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
     assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "leaf"]
     assert chosen(three) == ["leaf"]
     assert three.curve.style.stroke == "#d55e00"
-    assert three.status == "Pasted “leaf”; it is chosen."
+    assert three.status == "Pasted “leaf”; it is selected."
     assert undo_text(three) == "Paste leaf"
     three.trigger("undo")
     assert [each.name for each in three.session.document.curves] == ["A", "B", "C"]
@@ -138,7 +138,7 @@ def test_a_picture_is_no_curve_and_that_is_said(three):
     QGuiApplication.clipboard().setMimeData(data)
     three.trigger("pastePoints")
     assert three.session.document is before
-    assert three.status == "A picture is no curve: File › Reference Image shows one to trace."
+    assert three.status == "A picture is not a curve. To trace it, use File › Reference Image."
     # A spreadsheet offers a picture of its cells, too.
     beside_numbers = QMimeData()
     beside_numbers.setImageData(image)
@@ -277,7 +277,9 @@ def test_what_is_out_of_sight_leaves_the_view_alone_and_a_key_shows_it(editor):
     editor.paste_text("M 400 400 L 900 1200")
     paste(editor, CTRL | ALT)
     assert editor.window.canvas.camera.pixel_map == before
-    assert editor.status.endswith("; it is chosen. Not all of it is in sight: Shift+F shows all.")
+    assert editor.status.endswith(
+        "; it is selected. Part of it is outside the view; Shift+F shows the selection."
+    )
     editor.key(Qt.Key.Key_F, Qt.KeyboardModifier.ShiftModifier)
     assert editor.window.canvas.framing.shows_curves([editor.session.active_index])
 

@@ -47,7 +47,7 @@ class ClipboardCommands:
     @action("cutPoints", "Cut", EDIT_CLIPBOARD, "Ctrl+X", "cut", needs=HIGHLIGHTED)
     @also(POINT_MENU(30), CURVE_MENU(18), WHOLES_MENU(10), CURVE_LIST_MENU(36))
     def _cut(self) -> None:
-        """Copy the selected points, or else the curve or all chosen ones, and delete them."""
+        """Cut the selected points, or the selected curves if no points are selected."""
         session = self._session
         what = highlighted(self._context).changeable(session.document)
         offer, words = self._offer(what), what.told(session.document)
@@ -59,7 +59,7 @@ class ClipboardCommands:
     @action("copyPoints", "Copy", EDIT_CLIPBOARD, "Ctrl+C, Ctrl+Ins", "copy", needs=HIGHLIGHTED)
     @also(POINT_MENU(31), CURVE_MENU(19), WHOLES_MENU(11), CURVE_LIST_MENU(37))
     def _copy(self) -> None:
-        """Copy the selected points with their derivatives, or else the curve or all chosen ones."""
+        """Copy the selected points with their derivatives, or else the selected curves."""
         what = highlighted(self._context)
         put_on_clipboard(self._offer(what))
         self._session.say(f"Copied {what.said(self._session.document)}.")
@@ -85,7 +85,9 @@ class ClipboardCommands:
             return tuple(session.document.curves[index] for index in sorted(what.curves))
         parts = parts_of(session.views, what.points)
         if not parts:
-            raise EditError("One point is no curve: select two of a curve, or more, to copy them.")
+            raise EditError(
+                "A single point is not a curve. Select at least two points of a curve to copy them."
+            )
         return tuple(parts)
 
 
@@ -102,7 +104,7 @@ class HighlightCommands:
     @action("duplicateSelection", "Duplicate", EDIT_CLIPBOARD, "Ctrl+D", "duplicate", needs=HIGHLIGHTED)
     @also(POINT_MENU(34))
     def _duplicate(self) -> None:
-        """Add a copy of the part with the selected points, or else of the curve or all chosen ones."""
+        """Duplicate the part with the selected points, or else the selected curves."""
         session, what = self._session, highlighted(self._context)
         parts = parts_of(session.views, what.points)
         if all(part in session.document.curves for part in parts):
@@ -120,7 +122,7 @@ class HighlightCommands:
     @action("deleteSelection", "Delete", EDIT_DELETE, "Del, Backspace", "delete", needs=HIGHLIGHTED)
     @also(POINT_MENU(40))
     def _delete(self) -> None:
-        """Delete the selected points, keeping the shape, or else the curve or all chosen ones."""
+        """Delete the selected points, keeping the shape, or else the selected curves."""
         session = self._session
         what = highlighted(self._context).changeable(session.document)
         words = what.told(session.document)
@@ -136,7 +138,7 @@ class HighlightCommands:
         keywords="nodes without keeping the shape",
     )
     def _delete_plainly(self) -> None:
-        """Delete the selected points; the handles beside them stay as they are."""
+        """Delete the selected points; the handles beside them stay unchanged."""
         remove(self._context, self._session.selected.highlight(), "Delete", keeps_shape=False)
 
 
@@ -195,11 +197,11 @@ class DerivativeCommands:
     )
     @also(POINT_MENU(33))
     def _paste_derivatives(self) -> None:
-        """Give the selected points the derivatives that were copied."""
+        """Apply the copied derivatives to the selected points."""
         session, group = self._session, self._session.selected.group
         jet = _derivatives_on_clipboard()
         if jet is None:
-            session.refuse("There are no derivatives on the clipboard; Copy Derivatives puts them there.")
+            session.refuse("There are no derivatives on the clipboard. Copy some with Copy Derivatives.")
             return
 
         def pasted(document: Document, curve: int, indices: Collection[int]) -> Document:

@@ -44,7 +44,7 @@ from .clipboard_content import ClipboardContent
 if TYPE_CHECKING:
     from ...exchange.cubics_in import ImportResult
 
-_NO_CURVE = "A picture is no curve: File › Reference Image shows one to trace."
+_NO_CURVE = "A picture is not a curve. To trace it, use File › Reference Image."
 _MANY_POINTS = 200
 """Points of curves that are worked out beside the window."""
 
@@ -59,20 +59,20 @@ class PasteCommands:
     @action("pastePoints", "Paste", EDIT_CLIPBOARD, "Ctrl+V, Shift+Ins", "paste")
     @also(CANVAS_MENU(20), WHOLES_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
-        """Add the curves or SVG on the clipboard at the pointer; append points (x y, or t x y)."""
+        """Paste curves or SVG at the pointer; points (x y, or t x y) are appended to the curve."""
         position = self._context.central.canvas.pointed_place
         self._paste(position, partial(self._append, position))
 
     @action("pasteInPlace", "Paste in Place", EDIT_CLIPBOARD, "Ctrl+Alt+V")
     @also(CANVAS_MENU(21))
     def _paste_in_place(self) -> None:
-        """Add the curves or the SVG on the clipboard where they were copied from; append points."""
+        """Paste curves or SVG at their original position; points are appended to the curve."""
         self._paste(None, partial(self._append, None))
 
     @action("pasteAsCurve", "Paste as New Curve", EDIT_DERIVATIVES, "Ctrl+Alt+N")
     @also(CANVAS_MENU(22))
     def _paste_as_curve(self) -> None:
-        """Make a curve of the points on the clipboard."""
+        """Create a curve from the points on the clipboard."""
         self._paste(self._context.central.canvas.pointed_place, self._add_curve)
 
     def _paste(self, position: Vector | None, add_points: Callable[[PointsContent], None]) -> None:
@@ -161,11 +161,12 @@ class PasteCommands:
                 return
             session.selected.choose_brought(indices, style)
         is_one = common_name(document, indices) is not None
-        message = f"Pasted “{name}”; it is chosen." if is_one else f"Pasted {name}; they are chosen."
+        message = f"Pasted “{name}”; it is selected." if is_one else f"Pasted {name}; they are selected."
         if not framing.shows_curves(indices):
             # The view stays where somebody is at work.
             key = key_or_name(self._context.actions["fitSelection"])
-            message = f"{message} Not all of {'it is' if is_one else 'them are'} in sight: {key} shows all."
+            part = f"Part of {'it' if is_one else 'them'} is outside the view"
+            message = f"{message} {part}; {key} shows the selection."
         session.say(message)
         self._context.work.warn_of(remarks)
 
@@ -297,7 +298,8 @@ def _in_order(block: Block) -> list[list[float]]:
         return block.rows
     if sorted(names) not in (["x", "y"], ["t", "x", "y"]):
         raise EditError(
-            f"Points are x y, or t x y; the titles are {' '.join(names)}. The point table takes them all."
+            f"Points have the columns x y or t x y, but the titles are {' '.join(names)}. "
+            "Paste other columns into the point table."
         )
     columns = [block.titles.index(name) for name in sorted(names)]
     return [[row[column] for column in columns] for row in block.rows]

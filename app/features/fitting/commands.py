@@ -69,7 +69,7 @@ class SimplifyCommands:
         keywords="less nodes path clean",
     )
     def _simplify(self) -> None:
-        """Give the chosen curves fewer points, so near that nobody sees it; corners and lines stay."""
+        """Remove points that do not affect the shape of the selected curves; corners and lines stay."""
         session, until = self._session, 0.0
         document = session.committed
         curves = unlocked_curves(document, expand_to_shapes(document, session.selected.marked))
@@ -85,7 +85,7 @@ class SimplifyCommands:
 
         def done(result: tuple[Simplified, list[CurveView]]) -> None:
             if session.committed is not document:
-                session.refuse(f"{what} was dropped: the drawing was changed meanwhile.")
+                session.refuse(f"{what} was cancelled because the document changed in the meantime.")
                 return
             session.expect(result[1])
             self._put(what, result[0])
@@ -189,7 +189,7 @@ class FitCommands(QObject):
         keywords="simplify reduce thin decimate approximate least squares",
     )
     def _open(self) -> None:
-        """Replace the curve by one of fewer points near it, of any family; it is shown first."""
+        """Fit a curve of fewer points and any family to the active curve, with a preview."""
         view = self._session.active_view
         self._dock.bring_up()
         assert self._panel is not None
@@ -275,10 +275,10 @@ class FitCommands(QObject):
         view, wish = self._asked
         text = f"{count_of(len(view.source.points), 'point')} become {result.words}"
         if view.source.shape:
-            text += f" Only “{view.source.display_name}” of its shape is fitted; Simplify takes all of it."
+            text += f" Only “{view.source.display_name}” is fitted; Simplify changes its whole shape."
         is_short = wish.tolerance is not None and result.deviation > wish.tolerance
         if is_short and not result.is_scattered:
-            text += f" No {wish.family.title} curve was found nearer."
+            text += f" No {wish.family.title} curve was found that is closer."
         if is_of_points_alone(view) and not result.is_scattered:
             text += " Measured at the points, not between them."
         return text

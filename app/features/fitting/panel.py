@@ -60,18 +60,22 @@ class FitPanel(SafeOverrides, QScrollArea):
         titles = [family.label for family in self._families]
         self.family = choice_box("fitFamily", "Family", "Family of the curve with fewer points", titles)
         goals = [goal.label for goal in Goal]
-        self.goal = choice_box("fitGoal", "What is given", "A largest distance, or a number of points", goals)
-        tip = "How far the curve may be from the one there is, at most"
+        self.goal = choice_box(
+            "fitGoal", "Goal", "Fit within a largest distance, or to a number of points", goals
+        )
+        tip = "Largest distance from the present curve"
         self.tolerance = RangedDoubleSpinBox("fitTolerance", "Largest distance", tip, (1e-6, 1e9))
         self.tolerance.setDecimals(_DIGITS)
         self.tolerance.setStepType(RangedDoubleSpinBox.StepType.AdaptiveDecimalStepType)
-        self.count = RangedSpinBox("fitCount", "Points", "How many points the curve gets", _COUNTS)
-        words = "Leave every place its t, as of a motion; else only the shape counts"
+        self.count = RangedSpinBox("fitCount", "Points", "Number of points of the new curve", _COUNTS)
+        words = "Keep the t of every position, as for a motion; otherwise only the shape counts"
         self.keeps_times = check_box("fitTimes", "Keep the times", words)
         self.result = Label(name="fitResult", wordWrap=True)
-        self.progress = ThinProgress("fitProgress", "How far the fit has come")
-        self.apply_button = push_button("applyFit", "Replace the Curve", "One step, and undo takes it back")
-        self.cancel_button = push_button("cancelFit", "Cancel", "Leave the curve as it is, as Escape does")
+        self.progress = ThinProgress("fitProgress", "Progress of the fit")
+        self.apply_button = push_button(
+            "applyFit", "Replace the Curve", "Replace the curve by the fit, as one step of the history"
+        )
+        self.cancel_button = push_button("cancelFit", "Cancel", "Keep the curve unchanged (Esc)")
         self._lay_out()
         self._connect()
 
@@ -79,7 +83,7 @@ class FitPanel(SafeOverrides, QScrollArea):
         page = QWidget()
         form = form_of(
             ("Family", self.family),
-            ("Given", self.goal),
+            ("Goal", self.goal),
             ("Distance", self.tolerance),
             ("Points", self.count),
             ("", self.keeps_times),

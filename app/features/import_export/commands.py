@@ -133,7 +133,7 @@ class ImportCommands:
         def skip_rest() -> None:
             names = names_with_verb(self._series.skip_rest())
             dialog.reject()
-            self._session.say(f"{names} left out.")
+            self._session.say(f"{names} skipped.")
 
         def release() -> None:
             self._session.opened.disconnect(leave)
@@ -283,7 +283,7 @@ class ImportCommands:
             self._context.actions["fitView"].trigger()
         count = sum(len(curve.points) for curve in curves)
         exact = distance_text(deviation, "the file")
-        what = f"{shape_count_label(curves)}, {count_of(count, 'point')}, {exact}" if count else "no curve"
+        what = f"{shape_count_label(curves)}, {count_of(count, 'point')}, {exact}" if count else "no curves"
         self._session.say(f"{done}: {what}. {rest}".rstrip())
 
 

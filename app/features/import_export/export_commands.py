@@ -42,7 +42,7 @@ class ExportCommands:
 
     @action("exportPicture", "Export…", FILE_EXCHANGE, "Ctrl+E, Ctrl+Shift+E", "export")
     def _ask_and_export(self) -> None:
-        """Export a picture, splines, code or numbers, of all curves or of the chosen ones."""
+        """Export all curves or the selected ones as a picture, splines, code or numbers."""
         if self._dialog is None:
             self._dialog = import_export.export_dialog.ExportDialog(
                 self._usual_choice(), self._context.window
@@ -99,7 +99,7 @@ class ExportCommands:
         path = with_ending(Path(name), choice.ending)
         if path != Path(name) and path.exists():
             # The dialog asked about the name that was typed, if it asked at all.
-            there = StorageError("It is there already; choose it in the list to replace it.")
+            there = StorageError("The file exists already. Select it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
         session.files.note_export(exchange.export_choice.note_of(choice, path.name, last))
@@ -142,7 +142,7 @@ class CopyCommands:
 
     @action("copySvg", "Copy as SVG", EDIT_COPY_AS, needs=_ANY_CURVE, keywords="inkscape, figma, markup")
     def _copy_svg(self) -> None:
-        """Copy the chosen curves, or else all, as SVG: for drawing programs, and as text."""
+        """Copy the selected curves, or all curves, as SVG for drawing programs and as text."""
 
         def put(written: ExportResult, what: str) -> None:
             data = QMimeData()
@@ -159,7 +159,7 @@ class CopyCommands:
 
     @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
-        """Copy the chosen curves, or else all, as a picture without background, PNG and SVG."""
+        """Copy the selected curves, or all curves, as PNG and SVG without a background."""
 
         def put(pictures: tuple[bytes, bytes], what: str) -> None:
             png, svg = pictures
@@ -168,7 +168,7 @@ class CopyCommands:
             data.setData(SVG, svg)
             data.setImageData(QImage.fromData(png))
             put_on_clipboard(data)
-            self._session.say(f"Copied {what} as an image: PNG without background, and SVG.")
+            self._session.say(f"Copied {what} as an image (PNG and SVG without a background).")
 
         def work(document: Document, report: Report) -> tuple[bytes, bytes]:
             options = exchange.options.Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
@@ -180,7 +180,7 @@ class CopyCommands:
 
     @action("copyPathData", "Copy as SVG Path", EDIT_COPY_AS, needs=_ANY_CURVE)
     def _copy_path_data(self) -> None:
-        """Copy the chosen curves, or else all, as the path data of an SVG."""
+        """Copy the selected curves, or all curves, as SVG path data."""
 
         def put(written: ExportResult, what: str) -> None:
             data = QMimeData()

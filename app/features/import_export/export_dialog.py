@@ -65,7 +65,7 @@ class ExportDialog(WorkDialog):
         self._active, self._selected, self._with_estimates = 0, frozenset[int](), False
         self.form = ExportForm()
         self.picture = Label(name="exportPreview", label="Preview")
-        self.picture.setToolTip("What the picture will look like; squares stand for no background")
+        self.picture.setToolTip("Preview of the picture; a checkerboard means no background")
         self.picture.setFixedSize(_WIDTH, _HEIGHT)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_label = Label(name="exportSize", wordWrap=True)
@@ -79,7 +79,7 @@ class ExportDialog(WorkDialog):
         self._render()
 
     def _lay_out(self) -> None:
-        foot, self.ok = buttons("Export…", "exportFile", "Choose where to write it", "cancelExport")
+        foot, self.ok = buttons("Export…", "exportFile", "Choose where to save the file", "cancelExport")
         foot.accepted.connect(self._export)
         foot.rejected.connect(self.reject)
         self.preview_side = QWidget()
@@ -112,7 +112,7 @@ class ExportDialog(WorkDialog):
             return
         self.complain("")
         self.ok.setEnabled(True)
-        self.ok.setToolTip(f"Choose where to write the {choice.format.title}")
+        self.ok.setToolTip(f"Choose where to save the {choice.format.title}")
         self.preview_side.setVisible(choice.format.preview is not None)
         self._soon.start()
 
@@ -204,7 +204,7 @@ class ExportForm(QWidget):
         self._choice, self._unit = ExportChoice(), ""
         self._formats = FORMATS.offered
         titles = [format.title for format in self._formats]
-        self.format_box = choice_box("exportFormat", "Format", "What kind of file to write", titles)
+        self.format_box = choice_box("exportFormat", "Format", "Format of the file", titles)
         self.format_box.activated.connect(self._change)
         self._description = Label(name="exportDescription", wordWrap=True)
         self._options = offered_options()
@@ -236,8 +236,12 @@ class ExportForm(QWidget):
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
         check.setEnabled(bool(unit))
-        check.setText(f"True size, 1 is 1 {unit}" if unit else "True size")
-        why = f"“{document.unit}” is no unit of length" if document.unit else "The document has no unit"
+        check.setText(f"True size: 1 is 1 {unit}" if unit else "True size")
+        why = (
+            f"“{document.unit}” is not a unit of length"
+            if document.unit
+            else "The document has no unit of length"
+        )
         tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
         check.setToolTip(tip)
         self._show_extents(has_selection=has_selection)
@@ -447,7 +451,7 @@ class RealField(Field[float | None]):
             return None
         value = parse_number(text, decimal_mark())
         if self._option.checked(value) != value:
-            raise ExpressionError("It is beyond the limits.")
+            raise ExpressionError("The number is out of range.")
         return value
 
 

@@ -88,7 +88,7 @@ class ImportDrawingDialog(WorkDialog):
         self.into.setEnabled(result.has_curves)
         self.into.currentTextChanged.connect(self._show_rest)
         self._show_rest()
-        self.foot = ImportFoot(self, "importDrawing", "Take the curves in", verb, self.into)
+        self.foot = ImportFoot(self, "importDrawing", "Import the curves", verb, self.into)
         self.ok = self.foot.ok
         self.foot.box.accepted.connect(self._import)
         self._lay_out()
@@ -126,7 +126,7 @@ class ImportDrawingDialog(WorkDialog):
         included = self._included()
         self.ok.setEnabled(any(included))
         some = self._result if all(included) or not any(included) else self._result.only(included)
-        none = f"None of {shape_count_label(self._result.document.curves)}; choose at least one."
+        none = f"Select at least one of {shape_count_label(self._result.document.curves)}."
         self.summary.setText(_summary(self._result, some) if any(included) else none)
         if any(included):
             self.picture.show_document(some.document)
@@ -142,7 +142,7 @@ class ImportDrawingDialog(WorkDialog):
 def _summary(whole: ImportResult, part: ImportResult) -> str:
     """Return what is taken of a drawing."""
     if not part.has_curves:
-        return "No curve."
+        return "No curves."
     points = sum(len(curve.points) for curve in part.document.curves)
     exact = distance_text(part.deviation, "the file")
     some = shape_count_label(part.document.curves)
@@ -170,10 +170,10 @@ class GroupTree(QTreeWidget):
 
     def __init__(self, document: Document) -> None:
         super().__init__()
-        tip = "Take a shape or all of a group, or leave it out (Space)"
+        tip = "Select the shapes and groups to import (Space)"
         named(self, "importGroups", "Groups and shapes of the drawing", tip)
         self.setColumnCount(2)
-        self.setHeaderLabels(["Group or shape", "Holds"])
+        self.setHeaderLabels(["Group or shape", "Contains"])
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setMinimumHeight(_TREE_HEIGHT)
         self._document = document
@@ -209,7 +209,7 @@ class GroupTree(QTreeWidget):
                 points = count_of(sum(len(curves[curve_index].points) for curve_index in indices), "point")
                 leaf = self._item((*chain, index), first.shape or first.name, points)
             elif not chain or chain in inner:
-                leaf = self._item((*chain, -1), "in no group of its own", "")
+                leaf = self._item((*chain, -1), "other shapes", "")
             else:
                 leaf = self._items[chain]
             leaves += [leaf] * len(indices)
@@ -247,7 +247,7 @@ class ImportPicture(QWidget):
         super().__init__()
         self._jobs = jobs
         self.picture = Label(name="importPicture", label="Preview")
-        self.picture.setToolTip("What comes in")
+        self.picture.setToolTip("Preview of the curves to import")
         self.picture.setFixedSize(_PICTURE_WIDTH, _PICTURE_HEIGHT)
         self.picture.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.picture.setWordWrap(True)

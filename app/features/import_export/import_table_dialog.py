@@ -46,11 +46,11 @@ from ...widgets.number_text import decimal_mark
 from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box
 
 IGNORE = "ignore"
-_SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Blanks"}
+_SEPARATORS = {"\t": "Tab", ";": "Semicolon ;", ",": "Comma ,", " ": "Spaces"}
 _THINNINGS = (None, *Thinning)
 _THINNING_TIP = (
-    "Fit a curve: as few points as a smooth curve needs to pass all rows within the distance. "
-    "Keep corners: the rows that a polyline within the distance turns at (Douglas–Peucker)"
+    "Fit a curve: as few points as a smooth curve within the distance of every row needs. "
+    "Keep corners: the vertices of a polyline within the distance (Douglas–Peucker)"
 )
 _SOON_MS = 250
 
@@ -103,23 +103,28 @@ class ImportTableDialog(WorkDialog):
     def _build_reading(self) -> None:
         """Make what says how the cells are read."""
         self.separator_box = choice_box(
-            "tableSeparator", "Separator", "What stands between two cells", _SEPARATORS.values()
+            "tableSeparator", "Separator", "Character between two cells", _SEPARATORS.values()
         )
-        self.comma_check = check_box("tableComma", "Decimal comma", "Numbers are written 0,5")
-        self.header_check = check_box("tableHeader", "First row holds titles", "The first row is no point")
+        self.comma_check = check_box("tableComma", "Decimal comma", "Numbers are written like 0,5")
+        self.header_check = check_box(
+            "tableHeader", "First row contains titles", "The first row is not a point"
+        )
         self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
         self.remark = Label(name="tableSaid", wordWrap=True)
 
     def _build_curves(self) -> None:
         """Make what says which curves the rows become."""
         self.family_box = choice_box(
-            "tableFamily", "Family", "The curve through the rows", (family.label for family in FAMILIES)
+            "tableFamily",
+            "Family",
+            "Family of the curve through the rows",
+            (family.label for family in FAMILIES),
         )
         self.family_box.setCurrentIndex(FAMILIES.index(HERMITE))
         titles = ["Keep every row", *(thinning.label for thinning in Thinning)]
         self.thinning_box = choice_box("tableThinning", "Rows", _THINNING_TIP, titles)
         self.tolerance_edit = FieldEdit(
-            "tableTolerance", "Distance", "How near to stay to every row, in the unit of the table (Enter)"
+            "tableTolerance", "Distance", "Largest distance from every row, in the unit of the table (Enter)"
         )
         self.tolerance_edit.setMaximumWidth(110)
         self.into = into_box(self._verb)
@@ -133,7 +138,7 @@ class ImportTableDialog(WorkDialog):
         self.missing_box = choice_box(
             "tableMissing",
             "Rows without numbers",
-            "What becomes of rows without numbers",
+            "How to treat rows without numbers",
             (rule.label for rule in MissingRows),
         )
         label = Label("Rows without numbers", name="tableMissingLabel")
@@ -142,8 +147,8 @@ class ImportTableDialog(WorkDialog):
         row_of(label, self.missing_box, 1, margins=0, spacing=8, parent=self._missing)
         self._missing.hide()
         self.summary = Label(name="tableSummary")
-        self.bar = ThinProgress("tableProgress", "How far the reading has come")
-        self.foot = ImportFoot(self, "importTable", "Make curves of the rows", self._verb, self.into)
+        self.bar = ThinProgress("tableProgress", "Progress of reading")
+        self.foot = ImportFoot(self, "importTable", "Create curves from the rows", self._verb, self.into)
         self.ok = self.foot.ok
 
     def _lay_out(self) -> None:
@@ -246,12 +251,14 @@ class ImportTableDialog(WorkDialog):
         self.tolerance_edit.setEnabled(thinning is not None)
         self.family_box.setEnabled(thinning is None)
         self.family_box.setToolTip(
-            "The curve through the rows" if thinning is None else "Thinned out, rows become a Hermite curve"
+            "Family of the curve through the rows"
+            if thinning is None
+            else "Thinned rows become a Hermite curve"
         )
         mapping = self._mapping()
         self._say_columns(mapping)
         if mapping is None:
-            self._show(PreparedTable(problem="Say which columns are x and y."))
+            self._show(PreparedTable(problem="Choose the columns of x and y above the table."))
             return
         family = FAMILIES[self.family_box.currentIndex()]
         missing = list(MissingRows)[self.missing_box.currentIndex()]
@@ -268,7 +275,7 @@ class ImportTableDialog(WorkDialog):
         preview = self._preview
         is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain
         words = mapping_summary(mapping, preview.titles) if mapping is not None else ""
-        doubt = "This is a guess; choose above the columns what they are." if is_guess else ""
+        doubt = "This is a guess; check the roles above the columns." if is_guess else ""
         self.remark.setText(" ".join(filter(None, (preview.remark, words, doubt))))
 
     def _show_preview(self, preview: Preview) -> None:
@@ -300,7 +307,7 @@ class ImportTableDialog(WorkDialog):
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
         self.summary.setText(_summary(prepared))
         self.ok.setEnabled(prepared.document is not None)
-        self.ok.setToolTip(tip_of(prepared.problem) or "Make curves of the rows")
+        self.ok.setToolTip(tip_of(prepared.problem) or "Create curves from the rows")
 
     def _fail(self, problem: Exception) -> None:
         self.complain(str(problem))
@@ -316,8 +323,8 @@ class ImportTableDialog(WorkDialog):
         lines = list(prepared.remarks)
         if prepared.wider_than:
             lines.append(
-                f"The distance is {_number_text(prepared.tolerance)}: {_number_text(prepared.wider_than)} "
-                f"would leave more than {MOST_POINTS:,} points."
+                f"The distance was increased to {_number_text(prepared.tolerance)}: "
+                f"{_number_text(prepared.wider_than)} would leave more than {MOST_POINTS:,} points."
             )
         if lines:
             self.problem.setStyleSheet("")
@@ -369,7 +376,7 @@ class TablePreview(QTableWidget):
 
     def __init__(self, roles: Sequence[str]) -> None:
         super().__init__()
-        tip = "The first rows of the file; of long numbers the first six digits"
+        tip = "First rows of the file; long numbers are rounded to six digits"
         named(self, "tablePreview", "First rows of the table", tip)
         # What is no number is told by its end as much as by its beginning.
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -491,8 +498,8 @@ class RoleHeader(SafeOverrides, QHeaderView):
         return tuple(self._roles[box.currentIndex()] for box in self.boxes)
 
     def _box(self, column: int) -> QComboBox:
-        tip = "What this column is; each but “ignore” at most once"
-        box = choice_box(f"columnRole{column}", f"What column {column + 1} is", tip, self._roles)
+        tip = "Role of this column; each role but “ignore” is used at most once"
+        box = choice_box(f"columnRole{column}", f"Role of column {column + 1}", tip, self._roles)
         box.setParent(self)
         box.activated.connect(lambda _index, box=box: self._choose(box))
         box.show()

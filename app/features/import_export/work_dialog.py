@@ -49,7 +49,7 @@ class Verb(Enum):
 
 def into_box(verb: Verb) -> QComboBox:
     """Return the box that asks where the curves go; of what is opened, to a new document."""
-    box = choice_box("importInto", "Into", "Where the curves go", INTO)
+    box = choice_box("importInto", "Into", "Document that gets the curves", INTO)
     if verb is Verb.OPEN:
         box.setCurrentText(A_NEW_DOCUMENT)
     return box
@@ -65,7 +65,7 @@ def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonB
     ahead.setDefault(True)
     box.addButton(ahead, QDialogButtonBox.ButtonRole.AcceptRole)
     other = box.button(QDialogButtonBox.StandardButton.Cancel)
-    named(other, cancel, tip="Close and leave everything as it is (Esc)")
+    named(other, cancel, tip="Close without changes (Esc)")
     return box, ahead
 
 
@@ -138,6 +138,6 @@ class ImportFoot(QWidget):
         )
         waits = turn.waiting > 0
         self._cancel.setText("Skip" if waits else self._words)
-        self._cancel.setToolTip("Leave out this file and go on to the next (Esc)" if waits else self._tip)
-        self.rest.setToolTip(f"Leave out this file and the {count_of(turn.waiting, 'file')} after it")
+        self._cancel.setToolTip("Skip this file and continue with the next (Esc)" if waits else self._tip)
+        self.rest.setToolTip(f"Skip this file and the {count_of(turn.waiting, 'file')} after it")
         self.rest.setVisible(waits)

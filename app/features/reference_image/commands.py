@@ -132,7 +132,7 @@ class ImageCommands:
 
     @action("addImage", "Reference Image…", FILE_IMAGE, icon="image")
     def _ask_and_add(self) -> None:
-        """Put a PNG or JPEG picture behind the curves, to trace it."""
+        """Show a PNG or JPEG picture behind the curves, to trace it."""
         path = self._ask("Reference Image")
         if path is not None:
             self.trace(path)
@@ -142,7 +142,11 @@ class ImageCommands:
         for path in paths[:1]:
             self.trace(path)
         others = [path.name for path in paths[1:]]
-        return f"{names_with_verb(others)} not traced: a document has one picture to trace." if others else ""
+        return (
+            f"{names_with_verb(others)} not traced: a document can have only one reference image."
+            if others
+            else ""
+        )
 
     def trace(self, path: Path) -> None:
         """Put a picture behind the curves, in the middle of what is visible, or say why not."""
@@ -161,7 +165,7 @@ class ImageCommands:
         if self._session.change("Add image", lambda document: set_image(document, image)):
             self._dock.raise_()
             self._session.say(
-                "File › Reference Image › Move Image drags and scales the image; the panel fades it."
+                "To move or scale the image, use File › Reference Image › Move Image; to fade it, the panel."
             )
 
     @switch(
@@ -174,14 +178,14 @@ class ImageCommands:
     )
     @also(IMAGE_BUTTONS(10))
     def _toggle_moving(self) -> None:
-        """Drag the reference image, and scale it by its corners; points are out of reach meanwhile."""
+        """Drag the reference image and scale it by its corners; meanwhile points cannot be edited."""
         if self._context.store.state.moves_image:
             self._session.say(MOVE_IMAGE.hint)
 
     @action("findImage", "Find Image…", FILE_IMAGE, needs=_AN_IMAGE)
     @also(IMAGE_BUTTONS(11))
     def _ask_and_find(self) -> None:
-        """Say where the file of the reference image is."""
+        """Locate the file of the reference image."""
         path = self._ask("Find Image")
         if path is not None:
             self.find(path)
@@ -210,7 +214,7 @@ class ImageCommands:
     @action("removeImage", "Remove Image", FILE_IMAGE, needs=_AN_IMAGE)
     @also(IMAGE_BUTTONS(12))
     def _remove(self) -> None:
-        """Take the reference image out of the document."""
+        """Remove the reference image from the document."""
         self._session.change("Remove image", lambda document: set_image(document, None))
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:

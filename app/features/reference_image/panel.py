@@ -41,7 +41,7 @@ class ImagePanel(FieldForm):
         self.opacity = _opacity_slider()
         self._percent = Label()
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
-        self.lock = check_box("imageLocked", "Locked", "Keep the image safe from being moved and scaled")
+        self.lock = check_box("imageLocked", "Locked", "Protect the image from being moved and scaled")
         self._file = Label(name="imageFile")
         # A long name is cut, it never widens the window; the tooltip has it whole.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -134,7 +134,7 @@ def _number_edit(name: str, label: str, what: str) -> NumberEdit:
 
 
 def _opacity_slider() -> LiveSlider:
-    tip = "How much of the image is seen; Escape cancels a drag"
+    tip = "Opacity of the image; Escape cancels a drag"
     slider = named(LiveSlider(), "imageOpacity", "Opacity of the image", tip)
     slider.setRange(0, STEPS)
     return slider
