@@ -678,7 +678,7 @@ BAD_PASTES = [
     ((0, X), "1\t2\n3", "The rows differ in length: row 2 has 1, the first 2."),
     ((0, X), "1\t1/0", "Row 1, column 2: Division by zero."),
     ((0, X), "1\t2e12", "Row 1, column 2: Enter a number between"),
-    ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is unclear"),
+    ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is ambiguous"),
     ((0, X), "1,234.5\t1", "group separators"),
     (
         (0, X),

@@ -235,7 +235,7 @@ def test_a_unit_may_follow_the_number(arch):
 NO_UNITS = [
     ("mm", "g2q", "“q” is not a unit of length"),
     ("mm", "g2mv", "“mv” is not a unit of length"),
-    ("", "g2m", "The document has no unit of length; type a number without “m”."),
+    ("", "g2m", "The document has no unit of length. Type a number without “m”."),
     ("ell", "g2m", "The unit of the document, “ell”, is not a length"),
     ("mm", "s2m", "A factor or an angle has no unit; type a number without “m”."),
     ("mm", "r2b", "A factor or an angle has no unit; type a number without “b”."),
