@@ -113,9 +113,36 @@ def test_the_readme_lists_the_pages_of_the_manual():
     assert [(title, name) for name, title in titles.items()] == listed
 
 
-@pytest.mark.parametrize("name", ["README.md"])
+@pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md"])
 def test_it_can_be_read_in_five_minutes(name):
     assert len(text_of(name).encode()) <= 9000
+
+
+def test_the_vocabulary_has_forty_words_and_none_twice():
+    rows = text_of("CONTRIBUTING.md").partition("| word | meaning |\n| --- | --- |\n")[2].partition("\n\n")[0]
+    words = [word.strip() for row in rows.split("\n") for word in row.split("|")[1].split(",")]
+    assert len(words) == len(set(words))
+    assert 20 < len(words) <= 40
+
+
+def test_files_and_names_in_contributing_exist():
+    text = text_of("CONTRIBUTING.md")
+    quotes = {quote for quote in re.findall("`([^`\n]+)`", text) if "NAME" not in quote and "…" not in quote}
+    paths = {quote for quote in quotes if re.match(r"(app|curvecore|tests|resources)/", quote)}
+    assert len(paths) > 20
+    assert {
+        path for path in paths if not list(ROOT.glob(path.replace("NN_name", "05_*").rstrip("/")))
+    } == set()
+    sources = [
+        path.read_text("utf-8") for path in [*ROOT.glob("app/**/*.py"), *ROOT.glob("curvecore/**/*.py")]
+    ]
+    defined = set(re.findall(r"\b(?:class|def) (\w+)", "\n".join(sources)))
+    (walk,) = re.findall(r"```text\n(press.*?)```", text, re.DOTALL)
+    names = {quote.partition("(")[0] for quote in quotes if re.fullmatch(r"[A-Z][a-z]\w+|\w+\(.*\)", quote)}
+    names |= set(re.findall(r"\b[A-Z][a-z]\w+(?:\.\w+)?", walk)) - {"Escape"}
+    assert len(set(re.findall(r"\b[A-Z][a-z]\w+", walk)) - {"Escape"}) <= 9
+    for name in names:
+        assert set(name.split(".")) <= defined, name
 
 
 def test_the_core_example_prints_what_it_says(tmp_path):
