@@ -319,5 +319,5 @@ def _without_figure(row: LegendRow) -> LegendRow:
 
 def _name_choose_button(button: QWidget, row: LegendRow) -> None:
     """Name the button that replaces the curve by a ghost, with the figure that the narrowest form omits."""
-    text = row.tip or f"Make this the curve: {row.text}" + (f" ({row.figure})" if row.figure else "")
+    text = row.tip or f"Apply to the curve: {row.text}" + (f" ({row.figure})" if row.figure else "")
     named(button, button.objectName(), text, tip_of(text))

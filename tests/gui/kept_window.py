@@ -255,7 +255,7 @@ class KeptEditor:
             window.canvas.change_tool_settings(**msgspec.structs.asdict(self._tool_settings))
         if window.canvas.drawing.grid._fixed != self._sketch.grid_spacing:
             window.canvas.drawing.grid.set_spacing(self._sketch.grid_spacing)
-        window.central["plotPanel"].kept_height = USUAL_HEIGHT
+        window.central["plotPanel"].last_height = USUAL_HEIGHT
         if (hodograph := window.commands[HodographCommands]._panel) is not None:
             # Fitted to whatever comes, too.
             hodograph.findChild(QToolButton, "hodographVelocity").click()

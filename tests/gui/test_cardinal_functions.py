@@ -166,7 +166,9 @@ def test_the_growth_by_akimas_rule_is_shown_as_that_at_these_points(editor):
     (plot,) = editor.window.central["plotPanel"].pane.canvas.plots
     assert plot.levels[0].name == "Lebesgue constant Λ = ∞ at these points"
     (warned,) = warnings_of(editor.session.active_view, np.inf)
-    assert warned.sentence.startswith("Between two straight runs of x or y the velocity jumps")
+    assert warned.sentence.startswith(
+        "Between two straight runs of x or y the smallest error in a point makes the velocity jump"
+    )
     linear = replace(worse, velocity_rule=VelocityRule.BESSEL)
     editor.session.commit(Document((linear,)), "Another rule")
     assert "at these points" not in label(editor, "lebesgueConstant")

@@ -297,7 +297,7 @@ def test_the_legend_of_all_families_covers_no_curve(editor, size):
     editor.fit()
     until(lambda: covered(editor) == 0)
     tip = editor.window.findChild(QToolButton, "legendChoose_floater_hormann").toolTip()
-    assert tip == "Make this the curve: Barycentric rational (Λ 3.7)"
+    assert tip == "Apply to the curve: Barycentric rational (Λ 3.7)"
     assert editor.window.canvas.viewport().rect().contains(legend.geometry())
 
 

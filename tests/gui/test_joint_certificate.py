@@ -80,7 +80,7 @@ def test_a_click_on_a_row_zooms_there_and_selects_the_point(bessel):
     assert ((x_min + x_max) / 2, (y_min + y_max) / 2) == pytest.approx(bessel.point(3))
     assert x_max - x_min < 0.6 * width
     assert "Joint 3" in bessel.window.findChild(QLabel, "jointsDetail").text()
-    assert "acceleration jumps" in bessel.window.findChild(QLabel, "jointsDetail").text()
+    assert "acceleration and curvature jump" in bessel.window.findChild(QLabel, "jointsDetail").text()
     assert bessel.session.undo_stack.count() == 1
 
 
@@ -135,7 +135,7 @@ def test_what_is_not_decided_is_a_question_mark_with_its_reason(bessel, theme):
     assert [text(bessel, 0, column) for column in range(5)] == ["? 1", "≥C¹", "0", "0", "?"]
     assert text(bessel, 0, COLUMNS.index("κ")) == "?"
     cell = table(bessel).model().index(0, 4)
-    assert "double precision does not decide" in cell.data(Qt.ItemDataRole.ToolTipRole)
+    assert "Double precision does not decide" in cell.data(Qt.ItemDataRole.ToolTipRole)
     # Neither a fault nor a zero: the colour of all text.
     assert cell.data(Qt.ItemDataRole.ForegroundRole) is None
     assert table(bessel).model().index(0, 2).data(Qt.ItemDataRole.ForegroundRole) == theme.muted

@@ -277,7 +277,7 @@ def test_rounding_can_be_limited_to_coefficients_or_data(lab):
         laboratory=replace(lab.window.analysis.settings.laboratory, digits=2, shift=1000.0)
     )
     settled(lab)
-    assert "To 2 digits, neighbouring t are the same number" in text(lab, "laboratoryWords")
+    assert "Rounded to 2 digits, neighbouring t are the same number" in text(lab, "laboratoryWords")
     assert not traces_of(lab)
     press_key(lab, box, Qt.Key.Key_Home)
     assert traces_of(lab)
@@ -338,7 +338,7 @@ def test_too_many_points_are_refused_with_a_sentence(lab):
     lab.session.commit(Document((make_curve([(i, i % 2) for i in range(201)]),)), "Most")
     settled(lab)
     assert not traces_of(lab)
-    assert "too many" in text(lab, "laboratoryWords")
+    assert "up to 200 points; this one has 201" in text(lab, "laboratoryWords")
 
 
 def test_without_a_curve_the_panel_says_why(lab):
@@ -423,4 +423,4 @@ def test_the_dock_is_as_wide_as_the_laboratory(editor, family):
     page = find(editor, QScrollArea, "accuracyPage")
     assert page.horizontalScrollBar().maximum() == 0
     words = find(editor, QLabel, "laboratoryWords").text()
-    assert ("Λ here is of the data" in words) == bool(family.derivatives)
+    assert ("This Λ is that of the data" in words) == bool(family.derivatives)

@@ -411,7 +411,7 @@ def test_a_motion_is_exported(editor, motion, tmp_path):
     until(lambda: not editor.window.context.work.jobs.is_busy)
     with Image.open(path) as film:
         assert (film.n_frames, film.width, film.info["duration"]) == (20, 160, 100)
-    assert "Wrote film.gif, 20 frames." in editor.status
+    assert "Exported film.gif: 20 frames." in editor.status
     assert motion.bar.isHidden()
 
 
@@ -498,8 +498,8 @@ def test_a_number_that_a_film_cannot_have_is_told(editor, motion):
     dialog = editor.window.findChild(QDialog, "motionDialog")
     said, button = dialog.findChild(QLabel, "filmFrames"), dialog.findChild(QPushButton, "filmExport")
     for name, kind, typed, problem in (
-        ("filmFps", QSpinBox, "60", "Frames a second: from 1 to 50."),
-        ("filmFps", QSpinBox, "0", "Frames a second: from 1 to 50."),
+        ("filmFps", QSpinBox, "60", "Frames per second: from 1 to 50."),
+        ("filmFps", QSpinBox, "0", "Frames per second: from 1 to 50."),
         ("filmWidth", QSpinBox, "5000", "Width: from 64 to 1920."),
         ("filmSeconds", QDoubleSpinBox, "4000", "Length: from 0.1 to 3600."),
         ("filmSeconds", QDoubleSpinBox, "-2", "Length: from 0.1 to 3600."),

@@ -49,7 +49,7 @@ def test_the_badge_appears_when_the_lebesgue_constant_passes_100(editor):
     assert badge(editor).isVisible()
     # Published for 21 equally spaced points: 10986.5.
     assert badge(editor).text() == "⚠ Λ 10\N{NARROW NO-BREAK SPACE}987"
-    assert "4 digits of accuracy are gone" in badge(editor).sentence
+    assert "4 digits of accuracy are lost" in badge(editor).sentence
     assert not editor.window.findChild(QLabel, "lebesgueConstant").isVisible()
     editor.choose_parametrization(ParametrizationKind.CHEBYSHEV)
     assert not badge(editor).isVisible()

@@ -506,7 +506,7 @@ def test_the_joints_are_told(name):
     if name in JOINTS:
         assert inner == JOINTS[name]
     if name == "tests_gaussian":
-        assert certificate.summary == "No joints: a Gaussian curve has no breaks inside."
+        assert certificate.summary == "No joints: a Gaussian curve has no inner breaks."
     if name == "tests_cosine_steps":
         # It stands still at every point, and starts in another direction: c'' jumps, c' does not.
         for row in certificate.rows:

@@ -343,7 +343,7 @@ def test_the_wiggle_is_explained_by_points_far_away():
     assert explanation.lebesgue == pytest.approx(8.55, abs=0.02)
     assert {pull.order for pull in explanation.pulls} == {0}
     assert "the estimates follow it" in explanation.sentences[1]
-    assert "can grow 8.6 times here" in explanation.sentences[2]
+    assert "can grow by a factor of 8.6 here" in explanation.sentences[2]
 
 
 def test_samples_of_the_panel():
@@ -391,7 +391,7 @@ def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
     view = view_of(curve)
     (found,) = [each for each in warnings_of(view, growth_of_points(view)) if each.topic is Topic.LEBESGUE]
     assert view.growth > 100
-    assert "estimated velocities carry it along" in found.sentence
+    assert "estimated velocities follow the error" in found.sentence
     assert "use a Hermite curve" not in found.sentence
 
 

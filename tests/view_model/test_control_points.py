@@ -46,8 +46,8 @@ def test_a_place_between_control_points_is_explained(name):
     strongest = int(np.argmax(weights_at(view, 0.45)))
     away = float(np.hypot(*(view.curve.evaluate(0.45) - view.points[strongest])))
     assert found.sentences[0].startswith(f"Point {strongest} pulls hardest, with weight ")
-    assert f"passes it {short(away)} away" in found.sentences[0]
-    assert "cannot leave the hull" in found.sentences[1]
+    assert f"passes it at a distance of {short(away)}" in found.sentences[0]
+    assert "stays in the hull" in found.sentences[1]
     assert "go through" not in " ".join(explain(view, float(view.parameters[2])).sentences)
 
 
@@ -57,7 +57,7 @@ def test_joints_lie_on_the_curve_not_at_its_points():
     assert [row.joint for row in certificate.rows] == [2, 3]
     for row in certificate.rows:
         assert row.t == view.parameters[row.joint]
-        assert row.place == pytest.approx(tuple(view.curve.evaluate(row.t)), abs=1e-15)
+        assert row.position == pytest.approx(tuple(view.curve.evaluate(row.t)), abs=1e-15)
         assert row.smoothness == "C²"
         # The third derivative of cubics jumps.
         assert row.jumps[:3] == (0.0, 0.0, 0.0)

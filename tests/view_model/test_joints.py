@@ -107,7 +107,7 @@ def test_many_rough_joints_are_counted():
 def test_the_joint_where_a_curve_closes_comes_last():
     result = certificate(closed=True)
     assert [row.joint for row in result.rows] == [1, 2, 3, 4, 0]
-    assert result.rows[-1].place == POINTS[0]
+    assert result.rows[-1].position == POINTS[0]
     assert result.summary == "C² everywhere."
 
 
@@ -147,7 +147,8 @@ def test_what_rounding_hides_is_said_to_be_undecided():
     for row in result.rows[:2]:
         assert (row.kind, row.kind.value, row.smoothness) == (JointKind.UNDECIDED, "?", "≥C¹")
         assert row.words.startswith(
-            "The velocity goes on. Whether the acceleration goes on, double precision does not decide: "
+            "The velocity is continuous. Double precision does not decide whether the acceleration "
+            "is continuous: "
             "rounding alone can make it jump by 0."
         )
         assert row.jumps[:2] == (0.0, 0.0)
@@ -173,7 +174,7 @@ def test_a_rest_has_no_numbers_of_a_direction():
     assert text.splitlines()[3].split("\t")[7:] == ["–", "–", "–"]
 
 
-UNDECIDED = "double precision does not decide"
+UNDECIDED = "Double precision does not decide"
 
 
 @each_row(
@@ -183,37 +184,38 @@ UNDECIDED = "double precision does not decide"
             (1, 1),
             (True, True),
             JointKind.UNDECIDED,
-            f"The velocity goes on. Whether the acceleration goes on, {UNDECIDED}:",
+            f"The velocity is continuous. {UNDECIDED} whether the acceleration is continuous:",
         ),
         (
             (0, 0),
             (True, True),
             JointKind.UNDECIDED,
-            f"The curve goes on. Whether the velocity goes on, {UNDECIDED}:",
+            f"The curve is continuous. {UNDECIDED} whether the velocity is continuous:",
         ),
         (
             (2, 2),
             (True, True),
             JointKind.SMOOTH,
-            f"Velocity and acceleration go on. Whether the jerk goes on, {UNDECIDED}:",
+            f"Velocity and acceleration are continuous. {UNDECIDED} whether the jerk is continuous:",
         ),
         (
             (0, 0),
             (False, True),
             JointKind.UNDECIDED,
-            f"The curve goes on, the velocity jumps. Whether the direction goes on, {UNDECIDED}.",
+            f"The curve is continuous, the velocity jumps. {UNDECIDED} whether the direction is continuous.",
         ),
         (
             (1, 1),
             (False, True),
             JointKind.ACCELERATION,
-            f"The velocity goes on, the acceleration jumps. Whether the curvature goes on, {UNDECIDED}.",
+            f"The velocity is continuous, the acceleration jumps. "
+            f"{UNDECIDED} whether the curvature is continuous.",
         ),
         (
             (3, 0),
             (False, True),
             JointKind.SMOOTH,
-            f"Velocity and acceleration go on. Whether the direction goes on, {UNDECIDED}.",
+            f"Velocity and acceleration are continuous. {UNDECIDED} whether the direction is continuous.",
         ),
     ],
 )

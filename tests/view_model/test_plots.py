@@ -113,7 +113,7 @@ def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
     still = [replace(point, velocity=(1.0, 0.0), acceleration=(0.0, 0.0)) for point in view.source.points]
     (plot,) = plots(view_of(replace(view.source, points=tuple(still))), lebesgue.LEBESGUE)
     assert plot.lines[0].values == pytest.approx(1.0, abs=1e-12)
-    assert "no error of a point grows" in plot.levels[0].name
+    assert "errors of points do not grow" in plot.levels[0].name
 
 
 def test_only_the_visible_part_is_sampled_and_no_more_often_than_there_are_pixels():

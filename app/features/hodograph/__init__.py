@@ -1,6 +1,6 @@
 """The hodograph: a derivative of the curve, drawn as a curve.
 
-- ``commands``: keeps it in step with the curve.  ``panel``: the plot, with a choice of the order.
+- ``commands``: keeps it in step with the curve.  ``panel``: the plot, with buttons for the order.
 """
 
 import lazy_loader as lazy

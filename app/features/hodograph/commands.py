@@ -1,4 +1,4 @@
-"""The hodograph: built when it is first looked at, and in step with the curve while it is."""
+"""The hodograph: built when its dock is first opened, and in step with the curve while visible."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class HodographCommands:
 
     @Panel("hodographDock", "Hodograph", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
-        """Build the panel; called when its dock is first shown."""
+        """Return the panel; called when its dock is first shown."""
         self._panel = hodograph.panel.HodographPanel(Toolbox(self._context.session, SCRUB_ALONG), parent)
         self._panel.changed.connect(lambda: self.follow_drag(self._context.session.active_view))
         return self._panel
@@ -46,12 +46,12 @@ class HodographCommands:
         self._context.docks["hodographDock"].bring_up()
 
     @property
-    def _shown(self) -> HodographPanel | None:
+    def _visible_panel(self) -> HodographPanel | None:
         return self._panel if self._panel is not None and self._panel.isVisible() else None
 
     def follow_drag(self, view: CurveView) -> bool:
-        """Draw the hodograph of `view` if anybody sees it."""
-        panel = self._shown
+        """Draw the hodograph of `view` if its panel is visible."""
+        panel = self._visible_panel
         if panel is not None:
             self._draw(panel, view)
         return panel is not None
@@ -71,14 +71,14 @@ class HodographCommands:
         self._show(compute())
 
     def _show(self, hodograph: Hodograph) -> None:
-        panel, session = self._shown, self._context.session
+        panel, session = self._visible_panel, self._context.session
         if panel is not None:
             owners = len(session.active_curve.points)
             panel.plot.render_hodograph(hodograph, owners, calm=session.is_previewing)
             self._show_scrub(session.scrub.t)
 
     def _show_scrub(self, t: float | None) -> None:
-        panel, view = self._shown, self._context.session.active_view
+        panel, view = self._visible_panel, self._context.session.active_view
         if panel is None:
             return
         known = t is not None and view.is_current

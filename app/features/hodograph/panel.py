@@ -1,4 +1,4 @@
-"""The hodograph: where the velocity points and how long it is, all along the curve."""
+"""The hodograph: direction and length of a derivative all along the curve."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class HodographPlot(ToolPlot, CanvasQueries):
         self.camera.steered.connect(self._leave)
 
     def render_hodograph(self, hodograph: Hodograph, owners: int, *, calm: bool) -> None:
-        """Show a hodograph of a curve with so many points; while `calm`, the view only grows."""
+        """Show a hodograph of a curve with `owners` points; while `calm`, the view only grows."""
         self.hodograph, self.owners, self.waits, self.note = hodograph, owners, False, ""
         if self.is_fitted and (not calm or hodograph.reach > self._reach):
             self.fit()
@@ -72,7 +72,7 @@ class HodographPlot(ToolPlot, CanvasQueries):
         self._layer.update()
 
     def fit(self) -> None:
-        """Show all of it, and the origin."""
+        """Show the whole hodograph, and the origin."""
         self.is_fitted = True
         if self.hodograph is None:
             return
@@ -95,7 +95,7 @@ class HodographPlot(ToolPlot, CanvasQueries):
         super().set_theme(theme)
 
     def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
-        """Return the nearest place of the hodograph, however far."""
+        """Return the nearest point of the hodograph, at any distance."""
         if self.hodograph is None or not len(self.hodograph.t):
             return None
         pixels = self.pixel_map.points(self.hodograph.points / self.unit)
@@ -130,7 +130,7 @@ class HodographPlot(ToolPlot, CanvasQueries):
             self._paint_scrub(painter, pixel_map, self.scrub[1])
 
     def _paint_origin(self, painter: QPainter, pixel_map: PixelMap) -> None:
-        x, y = (round(min(max(each, -9.0), 1e5)) for each in pixel_map.point(0.0, 0.0))
+        x, y = (round(min(max(coordinate, -9.0), 1e5)) for coordinate in pixel_map.point(0.0, 0.0))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(0, y, int(pixel_map.width), y)
@@ -182,7 +182,7 @@ class HodographPanel(FollowsTheme, QWidget):
     Signals
     -------
     changed
-        Another derivative was chosen, or the panel has come into sight.
+        Another derivative was selected, or the panel became visible.
     """
 
     changed = Signal()
@@ -194,7 +194,7 @@ class HodographPanel(FollowsTheme, QWidget):
         self.plot = HodographPlot(tools)
         self._value = named(ElidedLabel(), "hodographValue", "Derivative at the scrub line")
         self._value.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        tip = "Show all of the hodograph, and keep it in sight"
+        tip = "Show the whole hodograph, and keep it in view"
         self._fit = tool_button("fitHodograph", "Fit the hodograph", tip, flat=True)
         self._fit.clicked.connect(self.plot.fit)
         self._group = QButtonGroup(self)
@@ -224,11 +224,11 @@ class HodographPanel(FollowsTheme, QWidget):
         """Write and draw the derivative at the scrub line; None without one."""
         if t is None or value is None:
             self.plot.scrub = None
-            self._value.setText("T shows the scrub line here")
+            self._value.setText("Press T to show the scrub line")
         else:
             self.plot.scrub = (t, value)
             mark, gap = decimal_mark(), "; " if decimal_mark() == "," else ", "
-            x, y = (number(each, 4, mark) for each in value)
+            x, y = (number(component, 4, mark) for component in value)
             angle = number(float(np.degrees(np.arctan2(value[1], value[0]))), 3, mark)
             name = f"{_NAMES[self.order][0]}({number(t, 3, mark)})"
             self._value.setText(f"{name} = ({x}{gap}{y}), {angle}°")

@@ -1,4 +1,4 @@
-"""The joint certificate: built when it is first looked at; a click on a joint goes there."""
+"""The joint certificate: built when its dock is first opened; a click on a joint zooms to it."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ class JointCommands:
 
     @Panel("jointsDock", "Joints")
     def build_panel(self, parent: QWidget) -> QWidget:
-        """Build the panel; called when its dock is first shown."""
+        """Return the panel; called when its dock is first shown."""
         self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"], parent)
         self._panel.visited.connect(self._visit)
-        self._panel.shown.connect(lambda: self.render_panel(self._context.session.active_view))
+        self._panel.became_visible.connect(lambda: self.render_panel(self._context.session.active_view))
         return self._panel
 
     def render_panel(self, view: CurveView) -> None:
-        """Show the joints of `view` if anybody sees them."""
+        """Show the joints of `view` if the panel is visible."""
         panel = self._panel
         if panel is None or not panel.isVisible():
             return
@@ -58,18 +58,18 @@ class JointCommands:
 
     @action("copyJoints", "Copy Joint Certificate", ANALYSIS_JOINTS, icon="copy")
     def _copy(self) -> None:
-        """Copy what was measured at the joints as a table of text."""
+        """Copy the measured joints as a table of text."""
         certificate = analysis.joints.certificate_of(self._context.session.active_view)
         QGuiApplication.clipboard().setText(analysis.joints.as_text(certificate))
         self._context.session.say(f"Copied: {certificate.summary}")
 
     def _visit(self, row: JointRow) -> None:
-        """Look at a joint close up, and select its point."""
-        x, y = row.place
+        """Zoom to a joint, and select its point."""
+        x, y = row.position
         half = max(_CLOSE_UP * row.reach, _LEAST)
         self._context.central.canvas.camera.show_box((x - half, x + half), (y - half, y + half))
         self._context.session.selected.set_points([row.joint])
-        self._context.session.say(f"Joint {row.joint} close up; F shows the whole curve again.")
+        self._context.session.say(f"Zoomed to joint {row.joint}. Press F to show the whole curve.")
 
 
 COMMAND_SETS = (JointCommands,)

@@ -22,11 +22,11 @@ from ...widgets.number_text import decimal_mark
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "c‴", "∠", "κ")
 _TIPS = (
     "The joint, by its point: ✓ smooth, ? not decided, △ acceleration jumps, ◇ speed jumps, ▲ corner",
-    "Parametric continuity C, of the motion; geometric continuity G, of the line, where it says more",
+    "Parametric continuity C, of the motion; geometric continuity G, of the line, where it is higher",
     "Jump of the point",
-    "Jump of the velocity: the length of after minus before",
-    "Jump of the acceleration: the length of after minus before",
-    "Jump of the jerk: the length of after minus before",
+    "Jump of the velocity: length of the difference, after minus before",
+    "Jump of the acceleration: length of the difference, after minus before",
+    "Jump of the jerk: length of the difference, after minus before",
     "Angle between the tangents before and after",
     "Jump of the curvature, after minus before",
 )
@@ -45,7 +45,7 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
         self.theme: Theme = LIGHT
 
     def render(self, rows: Sequence[JointRow]) -> None:
-        """Show these joints; where there are as many as before, what is chosen stays."""
+        """Show joints; where there are as many as before, the selection stays."""
         if len(rows) != len(self.rows):
             self.beginResetModel()
             self.rows = rows
@@ -61,7 +61,7 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
         return 0 if parent is not None and parent.isValid() else len(COLUMNS)
 
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:  # noqa: ANN401
-        """Return what Qt asks for."""
+        """Return the text, colour, alignment or tooltip of a cell."""
         row = self.rows[index.row()]
         match role:
             case Qt.ItemDataRole.DisplayRole:
@@ -80,7 +80,7 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:  # noqa: ANN401
-        """Return what stands above a column."""
+        """Return the title or tooltip of a column."""
         if orientation is not Qt.Orientation.Horizontal:
             return None
         match role:
@@ -108,7 +108,7 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
 
 _PADDING = 5
 _DETAIL_LINES = 4
-_HOW = "Click a joint, or press Enter, to see it close up."
+_HOW = "Click a joint, or press Enter, to zoom to it."
 
 
 class JointsView(ClaimsKeys, QTableView):
@@ -119,7 +119,7 @@ class JointsView(ClaimsKeys, QTableView):
     visited
         A row was clicked, or Enter was pressed in it.
     copy_requested
-        The keys for it were pressed.
+        The keys for Copy were pressed.
     """
 
     visited = Signal(int)
@@ -169,18 +169,18 @@ class JointsView(ClaimsKeys, QTableView):
 
 
 class JointsPanel(FollowsTheme, QWidget):
-    """Summary, table, and the chosen joint in words.
+    """Summary, table, and the selected joint in words.
 
     Signals
     -------
     visited
-        A joint shall be seen close up: its `JointRow`.
-    shown
-        The panel has come into sight.
+        A joint was clicked, to zoom to it: its `JointRow`.
+    became_visible
+        The panel became visible.
     """
 
     visited = Signal(object)
-    shown = Signal()
+    became_visible = Signal()
 
     def __init__(self, copy: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -189,9 +189,9 @@ class JointsPanel(FollowsTheme, QWidget):
         self.view = JointsView(self._model)
         self._summary = Label(name="jointsSummary", label="Summary of the joints", wordWrap=True)
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._detail = Label(name="jointsDetail", label="The chosen joint in words", wordWrap=True)
+        self._detail = Label(name="jointsDetail", label="The selected joint in words", wordWrap=True)
         self._detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        # It keeps its height, whatever it says.
+        # It keeps its height, whatever its text.
         self._detail.setMinimumHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES)
         self._copy = action_button(copy, name="copyJoints", icon_size=0, flat=True)
         self._spare = QWidget()
@@ -216,7 +216,7 @@ class JointsPanel(FollowsTheme, QWidget):
         return list(self._model.rows)
 
     def render_certificate(self, certificate: Certificate) -> None:
-        """Show a certificate; without joints only its sentence."""
+        """Show a certificate; without joints only its summary."""
         self._model.render(certificate.rows)
         has_rows = bool(certificate.rows)
         # The worst of all joints; kinds are listed from smooth to broken.
@@ -225,33 +225,37 @@ class JointsPanel(FollowsTheme, QWidget):
         )
         sign = f"{worst.value} " if has_rows else ""
         self._summary.setText(sign + certificate.summary)
-        for part, seen in ((self.view, has_rows), (self._detail, has_rows), (self._spare, not has_rows)):
-            part.setVisible(seen)
+        for part, is_visible in (
+            (self.view, has_rows),
+            (self._detail, has_rows),
+            (self._spare, not has_rows),
+        ):
+            part.setVisible(is_visible)
         self._copy.setVisible(has_rows)
         self._show_detail()
 
     def set_selection(self, points: Collection[int]) -> None:
-        """Choose the joint at the selected point, where there is just one."""
+        """Select the joint of the selected point, where there is just one."""
         if len(points) != 1:
             return
         point = next(iter(points))
-        for place, row in enumerate(self._model.rows):
+        for row_number, row in enumerate(self._model.rows):
             if row.joint == point:
-                if self.view.currentIndex().row() != place:
-                    self.view.setCurrentIndex(self._model.index(place, 0))
+                if self.view.currentIndex().row() != row_number:
+                    self.view.setCurrentIndex(self._model.index(row_number, 0))
                 return
 
     def _show_detail(self, _current: QModelIndex | None = None, _previous: QModelIndex | None = None) -> None:
-        place = self.view.currentIndex().row()
-        if not 0 <= place < len(self._model.rows):
+        row_number = self.view.currentIndex().row()
+        if not 0 <= row_number < len(self._model.rows):
             self._detail.setText(_HOW)
             return
-        row = self._model.rows[place]
+        row = self._model.rows[row_number]
         t = number(row.t, 4, decimal_mark())
         # Only a closed curve has a joint at its first point.
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
-        told = " · ".join(filter(None, (row.smoothness, row.measured)))
-        self._detail.setText(f"{row.kind.value} {where}: {told}\n{row.words}")
+        facts = " · ".join(filter(None, (row.smoothness, row.measured)))
+        self._detail.setText(f"{row.kind.value} {where}: {facts}\n{row.words}")
 
     def set_theme(self, theme: Theme) -> None:
         self._model.theme = theme
@@ -260,4 +264,4 @@ class JointsPanel(FollowsTheme, QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self.shown.emit()
+        self.became_visible.emit()

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class _Choice(NamedTuple):
-    """A value of a setting of which one is chosen, and the words of its action."""
+    """A value of a setting with several values, and the texts of its action."""
 
     value: Repeat | Pace
     text: str
@@ -37,50 +37,50 @@ class _Choice(NamedTuple):
 
 
 _REPEATS = (
-    _Choice(Repeat.ONCE, "Once", "Run to the end of the curve and rest there", "Play Motion Once"),
-    _Choice(Repeat.LOOP, "Loop", "Begin again at the end", "Loop Motion", "loop"),
-    _Choice(Repeat.PING_PONG, "Ping-Pong", "Run to and fro", "Ping-Pong Motion"),
+    _Choice(Repeat.ONCE, "Once", "Run to the end of the curve and stop", "Play Motion Once"),
+    _Choice(Repeat.LOOP, "Loop", "Start again at the end", "Loop Motion", "loop"),
+    _Choice(Repeat.PING_PONG, "Ping-Pong", "Run back and forth", "Ping-Pong Motion"),
 )
 _PACES = (
-    _Choice(Pace.PARAMETER, "By t", "Let t grow evenly: the dot is as fast as c′ says", "Motion by t"),
+    _Choice(Pace.PARAMETER, "By t", "Let t grow evenly: the speed of the dot is |c′|", "Motion by t"),
     _Choice(
         Pace.LENGTH,
         "By Arc Length",
-        "Let the length grow evenly: the dot is equally fast everywhere",
+        "Let the arc length grow evenly: the dot has a constant speed",
         "Motion by Arc Length",
     ),
 )
 
 
-def _chosen_of(each: _Choice, prefix: str, section: MenuSection, group: str, field: str) -> Action:
+def _choice_action(choice: _Choice, prefix: str, section: MenuSection, group: str, field: str) -> Action:
     """Return the action that gives the setting `field` a value."""
     return Action(
-        action_name(prefix, each.value),
-        each.text,
+        action_name(prefix, choice.value),
+        choice.text,
         section,
-        icon=each.icon,
-        tip=each.tip,
-        full_name=each.full_name,
-        checked=lambda state: getattr(state.window.motion, field) is each.value,
+        icon=choice.icon,
+        tip=choice.tip,
+        full_name=choice.full_name,
+        checked=lambda state: getattr(state.window.motion, field) is choice.value,
         group=group,
     )
 
 
 class MotionCommands:
-    """The actions of a motion; what they act on is made when the first of them is used."""
+    """The actions of a motion; its parts in the window are made when the first action is used."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
         self._stage: MotionStage | None = None
 
     def render_panel(self, view: CurveView) -> None:
-        """Measure anew what is kept as it is during a drag."""
+        """Update what is fixed during a drag."""
         if self._stage is not None:
             self._stage.settle(view)
 
     @property
     def stage(self) -> motion.stage.MotionStage:
-        """The motion's parts in the window; made when they are first asked for."""
+        """The parts of the motion in the window; made at the first use."""
         if self._stage is None:
             self._stage = motion.stage.MotionStage(self._context)
             self._stage.settle(self._context.session.active_view)
@@ -104,7 +104,7 @@ class MotionCommands:
     )
     @also(TOOLBAR(64))
     def _play(self) -> None:
-        """Let a dot run along the curve, with its velocity and acceleration; again to pause."""
+        """Run a dot along the curve, with its velocity and acceleration; press again to pause."""
         self.stage.player.toggle()
 
     @action(
@@ -130,14 +130,16 @@ class MotionCommands:
         self.stage.player.change_speed(1)
 
     @action_for_each(
-        _REPEATS, lambda each: _chosen_of(each, "motion", MOTION_REPEAT, "motionRepeat", "repeat")
+        _REPEATS, lambda choice: _choice_action(choice, "motion", MOTION_REPEAT, "motionRepeat", "repeat")
     )
-    def _use_repeat(self, each: _Choice) -> None:
-        self.stage.player.change(repeat=each.value)
+    def _use_repeat(self, choice: _Choice) -> None:
+        self.stage.player.change(repeat=choice.value)
 
-    @action_for_each(_PACES, lambda each: _chosen_of(each, "motionBy", MOTION_PACE, "motionPace", "pace"))
-    def _use_pace(self, each: _Choice) -> None:
-        self.stage.player.change(pace=each.value)
+    @action_for_each(
+        _PACES, lambda choice: _choice_action(choice, "motionBy", MOTION_PACE, "motionPace", "pace")
+    )
+    def _use_pace(self, choice: _Choice) -> None:
+        self.stage.player.change(pace=choice.value)
 
     @action_for_each(
         timed_families,
@@ -145,7 +147,7 @@ class MotionCommands:
             family.action_name.replace("family", "motionWith"),
             f"Compare with {family.label}",
             MOTION_COMPARE,
-            tip=f"Let {family.a_curve} through these points run side by side",
+            tip=f"Run a dot on {family.a_curve} through these points side by side",
             full_name=f"Compare Motion with {family.label}",
             needs=CURVE_THROUGH_TWO,
             checked=lambda state: family in state.window.motion.compared,
@@ -164,12 +166,12 @@ class MotionCommands:
         checked=lambda state: frozenset(timed_families()) <= state.window.motion.compared,
     )
     def _compare(self) -> None:
-        """Let curves of all families that go through these points run side by side."""
+        """Run dots on curves of all families through these points side by side."""
         self.stage.player.compare(frozenset(timed_families()))
 
     @action("exportMotion", "Export Motion…", MOTION_MORE, icon="film", needs=CURVE_THROUGH_TWO)
     def _export(self) -> None:
-        """Write the motion as GIF, APNG or MP4."""
+        """Export the motion as GIF, APNG or MP4."""
         self.stage.export.ask(self.stage.player.settings)
 
 

@@ -23,20 +23,22 @@ from ...workbench.document_files import file_stem
 
 
 class MotionDialog(FittedDialog):
-    """Asks how large and how long; not modal.
+    """Dialog for format, size and length; not modal.
 
     Signals
     -------
     accepted_as
-        A film is wanted in this `FilmFormat`.
+        The person asks for a film in this `FilmFormat`.
     """
 
     accepted_as = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("motionDialog", "Export Motion", parent)
-        tip = "GIF and APNG play in every browser; MP4 takes ffmpeg"
-        self.format_box = choice_box("filmFormat", "Format", tip, (each.title for each in FILMS))
+        tip = "GIF and APNG play in every browser; MP4 needs ffmpeg"
+        self.format_box = choice_box(
+            "filmFormat", "Format", tip, (film_format.title for film_format in FILMS)
+        )
         self.width_box = RangedSpinBox(
             "filmWidth", "Width", "Width of the picture; the height follows", (64, LARGEST_WIDTH)
         )
@@ -44,7 +46,7 @@ class MotionDialog(FittedDialog):
         self.width_box.setValue(640)
         self.width_box.setSuffix(" px")
         self.fps_box = RangedSpinBox(
-            "filmFps", "Frames a second", "How many pictures there are in a second", (1, FASTEST)
+            "filmFps", "Frames per second", "Number of frames per second", (1, FASTEST)
         )
         self.fps_box.setValue(25)
         self.seconds_box = RangedDoubleSpinBox(
@@ -52,15 +54,17 @@ class MotionDialog(FittedDialog):
         )
         self.seconds_box.setSingleStep(0.5)
         self.seconds_box.setSuffix(" s")
-        self.points_check = check_box("filmPoints", "Points", "Draw the points too", "Draw the points")
+        self.points_check = check_box(
+            "filmPoints", "Points", "Draw the points in the film", "Draw the points"
+        )
         self.points_check.setChecked(True)
         self._frames = Label(name="filmFrames")
         self._export = push_button(
-            "filmExport", "Export…", "Choose a file and write the motion there", "Export"
+            "filmExport", "Export…", "Choose a file and export the motion to it", "Export"
         )
         self._export.setDefault(True)
         self._lay_out()
-        # The numbers below are told whoever changes them.
+        # The line below follows any change of these.
         for box in (self.width_box, self.fps_box, self.seconds_box):
             box.valueChanged.connect(self._count)
         self._export.clicked.connect(self._accept)
@@ -69,7 +73,7 @@ class MotionDialog(FittedDialog):
         form_of(
             ("Format", self.format_box),
             ("Width", self.width_box),
-            ("Frames a second", self.fps_box),
+            ("Frames per second", self.fps_box),
             ("Length", self.seconds_box),
             ("Draw", self.points_check),
             margins=(16, 16, 16, 4),
@@ -82,7 +86,7 @@ class MotionDialog(FittedDialog):
         self.hold(foot, preferred=QSize(240, 160))
 
     def open_for(self, seconds: float) -> None:
-        """Show the dialog, with the length that the motion has at its speed."""
+        """Show the dialog, with the length of the motion at its speed."""
         self.seconds_box.setValue(seconds)
         self._enable_formats()
         self._count()
@@ -92,10 +96,10 @@ class MotionDialog(FittedDialog):
     def _enable_formats(self) -> None:
         model = self.format_box.model()
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
-        for place, missing in enumerate(each.missing() for each in FILMS):
+        for row, missing in enumerate(film_format.missing() for film_format in FILMS):
             # Qt's own model of a box has items, which is where an entry is switched off.
-            model.item(place).setFlags(Qt.ItemFlag.NoItemFlags if missing else flags)  # type: ignore[attr-defined]
-            self.format_box.setItemData(place, missing, Qt.ItemDataRole.ToolTipRole)
+            model.item(row).setFlags(Qt.ItemFlag.NoItemFlags if missing else flags)  # type: ignore[attr-defined]
+            self.format_box.setItemData(row, missing, Qt.ItemDataRole.ToolTipRole)
 
     def _count(self) -> None:
         frames = max(2, round(self.fps_box.value() * self.seconds_box.value()))
@@ -112,7 +116,7 @@ class MotionDialog(FittedDialog):
 
 
 class MotionExport:
-    """Asks how a motion shall be written, and writes it."""
+    """Export of a motion: the dialog, the file name, and the work beside the window."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -120,7 +124,7 @@ class MotionExport:
         self._settings = MotionSettings()
 
     def ask(self, settings: MotionSettings) -> None:
-        """Let the person say how large and how long."""
+        """Open the dialog."""
         view = self._context.session.active_view
         if view.curve is None:
             return
@@ -156,7 +160,7 @@ class MotionExport:
         )
 
     def write(self, path: Path, film: Film) -> None:
-        """Write the motion of the document as it is now."""
+        """Write the motion of the present document."""
         document = self._context.session.document
 
         def work(report: Report) -> None:
@@ -164,6 +168,6 @@ class MotionExport:
 
         def done(_result: None) -> None:
             self._context.preferences.last_folder = path.parent
-            self._context.session.say(f"Wrote {path.name}, {film.frames} frames.")
+            self._context.session.say(f"Exported {path.name}: {film.frames} frames.")
 
         self._context.work.start(f"Writing {path.name}", work, done, path, "written")

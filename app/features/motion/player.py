@@ -1,4 +1,4 @@
-"""Plays a motion: moves the scrub line with the clock."""
+"""Player of a motion: moves the scrub line with the clock."""
 
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ from ...view_model.motion import Course, folded, round_duration
 from ...view_model.motion_settings import SPEEDS, MotionSettings, Repeat
 
 FRAME_MS = 16
-"""Milliseconds from frame to frame; what takes longer drops frames, because the clock is asked each time."""
+"""Milliseconds from frame to frame; slower drawing drops frames, because each frame reads the clock."""
 
 _LEAST_PAUSE = 0.5e-3 * FRAME_MS
 
 
 class Player(QObject):
-    """A motion along the active curve, seen as the scrub line.
+    """A motion along the active curve, which moves the scrub line.
 
     Attributes
     ----------
     seconds
-        How long the motion has been running, at speed 1.
+        Time of the motion, at speed 1.
     clock
-        Gives seconds; tests put their own here.
+        Function that returns seconds; tests replace it.
 
     Signals
     -------
     moved
-        The dot is elsewhere.
+        The dot has moved.
     changed
-        It plays, pauses, stops, or has other settings.
+        The motion started, paused or stopped, or its settings changed.
     """
 
     moved = Signal()
@@ -60,22 +60,22 @@ class Player(QObject):
 
     @property
     def settings(self) -> MotionSettings:
-        """Speed, pace, and what happens at the end."""
+        """Speed, pace, and repetition at the end."""
         return self._store.state.motion
 
     @property
     def is_open(self) -> bool:
-        """Whether there is a motion at all, playing or paused."""
+        """Whether there is a motion, playing or paused."""
         return self._store.state.motion_shown
 
     @property
     def is_playing(self) -> bool:
-        """Whether the dot runs."""
+        """Whether the dot is running."""
         return self._store.state.motion_plays
 
     @property
     def course(self) -> Course | None:
-        """The way along the active curve; None while there is no curve."""
+        """The course along the active curve; None while there is no curve."""
         view = self._session.active_view
         if view.curve is None or not view.is_current:
             return None
@@ -85,7 +85,7 @@ class Player(QObject):
         return self._course
 
     def play(self) -> None:
-        """Let the dot run from where it is; from the beginning where it has come to the end."""
+        """Run the dot from its position; from the start where it has reached the end."""
         course = self.course
         if course is None or self.is_playing:
             return
@@ -108,7 +108,7 @@ class Player(QObject):
             self.play()
 
     def compare(self, families: frozenset[Family]) -> None:
-        """Let curves of these families run side by side, too; those that do already, no longer."""
+        """Add families to the comparison, or remove them if all are in it."""
         compared = self.settings.compared
         if families <= compared:
             self.change(compared=compared - families)
@@ -117,14 +117,14 @@ class Player(QObject):
             self.play()
 
     def pause(self) -> None:
-        """Let the dot rest where it is."""
+        """Pause the dot at its position."""
         if self.is_playing:
             self._timer.stop()
             self._store.change(motion_plays=False)
             self.changed.emit()
 
     def stop(self) -> None:
-        """End the motion; the scrub line is where it was before."""
+        """End the motion; the scrub line returns to its position before."""
         if self.is_open:
             self._timer.stop()
             self._store.change(motion_shown=False, motion_plays=False)
@@ -132,24 +132,24 @@ class Player(QObject):
             self.changed.emit()
 
     def change(self, **fields: object) -> None:
-        """Take other settings; the dot goes on from where it is."""
+        """Change settings; the dot continues from its position."""
         before = self.settings
         self._store.change(motion=replace(before, **fields))
         if self.settings == before:
             return
         t = self._session.scrub.t
-        has_other_way = (self.settings.repeat, self.settings.pace) != (before.repeat, before.pace)
-        if self.is_open and has_other_way and t is not None:
+        restarts = (self.settings.repeat, self.settings.pace) != (before.repeat, before.pace)
+        if self.is_open and restarts and t is not None:
             self._go_on_from(t)
         self.changed.emit()
 
     def change_speed(self, step: int) -> None:
-        """Take the next speed, up (1) or down (-1)."""
-        place = SPEEDS.index(self.settings.speed) + step
-        self.change(speed=SPEEDS[min(max(place, 0), len(SPEEDS) - 1)])
+        """Set the next speed, up (1) or down (-1)."""
+        rank = SPEEDS.index(self.settings.speed) + step
+        self.change(speed=SPEEDS[min(max(rank, 0), len(SPEEDS) - 1)])
 
     def tick(self) -> None:
-        """Move the dot to where it is by now."""
+        """Move the dot to its position at the present time."""
         now = self.clock()
         passed, self._last = now - self._last, now
         if self.course is not None:
@@ -157,7 +157,7 @@ class Player(QObject):
             self._show()
 
     def _tick_unless_just_done(self) -> None:
-        """Leave out a frame that a drag has drawn a moment ago."""
+        """Skip a frame that a drag has just drawn."""
         if self.clock() - self._last >= _LEAST_PAUSE:
             self.tick()
 
@@ -179,16 +179,16 @@ class Player(QObject):
         self._is_moving = False
 
     def _follow_scrub(self, t: float | None) -> None:
-        """Somebody else moved the scrub line: put away, it ends the motion; dragged, it holds the dot."""
+        """Follow a scrub line moved by others: hidden, it ends the motion; dragged, it pauses the dot."""
         if self._is_moving or not self.is_open or self.course is None:
-            # Without a curve the line is away, but nobody has put it away.
+            # Without a curve the line is hidden, but the person did not hide it.
             return
         if t is None:
             self._scrub_before = None
             self.stop()
             return
         if self.is_playing and self._session.active_view.curve is not self._ran_on:
-            # Nobody: another curve, with another domain, took the scrub line along.
+            # The person did not: another curve, with another domain, moved the scrub line.
             return
         self.pause()
         self._go_on_from(t)
@@ -199,7 +199,7 @@ class Player(QObject):
         if course is None:
             return
         elapsed = course.elapsed_at(t)
-        # The trail reaches back over the seam where the dot has been round before.
+        # The trail reaches back over the seam after the first round.
         whole = round_duration(course.duration, self.settings.repeat)
         has_been_round = self.settings.repeat is not Repeat.ONCE and self.seconds >= whole
         self.seconds = elapsed + whole if has_been_round else elapsed

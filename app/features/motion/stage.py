@@ -37,7 +37,7 @@ from .export import MotionExport
 from .player import Player
 
 _READ_MS = 80
-"""Numbers that change faster cannot be read."""
+"""Milliseconds between changes of numbers, so that they can be read."""
 
 
 class MotionBar(FollowsTheme, QWidget):
@@ -45,25 +45,25 @@ class MotionBar(FollowsTheme, QWidget):
 
     Signals
     -------
-    speed_chosen
-        Another speed was chosen.
+    speed_changed
+        Another speed was selected.
     """
 
-    speed_chosen = Signal(float)
+    speed_changed = Signal(float)
 
     def __init__(self, actions: Callable[[str], QAction], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("motionBar")
         self._actions = actions
         self._play, self._is_playing = self._play_button(), False
-        tip = "Seconds of the motion in a second (J slower, L faster)"
+        tip = "Seconds of the motion per second (J slower, L faster)"
         self._speed = _box("motionSpeed", "Speed", tip, [f"{speed:g}×" for speed in SPEEDS])
-        self._speed.activated.connect(lambda index: self.speed_chosen.emit(SPEEDS[index]))
+        self._speed.activated.connect(lambda index: self.speed_changed.emit(SPEEDS[index]))
         self._repeat = self._action_box(
-            "motionRepeat", "At the end", [action_name("motion", each) for each in Repeat]
+            "motionRepeat", "At the end of the curve", [action_name("motion", value) for value in Repeat]
         )
         self._pace = self._action_box(
-            "motionPace", "What grows evenly", [action_name("motionBy", each) for each in Pace]
+            "motionPace", "Quantity that grows evenly", [action_name("motionBy", value) for value in Pace]
         )
         self._readout, self._words = ElidedLabel(), ElidedLabel()
         self._readout.setObjectName("motionReadout")
@@ -77,7 +77,7 @@ class MotionBar(FollowsTheme, QWidget):
         self.follow_theme()
 
     def _play_button(self) -> QToolButton:
-        """Return a button with an icon of its own: it tells what a press would do."""
+        """Return the button whose icon shows the effect of a press: play or pause."""
         action = self._actions("playMotion")
         button = tool_button("playPauseButton", "", action.toolTip(), icon_size=ICON, flat=True)
         button.clicked.connect(action.trigger)
@@ -100,24 +100,24 @@ class MotionBar(FollowsTheme, QWidget):
         )  # fmt: skip
         column_of(controls, row_of(self._words, margins=(12, 0, 10, 5)), margins=0, spacing=0, parent=self)
 
-    # What is shown
+    # Content
 
     @property
     def readout(self) -> str:
-        """Place and speed of the dot."""
+        """Parameter and speed of the dot."""
         return self._next
 
     @property
     def words(self) -> str:
-        """Words about the jumps; empty while nothing is compared."""
+        """Sentences about jumps; empty without a comparison."""
         return "" if self._words.isHidden() else self._words.text()
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Apply the colours of `theme`."""
         self._play.setIcon(icon("pause" if self._is_playing else "play", theme))
 
     def show_settings(self, settings: MotionSettings, *, playing: bool) -> None:
-        """Show how the dot runs."""
+        """Show the settings of the motion."""
         self._speed.setCurrentIndex(SPEEDS.index(settings.speed))
         self._repeat.setCurrentIndex(list(Repeat).index(settings.repeat))
         self._pace.setCurrentIndex(list(Pace).index(settings.pace))
@@ -126,14 +126,14 @@ class MotionBar(FollowsTheme, QWidget):
         self._play.setAccessibleName("Pause" if playing else "Play")
 
     def show_words(self, text: str) -> None:
-        """Say something below the controls; nothing when empty."""
+        """Show sentences below the controls; hide them when empty."""
         self._words.setText(text)
         self._words.setVisible(bool(text))
 
     def show_dots(self, dots: Sequence[Dot], problem: str) -> None:
-        """Show the numbers of the dot that stands for the curve, or why there is none."""
-        own = next((dot for dot in dots if dot.role is ACTIVE), None)
-        self._next = _numbers(own) if own is not None else problem
+        """Show the numbers of the dot of the active curve, or why there is none."""
+        active = next((dot for dot in dots if dot.role is ACTIVE), None)
+        self._next = _numbers(active) if active is not None else problem
         if not self._soon.isActive():
             self._soon.start()
 
@@ -149,14 +149,14 @@ def _numbers(dot: Dot) -> str:
 
 def _box(name: str, label: str, tip: str, items: Iterable[str]) -> QComboBox:
     box = choice_box(name, label, tip, items)
-    # As short as that where there is no room; then the words end in dots.
+    # The least width where there is no room; then the text ends in dots.
     box.setMinimumContentsLength(4)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     return box
 
 
 class MotionStage(QObject):
-    """Shows what the player plays."""
+    """The motion in the window: the bar, and the dots on the canvas."""
 
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
@@ -170,14 +170,14 @@ class MotionStage(QObject):
         self._rivals_of: tuple[CurveView, frozenset[Family]] | None = None
         self._courses: dict[Role, Course] = {}
         self._scales: Scales | None = None
-        self._bar.speed_chosen.connect(lambda speed: self.player.change(speed=speed))
+        self._bar.speed_changed.connect(lambda speed: self.player.change(speed=speed))
         self.player.moved.connect(self.draw)
         self.player.changed.connect(self._render)
 
-    # What is shown
+    # Content
 
     def settle(self, view: CurveView) -> None:
-        """Measure anew what is kept as it is during a drag: the scale of the arrows, and the jumps."""
+        """Update what is fixed during a drag: the scale of the arrows, and the jumps."""
         if not self.player.is_open or self._context.session.is_previewing:
             return
         self._scales = None
@@ -185,14 +185,14 @@ class MotionStage(QObject):
         self._bar.show_words(jump_sentences(self._rivals))
 
     def follow(self) -> None:
-        """Draw the dots on a curve that is being changed; if they run, where they are by now."""
+        """Draw the dots on a curve that is being changed; running dots at the present time."""
         if self.player.is_playing and self.player.course is not None:
             self.player.tick()
         else:
             self.draw()
 
     def draw(self) -> None:
-        """Draw the dots where they are now."""
+        """Draw the dots at their present positions."""
         player, context = self.player, self._context
         course = player.course if player.is_open else None
         if course is None:
@@ -213,7 +213,9 @@ class MotionStage(QObject):
         if self._rivals_of != asked:
             self._rivals, self._rivals_of = rivals_of(view, settings.compared), asked
         # By identity: curves compare by all their numbers.
-        known = {id(each.curve): each for each in self._courses.values() if each.pace is settings.pace}
+        known = {
+            id(course.curve): course for course in self._courses.values() if course.pace is settings.pace
+        }
         self._courses = {}
         for role, rival in self._rivals.items():
             assert rival.curve is not None
@@ -221,7 +223,7 @@ class MotionStage(QObject):
         return self._courses
 
     def _lines(self) -> list[tuple[Role, FloatArray]]:
-        """Return the curves that are compared, but for the one that is drawn anyway."""
+        """Return the compared curves, without the active one."""
         family = self._context.session.active_view.source.family
         return [(role, view.polyline) for role, view in self._rivals.items() if family not in role.families]
 

@@ -1,7 +1,7 @@
-"""Overlays and ghosts: what is drawn over the curve to show why it goes where it goes.
+"""Overlays and ghosts: figures over the curve that explain its shape.
 
 - ``commands``: switches them, and keeps the figures on the canvas in step with the curve.
-- ``panel``: the Analysis dock, with a switch for each, its settings and what it says.
+- ``panel``: the Analysis dock, with a switch for each, its settings and its notes.
 
 The overlays themselves are records: ``app/view_model/analysis/overlays``.
 """

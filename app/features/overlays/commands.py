@@ -1,4 +1,4 @@
-"""Overlays and ghosts: figures over the curve that show why it goes where it goes."""
+"""Overlays and ghosts: the actions that switch them, and the figures on the canvas."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ class OverlayCommands:
         self._context.analysis.note({})
 
     def _settle(self, view: CurveView, settings: AnalysisSettings, waits: frozenset[Overlay]) -> None:
-        """Ask for what is too heavy for a frame, unless the answer is there or on its way."""
+        """Request overlays that are too heavy for a frame, unless the result is there or being computed."""
         if not waits:
             self._asked, self._settled = None, None
             self._task.give_up()
@@ -124,14 +124,14 @@ class OverlayCommands:
             self.follow_drag(self._context.session.active_view)
 
     def _follow_scrub(self) -> None:
-        if any(each.follows_scrub for each in self._context.analysis.settings.overlays):
+        if any(overlay.follows_scrub for overlay in self._context.analysis.settings.overlays):
             self.follow_drag(self._context.session.active_view)
 
     def _render_settings(self) -> None:
         view, settings = self._context.session.active_view, self._context.analysis.settings
-        for setting in [setting for each in settings.overlays for setting in each.settings]:
+        for setting in [setting for overlay in settings.overlays for setting in overlay.settings]:
             if isinstance(setting, ErrorSize) and setting.usual and not settings.has(setting):
-                # Once: an error that followed the size would change during a drag.
+                # Once: an error that depended on the size would change during a drag.
                 self._context.analysis.set_value(setting, setting.usual(view))
                 return
         self.follow_drag(view)
@@ -153,12 +153,12 @@ class OverlayCommands:
     )
     def _switch(self, overlay: Overlay) -> None:
         analysis, session = self._context.analysis, self._context.session
-        shown = overlay not in analysis.settings.overlays
+        is_shown = overlay not in analysis.settings.overlays
         view = session.active_view
-        if overlay.brings_scrub and shown and session.scrub.t is None and view.curve is not None:
+        if overlay.brings_scrub and is_shown and session.scrub.t is None and view.curve is not None:
             start, end = view.curve.domain
             session.scrub.set((start + end) / 2)
-        analysis.show(overlay, shown)
+        analysis.show(overlay, is_shown)
 
     @action_for_each(
         all_ghosts,
@@ -183,10 +183,10 @@ class OverlayCommands:
         checked=lambda state: _ghosts_of_families() <= state.window.analysis.ghosts,
     )
     def _switch_all_families(self) -> None:
-        """Draw the same points as a curve of every family, too, each with its Lebesgue constant."""
+        """Also draw the same points as a curve of every family, each with its Lebesgue constant."""
         analysis, families = self._context.analysis, _ghosts_of_families()
-        shown = analysis.settings.ghosts
-        analysis.change(ghosts=shown - families if families <= shown else shown | families)
+        drawn = analysis.settings.ghosts
+        analysis.change(ghosts=drawn - families if families <= drawn else drawn | families)
 
     @action(
         "newSeed",
@@ -202,7 +202,7 @@ class OverlayCommands:
         analysis.show(ENSEMBLE, True)
 
     def _make_real(self, ghost: Ghost) -> None:
-        """Give the curve the rules of a ghost."""
+        """Apply the rules of a ghost to the curve."""
         session = self._context.session
         session.change(
             ghost.step,

@@ -30,11 +30,11 @@ from ...widgets.fields import NumberEdit, read_number
 from ...widgets.sliders import SettingSlider, slider_of
 
 _NOTES_MS = 60
-"""Milliseconds that the words may lag behind a drag."""
+"""Milliseconds by which the notes may lag behind a drag."""
 
 
 class AnalysisPanel(FollowsTheme, QScrollArea):
-    """A switch for each overlay, beside it how it is drawn, and below it what it says."""
+    """A switch for each overlay, with its settings beside it and its note below."""
 
     def __init__(
         self, analysis: Analysis, actions: Callable[[str], QAction], parent: QWidget | None = None
@@ -66,14 +66,14 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
             self._add(overlay)
         self._errors = self._make_errors()
         self._rows.addWidget(self._errors, self._rows.rowCount(), 0, 1, 2)
-        title = Label("Ghosts: the same points, otherwise", name="ghostsTitle")
+        title = Label("Ghosts: the same points under other rules", name="ghostsTitle")
         self._rows.addWidget(title, self._rows.rowCount(), 0, 1, 2)
         for ghost in all_ghosts():
             self._add_ghost(ghost)
         content = QWidget()
         column_of(self._problem, self._rows, 1, margins=12, parent=content)
         self.setWidget(content)
-        # No row is ever cut off: there is no scroll bar for that.
+        # No row is cut off: there is no horizontal scroll bar.
         bar = self.verticalScrollBar().sizeHint().width()
         self.setMinimumWidth(content.minimumSizeHint().width() + bar)
 
@@ -100,11 +100,11 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         return box
 
     def _make_errors(self) -> QWidget:
-        """Return the fields that overlays share, and the button for other random numbers."""
+        """Return the fields that overlays share, and the button for another seed."""
         seed = action_button(self._actions("newSeed"))
         errors = QWidget()
         parts: list[Part] = []
-        for setting in dict.fromkeys(each for overlay in OVERLAYS for each in overlay.settings):
+        for setting in dict.fromkeys(candidate for overlay in OVERLAYS for candidate in overlay.settings):
             if isinstance(setting, ErrorSize):
                 field = NumberEdit(setting.name, setting.label, setting.tip, _error_size)
                 self._error_fields[setting] = field
@@ -118,14 +118,14 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         box.setIconSize(SIGN)
         words = box.text()
         use = self._use_buttons[ghost] = tool_button(
-            f"use_{ghost.name}", f"Use {words}", f"Make this the curve: {words}", text="Use"
+            f"use_{ghost.name}", f"Use {words}", f"Apply to the curve: {words}", text="Use"
         )
         use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))
         self._rows.addWidget(box, row, 0)
         self._rows.addWidget(use, row, 1, Qt.AlignmentFlag.AlignRight)
 
     def follow_ghosts(self) -> None:
-        """Have a row for every ghost that there is now, further ones below the others."""
+        """Add rows for new ghosts below the others, and remove those of ghosts that are gone."""
         present = all_ghosts()
         for ghost in present:
             if ghost not in self._ghost_boxes:
@@ -181,7 +181,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         for ghost, box in self._ghost_boxes.items():
             box.setIcon(QIcon(sign_pixmap(ghost.style, theme, self.devicePixelRatioF())))
 
-    # What the person did
+    # Input of the person
 
     def _set_error(self, setting: ErrorSize, value: float) -> None:
         self._analysis.set_value(setting, value)
@@ -193,7 +193,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
 
 
 def _error_size(text: str) -> float:
-    """Return the size of an error that was typed."""
+    """Return the size of a typed error."""
     value = read_number(text)
     if value < 0:
         raise ExpressionError("The size of an error cannot be negative.")
@@ -202,6 +202,6 @@ def _error_size(text: str) -> float:
 
 def _note(name: str) -> Label:
     label = Label(name=name, wordWrap=True)
-    # A long word never widens the window.
+    # A long word must not widen the window.
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
     return label

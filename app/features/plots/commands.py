@@ -32,34 +32,34 @@ USUAL_HEIGHT = 170
 
 
 class PlotPanel(SafeOverrides, CentralPane):
-    """Holds the plots with their header once they are wanted.
+    """The place of the plots with their header, which are built when the first is switched on.
 
     Attributes
     ----------
     pane
-        Header and plots; None until one was shown.
-    kept_height
-        How high the panel was when it was last seen.
+        Header and plots; None until the first plot.
+    last_height
+        The height of the panel when it was last visible.
     """
 
-    def __init__(self, kept_height: int, parent: QWidget) -> None:
+    def __init__(self, last_height: int, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAccessibleName("Plots over t")
-        self.kept_height = kept_height or USUAL_HEIGHT
+        self.last_height = last_height or USUAL_HEIGHT
         self.pane: PlotPane | None = None
         self._rows = QVBoxLayout(self)
         self._rows.setContentsMargins(0, 0, 0, 0)
         self.hide()
 
     def hold(self, pane: PlotPane) -> None:
-        """Show header and plots here from now on."""
+        """Insert header and plots."""
         self.pane, self.plot = pane, pane.canvas
         self._rows.addWidget(pane)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         if self.isVisible():
-            self.kept_height = self.height()
+            self.last_height = self.height()
 
 
 _CALM_MS = 300
@@ -69,7 +69,7 @@ _CALM_MS = 300
 class PlotCommands:
     """Switches plots, and keeps them in step with the curve.
 
-    Nothing of them is built or computed while none is switched on.
+    Nothing is built or computed while no plot is switched on.
     """
 
     def __init__(self, context: WindowContext) -> None:
@@ -79,13 +79,13 @@ class PlotCommands:
         self._task.ready.connect(self._show_settled)
         self._calm = QTimer(context.window, singleShot=True, interval=_CALM_MS)
         self._calm.timeout.connect(self._fit_values)
-        self._own: list[PlotData] = []
+        self._curve_plots: list[PlotData] = []
         self._plotted: CurveView | None = None
         self._was_calm = False
 
     @Pane("plotPanel")
     def build_panel(self, parent: QWidget) -> PlotPanel:
-        """Return the place of the plots."""
+        """Return the panel of the plots."""
         self._panel = PlotPanel(self._context.preferences.plot_height, parent)
         self._analysis.changed.connect(self._arrange)
         self._analysis.added.connect(self._follow_added)
@@ -94,12 +94,12 @@ class PlotCommands:
         return self._panel
 
     def close(self) -> None:
-        """Remember how high the plots are."""
-        self._context.preferences.plot_height = self._panel.kept_height
+        """Store the height of the plots."""
+        self._context.preferences.plot_height = self._panel.last_height
 
     def follow_drag(self, view: CurveView) -> bool:
         """Plot `view`; during a drag the scales only grow."""
-        pane = self._shown
+        pane = self._visible_pane
         if pane is None:
             return False
         calm = self._session.is_previewing
@@ -108,7 +108,7 @@ class PlotCommands:
         return True
 
     def _shows_same(self, view: CurveView) -> bool:
-        """Whether only points have moved, and nothing but the Lebesgue function is plotted."""
+        """Whether only points have moved, and no plot depends on them."""
         follow = any(plot.follows_points for plot in self._analysis.settings.plots)
         if follow or self._plotted is None or not view.is_current:
             return False
@@ -122,11 +122,11 @@ class PlotCommands:
         return len(self._analysis.settings.plots) + len(self._analysis.added_plots)
 
     @property
-    def _shown(self) -> PlotPane | None:
+    def _visible_pane(self) -> PlotPane | None:
         """Header and plots while there are any."""
         return self._panel.pane if self._count else None
 
-    # Which plots there are
+    # Switching plots
 
     @action_for_each(
         PLOTS,
@@ -151,25 +151,25 @@ class PlotCommands:
             self._task.give_up()
             panel.hide()
             if panel.pane is not None:
-                # Else they would stand there when the panel is next opened, until others are computed.
+                # Else old plots would be visible when the panel is opened again, until new ones are computed.
                 panel.pane.canvas.render_plots([], view.parameters, calm=False)
             return
         if panel.pane is None:
             panel.hold(self._build())
         assert panel.pane is not None
-        # What it was before: on its way to the screen the panel gets other heights.
-        kept = panel.kept_height if panel.isHidden() else 0
+        # The height before: Qt gives the panel other heights while it is shown.
+        last_height = panel.last_height if panel.isHidden() else 0
         panel.show()
-        self._context.central.make_room(panel, max(panel.pane.wanted_height(self._count), kept))
+        self._context.central.make_room(panel, max(panel.pane.wanted_height(self._count), last_height))
         panel.pane.canvas.camera.show_t(*self._context.central.t_camera.t_range)
         panel.pane.canvas.set_scrub(self._session.scrub.t)
         self._plot(panel.pane, view, calm=self._session.is_previewing)
 
     def _follow_added(self) -> None:
-        """Show what others have added; where only their values are other ones, the rest stays."""
-        pane = self._shown
+        """Show plots that other panels have added; where only their values changed, keep the rest."""
+        pane = self._visible_pane
         if pane is not None and self._count == len(pane.canvas.plots):
-            self._show(pane, self._own, calm=self._session.is_previewing)
+            self._show(pane, self._curve_plots, calm=self._session.is_previewing)
         else:
             self._arrange()
 
@@ -186,7 +186,7 @@ class PlotCommands:
         pane.close_asked.connect(lambda: self._analysis.change(plots=frozenset()))
         return pane
 
-    # What they show
+    # Drawing
 
     def _plot(self, pane: PlotPane, view: CurveView, *, calm: bool) -> None:
         kinds = self._analysis.settings.plots
@@ -212,22 +212,22 @@ class PlotCommands:
         self._show(pane, compute(), calm=calm)
 
     def _show_settled(self, plots: list[PlotData]) -> None:
-        if (pane := self._shown) is not None:
+        if (pane := self._visible_pane) is not None:
             self._show(pane, plots, calm=self._session.is_previewing)
 
-    def _show(self, pane: PlotPane, own: list[PlotData], *, calm: bool) -> None:
-        self._own = own
+    def _show(self, pane: PlotPane, curve_plots: list[PlotData], *, calm: bool) -> None:
+        self._curve_plots = curve_plots
         added = self._analysis.added_plots.values()
-        pane.canvas.render_plots([*own, *added], self._session.active_view.parameters, calm=calm)
+        pane.canvas.render_plots([*curve_plots, *added], self._session.active_view.parameters, calm=calm)
         self._show_values(pane)
 
     def _fit_values(self) -> None:
-        """Fit the scales again, after the visible part of t has changed."""
-        if (pane := self._shown) is not None and not self._session.is_previewing:
+        """Fit the scales after the visible part of t has changed."""
+        if (pane := self._visible_pane) is not None and not self._session.is_previewing:
             self._plot(pane, self._session.active_view, calm=False)
 
     def _follow_range(self) -> None:
-        if (pane := self._shown) is not None:
+        if (pane := self._visible_pane) is not None:
             pane.canvas.camera.show_t(*self._context.central.t_camera.t_range)
             self._plot(pane, self._session.active_view, calm=True)
             self._calm.start()
@@ -235,7 +235,7 @@ class PlotCommands:
     # The scrub line
 
     def _show_scrub(self, t: float | None) -> None:
-        if (pane := self._shown) is not None:
+        if (pane := self._visible_pane) is not None:
             pane.canvas.set_scrub(t)
             self._show_values(pane)
 
@@ -252,8 +252,8 @@ class PlotCommands:
         t = self._session.scrub.t
         values: dict[str, tuple[float, float]] = {}
         if t is not None:
-            view, shown = self._session.active_view, self._analysis.settings.plots
-            known = analysis.plot_samples.uncertain_values_at(view, shown, t)
+            view, switched_on = self._session.active_view, self._analysis.settings.plots
+            known = analysis.plot_samples.uncertain_values_at(view, switched_on, t)
             values |= {plot.symbol: value for plot, value in known.items()}
             for plot in self._analysis.added_plots.values():
                 for line in plot.lines:

@@ -27,10 +27,10 @@ _LEAST_DECADES = math.log10(2)
 _LARGEST, _SMALLEST = 1e300, 1e-300
 
 _FAR_HEIGHTS = 50.0
-"""Heights of the plot beyond which a value need not be where it is."""
+"""Heights of the plot beyond which the position of a value does not matter."""
 
 _PLAIN = (-3, 4)
-"""Powers of ten that are written out."""
+"""Exponents of powers of ten that are written as decimals."""
 
 _STEPS = (1, 2, 5, 10)
 
@@ -39,7 +39,7 @@ _STEPS = (1, 2, 5, 10)
 class ValueScale:
     """The values at the foot and at the head of a plot.
 
-    pyqtgraph loses ranges above 1e150; so what it sees is the share of the height, from 0 to 1.
+    pyqtgraph loses ranges above 1e150; so it gets shares of the height, from 0 to 1.
     """
 
     low: float
@@ -48,7 +48,7 @@ class ValueScale:
 
     @classmethod
     def of(cls, plot: PlotData) -> ValueScale:
-        """Return a scale that shows the extent of a plot, with a little room above."""
+        """Return a scale for the extent of a plot, with a little room above."""
         least, greatest = (float(np.clip(value, -_LARGEST, _LARGEST)) for value in plot.extent)
         if plot.scale is Scale.LOG:
             least, greatest = max(least, _SMALLEST), max(greatest, _SMALLEST)
@@ -62,13 +62,13 @@ class ValueScale:
         return cls(low - room if low < 0 else 0.0, high + room if high > 0 else 0.0, plot.scale)
 
     def holding(self, other: ValueScale) -> ValueScale:
-        """Return a scale that shows what either shows."""
+        """Return a scale for the values of both."""
         if other.scale is not self.scale:
             return other
         return ValueScale(min(self.low, other.low), max(self.high, other.high), self.scale)
 
     def shares(self, values: FloatArray) -> FloatArray:
-        """Return how high values stand: 0 at the foot, 1 at the head; NaN stays."""
+        """Return the shares of the height of values: 0 at the foot, 1 at the head; NaN stays."""
         with np.errstate(all="ignore"):
             if self.scale is Scale.LOG:
                 low, high = math.log10(self.low), math.log10(self.high)
@@ -79,11 +79,11 @@ class ValueScale:
         return np.asarray(np.clip(shares, -_FAR_HEIGHTS, 1 + _FAR_HEIGHTS))
 
     def share(self, value: float) -> float:
-        """Return how high one value stands."""
+        """Return the share of the height of one value."""
         return float(self.shares(np.array([value]))[0])
 
     def ticks(self, most: int) -> list[tuple[float, str]]:
-        """Return (share, number) of at most so many round values, and at least one."""
+        """Return (share, number) of at most `most` round values, and at least one."""
         values = self._powers(most) if self.scale is Scale.LOG else self._multiples(most)
         return [(share, text) for value, text in values if -1e-9 <= (share := self.share(value)) <= 1 + 1e-9]
 
@@ -91,19 +91,19 @@ class ValueScale:
         first, last = math.ceil(math.log10(self.low) - 1e-9), math.floor(math.log10(self.high) + 1e-9)
         stride = max(-(-(last - first + 1) // max(most, 1)), 1)
         powers = range(first, last + 1, stride)
-        found = [(10.0**power, _power_text(1, power)) for power in powers]
+        ticks = [(10.0**power, _power_text(1, power)) for power in powers]
         if last - first <= 0 or 3 * (last - first + 1) <= most:
-            # Little more than one power of ten: what lies between says more.
+            # Hardly more than one power of ten: add 2 and 5 times the powers.
             around = range(first - 1, last + 1)
-            found += [(f * 10.0**power, _power_text(f, power)) for power in around for f in (2, 5)]
-        return found
+            ticks += [(f * 10.0**power, _power_text(f, power)) for power in around for f in (2, 5)]
+        return ticks
 
     def _multiples(self, most: int) -> list[tuple[float, str]]:
         least = (self.high / 2 - self.low / 2) / max(most, 1) * 2
         power = math.floor(math.log10(least))
         steps = [step * 10.0**exponent for exponent in (power - 1, power) for step in _STEPS]
         unit = min((step for step in steps if step >= least * (1 - 1e-9)), default=steps[-1])
-        # Zero by itself says nothing.
+        # Zero alone would be no scale.
         smaller = (step for step in reversed(steps) if step <= unit and max(self.high, -self.low) >= step)
         unit = next(smaller, unit)
         first, last = math.ceil(self.low / unit - 1e-9), math.floor(self.high / unit + 1e-9)
@@ -117,12 +117,12 @@ def _power_text(factor: int, power: int) -> str:
 
 
 _STRIP, _LARGEST_STRIP = 17.0, 0.4
-"""Pixels above a plot for its title, and the share of the height that they never surpass."""
+"""Pixels above a plot for its title, and their largest share of the height."""
 
 _FOOT = 5.0
 _MOST_JUMPS = 200
 _LEAST_SPACING = 6.0
-"""Pixels between the marks of joints below which they would be a grey area."""
+"""Pixels between the marks of joints below which they would merge into a grey area."""
 
 _MOST_A_COLUMN = 1.8
 """Samples for each column of pixels above which they are drawn by columns."""
@@ -132,7 +132,7 @@ _WIDTH = 1.5
 
 
 class PlacedPlot(NamedTuple):
-    """A plot in its band of the height: pixels where its title begins, where it has its head and its foot."""
+    """A plot in its band of the height: pixels of the top of its title, of its head and of its foot."""
 
     plot: PlotData
     scale: ValueScale
@@ -181,7 +181,7 @@ class PlotLayer(Layer):
             for line, stroke in zip(placed.plot.lines, strokes, strict=True):
                 pen = self._pen(line)
                 if len(line.t) > _MOST_A_COLUMN * pixel_map.width:
-                    # Side by side, wider ones would make a bar.
+                    # Side by side, wider lines would merge into a bar.
                     pen.setWidthF(self.scale)
                 painter.setPen(pen)
                 stroke.draw(painter)
@@ -190,19 +190,19 @@ class PlotLayer(Layer):
             self._paint_title(painter, placed, pixel_map.width)
 
     def placed(self, height: float) -> list[PlacedPlot]:
-        """Divide a height among the plots."""
-        each = height / max(len(self.plots), 1)
-        strip = min(_STRIP * self.scale, _LARGEST_STRIP * each)
-        foot = min(_FOOT, 0.1 * each)
+        """Return the plots in their bands of a height."""
+        band = height / max(len(self.plots), 1)
+        strip = min(_STRIP * self.scale, _LARGEST_STRIP * band)
+        foot = min(_FOOT, 0.1 * band)
         return [
-            PlacedPlot(plot, scale, i * each, i * each + strip, (i + 1) * each - foot)
+            PlacedPlot(plot, scale, i * band, i * band + strip, (i + 1) * band - foot)
             for i, (plot, scale) in enumerate(self.plots)
         ]
 
     # Lines
 
     def _prepare(self, pixel_map: PixelMap) -> None:
-        """Turn the values into pixels, unless they are already."""
+        """Convert the values to pixels, unless that is done."""
         plots, where, scale = self._strokes_of
         if plots is self.plots and where is pixel_map and scale == self.scale:
             return
@@ -227,11 +227,11 @@ class PlotLayer(Layer):
         near = (x > -9) & (x < pixel_map.width + 9) & (y > placed.top - 9) & (y < placed.foot + 9)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour_of(line.style, self.theme))
-        for place in np.column_stack([x, y])[near].tolist():
-            painter.drawEllipse(QPointF(*place), 2.2 * self.scale, 2.2 * self.scale)
+        for centre in np.column_stack([x, y])[near].tolist():
+            painter.drawEllipse(QPointF(*centre), 2.2 * self.scale, 2.2 * self.scale)
         painter.setBrush(Qt.BrushStyle.NoBrush)
 
-    # What stands behind and beside them
+    # Background and titles
 
     def _paint_ground(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
@@ -249,8 +249,8 @@ class PlotLayer(Layer):
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(QPen(self.theme.grid_fine, 1))
-        for place in np.rint(x).astype(int).tolist():
-            painter.drawLine(place, 0, place, int(pixel_map.height))
+        for column in np.rint(x).astype(int).tolist():
+            painter.drawLine(column, 0, column, int(pixel_map.height))
 
     def _paint_levels(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
         painter.setPen(with_dashes(QPen(self.theme.muted, 1), DASHED))
@@ -258,7 +258,7 @@ class PlotLayer(Layer):
             painter.drawLine(QPointF(0, y), QPointF(width, y))
 
     def _paint_title(self, painter: QPainter, placed: PlacedPlot, width: float) -> None:
-        """Write what the plot shows; where it has several lines, a sample and the name of each."""
+        """Draw the title; where the plot has several lines, a sample and the name of each."""
         plot = placed.plot
         strip = QRectF(4, placed.top, width - 8, max(placed.head - placed.top, 11.0))
         middle = int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
@@ -272,8 +272,8 @@ class PlotLayer(Layer):
         if remark:
             painter.setPen(self.theme.warning if plot.note else self.theme.muted)
             room = strip.adjusted(left - strip.left(), 0, 0, 0)
-            shown = painter.fontMetrics().elidedText(remark, Qt.TextElideMode.ElideRight, int(room.width()))
-            painter.drawText(room, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight), shown)
+            text = painter.fontMetrics().elidedText(remark, Qt.TextElideMode.ElideRight, int(room.width()))
+            painter.drawText(room, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight), text)
 
     def _paint_legend(self, painter: QPainter, plot: PlotData, strip: QRectF, left: float) -> float:
         for line in plot.lines:
@@ -300,15 +300,15 @@ def _stroke(line: PlotLine, placed: PlacedPlot, pixel_map: PixelMap, width: floa
 
 
 def _by_columns(x: FloatArray, y: FloatArray, pixel_map: PixelMap) -> Segments:
-    """Draw one upright line for each column of pixels: where there are more samples, no more is seen."""
+    """Return one upright line for each column of pixels: more samples would not be visible."""
     column = np.floor(x)
-    seen = (column >= 0) & (column <= pixel_map.width) & ~np.isnan(y)
-    column, y = column[seen], y[seen]
+    is_visible = (column >= 0) & (column <= pixel_map.width) & ~np.isnan(y)
+    column, y = column[is_visible], y[is_visible]
     upright = Segments()
     if len(column):
         first = np.flatnonzero(np.diff(column, prepend=-1.0))
         low, high = np.minimum.reduceat(y, first), np.maximum.reduceat(y, first)
-        # Each reaches to the one before it, as a line through all samples would.
+        # Each line reaches to the one before it, as a line through all samples would.
         low[1:], high[1:] = np.minimum(low[1:], high[:-1]), np.maximum(high[1:], low[:-1])
         middle = column[first] + 0.5
         # A line without length would not be drawn.

@@ -40,7 +40,7 @@ class PlotCanvas(ToolPlot):
     Signals
     -------
     scrub_nudged
-        The scrub line shall move by so much along t: an arrow key was pressed.
+        An arrow key asks to move the scrub line along t by this much.
     """
 
     scrub_nudged = Signal(float)
@@ -50,11 +50,13 @@ class PlotCanvas(ToolPlot):
 
     def __init__(self, tools: Toolbox) -> None:
         super().__init__(tools)
-        # Whose t axis it shares decides what is seen.
+        # The basis panel decides about the visible part of the shared t axis.
         self.camera.led = True
         self.setObjectName("plotCanvas")
         self.setAccessibleName("Plots over t")
-        self.setAccessibleDescription("Speed, curvature and the like over t; drag to move the scrub line.")
+        self.setAccessibleDescription(
+            "Speed, curvature and other values over t; drag to move the scrub line."
+        )
         self._scales: dict[str, ValueScale] = {}
         self._ticks: list[tuple[float, str]] = []
         self._lines = PlotLayer(self)
@@ -63,11 +65,11 @@ class PlotCanvas(ToolPlot):
         self.getViewBox().sigResized.connect(self._number_axis)
         self._number_axis()
 
-    # What is shown
+    # Content
 
     @property
     def plots(self) -> Sequence[PlotData]:
-        """Plots that are shown, from the top down."""
+        """Visible plots, from the top down."""
         return [plot for plot, _scale in self._lines.plots]
 
     @property
@@ -85,7 +87,7 @@ class PlotCanvas(ToolPlot):
         return self._scales[title]
 
     def render_plots(self, plots: Sequence[PlotData], knots: FloatArray, *, calm: bool) -> None:
-        """Show these plots, with marks at the knots; while `calm`, no scale shrinks."""
+        """Show plots, with marks at the knots; while `calm`, no scale shrinks."""
         scales = {}
         for plot in plots:
             fresh, old = ValueScale.of(plot), self._scales.get(plot.title)
@@ -108,12 +110,12 @@ class PlotCanvas(ToolPlot):
         self._refresh()
 
     def set_waiting(self) -> None:
-        """Let the plots step back: newer ones are on their way."""
+        """Draw the plots pale while newer ones are being computed."""
         self._lines.waits = True
         self._refresh()
 
     def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line, or put it away (None)."""
+        """Move the scrub line, or hide it (None)."""
         self._scrub.scrub = t
         self._scrub.update()
 
@@ -127,7 +129,7 @@ class PlotCanvas(ToolPlot):
         self._scrub.update()
 
     def _number_axis(self) -> None:
-        """Write the numbers of all plots at the one axis."""
+        """Write the numbers of all plots at the common axis."""
         height, layer = max(self.getViewBox().rect().height(), 1.0), self._lines
         ticks = []
         for placed in layer.placed(height):
@@ -149,7 +151,7 @@ class PlotCanvas(ToolPlot):
 
 
 _HEIGHT_A_PLOT = 64
-"""Pixels that a plot should have at least where there is room."""
+"""Least height of a plot in pixels where there is room."""
 
 
 class PlotPane(FollowsTheme, QWidget):
@@ -158,7 +160,7 @@ class PlotPane(FollowsTheme, QWidget):
     Signals
     -------
     close_asked
-        All plots shall be put away.
+        The person asks to hide all plots.
     """
 
     close_asked = Signal()
@@ -170,7 +172,7 @@ class PlotPane(FollowsTheme, QWidget):
         self._values = named(ElidedLabel(), "plotValues", "Values at the scrub line")
         self._values.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._values.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._close = tool_button("closePlots", "Close the plots", "Put all plots away", flat=True)
+        self._close = tool_button("closePlots", "Close the plots", "Hide all plots", flat=True)
         self._close.clicked.connect(self.close_asked)
         self._choices = QWidget()
         buttons = (_choice(symbol, action) for symbol, action in choices)
@@ -181,19 +183,19 @@ class PlotPane(FollowsTheme, QWidget):
         self.follow_theme()
 
     def show_values(self, t: float | None, values: Mapping[str, tuple[float, float]]) -> None:
-        """Write the values at the scrub line, with their errors, by their symbols; nothing without one."""
+        """Write the values at the scrub line, with their errors, by their symbols; a hint without a line."""
         if t is None:
-            text = "T shows the values at a scrub line"
+            text = "Press T to show values at a scrub line"
         else:
             mark = decimal_mark()
-            shown = partial(number, mark=mark)
-            known = [f"{name} {with_error(*value, shown)}" for name, value in values.items()]
+            written = partial(number, mark=mark)
+            known = [f"{name} {with_error(*value, written)}" for name, value in values.items()]
             text = "   ".join([f"t {number(t, 4, mark)}", *known])
         if text != self._values.text():
             self._values.setText(text)
 
     def wanted_height(self, count: int) -> int:
-        """Return how high the pane should be at least for so many plots."""
+        """Return the least height of the pane for a number of plots."""
         rest = self.height() - self.canvas.getViewBox().rect().height()
         return int(min(max(rest, 40), 90)) + count * _HEIGHT_A_PLOT
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QPushButton, QToolButton
 from ...appearance.theme import FollowsTheme, Theme
 from ...qt.labels import Label, set_tip, tip_of
 from ...qt.overrides import SafeOverrides
-from ...view_model.analysis.warnings import Topic, Warned, warnings_of
+from ...view_model.analysis.warnings import CurveWarning, Topic, warnings_of
 from ...view_model.basis import growth_of_points
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import column_of, row_of
@@ -50,7 +50,7 @@ class TeachingBadge(FollowsTheme, QToolButton):
         """Sentence of the warning; empty while the badge is hidden."""
         return "" if self.isHidden() else self._popup.sentence.text()
 
-    def render_warning(self, warning: Warned | None) -> None:
+    def render_warning(self, warning: CurveWarning | None) -> None:
         """Show a warning; hide the badge for None."""
         self.setVisible(warning is not None)
         if warning is None:
@@ -119,8 +119,8 @@ class TeachingCommands(QObject):
         super().__init__(context.window)
         self._context, self._session = context, context.session
         self._dismissed: set[tuple[int, Topic]] = set()
-        self._warning: Warned | None = None
-        self._cached: tuple[CurveView, list[Warned]] | None = None
+        self._warning: CurveWarning | None = None
+        self._cached: tuple[CurveView, list[CurveWarning]] | None = None
         self._badge = TeachingBadge()
         context.status_line.addPermanentWidget(self._badge)
         self._badge.hide()
@@ -152,7 +152,7 @@ class TeachingCommands(QObject):
         if self._lebesgue is not None:
             self._lebesgue.setVisible(self._warning is None or self._warning.topic is not Topic.LEBESGUE)
 
-    def _warnings(self, view: CurveView) -> list[Warned]:
+    def _warnings(self, view: CurveView) -> list[CurveWarning]:
         if self._cached is None or self._cached[0] is not view:
             basis = self._context.central.basis
             warnings = warnings_of(view, growth_of_points(view, basis)) if basis is not None else []

@@ -31,7 +31,7 @@ _HEIGHT = 460
 
 
 class WiggleCommands(QObject):
-    """Explains the curve where the scrub line stands, as long as its dock is in sight."""
+    """Explains the curve at the scrub line while its dock is visible."""
 
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
@@ -43,10 +43,10 @@ class WiggleCommands(QObject):
         self._task.ready.connect(self._show_result)
         self._task.busy_changed.connect(lambda _busy: self._show_cures())
         self._dock = context.docks["wiggleDock"]
-        # Behind another tab a dock is visible to Qt, but not in the sense of this signal.
-        self._is_seen = False
+        # Behind another tab a dock is visible to Qt, but not by this signal.
+        self._is_visible = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
-        # Whether the scrub line stands where an explanation wanted it, and where it stood before.
+        # Whether an explanation has moved the scrub line, and its position before.
         self._has_scrub = False
         self._scrub_before: float | None = None
         self._dock.closed.connect(self._put_scrub_back)
@@ -57,13 +57,13 @@ class WiggleCommands(QObject):
 
     @Panel("wiggleDock", "Wiggle", on_demand=True)
     def build_panel(self, parent: QWidget) -> QWidget:
-        """Return the content of the dock; called when it is first looked at."""
+        """Return the panel; called when its dock is first shown."""
         self._panel = wiggle.panel.WigglePanel(parent)
         self._panel.looked_at.connect(self._preview)
-        self._panel.chosen.connect(self._apply)
+        self._panel.applied.connect(self._apply)
         return self._panel
 
-    # Where
+    # The position
 
     @action(
         "explainWiggle",
@@ -76,7 +76,7 @@ class WiggleCommands(QObject):
         group="tool",
     )
     def _use_tool(self) -> None:
-        """Click on the curve where it swings out: who pulls it there, and what would calm it."""
+        """Click the curve where it swings out to see which points pull it, and what would calm it."""
         self._context.central.canvas.choose_tool(EXPLAIN)
         self._context.store.change(tool=EXPLAIN, moves_image=False)
         self._context.status_line.show_hint(EXPLAIN.hint)
@@ -93,7 +93,7 @@ class WiggleCommands(QObject):
         needs=CURVE_THROUGH_TWO,
     )
     def _explain_widest_wiggle(self) -> None:
-        """Explain the place where the curve swings out farthest."""
+        """Explain the curve where it swings out farthest."""
         self._keep_scrub()
         self._explain_widest()
         self._open()
@@ -116,7 +116,7 @@ class WiggleCommands(QObject):
         make_room(self._context.window, self._dock, _HEIGHT)
 
     def _keep_scrub(self) -> None:
-        if not self._is_seen:
+        if not self._is_visible:
             self._has_scrub, self._scrub_before = True, self._session.scrub.t
 
     def _put_scrub_back(self) -> None:
@@ -125,8 +125,8 @@ class WiggleCommands(QObject):
             self._session.scrub.set(self._scrub_before)
 
     def escape(self) -> bool:
-        """Put the explanation away with its tool; return whether there was one."""
-        if not self._is_seen:
+        """Close the explanation with its tool; return whether there was one."""
+        if not self._is_visible:
             return False
         self._dock.close()
         if self._context.store.state.uses(EXPLAIN):
@@ -134,18 +134,18 @@ class WiggleCommands(QObject):
         return True
 
     def _follow_visibility(self, visible: bool) -> None:
-        self._is_seen = visible
+        self._is_visible = visible
         if visible:
             self.follow_drag(self._session.active_view)
         else:
             self._preview("")
 
-    # What is shown
+    # Content
 
     def follow_drag(self, view: CurveView) -> bool:
-        """Explain anew where the scrub line stands; cures are tried once things have settled."""
+        """Explain the curve at the scrub line; cures are tried when nothing changes any more."""
         panel = self._panel
-        if panel is None or not self._is_seen:
+        if panel is None or not self._is_visible:
             return False
         self._explain(panel, view)
         return True
@@ -178,10 +178,10 @@ class WiggleCommands(QObject):
     # Cures
 
     def _cure(self, key: str) -> Cure | None:
-        """Return a cure that belongs to the document as it is now."""
+        """Return a cure that belongs to the present document."""
         if self._cures is None or self._task.is_busy:
             return None
-        return next((each for each in self._cures.cures if each.remedy.name == key and each.document), None)
+        return next((cure for cure in self._cures.cures if cure.remedy.name == key and cure.document), None)
 
     def _preview(self, key: str) -> None:
         cure = self._cure(key)
@@ -198,7 +198,7 @@ class WiggleCommands(QObject):
                 self._explain_segment(knot)
 
     def _explain_segment(self, knot: int) -> None:
-        """Go on explaining the same segment, now that its parameters are other ones."""
+        """Explain the same segment again, whose parameters have changed."""
         view = self._session.active_view
         if view.is_current and knot < len(view.parameters) - 1:
             self._session.scrub.set(analysis.wiggle.overshoot(view, knot)[1])

@@ -28,7 +28,7 @@ class WeightBars(SafeOverrides, QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        tip = "The weight of each point here: to the right it pulls, to the left it pushes away"
+        tip = "Weight of each point here: bars to the right pull, bars to the left push away"
         named(self, "weightBars", "Weights of the points here", tip)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.pulls: Sequence[Pull] = ()
@@ -68,8 +68,8 @@ class WeightBars(SafeOverrides, QWidget):
         unit = (right - left) / max(high - low, 1e-9)
         zero = left - low * unit
         colours = point_colours(max(self._count, 1), theme)
-        for place, pull in enumerate(self.pulls):
-            top = place * _ROW
+        for row, pull in enumerate(self.pulls):
+            top = row * _ROW
             middle = Qt.AlignmentFlag.AlignVCenter
             painter.setPen(theme.ink)
             painter.drawText(
@@ -90,18 +90,18 @@ def _name(pull: Pull) -> str:
     return f"{DERIVATIVES[pull.order - 1].name if pull.order else 'point'} {pull.point}"
 
 
-_NOWHERE = "Click on the curve where it swings out."
+_NOWHERE = "Click the curve where it swings out."
 
 
 class CureButton(SafeOverrides, QPushButton):
-    """A cure: shows what it would do while the pointer or the focus is on it.
+    """A cure, which is previewed while the pointer or the focus is on it.
 
     Signals
     -------
     looked_at
-        The pointer or the focus has come.
+        The pointer or the focus has entered.
     left
-        Both have gone, or Escape was pressed.
+        Both have left, or Escape was pressed.
     """
 
     looked_at = Signal()
@@ -109,7 +109,7 @@ class CureButton(SafeOverrides, QPushButton):
 
     def __init__(self, key: str, text: str, tip: str) -> None:
         super().__init__(text)
-        named(self, f"cure_{key}", tip, f"{tip}: one step, and undo takes it back. Hover to see it first")
+        named(self, f"cure_{key}", tip, f"{tip} in one step, which Undo reverts. Hover to preview it")
         self.setAutoDefault(False)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
@@ -144,13 +144,13 @@ class WigglePanel(QScrollArea):
     Signals
     -------
     looked_at
-        The key of the cure to show on the canvas; empty for none.
-    chosen
+        The key of the cure to preview; empty for none.
+    applied
         The key of the cure to apply.
     """
 
     looked_at = Signal(str)
-    chosen = Signal(str)
+    applied = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -188,14 +188,16 @@ class WigglePanel(QScrollArea):
                 heading.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(heading, 0, column)
         self._headings[1].setToolTip(
-            "How far the curve swings out of the straight line between the two points"
+            "Largest distance of the curve from the straight line between the two points"
         )
-        self._headings[2].setToolTip("The Lebesgue constant: how much errors in the points can grow")
+        self._headings[2].setToolTip(
+            "The Lebesgue constant: the factor by which errors in the points can grow"
+        )
         for row, (key, text, tip, *_) in enumerate(CURES, start=1):
             button = CureButton(key, text, tip)
             button.looked_at.connect(lambda key=key: self.looked_at.emit(key))
             button.left.connect(lambda: self.looked_at.emit(""))
-            button.clicked.connect(lambda _checked=False, key=key: self.chosen.emit(key))
+            button.clicked.connect(lambda _checked=False, key=key: self.applied.emit(key))
             self.buttons[key] = button
             grid.addWidget(button, row, 0)
             effects = (Label(name=f"swing_{key}"), Label(name=f"lebesgue_{key}"))
@@ -205,7 +207,7 @@ class WigglePanel(QScrollArea):
             self._effects[key] = effects
 
     def render_explanation(self, explanation: Explanation | None, count: int, problem: str = "") -> None:
-        """Show why the curve is where it is at one t; without one, what to do."""
+        """Show an explanation; without one, a hint what to do."""
         known = explanation is not None
         self.title.setVisible(known)
         self.bars.setVisible(known)
@@ -223,9 +225,9 @@ class WigglePanel(QScrollArea):
         self.calm.setText(_calm_words(explanation))
 
     def render_cures(self, cures: Cures | None, *, busy: bool) -> None:
-        """Show what each cure would do; muted while they are tried out."""
-        for place, (key, _, tip, *_) in enumerate(CURES):
-            cure = cures.cures[place] if cures is not None else None
+        """Show the effect of each cure; muted while cures are being tried."""
+        for row, (key, _, tip, *_) in enumerate(CURES):
+            cure = cures.cures[row] if cures is not None else None
             self.buttons[key].setEnabled(cure is not None and cure.document is not None)
             self.buttons[key].setStatusTip(cure.problem or tip if cure is not None else tip)
             swing, lebesgue = self._effects[key]

@@ -33,7 +33,7 @@ _FAMILY_DASHES = (
     _MIDDLE + _DOT + _DOT,
     (12.0, 2.7),
 )
-"""Those of the first families; what follows them has ever more dots."""
+"""Dashes of the first families; each further family has one more dot."""
 _RULE_STYLES = (
     LineStyle(PURPLE, width=1.5, dashes=(3.3, 2.0)),
     LineStyle(ORANGE, width=1.5, dashes=(1.3, 2.0)),
@@ -56,13 +56,13 @@ class Ghost(msgspec.Struct, frozen=True):
 
     @property
     def title(self) -> str:
-        """The words in the window: Chord length."""
+        """The text in the window: Chord length."""
         record = self.family if self.family is not None else self.kind
         return record.label if record is not None else ""
 
     @property
     def short(self) -> str:
-        """The same where room is short."""
+        """A shorter title for narrow places."""
         return self.family.short if self.family is not None else self.title
 
     @property
@@ -77,7 +77,7 @@ class Ghost(msgspec.Struct, frozen=True):
 
     @property
     def step(self) -> str:
-        """The step in the history that makes it the curve: Use chord length parameters."""
+        """The undo step of making it the curve: Use chord length parameters."""
         if self.kind is not None:
             return f"Use {self.kind.phrase} parameters"
         return f"Switch to {self.title}"
@@ -86,19 +86,19 @@ class Ghost(msgspec.Struct, frozen=True):
     def tip(self) -> str:
         """The tooltip of its action."""
         if self.family is not None:
-            return f"Draw the same points as a {self.family.full_title} curve, too"
+            return f"Also draw the same points as a {self.family.full_title} curve"
         assert self.kind is not None
-        return f"Draw the curve with {self.kind.phrase} parameters, too"
+        return f"Also draw the curve with {self.kind.phrase} parameters"
 
     @property
     def style(self) -> LineStyle:
         """The look of its line: no two ghosts have the same dashes."""
         if self.family is None:
             return _RULE_STYLES[_rules().index(self)]
-        place = FAMILIES.index(self.family)
-        colour = _FAMILY_COLOURS[place % len(_FAMILY_COLOURS)]
-        many = place >= len(_FAMILY_DASHES)
-        return LineStyle(colour, width=1.5, dashes=_LONG + _DOT * place if many else _FAMILY_DASHES[place])
+        rank = FAMILIES.index(self.family)
+        colour = _FAMILY_COLOURS[rank % len(_FAMILY_COLOURS)]
+        many = rank >= len(_FAMILY_DASHES)
+        return LineStyle(colour, width=1.5, dashes=_LONG + _DOT * rank if many else _FAMILY_DASHES[rank])
 
 
 def all_ghosts() -> tuple[Ghost, ...]:

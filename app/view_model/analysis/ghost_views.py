@@ -23,7 +23,7 @@ def rules_text(curve: Curve) -> str:
 
 
 _SAMPLES, _PER_SEGMENT = 480, 2
-"""Samples of a polynomial: enough for a glance, and at least so many a segment."""
+"""Samples of a polynomial, enough for a preview, and the least number per segment."""
 
 _LONG = 200
 """Points of the longest curve that follows a drag where every point reaches everywhere."""
@@ -38,13 +38,12 @@ class GhostView:
     is_real
         Whether it is the curve itself: it has these rules already.
     waits
-        Whether it is too slow to follow a drag; `view` is then another one.
+        Whether it is too slow to follow a drag; `view` is then that of the curve itself.
     is_sketch
-        Whether samples must do: flattening a polynomial whose parameters change takes milliseconds, and
-        seconds for a long one.
+        Whether it is drawn by samples: flattening a polynomial whose parameters change takes milliseconds,
+        and seconds for a long one.
     twin
-        The family or rule of what lies in the same place, the curve itself or another ghost; None where
-        nothing does.
+        The family or rule of the same curve, be it the curve itself or another ghost; None without one.
     """
 
     ghost: Ghost
@@ -60,7 +59,7 @@ class GhostView:
         return self.view.is_current and not self.is_real and not self.waits
 
     def line(self, tolerance: float, box: Box) -> FloatArray:
-        """Return the variant as a polyline (k, 2), within `tolerance` unless samples must do."""
+        """Return the variant as a polyline (k, 2), within `tolerance` unless it is drawn by samples."""
         return self._sampled if self.is_sketch else self.view.flattened(tolerance, box).points
 
     @cached_property
@@ -96,23 +95,23 @@ def ghost_views(
                 continue
             old = previous.get(ghost)
             last = old.view if old is not None and not (old.is_real or old.waits) else None
-            made = view_of(variant, last)
-            is_sketch = not is_quick(made) or (in_drag and not variant.family.curve_class.is_local)
-            # Looked for when the drag is over.
-            kept = old.twin if old is not None else None
-            twin = kept if in_drag else _twin(ghost, made, view, views)
-            views[ghost] = GhostView(ghost, made, is_real, is_sketch=is_sketch, twin=twin)
+            new_view = view_of(variant, last)
+            is_sketch = not is_quick(new_view) or (in_drag and not variant.family.curve_class.is_local)
+            # Searched for when the drag is over.
+            known_twin = old.twin if old is not None else None
+            twin = known_twin if in_drag else _twin(ghost, new_view, view, views)
+            views[ghost] = GhostView(ghost, new_view, is_real, is_sketch=is_sketch, twin=twin)
     return views
 
 
 def _twin(ghost: Ghost, made: CurveView, view: CurveView, others: Mapping[Ghost, GhostView]) -> Ghost | None:
-    """Return the family or rule of what lies where a variant does: the curve, or one of the ghosts before."""
+    """Return the ghost of the same curve as a variant: of the curve itself, or one of the ghosts before."""
     source = view.source
-    own = Ghost(family=source.family) if ghost.is_of_family else Ghost(kind=source.parametrization.kind)
-    drawn = (each for each in others.values() if each.is_drawn)
-    alike = [each for each in drawn if each.ghost.is_of_family is ghost.is_of_family]
-    candidates = [(own, view), *((each.ghost, each.view) for each in alike)]
-    return next((each for each, other in candidates if coincide(made, other)), None)
+    active = Ghost(family=source.family) if ghost.is_of_family else Ghost(kind=source.parametrization.kind)
+    drawn = (other_ghost for other_ghost in others.values() if other_ghost.is_drawn)
+    alike = [other_ghost for other_ghost in drawn if other_ghost.ghost.is_of_family is ghost.is_of_family]
+    candidates = [(active, view), *((other_ghost.ghost, other_ghost.view) for other_ghost in alike)]
+    return next((other_ghost for other_ghost, other in candidates if coincide(made, other)), None)
 
 
 def _variant(curve: Curve, ghost: Ghost) -> Curve:

@@ -25,7 +25,7 @@ class Hodograph:
     t, points
         Ascending parameters (m,) and the derivative there (m, 2); NaN between the two sides of a jump.
     knots
-        The derivative at the knots, (k, 2), after each joint; at the last one before it.
+        The derivative at the knots, (k, 2), after each joint; at the last knot before it.
     """
 
     order: int

@@ -1,4 +1,4 @@
-"""The joint certificate: what jumps at each joint, in numbers and in words."""
+"""The joint certificate: the jumps at each joint, in numbers and in words."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ..curve.curve_view import CurveView
 from ..geometry import size_of
 
 _MOST_NAMED = 3
-"""Joints named one by one in the summary; of more, their number is told."""
+"""Joints named one by one in the summary; of more, it has their number."""
 
 _RESIDUE = 1e-9
 """A jump of the curvature below this share of the curvature itself is a rounding residue."""
@@ -35,30 +35,28 @@ class JointKind(Enum):
     BREAK = "✕"
 
 
-_RESTS = "The curve stands still here, so that it has no direction: a corner or a cusp may show."
+_RESTS = "The curve stands still here and has no direction: there may be a corner or a cusp."
 
 _WORDS = {
-    (
-        3,
-        2,
-    ): "Smooth: velocity, acceleration and jerk go on without a jump; so do direction and curvature.",
-    (
-        2,
-        2,
-    ): "Smooth: velocity and acceleration go on, and so do direction and curvature; the jerk alone jumps.",
-    (1, 2): "The acceleration jumps, the velocity does not. The curvature goes on: the eye sees no joint.",
-    (1, 1): "The velocity goes on, the acceleration jumps, and the curvature with it: a mover feels a jerk.",
-    (0, 2): "The speed jumps, but direction and curvature go on: the drawn line shows no joint.",
-    (0, 1): "Speed and curvature jump; the direction goes on: no corner, but a mover feels a blow.",
+    (3, 2): "Smooth: velocity, acceleration, jerk, direction and curvature are continuous.",
+    (2, 2): "Smooth: velocity, acceleration, direction and curvature are continuous; the jerk jumps.",
+    (1, 2): "The acceleration jumps; velocity and curvature are continuous: the joint is not visible.",
+    (1, 1): "The velocity is continuous; acceleration and curvature jump: a moving body feels a jerk.",
+    (0, 2): "The speed jumps; direction and curvature are continuous: the joint is not visible in the line.",
+    (0, 1): "Speed and curvature jump; the direction is continuous: no corner, but acceleration jumps.",
     (0, 0): "A corner: the direction jumps.",
     (-1, -1): "The curve is broken.",
 }
 """The words for orders of parametric and geometric continuity, the latter up to curvature."""
 
-_GOES_ON = ("The curve goes on", "The velocity goes on", "Velocity and acceleration go on")
+_CONTINUOUS = (
+    "The curve is continuous",
+    "The velocity is continuous",
+    "Velocity and acceleration are continuous",
+)
 _OF_MOTION = ("point", "velocity", "acceleration", "jerk")
 _OF_LINE = ("point", "direction", "curvature", "change of the curvature")
-"""The quantities that go on, or jump, by their orders: of the motion, and of the line that is drawn."""
+"""The quantities that are continuous, or jump, by their orders: of the motion, and of the drawn line."""
 
 _RAISED = str.maketrans("0123", "⁰¹²³")
 
@@ -70,14 +68,14 @@ class JointRow:
     Attributes
     ----------
     joint
-        The index of its parameter: that of the point it lies at, if the curve runs through its points.
-    place
-        Where it lies.
+        The index of its parameter: that of its point, if the curve passes its points.
+    position
+        Its position.
     reach
-        The distance to the nearer of its neighbours: how closely to look.
+        The distance to the nearer of its neighbours, for a close-up.
     jumps
         Sizes of the jumps of c, c', c'' and c'''; exactly 0 where there is none beyond rounding, NaN where
-        double precision does not decide whether there is one.
+        double precision does not decide.
     angle
         Between the tangents before and after, in degrees; NaN where the curve stands still, or where double
         precision does not decide.
@@ -88,16 +86,16 @@ class JointRow:
     smoothness
         The same as "C³", "C¹, G²", "≥C¹" or "break".
     kind, words
-        The kind that this makes it, and the same in a sentence.
+        The kind of the joint, and a sentence about it.
     speed_ratio
         The speed after the joint over that before it; NaN where the curve stands still.
     measured
-        The angle as it was measured, and the speeds before and after, in a few words; empty where it rests.
+        The measured angle, and the speeds before and after, in a few words; empty at rest.
     """
 
     joint: int
     t: float
-    place: tuple[float, float]
+    position: tuple[float, float]
     reach: float
     jumps: tuple[float, ...]
     angle: float
@@ -110,15 +108,15 @@ class JointRow:
     measured: str
 
     def written(self, write: Callable[[float], str]) -> list[str]:
-        """Return jumps, angle, jump of the curvature and speed ratio as texts: "?" for what is not decided.
+        """Return jumps, angle, jump of the curvature and speed ratio as texts: "?" for undecided values.
 
-        There is nothing to decide about a direction where the curve stands still.
+        Where the curve stands still its direction is not undecided: there is none.
         """
         undecided = JointKind.UNDECIDED.value
         of_line = NOTHING if self.kind is JointKind.REST else undecided
         texts = [undecided if math.isnan(jump) else write(jump) for jump in self.jumps]
         others = (self.angle, self.curvature, self.speed_ratio)
-        return [*texts, *(of_line if math.isnan(each) else write(each) for each in others)]
+        return [*texts, *(of_line if math.isnan(number) else write(number) for number in others)]
 
 
 @dataclass(frozen=True)
@@ -134,11 +132,11 @@ def certificate_of(view: CurveView) -> Certificate:
     if view.curve is None or not view.is_current:
         return Certificate((), view.problem)
     if view.source.family.curve_class.is_one_polynomial:
-        return Certificate((), "One polynomial: no joints. Every derivative goes on, everywhere.")
+        return Certificate((), "One polynomial: no joints. All derivatives are continuous everywhere.")
     breaks = view.curve.breaks
     if len(breaks) == 2 < len(view.parameters) and not view.source.is_closed:
-        # What the family says of itself; differences could only tell that they are small.
-        return Certificate((), f"No joints: {view.source.family.a_curve} has no breaks inside.")
+        # By the declaration of the family; differences could only show that jumps are small.
+        return Certificate((), f"No joints: {view.source.family.a_curve} has no inner breaks.")
     report = joint_report(view.curve, closed=view.source.is_closed)
     joints = [joint for joint in report if joint.joint == 0 or view.parameters[joint.joint] in breaks]
     if not joints:
@@ -159,9 +157,9 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     return JointRow(
         joint=point,
         t=joint.parameter,
-        place=(x, y),
+        position=(x, y),
         reach=reaches[point],
-        jumps=tuple(_shown_jump(joint, order, size) for order, size in enumerate(sizes)),
+        jumps=tuple(_displayed_jump(joint, order, size) for order, size in enumerate(sizes)),
         angle=_angle(joint),
         curvature=_curvature_jump(joint),
         continuity=continuity,
@@ -173,7 +171,7 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     )
 
 
-def _shown_jump(joint: Joint, order: int, size: float) -> float:
+def _displayed_jump(joint: Joint, order: int, size: float) -> float:
     if order <= joint.parametric:
         return 0.0
     is_next = order == joint.parametric + 1
@@ -188,7 +186,7 @@ def _angle(joint: Joint) -> float:
 
 
 def _words(joint: Joint, kind: JointKind) -> str:
-    """Return what a joint is, as a sentence or two."""
+    """Return a sentence or two about a joint."""
     undecided, bound = "", ""
     if joint.is_parametric_open:
         undecided = _OF_MOTION[joint.parametric + 1]
@@ -199,15 +197,15 @@ def _words(joint: Joint, kind: JointKind) -> str:
         sure = _RESTS
     elif undecided:
         jumps = "" if joint.is_parametric_open or joint.parametric == 3 else _OF_MOTION[joint.parametric + 1]
-        sure = _GOES_ON[min(joint.parametric, 2)] + (f", the {jumps} jumps." if jumps else ".")
+        sure = _CONTINUOUS[min(joint.parametric, 2)] + (f", the {jumps} jumps." if jumps else ".")
     else:
         sure = _WORDS[joint.parametric, min(max(joint.parametric, joint.geometric), 2)]
-    rest = f" Whether the {undecided} goes on, double precision does not decide{bound}."
+    rest = f" Double precision does not decide whether the {undecided} is continuous{bound}."
     return sure + (rest if undecided else "")
 
 
 def _measured(joint: Joint) -> str:
-    """Return what was measured of the tangents, without a word on what is taken for none."""
+    """Return the measured angle and speeds, without judgement of their size."""
     angle = f"{number(math.degrees(joint.angle), 3)}°"
     return f"∠ {angle}, speeds 1 : {number(joint.speed_ratio, 4)}"
 
@@ -235,7 +233,7 @@ def _kind(joint: Joint) -> JointKind:
 
 
 def _reaches(view: CurveView) -> list[float]:
-    """Return for every point the distance to the nearer of its neighbours that is elsewhere."""
+    """Return for every point the distance to the nearer of its neighbours at another position."""
     points = view.points
     ring = np.vstack([points[-1:], points, points[:1]])
     steps = np.hypot(*np.diff(ring, axis=0).T)
@@ -249,16 +247,16 @@ def _reaches(view: CurveView) -> list[float]:
 
 
 def _summary(rows: Sequence[JointRow]) -> str:
-    """Say the class of most joints, and which ones are less smooth, or not decided, or have no direction."""
+    """Return the class of most joints, and those that are less smooth, undecided, or without direction."""
     (orders, usual), _ = Counter((row.continuity, row.smoothness) for row in rows).most_common(1)[0]
-    # Of the same orders, but more or less decided, or less smooth.
+    # Less smooth, or of the same orders but decided otherwise.
     worse = [
         row
         for row in rows
         if row.kind is JointKind.REST or (row.continuity <= orders and row.smoothness != usual)
     ]
     if not worse:
-        return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its one joint."
+        return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its only joint."
     if len(worse) > _MOST_NAMED:
         return f"{usual} everywhere except at {len(worse)} of {len(rows)} joints."
     named = "; ".join(f"joint {row.joint}: {_brief(row)}" for row in worse)
@@ -266,7 +264,7 @@ def _summary(rows: Sequence[JointRow]) -> str:
 
 
 def _brief(row: JointRow) -> str:
-    """Name what is less smooth: of C⁰, G¹ the G¹, for the C⁰ goes without saying."""
+    """Return the class of a less smooth joint: G¹ of C⁰, G¹, for the C⁰ is obvious."""
     if row.kind is JointKind.REST:
         return "stands still"
     return (
@@ -277,9 +275,9 @@ def _brief(row: JointRow) -> str:
 def as_text(certificate: Certificate) -> str:
     """Return the certificate as a table of text, with tabs, for other programs; numbers are exact.
 
-    There is a "?" where double precision does not decide, and a dash where the curve stands still.
+    It has "?" where double precision does not decide, and a dash where the curve stands still.
     """
-    jumps = [f"jump of {what}" for what in ("c", "c'", "c''", "c'''")]
+    jumps = [f"jump of {derivative}" for derivative in ("c", "c'", "c''", "c'''")]
     lines = [certificate.summary]
     if certificate.rows:
         lines.append(

@@ -40,23 +40,23 @@ from .settings import Calculation, LaboratorySettings, RoundedPart
 from .wording import short
 
 SAMPLES = 240
-"""About so many parameters t on the whole curve."""
+"""Approximate number of parameters t on the whole curve."""
 
 MOST_POINTS = 60
-"""Up to so many points everything is computed."""
+"""Points up to which all methods are computed."""
 
 MOST_AT_ALL = 200
-"""Above so many points nothing is: a window should not compute for a minute."""
+"""Points above which nothing is computed: a window should not compute for a minute."""
 
 _MOST_EXACT = 16
 """Points of one polynomial up to which its truth is computed in fractions, with some n**4 operations."""
 
 _MORE_OF_TRUTH = 2
-"""Digits that are shown of the truth beyond those that are computed with."""
+"""Digits of the truth that are displayed beyond those of the computation."""
 
 _CHUNK = 48
-"""Parameters between two looks at whether the result is still wanted; above `MOST_POINTS` points what is
-done once for all parameters costs too much to be done for each chunk."""
+"""Parameters between two checks that the result is still wanted; above `MOST_POINTS` points the work that is
+done once for all parameters is too much to be done for each chunk."""
 
 _MOST_CONDITION = 128
 _FARTHEST = 1e12
@@ -71,13 +71,13 @@ class Outcome:
     Attributes
     ----------
     pieces
-        The computed curve as polylines (k, 2); it is broken where the method came to no number.
+        The computed curve as polylines (k, 2); it is broken where the method gives no number.
     errors
         The distance to the truth for each t of the `Trial`, (m,); infinite where there is no number.
     lost
-        The number of wrong digits at the worst t; 0 as good as can be, `digits` nothing is right.
+        The number of wrong digits at the worst t, from 0 to `digits`.
     worst
-        The largest of the errors, and the t (not shifted) where it is.
+        The largest error, and its t (not shifted).
     """
 
     calculation: Calculation
@@ -114,22 +114,29 @@ class Trial:
     note: str = ""
 
     def outcome(self, calculation: Calculation) -> Outcome | None:
-        """Return what this method made, None if it was not tried."""
-        return next((each for each in self.outcomes if each.calculation is calculation), None)
+        """Return the outcome of a method, None if it was not tried."""
+        return next(
+            (
+                outcome_of_method
+                for outcome_of_method in self.outcomes
+                if outcome_of_method.calculation is calculation
+            ),
+            None,
+        )
 
 
 @dataclass(frozen=True)
 class Digits:
-    """The very digits that the methods get at one t.
+    """The digits that the methods compute at one t.
 
     Attributes
     ----------
     t
-        Where, not shifted.
+        The parameter, not shifted.
     truth
         x and y with two digits more, all of them correct, as text.
     rows
-        For each method x and y as decimal numbers of so many digits, as text.
+        For each method x and y as decimal numbers, as text.
     """
 
     t: float
@@ -138,7 +145,7 @@ class Digits:
 
 
 def calculations(view: CurveView) -> tuple[Calculation, ...]:
-    """Return the methods that there are for a curve: none unless polynomials through its data make it."""
+    """Return the methods for a curve: none unless it consists of polynomials through its data."""
     family, curve = view.source.family, view.curve
     is_hermite = family.derivatives and (curve is None or curve.degree == 2 * family.derivatives + 1)
     if not (is_hermite or family.curve_class.is_one_polynomial):
@@ -147,7 +154,7 @@ def calculations(view: CurveView) -> tuple[Calculation, ...]:
 
 
 def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = silent) -> Trial | str:
-    """Compute a curve by the chosen methods; where that cannot be, return why, as a sentence."""
+    """Return a curve computed by the selected methods, or a sentence why that is impossible."""
     if not view.is_current:
         return view.problem
     if not calculations(view):
@@ -157,7 +164,7 @@ def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = 
         )
     count = len(view.parameters)
     if count > MOST_AT_ALL:
-        return f"{count} points are too many for arithmetic done digit by digit; it goes up to {MOST_AT_ALL}."
+        return f"The laboratory computes curves of up to {MOST_AT_ALL} points; this one has {count}."
     try:
         return _trial(view, settings, report)
     except CurveError as problem:
@@ -166,7 +173,7 @@ def try_methods(view: CurveView, settings: LaboratorySettings, report: Report = 
 
 def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Trial:
     count = len(view.parameters)
-    chosen, note = _affordable(view, settings)
+    methods, note = _affordable(view, settings)
     per_segment = max(3, SAMPLES // (count - 1))
     experiments = [
         (_Experiment(piece, settings), all_along(piece.parameters, per_segment)) for piece in view.pieces
@@ -174,8 +181,8 @@ def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Tri
     t = np.concatenate([where for _, where in experiments])
     truth = np.vstack([experiment.truth(where) for experiment, where in experiments])
     outcomes, computed = list[Outcome](), list[FloatArray]()
-    for calculation in chosen:
-        # From rounded data, with exact arithmetic, all methods come to the same.
+    for calculation in methods:
+        # From rounded data, with exact arithmetic, all methods give the same.
         if settings.rounding is not RoundedPart.DATA or not outcomes:
             computed = [each.values(where, calculation, report) for each, where in experiments]
         outcomes.append(_outcome(calculation, computed, truth, t, settings.digits))
@@ -185,7 +192,7 @@ def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Tri
 
 
 def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits | None:
-    """Return the very digits at one t, None where nothing can be computed."""
+    """Return the digits at one t, None where nothing can be computed."""
     if not (view.is_current and calculations(view)) or len(view.parameters) > MOST_POINTS:
         return None
     start, end = view.parameters[[0, -1]].tolist()
@@ -204,7 +211,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
 
 
 class _Experiment:
-    """One piece of the curve with the data that the computation is given."""
+    """One piece of the curve with the data for the computation."""
 
     def __init__(self, piece: ParametricCurve, settings: LaboratorySettings) -> None:
         self._piece, self._settings = piece, settings
@@ -213,7 +220,7 @@ class _Experiment:
         if settings.decimals is not None:
             self._jets = round_data(self._jets, settings.decimals)
             self._parameters = round_data(self._parameters, settings.decimals)
-        # Refused where they make no curve.
+        # Raise where the data give no curve.
         self._shifted_curve = piece.with_data(piece.jets, self._shifted)
         self._given_curve = piece.with_data(self._jets, self._parameters)
 
@@ -226,14 +233,14 @@ class _Experiment:
         return exact_values(points, self._shifted, at, *derivatives)
 
     def true_digits(self, t: float) -> tuple[str, str]:
-        """Return x and y of the curve itself at one t, every digit of it."""
+        """Return x and y of the curve itself at one t, with all digits correct."""
         points, *derivatives = self._piece.jets.swapaxes(0, 1)
-        at, shown = t + self._settings.shift, self._settings.digits + _MORE_OF_TRUTH
-        x, y = exact_decimals(points, self._shifted, at, shown, *derivatives)
-        return f"{x:.{shown}g}", f"{y:.{shown}g}"
+        at, count = t + self._settings.shift, self._settings.digits + _MORE_OF_TRUTH
+        x, y = exact_decimals(points, self._shifted, at, count, *derivatives)
+        return f"{x:.{count}g}", f"{y:.{count}g}"
 
     def values(self, t: FloatArray, calculation: Calculation, report: Report) -> FloatArray:
-        """Return what a method computes, (m, 2)."""
+        """Return the points that a method computes, (m, 2)."""
         at, result = t + self._settings.shift, np.full((len(t), 2), np.nan)
         chunk = _CHUNK if len(self._parameters) <= MOST_POINTS else len(t)
         for start in range(0, len(t), chunk):
@@ -247,9 +254,9 @@ class _Experiment:
         ((x, y),) = self._rounded(rounded_decimals, t + self._settings.shift, calculation)
         if self._settings.rounding is RoundedPart.EVERY_STEP:
             return str(x), str(y)
-        # As many as are shown of the truth: what is computed exactly has no last digit of its own.
-        shown = self._settings.digits + _MORE_OF_TRUTH
-        return f"{x:.{shown}g}", f"{y:.{shown}g}"
+        # As many as of the truth: an exact result has no last digit.
+        count = self._settings.digits + _MORE_OF_TRUTH
+        return f"{x:.{count}g}", f"{y:.{count}g}"
 
     def _rounded(
         self, compute: Callable[..., _Result], at: FloatArray | float, calculation: Calculation
@@ -264,43 +271,45 @@ class _Experiment:
 
 
 def _affordable(view: CurveView, settings: LaboratorySettings) -> tuple[list[Calculation], str]:
-    """Return the chosen methods that are not too slow, and a sentence on what is left out."""
-    chosen = [each for each in calculations(view) if each in settings.methods]
+    """Return the selected methods that are not too slow, and a sentence about those left out."""
+    selected = [method for method in calculations(view) if method in settings.methods]
     if len(view.parameters) <= MOST_POINTS or settings.rounding is RoundedPart.DATA:
-        return chosen, ""
+        return selected, ""
     notes = []
-    if Calculation.LAGRANGE in chosen:
-        chosen.remove(Calculation.LAGRANGE)
+    if Calculation.LAGRANGE in selected:
+        selected.remove(Calculation.LAGRANGE)
         notes.append(
             f"Above {MOST_POINTS} points Lagrange is left out: its products take n² operations for every t. "
             "The barycentric form is the same polynomial."
         )
     if settings.rounding is RoundedPart.COEFFICIENTS and view.source.family.derivatives == 0:
-        chosen = [each for each in chosen if each is not Calculation.MONOMIAL]
-        notes.append(f"Above {MOST_POINTS} points the monomials' coefficients are not found exactly.")
-    return chosen, " ".join(notes)
+        selected = [method for method in selected if method is not Calculation.MONOMIAL]
+        notes.append(
+            f"Above {MOST_POINTS} points the coefficients of the monomials are not computed exactly."
+        )
+    return selected, " ".join(notes)
 
 
 def _refusal(settings: LaboratorySettings, problem: CurveError) -> str:
     if settings.rounding is RoundedPart.COEFFICIENTS:
-        return f"The coefficients are not found exactly: {problem}."
+        return f"The coefficients cannot be computed exactly: {problem}."
     if settings.rounding is RoundedPart.DATA:
-        return f"To {settings.digits} digits, neighbouring t are the same number; keep more of them."
+        return f"Rounded to {settings.digits} digits, neighbouring t are the same number. Keep more."
     if settings.decimals is not None:
-        return f"To {settings.decimals} decimals, neighbouring t are the same number; keep more of them."
+        return f"Rounded to {settings.decimals} decimals, neighbouring t are the same number. Keep more."
     return f"The shift is too large: neighbouring t become the same number ({in_words(str(problem))})."
 
 
 def _outcome(
     calculation: Calculation, computed: list[FloatArray], truth: FloatArray, t: FloatArray, digits: int
 ) -> Outcome:
-    found = np.vstack(computed)
+    values = np.vstack(computed)
     with np.errstate(over="ignore"):
-        away = found - truth
+        away = values - truth
         errors = np.nan_to_num(np.hypot(away[:, 0], away[:, 1]), nan=np.inf)
-    lost = float(digits_lost(found, truth, digits).max())
+    lost = float(digits_lost(values, truth, digits).max())
     worst = int(np.argmax(errors))
-    pieces = tuple(part for each in computed for part in _finite_runs(each))
+    pieces = tuple(part for part_values in computed for part in _finite_runs(part_values))
     return Outcome(calculation, pieces, errors, lost, (float(errors[worst]), float(t[worst])))
 
 
@@ -314,22 +323,22 @@ def _finite_runs(points: FloatArray) -> list[FloatArray]:
 
 
 _HOPELESS = 0.7
-"""With fewer right digits than this nothing is right."""
+"""Correct digits below which a result counts as lost."""
 
 _NEARLY_ALL = 0.5
-"""Within so many digits of the worst case nothing needs to be explained."""
+"""Digits between a loss and the worst case up to which the difference needs no explanation."""
 
 
 def trial_words(trial: Trial) -> str:
-    """Say what is to be seen, and how what was lost goes with what may be lost."""
+    """Return the findings in a sentence or two, with the lost digits beside those that may be lost."""
     if not trial.outcomes:
-        return "Choose a method to compute the curve with."
+        return "Select a method to compute the curve."
     monomial = trial.outcome(Calculation.MONOMIAL)
     match trial.settings.rounding:
         case RoundedPart.DATA:
             return (
                 "Only the data are rounded: every method gives the same curve. An error of the points grows "
-                "Λ times at the most, one of tᵢ moves the curve by Lᵢ(t) c′(tᵢ) times as much."
+                "by a factor of Λ at most; an error of tᵢ moves the curve by Lᵢ(t) c′(tᵢ) times as much."
             )
         case RoundedPart.COEFFICIENTS if monomial is not None:
             return (
@@ -338,45 +347,51 @@ def trial_words(trial: Trial) -> str:
             )
         case RoundedPart.EVERY_STEP if monomial is not None and trial.condition is not None:
             return _on_solving(trial, monomial, trial.condition)
-    best = min(trial.outcomes, key=lambda each: each.lost)
+    best = min(trial.outcomes, key=lambda outcome_of_method: outcome_of_method.lost)
     return f"{best.calculation.label} loses {best.lost:.1f} of {trial.settings.digits} digits."
 
 
 def growth_words(trial: Trial) -> str:
-    """Say which Λ the table has, where the one in the status line is another; else nothing."""
+    """Return a remark on the Λ of the table where it is not that of the status line; else nothing."""
     is_of_data = trial.settings.rounding is RoundedPart.DATA
-    shown = [each for each in trial.outcomes if is_of_data or each.calculation is not Calculation.MONOMIAL]
-    if not (trial.view.source.family.derivatives and shown):
+    displayed = [
+        outcome_of_method
+        for outcome_of_method in trial.outcomes
+        if is_of_data or outcome_of_method.calculation is not Calculation.MONOMIAL
+    ]
+    if not (trial.view.source.family.derivatives and displayed):
         return ""
     return (
-        "Λ here is of the data, estimates held fixed; in the status line, of the points, which they follow."
+        "This Λ is that of the data, with fixed estimates; the status line has that of the points, which the "
+        "estimates follow."
     )
 
 
 def _on_solving(trial: Trial, monomial: Outcome, condition: float) -> str:
-    """Say what the condition number bounds, and why less was lost where it was."""
+    """Return the meaning of the condition number, and why less was lost where that is so."""
     digits, may_go = trial.settings.digits, log10(max(condition, 1.0))
     most = f"all {digits} digits" if may_go >= digits else f"{may_go:.1f} of {digits} digits"
-    bound = f"κ = {short(condition)} bounds what rounding can do to the monomials' coefficients"
+    bound = f"κ = {short(condition)} bounds the effect of rounding on the coefficients of the monomials"
     if monomial.lost > digits - _HOPELESS:
-        return f"{digits} digits are not enough for the monomials. {bound}: {most} may go."
+        return f"{digits} digits are not enough for the monomials. {bound}: {most} may be lost."
     if monomial.lost > min(may_go, digits) - _NEARLY_ALL:
-        return f"{bound}: {most} may go."
+        return f"{bound}: {most} may be lost."
     return (
-        f"{bound}: at worst {most} go. The curve lost {monomial.lost:.1f}: these points and roundings are "
-        "not the worst, and elimination finds coefficients that nearly fit the points even where it errs."
+        f"{bound}: at worst {most} are lost. The curve lost {monomial.lost:.1f}: these points and roundings "
+        "are not the worst case, and elimination finds coefficients that nearly fit the points even where "
+        "they are wrong."
     )
 
 
 _MOST_COUNTED = 1000
-"""The chart ends here."""
+"""The largest number of points in the chart."""
 
 _ROUNDS = 15
 _ROUND_SECONDS = 0.002
-"""Every round repeats its work for about so long, for the clock to be finer than the work."""
+"""Seconds of a round, which repeats its work so that the clock is finer than the work."""
 
 _MOST_SECONDS = 0.3
-"""After so long what has been measured must do."""
+"""Seconds after which no further rounds are measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -397,9 +412,9 @@ class SolvingCost:
     doubled
         The factors by which `solving` and `basis` grow with twice as many points.
     piecewise
-        Operations that a Hermite curve's own small systems take; None for other curves.
+        Operations for the small systems of a Hermite curve; None for other curves.
     other
-        One of the family’s curves in words, where these are made of other functions.
+        The words for a curve of the family, where it is made of other functions.
     """
 
     count: int
@@ -427,7 +442,7 @@ class CostChart:
 
 
 def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
-    """Count and measure for a curve; None without one."""
+    """Return the counted and measured cost for a curve; None without one."""
     if not view.is_current:
         return None
     t = view.parameters
@@ -443,8 +458,8 @@ def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
     elif family.derivatives:
         piecewise = operation_counts(Calculation.MONOMIAL, len(t), derivatives=family.derivatives).setup
     solved, form, barycentric = (
-        operation_counts(each, len(t)).per_point
-        for each in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
+        operation_counts(method, len(t)).per_point
+        for method in (Calculation.MONOMIAL, Calculation.LAGRANGE, Calculation.BARYCENTRIC)
     )
     twice = _counts(2 * len(t))
     return SolvingCost(
@@ -462,7 +477,7 @@ def cost_of(view: CurveView, report: Report = silent) -> SolvingCost | None:
 def cost_chart() -> CostChart:
     """Return the counts for numbers of points from 2 to `_MOST_COUNTED`."""
     n = np.unique(np.geomspace(2, _MOST_COUNTED, 40).round().astype(int))
-    counts = np.array([_counts(int(each)) for each in n], dtype=np.float64)
+    counts = np.array([_counts(int(count)) for count in n], dtype=np.float64)
     return CostChart(n.astype(np.float64), counts[:, 0], counts[:, 1])
 
 
@@ -472,7 +487,7 @@ def _counts(count: int) -> tuple[int, int]:
 
 
 def _solve(t: FloatArray, points: FloatArray, at: float) -> FloatArray:
-    """Solve for the coefficients and evaluate once."""
+    """Return the curve at one t, by the coefficients of a solved system."""
     with np.errstate(all="ignore"):
         try:
             coefficients = np.asarray(np.linalg.solve(np.vander(t, increasing=True), points))

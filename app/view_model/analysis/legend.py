@@ -24,17 +24,17 @@ class LegendRow:
     Attributes
     ----------
     style
-        The look of the thing that is explained; None for the heading of the lines below it.
+        The style of the figure that is explained; None for the heading of the lines below.
     is_muted
-        Whether nothing is drawn of it now.
+        Whether its figure is not drawn at the moment.
     tip
-        Why, or more about it.
+        The reason, or a further explanation.
     ghost
-        The ghost that it explains, if any: to be chosen and hidden there.
+        The ghost that it explains, if any, which can be applied and hidden there.
     figure
-        A number that stands at its end.
+        A number at its end.
     brief
-        A shorter text where room is short; empty where there is none.
+        A shorter text for little room; empty for none.
     """
 
     style: LineStyle | None
@@ -55,31 +55,31 @@ def legend_rows(
     *,
     in_drag: bool = False,
 ) -> list[LegendRow]:
-    """Return the lines of the legend: what cannot be understood without one.
+    """Return the lines of the legend: for figures that need an explanation.
 
-    Beside ghosts stands how much errors in the points can grow; of a drag, or of many points, it would take
-    longer than a frame may.
+    Ghosts have their Lebesgue constants, but not during a drag, or with many points: these would take longer
+    than a frame.
     """
     if not view.is_current:
         return []
-    shown = sorted(settings.overlays, key=lambda each: each.sort_key)
+    visible = sorted(settings.overlays, key=lambda overlay: overlay.sort_key)
     drawn = {id(figure.style) for figure in figures}
     rows = [
-        LegendRow(style, text, is_muted=each not in busy and id(style) not in drawn)
-        for each in shown
-        for style, text in each.legend(view, settings)
+        LegendRow(style, text, is_muted=overlay not in busy and id(style) not in drawn)
+        for overlay in visible
+        for style, text in overlay.legend(view, settings)
     ]
-    # What is known later stands last, so that nothing moves when it comes.
-    for each in shown:
-        rows += [LegendRow(style, text) for style, text in each.finds if id(style) in drawn]
-        if each.finds and each in busy:
-            rows.append(LegendRow(each.finds[0][0], f"{each.name.capitalize()} …", is_muted=True))
-    # A ghost that is the curve itself needs no line of its own.
+    # Late results stand last, so that nothing moves when they arrive.
+    for overlay in visible:
+        rows += [LegendRow(style, text) for style, text in overlay.finds if id(style) in drawn]
+        if overlay.finds and overlay in busy:
+            rows.append(LegendRow(overlay.finds[0][0], f"{overlay.name.capitalize()} …", is_muted=True))
+    # A ghost that is the curve itself needs no line.
     ghost_rows = [_ghost_row(ghost, in_drag=in_drag) for ghost in ghosts if not ghost.is_real]
     if not ghost_rows:
         return rows
-    own = LegendRow(CURVE_STYLE, rules_text(view.source), figure=_growth(view, in_drag=in_drag))
-    return [own, *ghost_rows, *rows]
+    active = LegendRow(CURVE_STYLE, rules_text(view.source), figure=_growth(view, in_drag=in_drag))
+    return [active, *ghost_rows, *rows]
 
 
 def line_rows(
@@ -99,7 +99,7 @@ def _growth(view: CurveView, *, in_drag: bool) -> str:
 def _ghost_row(view: GhostView, *, in_drag: bool) -> LegendRow:
     ghost = view.ghost
     if view.waits:
-        text, tip = f"{ghost.title} …", "Drawn as soon as the drag is over"
+        text, tip = f"{ghost.title} …", "Drawn when the drag ends"
     elif not view.view.is_current:
         text, tip = f"{ghost.title}: none", view.view.problem
     else:

@@ -1,4 +1,4 @@
-"""The figures of everything that is switched on."""
+"""The figures of all overlays that are switched on."""
 
 from __future__ import annotations
 
@@ -14,33 +14,33 @@ from .settings import AnalysisSettings
 
 
 class Picture(msgspec.Struct, frozen=True, eq=False):
-    """The figures over a curve, the first one at the bottom, and a sentence to some of the overlays."""
+    """The figures over a curve, the first one at the bottom, and the notes of overlays."""
 
     figures: list[Figure] = []
     notes: dict[Overlay, str] = {}
 
 
 def live_picture(view: CurveView, settings: AnalysisSettings, scrub: float | None = None) -> Picture:
-    """Return what follows a drag frame by frame."""
+    """Return the picture of overlays that follow a drag frame by frame."""
     if not view.is_current:
         return Picture()
     return _picture(OverlayInput(view, settings, scrub), settings.overlays - settling(view, settings))
 
 
 def settling(view: CurveView, settings: AnalysisSettings) -> frozenset[Overlay]:
-    """Return the overlays that are computed only once things have settled."""
+    """Return the overlays that are computed only when nothing changes any more."""
     if not view.is_current:
         return frozenset()
     if not is_quick(view):
         return settings.overlays
-    return frozenset(each for each in settings.overlays if each.settles(view))
+    return frozenset(overlay for overlay in settings.overlays if overlay.settles(view))
 
 
 def settling_key(view: CurveView, settings: AnalysisSettings, scrub: float | None) -> object:
-    """Return what the settled picture of a curve depends on; equal keys, equal pictures."""
+    """Return the key of the settled picture of a curve: equal keys, equal pictures."""
     waiting = settling(view, settings)
-    values = {setting: settings.value(setting) for each in waiting for setting in each.settings}
-    return waiting, values, scrub if any(each.follows_scrub for each in waiting) else None
+    values = {setting: settings.value(setting) for overlay in waiting for setting in overlay.settings}
+    return waiting, values, scrub if any(overlay.follows_scrub for overlay in waiting) else None
 
 
 def settled_picture(
@@ -49,19 +49,19 @@ def settled_picture(
     scrub: float | None = None,
     report: Report = silent,
 ) -> Picture:
-    """Return what is too heavy for a frame."""
+    """Return the picture of overlays that are too heavy for a frame."""
     return _picture(OverlayInput(view, settings, scrub, report), settling(view, settings))
 
 
-def _picture(shown: OverlayInput, overlays: Collection[Overlay]) -> Picture:
+def _picture(data: OverlayInput, overlays: Collection[Overlay]) -> Picture:
     picture = Picture()
-    # A wild curve leaves the range of numbers; what is not finite is not drawn.
+    # A wild curve leaves the range of numbers; points that are not finite are not drawn.
     with np.errstate(all="ignore"):
         for overlay in sorted(
             overlays, key=lambda overlay: overlay.rank if overlay.layer is None else overlay.layer
         ):
-            shown.report(0.0, "Computing")
-            drawn = overlay.draw(shown)
+            data.report(0.0, "Computing")
+            drawn = overlay.draw(data)
             picture.figures.extend(drawn.figures)
             if drawn.note:
                 picture.notes[overlay] = drawn.note

@@ -29,10 +29,10 @@ if TYPE_CHECKING:
 
 
 class Scale(enum.Enum):
-    """The scales of values."""
+    """The scale of values."""
 
     LINEAR = enum.auto()
-    """Zero is always in sight."""
+    """Zero is always visible."""
     LOG = enum.auto()
     """Zero and negative values lie below the plot."""
 
@@ -43,12 +43,12 @@ class PlotLine(msgspec.Struct, frozen=True, eq=False):
     Attributes
     ----------
     name
-        Its name, shown where a plot has several lines.
+        Its name, for a plot with several lines.
     t, values
         Ascending parameters (m,) and the values there (m,), of any size. At a NaN the line is interrupted,
         and both ends are marked: a jump.
     style
-        Its look; its width is that of all plots.
+        Its style; its width is that of all plots.
     """
 
     name: str
@@ -68,7 +68,7 @@ class PlotLine(msgspec.Struct, frozen=True, eq=False):
 
 
 class Level(msgspec.Struct, frozen=True):
-    """A value that is marked across the whole plot, and what it is."""
+    """A value that is marked across the whole plot, and its name."""
 
     value: float
     name: str
@@ -82,11 +82,11 @@ class PlotData(msgspec.Struct, frozen=True, eq=False):
     title
         Its name; no two plots of a pane have the same.
     symbol
-        The words before its value in the header.
+        The text before its value in the header.
     extent
-        The least and the greatest value worth seeing; values beyond run out of the plot.
+        The least and the greatest visible value; values beyond leave the plot.
     note
-        A few words beside the title, such as how far the values run out of the plot.
+        A few words beside the title, such as the greatest value beyond the plot.
     """
 
     title: str
@@ -100,25 +100,25 @@ class PlotData(msgspec.Struct, frozen=True, eq=False):
 
 def plot_of(title: str, lines: Sequence[PlotLine], scale: Scale, symbol: str = "") -> PlotData:
     """Return a plot of these lines that shows all of their values."""
-    return PlotData(title, symbol, scale, tuple(lines), extent_of([each.values for each in lines], scale))
+    return PlotData(title, symbol, scale, tuple(lines), extent_of([line.values for line in lines], scale))
 
 
 def extent_of(values: Sequence[FloatArray], scale: Scale) -> tuple[float, float]:
     """Return the least and the greatest value that can be shown on a scale; (1, 1) for none."""
     every = np.concatenate([np.empty(0), *values])
-    shown = every[np.isfinite(every) & ((every > 0) | (scale is Scale.LINEAR))]
-    return (float(shown.min()), float(shown.max())) if len(shown) else (1.0, 1.0)
+    displayable = every[np.isfinite(every) & ((every > 0) | (scale is Scale.LINEAR))]
+    return (float(displayable.min()), float(displayable.max())) if len(displayable) else (1.0, 1.0)
 
 
 class Sampled(msgspec.Struct, frozen=True, eq=False):
-    """A current curve where it is plotted.
+    """A current curve sampled for plots.
 
     Attributes
     ----------
     t
         Ascending parameters (m,).
     derivatives
-        Derivatives (m, 2) there, by their order: those that the plots asked for.
+        Derivatives (m, 2) there, by their order: those that the plots need.
     lebesgue_constant
         The largest factor by which errors of its points grow.
     """
@@ -139,20 +139,20 @@ class Plot(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     text, tip, icon
         Those of its action.
     title, symbol
-        The words beside the plot, and before its value.
+        The text beside the plot, and before its value.
     rank
         The key by which records are sorted in menus and panels.
     orders
         Orders of the derivatives that it needs.
     values
-        Computes its values (m,), each from the view and its own t alone: the t are those in sight, or the one
-        of the scrub line. What adds up along the curve begins at the start of its domain.
+        Computes its values (m,), each from the view and its t alone: the t are the visible ones, or that of
+        the scrub line. A sum along the curve begins at the start of its domain.
     errors
-        Bounds of what rounding may put the values off, where that matters.
+        Bounds of the errors of the values by rounding, where these matter.
     follows_points
         Whether it changes where points move and parameters stay.
     finish
-        Says which values are worth seeing, marks some, adds a note.
+        Sets the extent, adds levels and a note.
     """
 
     name: str

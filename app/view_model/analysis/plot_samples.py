@@ -34,7 +34,7 @@ _SAME = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class PlotSamples:
-    """Ascending parameters (m,), and where stretches between joints begin, the first one left out."""
+    """Ascending parameters (m,), and the starts of stretches between joints, without the first."""
 
     t: FloatArray
     starts: IntArray
@@ -44,7 +44,7 @@ class PlotSamples:
     ) -> tuple[FloatArray, FloatArray]:
         """Return (t, values) with a NaN between the two sides of every jump.
 
-        Of values that belong together, `all_values` (m, k), one that jumps breaks them all.
+        With `all_values` (m, k), a jump of any of them breaks all.
         """
         if not len(self.starts):
             return self.t, values
@@ -57,7 +57,7 @@ class PlotSamples:
 
 
 def samples_over(view: CurveView, t_range: tuple[float, float], columns: int) -> PlotSamples:
-    """Return where to sample the part of a current curve within `t_range`, over `columns` pixels."""
+    """Return the samples of the part of a current curve within `t_range`, over `columns` pixels."""
     assert view.curve is not None
     knots = view.curve.breaks
     start, end = max(t_range[0], float(knots[0])), min(t_range[1], float(knots[-1]))
@@ -81,7 +81,7 @@ def _of_polynomial(knots: FloatArray, start: float, end: float, columns: int) ->
 
 
 def _of_segments(cuts: FloatArray, pixels: float, knots: FloatArray) -> PlotSamples:
-    """Sample every segment between cuts in proportion to the pixels it takes, both of its ends included."""
+    """Return samples of every segment between cuts, in proportion to its pixels, both ends included."""
     spacing = np.diff(cuts)
     counts = np.clip(np.ceil(spacing * pixels / _PIXELS_A_SAMPLE), _LEAST, _MOST_A_SEGMENT).astype(np.intp)
     t, first = one_sided(cuts, counts)
@@ -95,20 +95,20 @@ def derivatives_of(view: CurveView, t: FloatArray, orders: tuple[int, ...]) -> d
     assert view.curve is not None
     if not orders:
         return {}
-    # What overflows is infinite, and runs out of the plot.
+    # Overflows are infinite, and leave the plot.
     with np.errstate(all="ignore"):
         return dict(zip(orders, view.curve.derivatives_at(t, orders), strict=True))
 
 
 def is_slow(view: CurveView) -> bool:
-    """Whether derivatives at as many places as a plot has pixels take longer than a frame."""
+    """Whether derivatives at as many t as a plot has pixels take longer than a frame."""
     curve = view.curve
     if curve is None or curve.is_local:
         return len(view.pieces) > _MANY_PIECES
     count = len(curve.parameters)
     if count <= _ALWAYS_QUICK or count > _QUICK_POINTS:
         return count > _QUICK_POINTS
-    # It is largest near an end, and there in the middle between two parameters.
+    # Λ is largest near an end, in the middle between two parameters.
     ends = curve.parameters[[0, 1, -2, -1]]
     return bool(lebesgue_function(curve, (ends[::2] + ends[1::2]) / 2).max() > _QUICK_CONSTANT)
 

@@ -36,7 +36,7 @@ _BASIS_FORM = _dashed(BLUE, 2, 2)
 
 
 class Calculation(NamedEnum):
-    """A way to compute the curve, in the order in which the window lists them.
+    """A method to compute the curve, in the order of the window.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Calculation(NamedEnum):
 
 
 class RoundedPart(NamedEnum):
-    """The numbers that are rounded, in the order in which the window lists them."""
+    """The numbers that are rounded, in the order of the window."""
 
     EVERY_STEP = "every_step", "every step"
     COEFFICIENTS = "coefficients", "the coefficients"
@@ -81,12 +81,12 @@ class LaboratorySettings(msgspec.Struct, frozen=True):
     Attributes
     ----------
     on
-        Whether anything is computed at all.
+        Whether the experiment is computed.
     rounding
         The numbers that are rounded: those of every single operation, or once only the coefficients or the
         data, all else exact.
     digits
-        The number of significant decimal digits that are kept.
+        The number of significant decimal digits.
     methods
         The methods that are compared.
     decimals
@@ -106,7 +106,7 @@ class LaboratorySettings(msgspec.Struct, frozen=True):
 
 
 class AnalysisSettings(SettingValues, frozen=True):
-    """Everything that can be chosen about overlays.
+    """All settings of overlays, plots, ghosts and the laboratory.
 
     Attributes
     ----------
@@ -115,7 +115,7 @@ class AnalysisSettings(SettingValues, frozen=True):
     plots
         The plots over t.
     ghosts
-        The variants that are shown.
+        The variants that are drawn.
     laboratory
         The experiment with rounded arithmetic.
     """

@@ -13,12 +13,12 @@ from ..curve.rounded_parameters import ParameterRounding
 from .wording import short
 
 LARGE_LEBESGUE = 100.0
-"""The Lebesgue constant above which two digits of the points' accuracy are gone."""
+"""The Lebesgue constant above which two digits of the accuracy of the points are lost."""
 
 _LOOK_CLOSER, _MOST_EXACT = 90.0, 60
 
 _HASTE = 10.0
-"""How many times as fast as beside it the curve may run through a narrow gap without a warning."""
+"""Factor of the speed in a narrow gap over that beside it up to which there is no warning."""
 
 NARROW = 1e-2
 """A gap between neighbouring t is narrow below this share of the wider gap beside it; Chebyshev's parameters,
@@ -33,7 +33,7 @@ class Topic(enum.Enum):
     ROUNDING = enum.auto()
 
 
-class Warned(msgspec.Struct, frozen=True):
+class CurveWarning(msgspec.Struct, frozen=True):
     """A warning.
 
     Attributes
@@ -51,40 +51,40 @@ class Warned(msgspec.Struct, frozen=True):
     sentence: str
 
 
-def warnings_of(view: CurveView, lebesgue: float) -> list[Warned]:
-    """Return what is worth a warning about a curve, the most telling first.
+def warnings_of(view: CurveView, lebesgue: float) -> list[CurveWarning]:
+    """Return the warnings about a curve, the most important first.
 
-    `lebesgue` is its Lebesgue constant, as far as samples show it; where it counts it is computed exactly.
+    `lebesgue` is its Lebesgue constant by samples; where it is near the limit it is computed exactly.
     """
     if not view.is_current:
         return []
-    found = []
+    warnings = []
     if remark := ParameterRounding(view).remark:
-        found.append(Warned(Topic.ROUNDING, "⚠ t rounded", remark))
-    # Past its points a curve is in no hurry between two of them.
+        warnings.append(CurveWarning(Topic.ROUNDING, "⚠ t rounded", remark))
+    # A curve that does not pass its points need not be fast between two of them.
     gap = _narrowest(view) if view.source.family.interpolates else None
     if gap is not None:
-        shows = ", and the smallest error shows" if gap.is_estimated else ""
-        found.append(
-            Warned(
+        shows = ", and the smallest error becomes visible" if gap.is_estimated else ""
+        warnings.append(
+            CurveWarning(
                 Topic.GAP,
                 "⚠ t almost equal",
                 f"The parameters of points {view.owner(gap.knot)} and {view.owner(gap.knot + 1)} are only "
                 f"{short(gap.width)} apart, {short(gap.wider / gap.width)} times less than the next ones: "
-                f"the curve must get from one to the other in no time{shows}.",
+                f"the curve must pass from one to the other in almost no time{shows}.",
             )
         )
     if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.basis_curve is not None:
         lebesgue = growth_of_points(view)
     if lebesgue > LARGE_LEBESGUE:
-        found.append(
-            Warned(
+        warnings.append(
+            CurveWarning(
                 Topic.LEBESGUE,
                 f"⚠ Λ {short(lebesgue)}",
                 _words_on_growth(view, lebesgue),
             )
         )
-    return found
+    return warnings
 
 
 class _Gap(msgspec.Struct, frozen=True):
@@ -93,11 +93,11 @@ class _Gap(msgspec.Struct, frozen=True):
     Attributes
     ----------
     knot
-        Before it.
+        The knot before the gap.
     width, wider
-        Its own, and that of the gap beside it.
+        The width of the gap, and that of the gap beside it.
     is_estimated
-        Whether derivatives at its ends are, so that its points move them by the more.
+        Whether derivatives at its ends are estimated, so that its points move them strongly.
     """
 
     knot: int
@@ -109,8 +109,8 @@ class _Gap(msgspec.Struct, frozen=True):
 def _narrowest(view: CurveView) -> _Gap | None:
     """Return the narrowest gap that matters, if one is narrow.
 
-    None does where the points are as near as their parameters and the derivatives were set: the curve takes
-    its time there, and no error of a point grows.
+    A gap does not matter where the points are as near as their parameters and the derivatives were set: the
+    curve is not fast there, and no error of a point grows.
     """
     gaps = np.diff(view.parameters)
     if len(gaps) < 2:
@@ -128,7 +128,7 @@ def _narrowest(view: CurveView) -> _Gap | None:
 
 
 def _is_estimated(view: CurveView, knot: int) -> bool:
-    """Whether a rule says what the curve does at the ends of a segment, or all of its points together."""
+    """Whether a rule estimates derivatives at the ends of a segment, or all points decide about them."""
     points, orders = view.source.points, range(1, view.source.family.derivatives + 1)
     ends = [(points[view.owner(knot)], True), (points[view.owner(knot + 1)], False)]
     return not orders or any(
@@ -137,28 +137,28 @@ def _is_estimated(view: CurveView, knot: int) -> bool:
 
 
 def _speed(view: CurveView, knot: int) -> float:
-    """Return how fast the curve must be between the points of a segment at least."""
-    one, other = (view.points[view.owner(each)] for each in (knot, knot + 1))
+    """Return the least speed of the curve between the points of a segment."""
+    one, other = (view.points[view.owner(index)] for index in (knot, knot + 1))
     return float(np.hypot(*(other - one)) / (view.parameters[knot + 1] - view.parameters[knot]))
 
 
 def _words_on_growth(view: CurveView, lebesgue: float) -> str:
     if view.growth_holds and np.isinf(lebesgue):
         return (
-            "Between two straight runs of x or y the velocity jumps with the smallest error in a point, and "
+            "Between two straight runs of x or y the smallest error in a point makes the velocity jump, and "
             "the curve with it. Move a point of the runs, or set the velocity between them by hand."
         )
     return (
-        f"An error in a point, even one of rounding, can come out {short(lebesgue)} times as large "
-        f"on the curve: {_digits(lebesgue)} of accuracy are gone. {_remedy(view)}"
+        f"An error in a point, even by rounding, can be {short(lebesgue)} times as large on the curve: "
+        f"{_digits(lebesgue)} of accuracy are lost. {_remedy(view)}"
     )
 
 
 def _remedy(view: CurveView) -> str:
     if not view.source.family.derivatives:
-        return "Spread the parameters more evenly in Chebyshev's way, or use a Hermite curve."
+        return "Use Chebyshev parameters, or a Hermite curve."
     return (
-        "The estimated velocities carry it along. Spread the parameters more evenly, "
+        "The estimated velocities follow the error. Space the parameters more evenly, "
         "or set the velocities beside the narrow gaps by hand."
     )
 

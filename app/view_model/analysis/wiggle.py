@@ -1,6 +1,6 @@
-"""Explanation of a swing of the curve: the points that pull at one t, and how hard.
+"""Explanation of a swing of the curve: the points that pull at one t, and their weights; and cures.
 
-MERGED Cures for a curve that swings out: other parameters or another family, each tried beside the document.
+`explain` says who pulls. `cures_of` tries other parameters and other families beside the document.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ from .wording import short
 MOST_PULLS = 6
 _COARSE, _FINE = 17, 65
 _MOST_COARSE = 2000
-"""Samples of a whole curve: of many points a few for each segment must do."""
+"""Samples of a whole curve: with many points each segment has few."""
 
 _FAR_WEIGHT = 0.05
-"""A weight below it is not worth a word."""
+"""A weight below which a point is not mentioned."""
 
 _CALM = 0.25
-"""An overshoot below this share of the distance of the two points is what a round curve does anyway."""
+"""An overshoot below this share of the distance of the two points is normal for a round curve."""
 
 
 @dataclass(frozen=True)
@@ -45,13 +45,12 @@ class Pull:
     Attributes
     ----------
     point
-        The point it belongs to.
+        The index of the point.
     order
         0: its position; from 1 on: its derivative of that order.
     weight
         For a position its weight, with the derivatives that are estimated from it. For a derivative that
-        was set how far it displaces the curve, as a multiple of the
-        distance of the two points of the segment.
+        was set the displacement of the curve, as a multiple of the distance of the two points of the segment.
     """
 
     point: int
@@ -74,13 +73,13 @@ class Explanation:
     lebesgue
         Λ(t).
     adds_up
-        Whether it is the sum of the sizes of all weights of points: their effects are not means.
+        Whether Λ(t) is the sum of the sizes of all weights, so that their effects are no means.
     overshoot
         The farthest distance of the curve from the straight line between the two points.
     is_calm
-        Whether that is what a round curve does anyway, so that there is nothing to cure.
+        Whether that is normal for a round curve, so that there is nothing to cure.
     sentences
-        The same in words.
+        The explanation in words.
     """
 
     t: float
@@ -106,7 +105,7 @@ def widest(view: CurveView) -> float:
 
 
 def overshoot(view: CurveView, knot: int) -> tuple[float, float]:
-    """Return how far a segment swings out of the straight line between its ends, and the t where."""
+    """Return the largest distance of a segment from the straight line between its ends, and its t."""
     assert view.curve is not None
     low, high = view.parameters[knot : knot + 2].tolist()
     t = np.linspace(low, high, _FINE)
@@ -116,14 +115,14 @@ def overshoot(view: CurveView, knot: int) -> tuple[float, float]:
     return float(away[farthest]), float(t[farthest])
 
 
-def _distances(places: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Return the distances of places (…, 2) from segments whose ends are given."""
-    # Far out on a wild curve nobody compares distances.
-    return segment_distance(np.clip(np.nan_to_num(places, nan=1e150), -1e150, 1e150), start, end)
+def _distances(positions: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
+    """Return the distances of positions (…, 2) from segments with given ends."""
+    # Distances far out on a wild curve need no accuracy.
+    return segment_distance(np.clip(np.nan_to_num(positions, nan=1e150), -1e150, 1e150), start, end)
 
 
 def explain(view: CurveView, t: float) -> Explanation | None:
-    """Return who pulls at `t`; None where there is no curve."""
+    """Return the explanation at `t`; None where there is no curve."""
     if not view.is_current:
         return None
     knots = view.parameters
@@ -134,9 +133,9 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     pulls = _pulls(view, t, knot, chord)
     swing, _ = overshoot(view, knot)
     lebesgue = unbounded(float(growth_at(view, np.array([t]))[0]))
-    at_point = next((view.owner(each) for each in (knot, knot + 1) if knots[each] == t), None)
+    at_point = next((view.owner(end) for end in (knot, knot + 1) if knots[end] == t), None)
     pulling = (
-        f"Right here it goes through point {at_point}, whatever the others do."
+        f"Here the curve passes through point {at_point}, wherever the others are."
         if at_point is not None
         else _pull_words(view, pulls, segment)
     )
@@ -152,9 +151,9 @@ def explain(view: CurveView, t: float) -> Explanation | None:
 
 
 def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ...]:
-    """Return all that counts, the strongest first: points with their estimates, and what was set."""
+    """Return all pulls, the strongest first: points with their estimates, and derivatives that were set."""
     assert view.basis_curve is not None
-    found = [Pull(point, 0, float(weight)) for point, weight in enumerate(weights_at(view, t)) if weight != 0]
+    pulls = [Pull(point, 0, float(weight)) for point, weight in enumerate(weights_at(view, t)) if weight != 0]
     if view.sides is not None:
         basis = view.basis_curve.basis(np.array([t]))[0]
         for order in range(1, basis.shape[1]):
@@ -164,78 +163,78 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
                     continue
                 x, y = (basis[at, order] * view.sides[ahead][at, order]).tolist()
                 size = float(np.hypot(x, y)) / chord if chord > 0 else 0.0
-                found.append(Pull(view.owner(at), order, size))
-    return tuple(sorted(found, key=lambda pull: -abs(pull.weight)))
+                pulls.append(Pull(view.owner(at), order, size))
+    return tuple(sorted(pulls, key=lambda pull: -abs(pull.weight)))
 
 
 def _swing_words(segment: tuple[int, int, int], swing: float, chord: float) -> str:
     between = f"Between points {segment[1]} and {segment[2]}"
     if swing <= _CALM * chord:
-        return f"{between} the curve is calm: it leaves their straight line by about {short(swing)} at most."
+        return f"{between} the curve is calm: it leaves their straight line by at most {short(swing)}."
     times = f", {short(swing / chord)} times their distance" if chord > 0 else ""
     return f"{between} the curve swings out by {short(swing)}{times}."
 
 
 def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, int, int]) -> str:
-    """Say who of those far away pulls hardest, or that nobody does."""
+    """Return a sentence about the strongest of the far points, or that none pulls."""
     far = [pull for pull in pulls if pull.order == 0 and pull.point not in segment[1:]]
     given = _given_words(pulls)
     if not far or abs(far[0].weight) < _FAR_WEIGHT:
         near = f"points {segment[1]} and {segment[2]}"
         if not view.source.family.derivatives:
-            return f"Only {near} have a say here."
-        return f"Only {near} and their derivatives count here{given}."
+            return f"Only {near} affect the curve here."
+        return f"Only {near} and their derivatives affect the curve here{given}."
     pull = far[0]
     steps = segment[1] - pull.point if pull.point < segment[1] else pull.point - segment[2]
     verb = "pushes" if pull.weight < 0 else "pulls"
-    away = "it is only the next point" if steps == 1 else f"it lies {steps} points away"
-    follows = ", for the estimates follow it" if view.source.family.derivatives else ""
-    return f"Point {pull.point} {verb} with weight {short(pull.weight)} though {away}{follows}{given}."
+    away = "it is only the next point" if steps == 1 else f"it is {steps} points away"
+    follows = ", because the estimates follow it" if view.source.family.derivatives else ""
+    return f"Point {pull.point} {verb} with weight {short(pull.weight)} although {away}{follows}{given}."
 
 
 def _control_words(view: CurveView, t: float, pulls: tuple[Pull, ...]) -> tuple[str, str]:
-    """Say which points beside the curve pull it, and that it stays among them where none pushes."""
+    """Return sentences about the control points that pull, and that the curve stays in their hull."""
     assert view.curve is not None
     count = sum(abs(pull.weight) >= _FAR_WEIGHT for pull in pulls)
     first = pulls[0]
     away = float(np.hypot(*(view.curve.evaluate(t) - view.points[first.point])))
     strongest = (
-        f"Point {first.point} pulls hardest, with weight {short(first.weight)}; the curve passes it "
-        f"{short(away)} away."
+        f"Point {first.point} pulls hardest, with weight {short(first.weight)}; the curve passes it at a "
+        f"distance of {short(away)}."
     )
     if min(pull.weight for pull in pulls) < 0:
         return strongest, "Points with negative weights push: the curve may leave the polygon of its points."
     few = "one point" if count == 1 else f"{count} points"
     return (
         strongest,
-        f"It is a mean of the points, mostly of {few}, and cannot leave the hull of those that pull.",
+        f"The curve is a mean of the points, mostly of {few}, and stays in the hull of those that pull.",
     )
 
 
 def _given_words(pulls: tuple[Pull, ...]) -> str:
-    """Say which velocity or acceleration that was set carries the curve farthest, if it does."""
+    """Return a clause about the derivative that was set and displaces the curve most, if any does."""
     strongest = next((pull for pull in pulls if pull.order > 0), None)
     if strongest is None or strongest.weight < _FAR_WEIGHT:
         return ""
     name = DERIVATIVES[strongest.order - 1].name
-    carries = f"carries the curve {short(strongest.weight)} times their distance"
+    carries = f"moves the curve by {short(strongest.weight)} times their distance"
     return f"; the {name} set at point {strongest.point} {carries}"
 
 
 def _error_words(lebesgue: float) -> str:
     if lebesgue < 1.05:
         return "Errors in the points do not grow here."
-    return f"An error in the points can grow {short(lebesgue)} times here."
+    return f"An error in the points can grow by a factor of {short(lebesgue)} here."
 
 
-_IN_USE = "The curve is like that already."
+_IN_USE = "The curve already has these settings."
 _SAME = "It gives the same curve."
 
 _WORSE = 1.05
-"""Growth of a swing from which on it is called worse: less cannot be told from the two digits shown."""
+"""Growth of a swing from which on it is worse: less does not show in the two displayed digits."""
 
 _MOST_LAGRANGE = 250
-"""Points up to which Lagrange curves are tried: beyond it takes seconds, and nobody would want one."""
+"""Points up to which Lagrange curves are tried: with more it takes seconds, for a useless curve."""
 
 
 class Remedy(NamedTuple):
@@ -244,13 +243,13 @@ class Remedy(NamedTuple):
     Attributes
     ----------
     name
-        A key, of which object names are made.
+        A key, from which object names are made.
     label, step
-        Its words in the window, and the name of the step in the history.
+        Its text in the window, and the name of the undo step.
     rule, family
         The rule for the parameters, or the family.
     velocity_rule, estimates
-        The rule for the velocities of the family, and whether what was set by hand is estimated, too.
+        The rule for the velocities of the family, and whether it replaces derivatives set by hand.
     """
 
     name: str
@@ -306,15 +305,15 @@ class Cure:
     Attributes
     ----------
     document
-        The document with it; None where it changes nothing or cannot be.
+        The document with it; None where it changes nothing or is impossible.
     points
         The curve as a polyline (k, 2), empty without one.
     overshoot
-        The swing of the same segment then; NaN without a curve.
+        The overshoot of the same segment with it; NaN without a curve.
     lebesgue
-        The Lebesgue constant of its points then; NaN where it is not computed.
+        The Lebesgue constant of the points with it; NaN where it is not computed.
     problem
-        Why it cannot be, as a sentence; empty if it can.
+        A sentence why it is impossible; empty if it is possible.
     """
 
     remedy: Remedy
@@ -326,22 +325,22 @@ class Cure:
 
     @property
     def is_in_use(self) -> bool:
-        """Whether the curve is like that already."""
+        """Whether the curve already has these settings."""
         return self.problem == _IN_USE
 
     @property
     def is_same(self) -> bool:
-        """Whether the curve would stay where it is."""
+        """Whether the curve would not change."""
         return self.problem == _SAME
 
     def is_worse(self, before: float) -> bool:
-        """Whether the curve would swing out farther than it did, by more than can be overlooked."""
+        """Whether the curve would swing out visibly farther than before."""
         return self.overshoot > _WORSE * before
 
 
 @dataclass(frozen=True, eq=False)
 class Cures:
-    """All cures for one segment of a curve, and how it is without any.
+    """All cures for one segment of a curve, and its overshoot and Lebesgue constant without any.
 
     Attributes
     ----------
@@ -356,12 +355,12 @@ class Cures:
 
 
 def cures_of(document: Document, curve: int, view: CurveView, knot: int, report: Report = silent) -> Cures:
-    """Try all cures for a segment."""
-    found = []
+    """Return all cures for a segment, tried out."""
+    cures = []
     for remedy in with_progress(CURES, report, "Trying"):
         document_then = remedy.applied(document, curve, view.parameters.tolist())
-        found.append(_tried(remedy, document_then, curve, view, knot))
-    return Cures(knot, overshoot(view, knot)[0], _lebesgue(view), tuple(found))
+        cures.append(_tried(remedy, document_then, curve, view, knot))
+    return Cures(knot, overshoot(view, knot)[0], _lebesgue(view), tuple(cures))
 
 
 def _tried(remedy: Remedy, document: Document, curve: int, view: CurveView, knot: int) -> Cure:
@@ -384,7 +383,7 @@ def _tried(remedy: Remedy, document: Document, curve: int, view: CurveView, knot
 
 
 def _shape(source: Curve) -> Curve:
-    """Return a curve without what does not shape it: the velocity rule where there are no velocities."""
+    """Return a curve without rules that have no effect: the velocity rule where there are no velocities."""
     if not source.family.derivatives:
         return replace(source, velocity_rule=VelocityRule.NATURAL_SPLINE)
     return source

@@ -1,4 +1,4 @@
-"""Numbers in sentences: as short as they can be and still say how large."""
+"""Numbers in sentences: short, with two digits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The region to which errors of points and parameters can bring the curve, at worst.
+"""The region that the curve can reach with errors of points and parameters, at worst.
 
 With errors ε of the points alone the region is exact: discs of radius ε·Λ(t) around c(t), all together.
 Velocities and accelerations that are estimated follow the points, where they are not linear in these to first
@@ -48,29 +48,29 @@ _CORNERS = 32
 
 
 _MOST_FOLLOWED = 40
-"""Knots up to which estimates follow the parameters: each is estimated anew for each."""
+"""Knots up to which estimates follow the parameters: for each parameter all are estimated again."""
 
 
-def band(shown: OverlayInput) -> Figures:
+def band(data: OverlayInput) -> Figures:
     """Return the region, and its largest half-width in words."""
-    epsilon, delta = shown.value(POINT_ERROR), shown.value(PARAMETER_ERROR)
-    curve = shown.view.curve
+    epsilon, delta = data.value(POINT_ERROR), data.value(PARAMETER_ERROR)
+    curve = data.view.curve
     if curve is None or epsilon == delta == 0.0:
-        return Figures(note="Both errors are 0: the curve stays where it is.")
-    if shown.view.cardinal is None or (shown.view.growth_holds and np.isinf(shown.view.growth)):
-        return Figures(note="Not drawn: the smallest error of a point sends the curve beyond all numbers.")
+        return Figures(note="Both errors are 0: the band has no width.")
+    if data.view.cardinal is None or (data.view.growth_holds and np.isinf(data.view.growth)):
+        return Figures(note="Not drawn: the smallest error of a point makes the curve infinite.")
     most = _MOST if delta == 0.0 else _MOST // 2
-    pieces = [_thinned(piece, most) for piece in shown.samples]
+    pieces = [_thinned(piece, most) for piece in data.samples]
     polygons: list[FloatArray] = []
     best, best_t = 0.0, float(curve.domain[0])
-    # Where no parameter errs, nothing follows one.
-    follows = bool(delta) and shown.view.source.family.derivatives > 0
-    is_held = follows and len(shown.view.parameters) > _MOST_FOLLOWED
-    for index, (piece, core) in enumerate(zip(pieces, shown.view.pieces, strict=True)):
-        moves = parameter_moves(shown.view, index, piece.parameters) if follows and not is_held else None
+    # Without errors of parameters nothing follows them.
+    follows = bool(delta) and data.view.source.family.derivatives > 0
+    is_held = follows and len(data.view.parameters) > _MOST_FOLLOWED
+    for index, (piece, core) in enumerate(zip(pieces, data.view.pieces, strict=True)):
+        moves = parameter_moves(data.view, index, piece.parameters) if follows and not is_held else None
         errors = (piece.parameters, epsilon, delta)
         radii = curvecore.worst_case_band(
-            core, *errors, cardinal=shown.view.cardinal, sensitivity=moves
+            core, *errors, cardinal=data.view.cardinal, sensitivity=moves
         ).across
         polygons += _strip(piece, radii)
         largest, t = _largest(piece.parameters, radii)
@@ -78,23 +78,23 @@ def band(shown: OverlayInput) -> Figures:
             best, best_t = largest, t
     words = f"Largest half-width {number(best)} at t = {number(best_t)}"
     if is_held:
-        words += ", the estimates as if they did not follow t"
+        words += ", with estimates that do not follow t"
     if delta == 0.0:
         words += f", {number(best / epsilon)} times ε"
-    if shown.view.growth_holds:
-        words += f"; the effects of points are those of small errors in x or y {shown.view.growth_holds}"
-    elif shown.view.linearised:
-        words += f"; the effects of points are those {shown.view.linearised}"
+    if data.view.growth_holds:
+        words += f"; the effects of points are those of small errors in x or y {data.view.growth_holds}"
+    elif data.view.linearised:
+        words += f"; the effects of points are those {data.view.linearised}"
     return Figures([Figure(AREA, Shape.AREA, np.vstack(polygons))], f"{words}.")
 
 
 def _thinned(piece: Samples, most: int) -> Samples:
-    """Leave out samples that repeat the one before, and more than a drawing needs."""
+    """Return the samples without repetitions, and not more than a drawing needs."""
     t = piece.parameters
-    kept = np.flatnonzero(np.append(np.diff(t) > 1e-9 * (t[-1] - t[0]), True))
-    step = -(-len(kept) // most)
-    kept = np.unique(np.append(kept[::step], kept[-1]))
-    return Samples(*(column[kept] for column in piece))
+    indices = np.flatnonzero(np.append(np.diff(t) > 1e-9 * (t[-1] - t[0]), True))
+    step = -(-len(indices) // most)
+    indices = np.unique(np.append(indices[::step], indices[-1]))
+    return Samples(*(column[indices] for column in piece))
 
 
 def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
@@ -112,7 +112,7 @@ def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
 
 
 def _abrupt(behind: FloatArray, tangents: FloatArray) -> BoolArray:
-    """Return where the outline turns so far that the disc itself is needed; the ends are among them."""
+    """Return the mask of samples where the outline turns so far that the disc is needed; with both ends."""
     jumps = np.abs(np.diff(behind)) > _JUMP
     jumps |= (tangents[1:] * tangents[:-1]).sum(axis=1) < _TURN
     needed: BoolArray = np.append(True, jumps) | np.append(jumps, True)
@@ -159,11 +159,11 @@ def _closed(polygon: FloatArray) -> FloatArray:
 
 def _largest(t: FloatArray, radii: FloatArray) -> tuple[float, float]:
     """Return the maximum of the parabola through the largest sample and its neighbours, and its t."""
-    place = int(np.argmax(radii))
-    best, best_t = float(radii[place]), float(t[place])
-    if 0 < place < len(t) - 1:
-        before, after = radii[place - 1] - best, radii[place + 1] - best
-        h, k = t[place - 1] - best_t, t[place + 1] - best_t
+    index = int(np.argmax(radii))
+    best, best_t = float(radii[index]), float(t[index])
+    if 0 < index < len(t) - 1:
+        before, after = radii[index - 1] - best, radii[index + 1] - best
+        h, k = t[index - 1] - best_t, t[index + 1] - best_t
         bend = (before / h - after / k) / (h - k)
         slope = before / h - bend * h
         if bend < 0:
@@ -173,8 +173,7 @@ def _largest(t: FloatArray, radii: FloatArray) -> tuple[float, float]:
 
 
 def _legend(view: CurveView, settings: SettingValues) -> list[Entry]:
-    # Errors of the parameters are added up as first changes; of the points nothing is left out, unless a
-    # rule is not linear in them.
+    # Errors of parameters count to first order; those of points exactly, unless a rule is not linear in them.
     is_first_order = settings.value(PARAMETER_ERROR) or view.linearised
     worst = "Worst case to first order" if is_first_order else "Worst case"
     return [(AREA, f"{worst}, {errors_text(settings)}")]
@@ -183,7 +182,7 @@ def _legend(view: CurveView, settings: SettingValues) -> list[Entry]:
 BAND = Overlay(
     name="band",
     text="Sensitivity Band",
-    tip="Shade where errors of points and parameters can bring the curve, at worst",
+    tip="Shade the region that the curve can reach with errors of points and parameters",
     key="Ctrl+Alt+8",
     icon="band",
     group=Group.ERRORS,

@@ -18,44 +18,46 @@ _MOST = 32
 """Points of the longest polynomial that is converted; the work grows with the fourth power."""
 
 _WORST = 1e10
-"""Condition number above which the control points say nothing any more."""
+"""Condition number above which the control points are meaningless."""
 
 
 def _is_one_polynomial(view: CurveView) -> bool:
     return view.curve is not None and view.curve.is_one_polynomial
 
 
-def bezier(shown: OverlayInput) -> Figures:
-    """Return the control polygons of the segments, or the one of a polynomial, or in words why not."""
-    view = shown.view
+def bezier(data: OverlayInput) -> Figures:
+    """Return the control polygons of the segments, or that of one polynomial, or a note why not."""
+    view = data.view
     if _is_one_polynomial(view):
-        return _of_polynomial(shown)
+        return _of_polynomial(data)
     figures = []
     for piece in view.pieces:
         if (controls := piece.exact_pieces()) is not None:
             figures += _polygons(controls)
     if figures:
         return Figures(figures)
-    return Figures(note=f"Not drawn: no control points are known of {view.source.family.a_curve}.")
+    return Figures(note=f"Not drawn: {view.source.family.a_curve} has no known control points.")
 
 
-def _of_polynomial(shown: OverlayInput) -> Figures:
-    """Return the control polygon of a Lagrange curve, or in words why it is not drawn; heavy."""
-    curve = shown.view.curve
+def _of_polynomial(data: OverlayInput) -> Figures:
+    """Return the control polygon of a Lagrange curve, or a note why it is not drawn; heavy."""
+    curve = data.view.curve
     assert curve is not None
     count = len(curve.parameters)
     if count > _MOST:
-        return Figures(note=f"Not drawn: one polynomial of {count} points; up to {_MOST} are converted.")
+        return Figures(
+            note=f"Not drawn: polynomials of up to {_MOST} points are converted; this one has {count}."
+        )
     controls, condition = curvecore.lagrange_to_bezier(curve)
     if condition > _WORST:
         return Figures(
-            note=f"Not drawn: its condition number is {number(condition)}; errors of the points grow as "
-            "much in the control points."
+            note=f"Not drawn: errors of the points grow by a factor of {number(condition)}, the condition "
+            "number, in the control points."
         )
     words = f"One polynomial of degree {count - 1}; condition number {number(condition)}."
-    away = float(np.abs(controls - shown.view.points.mean(axis=0)).max())
-    if away > 3 * shown.size:
-        words += f" The control points lie up to {number(away)} away."
+    away = float(np.abs(controls - data.view.points.mean(axis=0)).max())
+    if away > 3 * data.size:
+        words += f" The control points are up to {number(away)} away."
     return Figures(_polygons(controls[None]), words)
 
 

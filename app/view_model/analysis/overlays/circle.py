@@ -1,4 +1,4 @@
-"""The circle that the curve follows at the scrub line; a straight line where it does not bend."""
+"""The osculating circle at the scrub line; a straight line where the curve does not bend."""
 
 from __future__ import annotations
 
@@ -23,27 +23,27 @@ _STRAIGHT = 1e-6
 
 _CORNERS = 240
 
-NO_SCRUB = "Put the scrub line (T) where the circle shall lie."
+NO_SCRUB = "Show the scrub line (T), and move it to the position of the circle."
 AT_REST = "c′ = 0 here: there is no circle."
 NO_BEND = "Straight here: the circle is a line."
 UNCERTAIN = "The curve is so slow here, or its parameters so close, that rounding hides the circle."
 
 
-def circle(shown: OverlayInput) -> Figures:
-    """Return the circle with its centre, and its radius in words."""
-    curve, (here, velocity, acceleration) = shown.view.curve, (shown.at_scrub(order) for order in range(3))
-    if here is None or velocity is None or acceleration is None or curve is None or shown.scrub is None:
+def circle(data: OverlayInput) -> Figures:
+    """Return the circle with its centre, and its radius in the note."""
+    curve, (here, velocity, acceleration) = data.view.curve, (data.at_scrub(order) for order in range(3))
+    if here is None or velocity is None or acceleration is None or curve is None or data.scrub is None:
         return Figures(note=NO_SCRUB)
     curvature = float(curvecore.curvature_of(velocity[None], acceleration[None])[0])
     if np.isnan(curvature):
         return Figures(note=AT_REST)
-    reach = _REACH * shown.size
+    reach = _REACH * data.size
     tangents = unit_tangents(velocity[None])
     tangent, normal = tangents[0], to_the_left(tangents)[0]
-    if abs(curvature) * shown.size < _STRAIGHT:
+    if abs(curvature) * data.size < _STRAIGHT:
         line = here + np.outer([-reach, reach], tangent)
         return Figures([Figure(LINE, Shape.LINE, line)], NO_BEND)
-    error = curvature_error(shown.view, np.clip([shown.scrub], *curve.domain)).item()
+    error = curvature_error(data.view, np.clip([data.scrub], *curve.domain)).item()
     if not error < abs(curvature):
         return Figures(note=UNCERTAIN)
     radius = 1.0 / abs(curvature)
@@ -51,7 +51,7 @@ def circle(shown: OverlayInput) -> Figures:
     angle = min(np.pi, reach / radius) * np.linspace(-1.0, 1.0, _CORNERS + 1)
     along, away = radius * np.sin(angle), np.sign(curvature) * 2 * radius * np.sin(angle / 2) ** 2
     arc = here + np.outer(along, tangent) + np.outer(away, normal)
-    # The radius of the least curvature that it may be.
+    # The radius for the least curvature within the error.
     words = f"radius {with_error(radius, radius * error / (abs(curvature) - error), number)}"
     figures = [Figure(LINE, Shape.LINE, arc)]
     if radius < reach:
@@ -65,7 +65,7 @@ def circle(shown: OverlayInput) -> Figures:
 CIRCLE = Overlay(
     name="circle",
     text="Osculating Circle",
-    tip="Draw the circle that the curve follows at the scrub line",
+    tip="Draw the osculating circle of the curve at the scrub line",
     key="Ctrl+Alt+4",
     icon="circle",
     group=Group.SHAPE,

@@ -1,4 +1,4 @@
-"""The curvature comb: how the curve bends, drawn at right angles to it.
+"""The curvature comb: the curvature as teeth at right angles to the curve.
 
 A tooth stands on the outer side of the bend, its length in proportion to the curvature. Where the curvature
 jumps, at a joint, two teeth of different length stand at one point.
@@ -25,17 +25,17 @@ _SHARE = 0.2
 """The longest tooth against the size of the points at scale 1."""
 
 _LONGEST = 5.0
-"""The most by which a tooth surpasses nine tenths of all teeth: at a cusp it would be infinite."""
+"""Largest factor of a tooth over nine tenths of all teeth: at a cusp it would be infinite."""
 
 
-def comb(shown: OverlayInput) -> Figures:
+def comb(data: OverlayInput) -> Figures:
     """Return the comb of a curve: its teeth, and the line through their ends."""
-    pieces = shown.samples
+    pieces = data.samples
     teeth = [_tooth(piece) for piece in pieces]
     if not pieces:
         return Figures()
     longest = usual_length(np.vstack(teeth), _LONGEST)
-    unit = _SHARE * shown.size / longest * shown.value(SCALE) if longest > 0 else 0.0
+    unit = _SHARE * data.size / longest * data.value(SCALE) if longest > 0 else 0.0
     figures = []
     for piece, tooth in zip(pieces, teeth, strict=True):
         ends = piece.points + tooth * unit
@@ -53,7 +53,7 @@ def _tooth(piece: Samples) -> FloatArray:
 COMB = Overlay(
     name="comb",
     text="Curvature Comb",
-    tip="Draw how the curve bends, at right angles to it",
+    tip="Draw the curvature as teeth at right angles to the curve",
     key="Ctrl+Alt+1",
     icon="comb",
     group=Group.SHAPE,

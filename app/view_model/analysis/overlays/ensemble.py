@@ -34,26 +34,26 @@ SEED = OverlaySetting("ensembleSeed", "Seed of the random numbers", 0)
 _SAMPLES = 240
 
 
-def ensemble(shown: OverlayInput) -> Figures:
-    """Return the curves as one figure, or in words why there are none; heavy."""
-    curve, seed = shown.view.curve, shown.value(SEED)
+def ensemble(data: OverlayInput) -> Figures:
+    """Return the curves as one figure, or a note why there are none; heavy."""
+    curve, seed = data.view.curve, data.value(SEED)
     if curve is None:
         return Figures()
     try:
-        made = curvecore.ensemble(
+        disturbed = curvecore.ensemble(
             curve,
-            shown.value(POINT_ERROR),
-            shown.value(PARAMETER_ERROR),
-            shown.value(COUNT),
+            data.value(POINT_ERROR),
+            data.value(PARAMETER_ERROR),
+            data.value(COUNT),
             seed,
-            closed=shown.view.source.is_closed,
-            remake=partial(curve_through, shown.view) if shown.view.source.family.derivatives else None,
+            closed=data.view.source.is_closed,
+            remake=partial(curve_through, data.view) if data.view.source.family.derivatives else None,
         )
     except curvecore.CurveError as reason:
         text = in_words(str(reason).replace("parameter_error", "δ"))
         return Figures(note=f"Not drawn: {text}.")
     per_segment = max(_SAMPLES // (len(curve.parameters) - 1), 3)
-    curves = made.evaluate(all_along(curve.parameters, per_segment))
+    curves = disturbed.evaluate(all_along(curve.parameters, per_segment))
     lines = np.concatenate([curves, np.full((len(curves), 1, 2), np.nan)], axis=1)
     note = f"{len(curves)} curves, seed {seed}."
     return Figures([Figure(LINES, Shape.LINE, lines.reshape(-1, 2))], note)

@@ -8,9 +8,9 @@ from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape
 SIDES = LineStyle("muted", 0.8, dashes=(2.0, 4.0))
 
 
-def polygon(shown: OverlayInput) -> Figures:
+def polygon(data: OverlayInput) -> Figures:
     """Return the polygon through the points."""
-    return Figures([Figure(SIDES, Shape.LINE, shown.view.at_knots)])
+    return Figures([Figure(SIDES, Shape.LINE, data.view.at_knots)])
 
 
 POLYGON = Overlay(

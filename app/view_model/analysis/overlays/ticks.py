@@ -13,14 +13,14 @@ TICK = LineStyle("accent", width=1.4)
 COUNT = Count("tickCount", "Number of steps", 20, limits=(2, 100))
 
 
-def ticks(shown: OverlayInput) -> Figures:
+def ticks(data: OverlayInput) -> Figures:
     """Return short lines across the curve at equal steps of t."""
-    curve = shown.view.curve
+    curve = data.view.curve
     if curve is None:
         return Figures()
-    t = np.linspace(*curve.domain, shown.value(COUNT) + 1)
+    t = np.linspace(*curve.domain, data.value(COUNT) + 1)
     positions, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
-    ends = positions + to_the_left(tangents) * shown.size
+    ends = positions + to_the_left(tangents) * data.size
     return Figures([Figure(TICK, Shape.TICKS, np.hstack([positions, ends]).reshape(-1, 2))])
 
 

@@ -27,41 +27,41 @@ _EQUAL = 1e-6
 """Vectors on both sides of a point that differ by less, relatively, are one."""
 
 
-def _vectors(order: int, style: LineStyle, scale: Factor, symbol: str, shown: OverlayInput) -> Figures:
+def _vectors(order: int, style: LineStyle, scale: Factor, symbol: str, data: OverlayInput) -> Figures:
     """Return the arrows of a derivative of order 1 or 2; two where it jumps at a point."""
-    places, arrows = _at_knots(shown, order)
-    if not len(places):
+    positions, arrows = _at_knots(data, order)
+    if not len(positions):
         return Figures()
     longest = usual_length(arrows, _LONGEST)
-    unit = _SHARE * shown.size / longest * shown.value(scale) if longest > 0 else 0.0
-    figures = [_figure(style, places, arrows * unit)]
-    here, arrow = shown.at_scrub(0), shown.at_scrub(order)
+    unit = _SHARE * data.size / longest * data.value(scale) if longest > 0 else 0.0
+    figures = [_figure(style, positions, arrows * unit)]
+    here, arrow = data.at_scrub(0), data.at_scrub(order)
     if here is not None and arrow is not None:
         label = f"{symbol} {number(float(np.hypot(*arrow)))}"
         figures.append(_figure(style, here[None], arrow[None] * unit, label))
     return Figures(figures)
 
 
-def _figure(style: LineStyle, places: FloatArray, arrows: FloatArray, label: str = "") -> Figure:
-    points = np.hstack([places, places + arrows]).reshape(-1, 2)
+def _figure(style: LineStyle, positions: FloatArray, arrows: FloatArray, label: str = "") -> Figure:
+    points = np.hstack([positions, positions + arrows]).reshape(-1, 2)
     return Figure(style, Shape.ARROWS, points, label)
 
 
-def _at_knots(shown: OverlayInput, order: int) -> tuple[FloatArray, FloatArray]:
+def _at_knots(data: OverlayInput, order: int) -> tuple[FloatArray, FloatArray]:
     """Return the knots and the derivative there, from both sides where these differ."""
-    places, arrows = [], []
-    for piece, curve in zip(shown.samples, shown.view.pieces, strict=True):
+    positions, arrows = [], []
+    for piece, curve in zip(data.samples, data.view.pieces, strict=True):
         derivative = piece.velocities if order == 1 else piece.accelerations
         ends = derivative.reshape(len(curve.parameters) - 1, -1, 2)
         before, after = ends[:, -1], ends[:, 0]
         size = np.abs(ends[:, [0, -1]]).max()
         jumps = np.abs(after[1:] - before[:-1]).max(axis=1) > _EQUAL * size
         points = curve.knot_points
-        places += [points[:-1], points[1:-1][jumps], points[-1:]]
+        positions += [points[:-1], points[1:-1][jumps], points[-1:]]
         arrows += [after, before[:-1][jumps], before[-1:]]
-    if not places:
+    if not positions:
         return np.empty((0, 2)), np.empty((0, 2))
-    return np.vstack(places), np.vstack(arrows)
+    return np.vstack(positions), np.vstack(arrows)
 
 
 def _overlay(

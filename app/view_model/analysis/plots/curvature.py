@@ -15,14 +15,14 @@ from ...geometry import size_of
 from ..plot import Plot, PlotData, Sampled
 
 _STRAIGHT = 1e-9
-"""Share of 1 / size below which nobody takes a curvature for one."""
+"""Share of 1 / size below which a curvature counts as zero."""
 
 _SPIKE = 6.0
-"""The most by which a curvature surpasses nine tenths of all: at a cusp it would be infinite."""
+"""Largest factor of a curvature over nine tenths of all: at a cusp it would be infinite."""
 
 
 def _without_spikes(plot: PlotData, _sampled: Sampled) -> PlotData:
-    """Return the plot with an extent that a few huge values do not decide, and how far these reach."""
+    """Return the plot with an extent that ignores a few huge values, and a note with the greatest."""
     values = plot.lines[0].values
     sizes = np.abs(values[np.isfinite(values)])
     if not len(sizes):

@@ -1,4 +1,4 @@
-"""The Lebesgue function over t: how much errors of the points grow."""
+"""The Lebesgue function over t: the growth of errors of the points."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ def _with_constant(plot: PlotData, sampled: Sampled) -> PlotData:
 
 
 def _about(constant: float) -> str:
-    """Return what is written at the Lebesgue constant."""
+    """Return the text at the level of the Lebesgue constant."""
     if constant < 1.0 + 1e-9:
-        return "Lebesgue constant Λ = 1: no error of a point grows"
+        return "Lebesgue constant Λ = 1: errors of points do not grow"
     return f"Lebesgue constant Λ = {number(constant, 3) if isfinite(constant) else '∞'}"
 
 
 LEBESGUE = Plot(
     name="lebesgue",
     text="Lebesgue Function",
-    tip="Plot Λ(t): how many times errors of the points can grow at t",
+    tip="Plot Λ(t): the factor by which errors of the points can grow at t",
     icon="plot-lebesgue",
     title="Lebesgue function Λ(t)",
     symbol="Λ(t)",

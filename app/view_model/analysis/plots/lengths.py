@@ -8,7 +8,7 @@ from ..plot import Plot
 
 
 def _length_of(order: int, title: str, symbol: str, tip: str) -> Plot:
-    """Return the plot of the length of a derivative; they stand before the others, in their order."""
+    """Return the plot of the length of a derivative; sorted before the others, by order."""
     return Plot(
         name=title.lower(),
         text=title,
