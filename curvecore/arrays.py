@@ -51,7 +51,7 @@ def read_only(array: FloatArray) -> FloatArray:
 
 
 def extremes(array: FloatArray) -> tuple[float, float]:
-    """Return the least and the greatest entry, NaN if there is one; NumPy finds their places the faster."""
+    """Return the least and the greatest entry, NaN if there is one; NumPy finds their indices faster."""
     return array.item(array.argmin()), array.item(array.argmax())
 
 
@@ -75,7 +75,7 @@ def number_array(values: ArrayLike, name: str) -> FloatArray:
 
 
 def _check_masks(values: ArrayLike, name: str) -> None:
-    """Raise for the first masked entry: what a masked array hides would count like any other value."""
+    """Raise for the first masked entry: a hidden value would count like any other."""
     if type(values) is np.ndarray:
         return
     # Without the module, which takes long to import, there is no masked array; nor while another thread is in

@@ -79,7 +79,7 @@ def monotone_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
 def monotone_changes(
     points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, *, one_sided: bool = False
 ) -> FloatArray:
-    """Return what small moves of the points do to `monotone_velocities`, to first order.
+    """Return the effects of small moves of the points on `monotone_velocities`, to first order.
 
     Parameters
     ----------
@@ -195,7 +195,7 @@ def akima_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
 def akima_changes(
     points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, *, one_sided: bool = False
 ) -> FloatArray:
-    """Return what small moves of the points do to `akima_velocities`, to first order.
+    """Return the effects of small moves of the points on `akima_velocities`, to first order.
 
     Parameters
     ----------

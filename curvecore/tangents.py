@@ -35,7 +35,7 @@ _Linear: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
 
 
 def in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, FloatArray]:
-    """Make a rule refuse to return what no double can hold."""
+    """Make a rule refuse results that no double can hold."""
 
     @wraps(rule)
     def checked(*args: _Arguments.args, **kwargs: _Arguments.kwargs) -> FloatArray:
@@ -233,7 +233,7 @@ def catmull_rom_velocities(
 def catmull_rom_changes(
     points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, alpha: float = 0.5
 ) -> FloatArray:
-    """Return what moves of the points do to `catmull_rom_velocities` while the knots stay, exactly.
+    """Return the effects of moves of the points on `catmull_rom_velocities` at fixed knots, exactly.
 
     Parameters
     ----------

@@ -95,11 +95,11 @@ class FamilySettings(NamedTuple):
         return next((each for each in self.all if each.name == name), None)
 
     def values(self, chosen: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:
-        """Return the value of each setting: what was chosen, else the default."""
+        """Return the value of each setting: the selected one, else the default."""
         return {setting: chosen.get(setting.name, setting.default) for setting in self.all}
 
     def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
-        """Return what was chosen of these, without defaults; of a family that is not there all of it.
+        """Return values of these settings, without defaults; all of them if the family is missing.
 
         One that was changed while its curves are open may no longer have, or allow, what was chosen.
         """
@@ -271,7 +271,7 @@ class Family(FamilyWords):
         return cls(str(curve_class.name), curve_class, misses_points=misses_points)
 
     def become(self, other: Family) -> None:
-        """Take over what another one of this name is; documents that name this one have that from now on."""
+        """Become another family of the same name, in all documents that name this one."""
         self._take(other._curve_class, misses_points=other._misses_points)
 
     def makes(self, curve: ParametricCurve) -> bool:
@@ -280,7 +280,7 @@ class Family(FamilyWords):
 
     @property
     def is_built_in(self) -> bool:
-        """Whether it is one of the core's, whose tests prove its functions."""
+        """Whether the family is one of the core, whose tests prove its functions."""
         core = ParametricCurve.__module__.partition(".")[0]
         return not self.is_missing and self.curve_class.__module__.startswith(f"{core}.")
 

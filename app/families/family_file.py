@@ -60,7 +60,7 @@ _FACTS = {"title": str, "interpolates": bool, "can_close": bool}
 
 
 class FamilyFileError(ValueError):
-    """A file holds no family that works; the text names the file, the line and what is wrong."""
+    """A file holds no family that works; the text names the file, the line and the mistake."""
 
 
 @contextmanager
@@ -291,7 +291,7 @@ class Patience:
         self.overdue: Callable[[Call], object] | None = None
 
     def of_a_window(self, seconds: float, overdue: Callable[[Call], object]) -> None:
-        """Have so many seconds, and another process for what takes longer."""
+        """Allow calls so many seconds, and another process for longer ones."""
         self.seconds, self.overdue = seconds, overdue
 
     def of_no_window(self) -> None:
@@ -300,7 +300,7 @@ class Patience:
 
     @contextmanager
     def as_at_the_start(self) -> Iterator[None]:
-        """Have the time of a process without windows for a while, for what has ended in such a one."""
+        """Allow the time of a process without windows for a while: the call has ended in such a process."""
         before = self.seconds, self.overdue
         self.of_no_window()
         try:
@@ -403,7 +403,7 @@ def line_of(problem: BaseException, path: Path) -> str:
 
 
 def words(problem: BaseException) -> str:
-    """Return what is wrong, as a clause."""
+    """Return the mistake as a clause."""
     text = str(problem).rstrip(".")
     if isinstance(problem, (CurveError, OverdueError)):
         return text

@@ -86,7 +86,7 @@ class Families(Sequence[Family]):
         self._all.append(known)
 
     def remove(self, family: Family) -> None:
-        """Offer a family no longer; curves of it go on."""
+        """Remove a family from the offered ones; its curves stay."""
         self._all.remove(family)
 
     @property

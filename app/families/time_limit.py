@@ -35,7 +35,7 @@ class OverdueError(BaseException):
 
 
 class _Clock:
-    """The alarm of this process, and what it was for before."""
+    """The alarm of this process, with its earlier handler."""
 
     def __init__(self) -> None:
         self._seconds: float | None = None
@@ -45,7 +45,7 @@ class _Clock:
 
     @property
     def is_free(self) -> bool:
-        """Whether there is an alarm, this thread hears it, and it is not set yet."""
+        """Whether the system has an alarm that this thread receives and that is not set yet."""
         is_main = threading.current_thread() is threading.main_thread()
         return hasattr(signal, "setitimer") and is_main and self._seconds is None
 
@@ -58,7 +58,7 @@ class _Clock:
         self._theirs = signal.setitimer(signal.ITIMER_REAL, seconds, _AGAIN_S)
 
     def stop(self) -> None:
-        """Have no alarm any more; who had one before gets what is left of it."""
+        """Clear the alarm; an earlier one goes on with the rest of its time."""
         self._seconds = None
         theirs, interval = self._theirs
         left = max(theirs - (time.monotonic() - self._began), 1e-3) if theirs else 0.0
@@ -81,7 +81,7 @@ _clock = _Clock()
 
 
 class stopped_after:  # noqa: N801 - reads as a word of the language
-    """Raise `OverdueError` in what runs within as soon as the time is over.
+    """Context that raises `OverdueError` in its body when the time is over.
 
     That bounds every loop of Python's; one in C is bounded by the size of its arrays. Time that the machine
     gives to other programs does not count, up to `_longest_wait`.

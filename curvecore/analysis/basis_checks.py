@@ -1,4 +1,4 @@
-"""Basis functions held against what is asked of them: they add up to 1, and are 1 or 0 at the parameters."""
+"""Checks of basis functions: whether they add up to 1, and are 1 or 0 at the parameters."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ error is the 7th derivative times the 6th power of a step of a 64th of a gap."""
 
 
 class SumDefect(NamedTuple):
-    """The place where the functions are farthest from adding up to 1.
+    """The parameter at which the functions are farthest from adding up to 1.
 
     Attributes
     ----------
@@ -110,7 +110,7 @@ class Miss(NamedTuple):
 
 
 class SlopeDefect(NamedTuple):
-    """The place where B_i' is least the derivative of B_i.
+    """The parameter at which B_i' is least the derivative of B_i.
 
     Attributes
     ----------
@@ -140,14 +140,15 @@ class SlopeDefect(NamedTuple):
 
 
 def sum_defect(curve: ParametricCurve) -> SumDefect | None:
-    """Return where the B_i0 are farthest from adding up to 1; None where they do, to rounding.
+    """Return the parameter at which the sum of the B_i0 is farthest from 1; None where it is 1, to rounding.
 
     Where they do not, moving all points by the same way moves the curve by another.
 
     Parameters
     ----------
     curve : ParametricCurve
-        Sampled at 16 places a segment, at most 640 in all, the parameters among them where they are fewer.
+        Sampled at 16 parameters a segment, at most 640 in all, the parameters among them where they are
+        fewer.
 
     Returns
     -------
@@ -244,7 +245,7 @@ def worst_miss(curve: ParametricCurve) -> Miss | None:
 
 
 def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
-    """Return where a B_i0' is least the slope of B_i0.
+    """Return the parameter and the function at which B_i0' differs most from the slope of B_i0.
 
     Parameters
     ----------
@@ -282,7 +283,7 @@ def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
         # What the values round to, seen through the differences of them.
         noise = 16.0 * _ROUNDING * np.abs(values).sum(axis=(1, 2))[:, None] / step[:, None]
         size = np.maximum(np.abs(differences).max(axis=1), np.abs(derivatives).max(axis=1))[:, None]
-        # The seven places are rounded, too: far from 0 they are not evenly spaced.
+        # The seven parameters are rounded as well: far from 0 they are not evenly spaced.
         agrees = _SLOPE_AGREES + _ROUNDING * np.abs(middle) / step
         excess = np.abs(derivatives - differences) - agrees[:, None] * size - noise
     row, function = np.unravel_index(int(np.nan_to_num(excess, nan=-1.0).argmax()), excess.shape)
@@ -295,7 +296,7 @@ def slope_defect(curve: ParametricCurve) -> SlopeDefect | None:
 
 
 def _sample_parameters(curve: ParametricCurve) -> FloatArray:
-    """Return where sums are taken: evenly within each segment, or over all where there are many."""
+    """Return the parameters of the sums: evenly within each segment, or over all where there are many."""
     t = curve.parameters
     if _PER_SEGMENT * (len(t) - 1) > _MOST_SAMPLES:
         return np.linspace(*curve.domain, _MOST_SAMPLES)

@@ -99,12 +99,12 @@ def bounding_boxes(curves: Sequence[ParametricCurve], parts: Sequence[BezierPiec
 
 
 class Turns(NamedTuple):
-    """The places inside the pieces of a curve where a coordinate turns back.
+    """The parameters inside the pieces of a curve where a coordinate turns back.
 
     Attributes
     ----------
     points : ndarray, shape (k, dim)
-        The places.
+        The parameters.
     axis : ndarray, shape (k,)
         Which coordinate turns there.
     """
@@ -114,7 +114,7 @@ class Turns(NamedTuple):
 
 
 def turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[Turns]:
-    """Return where the coordinates of many curves turn, but for the joints of their pieces.
+    """Return the turning points of the coordinates of many curves, without the joints of their pieces.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def _are_exact(curve: ParametricCurve, part: BezierPieces) -> bool:
 
 
 def _turning_points(curves: Sequence[ParametricCurve], parts: Sequence[BezierPieces]) -> list[Turns]:
-    """Return where coordinates turn, of curves all of whose pieces have one degree and dim."""
+    """Return the turning points of coordinates, of curves all of whose pieces have one degree and dim."""
     controls = np.concatenate([part.controls for part in parts])
     slopes = np.concatenate([part.slopes for part in parts])
     after = np.cumsum([len(part.starts) for part in parts])

@@ -1,4 +1,4 @@
-"""Cardinal functions: what a point does to a curve whose derivatives follow the points.
+"""Cardinal functions: the effect of a point on a curve whose derivatives follow the points.
 
 Rules that estimate velocities and accelerations are linear in the points for given parameters,
 d_r = E_r p. With them a curve is linear in its points alone,
@@ -300,7 +300,7 @@ class CardinalBasis:
     # The estimates, segment by segment
 
     def _estimated(self, follow: Follow, reach: int) -> _Estimates | None:
-        """Return what the points near each segment do to the derivatives at its ends; None for nothing."""
+        """Return the effects of points near each segment on the derivatives at its ends; None for none."""
         segments = len(self.parameters) - 1
         if self.count <= 2 * reach + 2:
             estimates = self._ends_of(follow, np.eye(self.count))
@@ -314,7 +314,7 @@ class CardinalBasis:
         return _Estimates(columns, np.argmax(belongs, axis=2), read_only(np.ascontiguousarray(estimates)))
 
     def _near(self, follow: Follow, reach: int) -> tuple[IntArray, FloatArray]:
-        """Return the points up to `reach` joints from each segment, and what they do to its ends.
+        """Return the points up to `reach` joints from each segment, and their effects on its ends.
 
         Points far enough apart move together [2]_: no segment feels two of one colour.
         """
@@ -334,7 +334,7 @@ class CardinalBasis:
         return columns, estimates
 
     def _ends_of(self, follow: Follow, moves: FloatArray) -> FloatArray:
-        """Return what moves do to the derivatives at both ends of every segment, (segments, 2, R - 1, k)."""
+        """Return the effects of moves on the derivatives at the ends of segments, (segments, 2, R - 1, k)."""
         shape = (len(self.parameters), self.curve.jets.shape[1] - 1, moves.shape[1])
         before, after = follow(moves)
         if before.shape != shape or after.shape != shape:
@@ -463,7 +463,7 @@ class CardinalBasis:
     # Errors on one side of kinks
 
     def _largest_displacements(self, t: FloatArray, sizes: FloatArray) -> FloatArray:
-        """Return how far errors of these sizes, (n,), and any signs displace a coordinate of c(t), (m,)."""
+        """Return the largest displacements of a coordinate, (m,), by errors of sizes (n,) and any signs."""
         if self._displaced is None or not np.array_equal(self._displaced[0], sizes):
             errors = signs_of_errors(self.count, closed=self.closed) * sizes[:, None]
             joints = (np.arange(len(self.parameters) - 1)[:, None] + np.arange(2)) % self.count
@@ -482,7 +482,7 @@ class CardinalBasis:
     def _by_higher_derivatives(
         self, segment: IntArray, basis: FloatArray, errors: FloatArray
     ) -> tuple[FloatArray | float, FloatArray | float]:
-        """Return what errors of the points near a segment do by linear rules, (m, k), and others at most."""
+        """Return effects of errors near a segment under linear rules, (m, k), and a bound for the others."""
         if basis.shape[2] < 3 or self._estimates is None:
             return 0.0, 0.0
         columns, _, values = self._estimates

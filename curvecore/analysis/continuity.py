@@ -262,7 +262,7 @@ def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, Flo
 
 
 def _rests(side: _Side, limits: FloatArray, typical: FloatArray) -> BoolArray:
-    """Return where the speed is certainly within the limit of the typical one: there is no direction."""
+    """Return whether the speed is certainly within the limit of the typical one: there is no direction."""
     rests: BoolArray = np.maximum(side.sizes, side.roundings)[:, 1] <= (limits * typical)[:, 1]
     return rests
 
@@ -289,7 +289,7 @@ class _Jumps(NamedTuple):
 
     @classmethod
     def of_motion(cls, before: _Side, after: _Side, typical: FloatArray) -> _Jumps:
-        """Return those of c to c'''."""
+        """Return the jumps of c to c'''."""
         return cls(
             vector_lengths(after.values - before.values),
             np.maximum(before.sizes, after.sizes),
@@ -302,7 +302,7 @@ class _Jumps(NamedTuple):
     def of_line(
         cls, before: _Side, after: _Side, typical: FloatArray, angle: FloatArray, bends: _Bends
     ) -> _Jumps:
-        """Return those of direction, curvature and its change along the curve."""
+        """Return the jumps of direction, curvature and its change along the curve."""
         turns = [_turn_vectors(side.values) for side in (before, after)]
         length = typical[:, :1]
         bend = np.maximum(np.abs(bends.before), np.abs(bends.after))
@@ -334,7 +334,7 @@ def _verdicts(of: _Jumps, limits: FloatArray) -> IntArray:
 
 
 def _agreed(motion: IntArray, line: IntArray, rests: BoolArray) -> tuple[IntArray, IntArray]:
-    """Return verdicts of which neither hides what the other knows: a C2 joint with a tangent is G2."""
+    """Return the classes of both kinds, raised to what the other implies: a C2 joint with a tangent is G2."""
     goes_on = np.logical_and.accumulate(motion == _NONE, axis=1)
     has_tangent = line[:, 1] == _NONE
     line = np.where(goes_on & has_tangent[:, None], _NONE, line)
@@ -343,7 +343,7 @@ def _agreed(motion: IntArray, line: IntArray, rests: BoolArray) -> tuple[IntArra
 
 
 def _orders(verdicts: IntArray) -> tuple[IntArray, BoolArray]:
-    """Return how many columns have no jump from the first on, less one, and whether the next is open."""
+    """Return the number of leading columns without a jump, less one, and whether the next is open."""
     count: IntArray = np.logical_and.accumulate(verdicts == _NONE, axis=1).sum(axis=1)
     beyond = np.column_stack((verdicts, np.full(len(verdicts), _JUMPS)))
     return count - 1, beyond[np.arange(len(count)), count] == _OPEN

@@ -1,6 +1,6 @@
 """Speed and curvature of a curve, its inflections and extrema of curvature.
 
-Signs and places of the curvature do not depend on how fast t runs: they are roots of
+Signs and extrema of the curvature do not depend on how fast t runs: they are roots of
 polynomials in Bernstein form on the pieces of the curve, which are found by
 subdivision, all of them and without starting values.
 
@@ -148,7 +148,7 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
 
 @np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore")
 def curvature_error(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
-    """Return how far rounding may put `curvature` off, in units of 1 / length.
+    """Return a bound of the rounding errors of `curvature`, in units of 1 / length.
 
     Parameters
     ----------
@@ -281,7 +281,7 @@ def inflections(curve: ParametricCurve) -> FloatArray:
 
 @np.errstate(under="ignore")
 def curvature_extrema(curve: ParametricCurve) -> CurvatureExtrema:
-    """Return where the signed curvature of a plane curve has a local maximum or minimum, inside the domain.
+    """Return the local maxima and minima of the signed curvature of a plane curve, inside the domain.
 
     At joints where the curvature jumps there is none, nor on arcs of circles
     and straight parts.

@@ -136,7 +136,7 @@ def self_intersections(curve: ParametricCurve, tolerance: float) -> SelfIntersec
 
 
 class _Scale(NamedTuple):
-    """Distances in units of the points: what counts as meeting, and the reach of the smallest loop."""
+    """Distances in units of the points: the tolerance of a meeting, and the reach of the smallest loop."""
 
     tolerance: float
     loop: float
@@ -157,7 +157,7 @@ class _Meetings(NamedTuple):
 def _meetings(
     curve: ParametricCurve, pairs: Pairs, scale: _Scale, joints: FloatArray
 ) -> tuple[FloatArray, bool]:
-    """Return one pair of parameters for each meeting, in order, and whether these are single places."""
+    """Return one pair of parameters for each meeting, in order, and whether these are single meetings."""
     if not len(pairs):
         return np.zeros((0, 2)), True
     meetings = _polished(curve, *_starting_parameters(pairs))
@@ -179,7 +179,7 @@ def _meetings(
 def _starting_parameters(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
     """Return parameters (k, 2) where straight arcs cross or are near, and the widths of the arcs (k, 2).
 
-    Arcs side by side are near in many places: each end gives one.
+    Arcs side by side are near along a stretch: each end gives one.
     """
     p, q = pairs.first.controls[:, 0], pairs.second.controls[:, 0]
     u, v = pairs.first.controls[:, -1] - p, pairs.second.controls[:, -1] - q
@@ -233,7 +233,7 @@ def _newton_step(curve: ParametricCurve, at: FloatArray) -> FloatArray:
 
 
 def _is_loop(curve: ParametricCurve, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
-    """Tell whether the curve leaves c(a) between a and b: if not, they are one place and no meeting.
+    """Tell whether the curve leaves c(a) between a and b: if not, they are one point and no meeting.
 
     Looked at on samples, and at the first and the last joint of the arcs between: what turns back has one.
     """
@@ -275,7 +275,7 @@ def _is_closing(curve: ParametricCurve, meetings: _Meetings, reach: float) -> bo
     ends = curve.evaluate(np.array([first, last]))
     if vector_lengths(ends[1] - ends[0]) > reach:
         return False
-    # The way from the beginning to any a, and from any b to the end, must not leave that place.
+    # The way from the beginning to any a, and from any b to the end, must not leave that point.
     a, b = meetings.parameters[:, 0].max(), meetings.parameters[:, 1].min()
     if a - first > meetings.width[:, 0].max() * 64.0 or last - b > meetings.width[:, 1].max() * 64.0:
         return False
@@ -315,7 +315,7 @@ class Pairs(NamedTuple):
         return Pairs(self.first.selected(rows), self.second.selected(rows))
 
     def __len__(self) -> int:
-        """Return how many pairs there are."""
+        """Return the number of pairs."""
         return len(self.first.start)
 
 
@@ -487,9 +487,9 @@ def _overlap(one: FloatArray, other: FloatArray, room: FloatArray | float) -> Bo
 
 
 def near_pairs(parameters: FloatArray, reach: FloatArray) -> tuple[IntArray, IntArray]:
-    """Return the pairs of places (k, 2), ordered by the first parameter, that are within reach in both.
+    """Return the pairs of rows (k, 2), ordered by the first parameter, that are within reach in both.
 
-    Every step takes the pairs so many places apart: all pairs at once take many times the memory and time
+    Every step takes the pairs so many rows apart: all pairs at once take many times the memory and time
     where a curve runs along itself and most of them are near in the first parameter alone.
     """
     ends = np.searchsorted(parameters[:, 0], parameters[:, 0] + reach[:, 0].max(initial=0.0), side="right")

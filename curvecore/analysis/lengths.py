@@ -369,7 +369,7 @@ _RHO = np.array([1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0, 
 
 
 class SpeedArcs(NamedTuple):
-    """Stretches of curves, of each in order, with what is known of their lengths.
+    """Stretches of curves, of each in order, with bounds of their lengths.
 
     Attributes
     ----------
@@ -414,7 +414,7 @@ def arcs_of(parts: Sequence[BezierPieces], shifts: Sequence[int]) -> SpeedArcs:
 
 
 def _slack(slopes: FloatArray, error: FloatArray, slope_error: FloatArray) -> FloatArray:
-    """Bound what errors of the pieces make of their lengths, (k,), in the units of their control points.
+    """Return bounds of the errors of lengths, (k,), due to errors of the pieces, in their units.
 
     An error e of c makes |c' + e'| - |c'| of the speed: at most |e'|, and between T . e' and that plus
     |e'|**2 / (2 |c'|), with the tangent T. The integral of T . e' is, by parts, at most |e| times the angle
@@ -496,7 +496,7 @@ def _bounds(slopes: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Return the lengths between places of arcs, shape (k,)."""
+    """Return the lengths between parameters of arcs, shape (k,)."""
     some = [slice(first, first + _AT_ONCE) for first in range(0, max(len(slopes), 1), _AT_ONCE)]
     return np.concatenate([_some_integrals(slopes[rows], start[rows], end[rows]) for rows in some])
 
@@ -513,7 +513,7 @@ def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> F
 
 
 def share_at_length(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> FloatArray:
-    """Return where arcs have the wanted lengths: Newton's method within brackets."""
+    """Return the shares of arcs at which they have the wanted lengths, by Newton's method within brackets."""
     low, high = np.zeros(len(wanted)), np.ones(len(wanted))
     share = np.clip(np.nan_to_num(wanted / whole), 0.0, 1.0)
     for _ in range(_ROUNDS):

@@ -34,7 +34,7 @@ class NearestOnArc(NamedTuple):
 
 
 def nearest_on_arc(rows: list[Row], tolerance: float) -> NearestOnArc | None:
-    """Return where an arc comes nearest to 0; None where that is not found to within the tolerance.
+    """Return the point of an arc nearest to 0; None where the search does not reach the tolerance.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def _squares(rows: list[Row]) -> Row:
 
 @cache
 def _products(degree: int) -> list[tuple[int, int, int, float]]:
-    """Return what the products of coefficients i and j count in coefficient k = i + j of a square."""
+    """Return the weights of the products of coefficients i and j in coefficient k = i + j of a square."""
     return [
         (
             i + j,
@@ -119,7 +119,7 @@ def _halves(coefficients: Row) -> tuple[Row, Row]:
 
 
 def _lowest(rows: list[Row], start: float, end: float, s: float) -> tuple[float, float]:
-    """Return where, from a guess, the distance is least on a stretch where it is convex; and its square."""
+    """Return the minimum of the distance on a stretch where it is convex, from a guess: s and the square."""
     knows_start = knows_end = False
     for _ in range(_NEWTON):
         here = _descent(rows, s)
@@ -143,7 +143,7 @@ def _lowest(rows: list[Row], start: float, end: float, s: float) -> tuple[float,
 
 
 class _Descent(NamedTuple):
-    """The squared distance at a place, and half its first and second derivatives."""
+    """The squared distance at a parameter, and half its first and second derivatives."""
 
     square: float
     slope: float

@@ -103,7 +103,7 @@ def nearest(curve: ParametricCurve, point: ArrayLike, tolerance: float) -> Neare
     See Also
     --------
     Nearest : What it returns.
-    NearestWithin : Of many places.
+    NearestWithin : Of many targets.
 
     Notes
     -----
@@ -174,7 +174,7 @@ def _nearest_of_one_piece(curve: ParametricCurve, target: FloatArray, limit: flo
 def _nearest_at(
     curve: ParametricCurve, target: FloatArray, t: float, result: _SearchResult, exponent: int
 ) -> Nearest:
-    """Return the point at t as the nearest one, given what a search found in units of 2**exponent."""
+    """Return the point at t as the nearest one, from a search in units of 2**exponent."""
     point = curve.evaluate(t)
     distance = float(vector_lengths(point - target))
     return Nearest(t, point, distance, max(0.0, distance - float(np.ldexp(result.bound, exponent))))
@@ -190,23 +190,23 @@ def _point_of(curve: ParametricCurve, point: ArrayLike) -> FloatArray:
 
 
 class NearestWithin:
-    """Finds the points of one plane curve nearest to many places, each within a reach.
+    """Finds the points of one plane curve nearest to many targets, each within a reach.
 
     Parameters
     ----------
     curve : ParametricCurve
-        Of any family, dim 2. Its Bezier pieces are made here, once; a place
+        Of any family, dim 2. Its Bezier pieces are made here, once; a target
         costs a bounded search among those in reach, and one evaluation.
 
     See Also
     --------
-    nearest : Of one place, however far away.
+    nearest : Of one target, however far away.
 
     Notes
     -----
     The pieces of one polynomial follow it within 1e-9 of its size. Where that
     is far more than the size of its points, as on 40 and more points at equal
-    parameters, a place beside them may not be found.
+    parameters, a point beside them may not be found.
 
     Examples
     --------
@@ -274,7 +274,7 @@ class NearestWithin:
         return result if result.distance <= reach else None
 
     def _at(self, target_x: float, target_y: float, t: float) -> _Descent:
-        """Return what Newton's method does at t, by the pieces."""
+        """Return the numbers of Newton's method at t, from the pieces."""
         start, end = self._arcs.start, self._arcs.end
         i = max(int(np.searchsorted(start, t, side="right")) - 1, 0)
         h = float(end[i] - start[i])
@@ -286,7 +286,7 @@ class NearestWithin:
 
 
 class _Descent(NamedTuple):
-    """A place on the way to the nearest point.
+    """A parameter on the way to the nearest point.
 
     Attributes
     ----------
@@ -353,9 +353,9 @@ def _search(
     reach: float = np.inf,
     improved: Callable[[float], _Candidate] | None = None,
 ) -> _SearchResult:
-    """Return where the arcs come nearest to 0, and a lower bound of their distance.
+    """Return the point of the arcs nearest to 0, and a lower bound of the distance.
 
-    NaN where they do not come within reach. A way to better places nearby spares rounds where the curve
+    NaN where they do not come within reach. A way to better parameters nearby spares rounds where the curve
     passes through 0: the ends of arcs come nearer only as fast as arcs become shorter.
     """
     best, parameter, bound = reach, np.nan, np.inf

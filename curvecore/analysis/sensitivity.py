@@ -210,7 +210,7 @@ def worst_case_band(
     cardinal: CardinalBasis | None = None,
     sensitivity: ArrayLike | None = None,
 ) -> Band:
-    """Return how far errors of the data may displace the curve.
+    """Return bounds of the displacement of the curve by errors of the data.
 
     Parameters
     ----------
@@ -309,7 +309,7 @@ def sums_of_data(curve: ParametricCurve, t: FloatArray, sizes: FloatArray, order
 
 
 def _moves(curve: ParametricCurve, t: FloatArray, delta: FloatArray) -> FloatArray:
-    """Return what parameters do that change by delta, without those that do nothing by construction."""
+    """Return the effects of parameters that change by delta, without those that have none by construction."""
     if curve.is_local:
         segment, moves = curve.local_parameter_derivatives(t)
         return moves * np.stack((delta[segment], delta[segment + 1]), axis=1)[:, :, None]
@@ -327,7 +327,7 @@ def error_sizes(error: ArrayLike, count: int, name: str) -> FloatArray:
 
 
 def _across(moves: FloatArray, velocity: FloatArray, farthest: FloatArray) -> FloatArray:
-    """Return how far sums of +-moves reach square to the velocities, (m, dim); at rest, `farthest`."""
+    """Return the reach of sums of +-moves square to the velocities, (m, dim); at rest, `farthest`."""
     size = vector_lengths(velocity)
     rests = size == 0.0
     unit = (velocity / np.where(rests, 1.0, size)[:, None])[:, None]

@@ -94,7 +94,7 @@ def lebesgue_function(curve: ParametricCurve | CardinalBasis, t: ArrayLike) -> F
 
 
 def derivative_sums(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
-    """Return the sums of |B_i1(t)| and |B_i2(t)|: what errors of derivatives do.
+    """Return the sums of |B_i1(t)| and |B_i2(t)|: the growth of errors of derivatives.
 
     Parameters
     ----------
@@ -183,8 +183,8 @@ def _largest_over(curve: ParametricCurve, functions: CardinalBasis | None = None
     intervals = _Intervals(joints[:-1], joints[1:], segments, np.zeros_like(segments))
 
     def sums(t: FloatArray, _segment: IntArray) -> FloatArray:
-        found = _sums(curve, t.ravel())[:, 0] if functions is None else functions.sums(t.ravel())
-        return found.reshape(t.shape)
+        totals = _sums(curve, t.ravel())[:, 0] if functions is None else functions.sums(t.ravel())
+        return totals.reshape(t.shape)
 
     search = _FEW_PEAKS if curve.degree is None or functions is not None else _ONE_PEAK
     return float(_largest_sums(sums, intervals, 1, search)[0])
@@ -224,16 +224,16 @@ def _largest_of(controls: list[FloatArray]) -> list[float]:
         table[after - len(pieces) : after, :, : pieces.shape[2]] = pieces
     np.nan_to_num(table, copy=False, nan=LARGEST)
 
-    def sums(places: FloatArray, segment: IntArray) -> FloatArray:
-        at = weights(places.ravel(), table.shape[1] - 1).reshape(*places.shape, -1)
-        step = max(_MOST_AT_ONCE // (places.shape[1] * width), 1)
+    def sums(s: FloatArray, segment: IntArray) -> FloatArray:
+        at = weights(s.ravel(), table.shape[1] - 1).reshape(*s.shape, -1)
+        step = max(_MOST_AT_ONCE // (s.shape[1] * width), 1)
         blocks = [
             np.abs(at[first : first + step] @ table[segment[first : first + step]]).sum(axis=2)
             for first in range(0, len(segment), step)
         ]
         # Sums beyond all floats, and those of infinities of either sign, which are no numbers.
-        found: FloatArray = np.fmin(np.concatenate(blocks), LARGEST)
-        return found
+        totals: FloatArray = np.fmin(np.concatenate(blocks), LARGEST)
+        return totals
 
     owner = np.repeat(np.arange(len(controls)), counts)
     segments = np.arange(len(owner))

@@ -69,7 +69,7 @@ def binomials(degree: int) -> FloatArray:
 
 
 def weights(s: FloatArray, degree: int) -> FloatArray:
-    """Return the Bernstein polynomials at places in [0, 1], shape (m, degree + 1)."""
+    """Return the Bernstein polynomials at s in [0, 1], shape (m, degree + 1)."""
     s, r = s[:, None], (1.0 - s)[:, None]
     k = np.arange(degree + 1)
     with np.errstate(under="ignore"):
@@ -78,7 +78,7 @@ def weights(s: FloatArray, degree: int) -> FloatArray:
 
 
 def values(coefficients: FloatArray, at: FloatArray) -> FloatArray:
-    """Return polynomial i at places[i]: shape (k, d + 1, ...) and (k,) give (k, ...)."""
+    """Return polynomial i at at[i] in [0, 1]: shape (k, d + 1, ...) and (k,) give (k, ...)."""
     with np.errstate(under="ignore"):
         level = coefficients
         s = at.reshape(-1, *(1,) * (coefficients.ndim - 1))
@@ -118,7 +118,7 @@ def squared_length(vectors: FloatArray) -> FloatArray:
 
 @cache
 def _product_weights(degree: int) -> FloatArray:
-    """Return what the product of coefficients i and j counts in a square, ((d + 1)**2, 2 d + 1)."""
+    """Return the weights of the products of coefficients i and j in a square, ((d + 1)**2, 2 d + 1)."""
     result = np.zeros((degree + 1, degree + 1, 2 * degree + 1))
     for i, j in np.ndindex(degree + 1, degree + 1):
         result[i, j, i + j] = comb(degree, i) * comb(degree, j) / comb(2 * degree, i + j)
@@ -270,7 +270,7 @@ def _polished(brackets: list[_Bracket]) -> PieceRoots:
 
 
 def _refined(bracket: _Bracket) -> FloatArray:
-    """Return where in [0, 1] the polynomials of a bracket change their sign, which they do once.
+    """Return the parameters in [0, 1] at which the polynomials of a bracket change their sign, once each.
 
     One that does not has its root at the end it is nearer to. Newton's method, which falls back to halving.
     """

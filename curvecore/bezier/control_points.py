@@ -205,7 +205,7 @@ def equal_parts(count: IntArray) -> tuple[IntArray, IntArray]:
 
 
 def spread(joints: FloatArray, count: IntArray) -> FloatArray:
-    """Divide segment i into count[i] equal pieces; drop what is not distinct."""
+    """Divide segment i into count[i] equal pieces; drop parameters that are not distinct."""
     segment, step = equal_parts(count)
     inner = joints[segment] + (joints[segment + 1] - joints[segment]) * (step / count[segment])
     return sorted_distinct(np.append(np.minimum(inner, joints[-1]), joints[-1]))

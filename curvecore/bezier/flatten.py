@@ -171,7 +171,7 @@ def _parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike | None)
 
 
 def _is_rounding(pieces: Pieces) -> bool:
-    """Whether what is missed is what no polyline of floating-point numbers can avoid."""
+    """Return whether no polyline of floating-point numbers could come closer."""
     return pieces.reached <= 64.0 * UNIT_ROUNDOFF * float(np.abs(pieces.points).max())
 
 
@@ -391,7 +391,7 @@ def _first_samples(curve: ParametricCurve) -> FloatArray:
 
 
 def _bends(t: FloatArray, points: FloatArray) -> FloatArray:
-    """Return how far pieces are from going on as their neighbours do, (k,)."""
+    """Return the differences between pieces and the continuation of their neighbours, (k,)."""
     step, h = np.diff(points, axis=0), np.diff(t)
     quotient = (h[1:] / h[:-1])[:, None]
     change = np.hypot(*(step[1:] / np.maximum(quotient, 1.0) - step[:-1] * np.minimum(quotient, 1.0)).T)
@@ -554,7 +554,7 @@ def chord_bound(controls: FloatArray) -> FloatArray:
 
 
 def may_enter(points: FloatArray, box: FloatArray) -> BoolArray:
-    """Tell whose hulls, from points of shape (k, j, 2), touch the box."""
+    """Return which hulls of points, of shape (k, j, 2), touch the box."""
     low, high = _along_columns(np.minimum, points), _along_columns(np.maximum, points)
     inside = (high >= box[:2]) & (low <= box[2:])
     return inside[:, 0] & inside[:, 1]

@@ -104,7 +104,7 @@ def size_of(controls: FloatArray) -> float:
 
 
 def parameters_at(pieces: BezierPieces, piece: np.ndarray, s: FloatArray) -> FloatArray:
-    """Return the parameters t of places in [0, 1] of pieces."""
+    """Return the parameters t of local parameters s in [0, 1] of pieces."""
     start, end = pieces.starts[piece], pieces.ends[piece]
     with np.errstate(under="ignore"):
         result: FloatArray = np.minimum(start + s * (end - start), end)
@@ -175,7 +175,7 @@ def _sampled(curve: ParametricCurve, tolerance: float) -> BezierPieces:
 
 
 def _from_inside(curve: ParametricCurve, ends: FloatArray) -> FloatArray:
-    """Return ends of intervals at which to evaluate: where the curve may jump, the places before."""
+    """Return ends of intervals at which to evaluate: where the curve may jump, the parameters before."""
     if curve.is_continuous:
         return ends
     return np.where(np.isin(ends, curve.breaks[1:-1]), np.nextafter(ends, -np.inf), ends)

@@ -46,7 +46,7 @@ class OfCurve(ParametricCurve):
 
     @property
     def breaks(self) -> FloatArray:
-        """Those of the curve."""
+        """The breaks of the curve."""
         return self._curve.breaks
 
     @abstractmethod
@@ -64,7 +64,7 @@ class OfCurve(ParametricCurve):
         return None if controls is None else self._pieces_from(controls)
 
     def _like(self, curve: ParametricCurve) -> Self:
-        """Return what this is of its curve, of another one."""
+        """Return the same of another curve: its derivative or antiderivative."""
         return type(self)(curve)
 
     def with_jets(self, jets: ArrayLike) -> Self:
@@ -124,12 +124,12 @@ class Derivative(OfCurve):
 
     @property
     def name(self) -> str:  # type: ignore[override]
-        """That of the curve, with a prime for each derivative."""
+        """The name of the curve, with a prime for each derivative."""
         return self._curve.name + "'" * self._order
 
     @property
     def degree(self) -> int | None:
-        """That of the curve less the order, at least 0; None where its pieces are no polynomials."""
+        """The degree of the curve less the order, at least 0; None where its pieces are no polynomials."""
         return None if self._curve.degree is None else max(self._curve.degree - self._order, 0)
 
     @property
@@ -151,7 +151,7 @@ class Derivative(OfCurve):
         return self._curve.basis(t, order + self._order)
 
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
-        """Return derivatives of several orders at many places, as the curve gives them."""
+        """Return derivatives of several orders at many parameters, as the curve gives them."""
         return self._curve.derivatives_at(t, tuple(order + self._order for order in orders))
 
     def local_basis(self, t: ArrayLike, order: int = 0) -> LocalBasis:
@@ -223,7 +223,7 @@ class Antiderivative(OfCurve):
 
     @property
     def name(self) -> str:  # type: ignore[override]
-        """That of the curve, behind an integral sign."""
+        """The name of the curve, behind an integral sign."""
         return "∫" + self._curve.name
 
     @property

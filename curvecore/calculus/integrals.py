@@ -123,7 +123,7 @@ def _between(curve: ParametricCurve, start: float, end: float) -> FloatArray:
 
 @cache
 def _rule(points: int) -> tuple[FloatArray, FloatArray]:
-    """Return the places of a Gauss-Legendre rule on [0, 1] and its weights, whose sum is 1."""
+    """Return the nodes of a Gauss-Legendre rule on [0, 1] and its weights, whose sum is 1."""
     nodes, weights = leggauss(points)
     return read_only(0.5 + 0.5 * nodes), read_only(0.5 * weights)
 

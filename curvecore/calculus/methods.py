@@ -150,7 +150,7 @@ class Calculus:
         -----
         Between neighbouring extrema, which the Bernstein coefficients of the derivative enclose, the
         coordinate is monotone and takes each value at most once [1]_; Newton's method, kept inside, finds the
-        place to the last digits. The value counts as reached where the coordinate differs from it by what
+        parameter to the last digits. The value counts as reached where the coordinate differs from it by what
         rounding may have left: at an extremum, too. What has no Bezier pieces is followed by polynomials of
         degree 8 within 2**-44 of the size of the curve; extrema flatter than that may be missed, and two
         solutions with them.

@@ -100,7 +100,7 @@ def _through(
 
 
 def _check_equal(curve: ParametricCurve, given: PolynomialPieces) -> None:
-    """Compare at more places of each piece than a polynomial of the larger degree can have roots."""
+    """Compare at more parameters of each piece than a polynomial of the larger degree can have roots."""
     count = max(given.degree, curve.degree or 0) + 2
     s = np.sin((np.arange(count) + 0.5) * (np.pi / (2 * count))) ** 2
     t = (given.breaks[:-1, None] + s * np.diff(given.breaks)[:, None]).ravel()
@@ -169,7 +169,7 @@ class PolynomialPieces(ParametricCurve):
 
     @property
     def degree(self) -> int:
-        """That of all pieces."""
+        """The degree of all pieces."""
         return int(self._controls.shape[1]) - 1
 
     def bezier_pieces(self) -> FloatArray:

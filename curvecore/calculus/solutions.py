@@ -45,7 +45,7 @@ class _Stretches(NamedTuple):
 
 
 def solutions(curve: ParametricCurve, value: float, axis: int, discontinuity: bool) -> FloatArray:
-    """Return where a coordinate has a value, ascending; see `ParametricCurve.solve`."""
+    """Return the parameters at which a coordinate has a value, ascending; see `ParametricCurve.solve`."""
     wanted, column = finite_number(value, "value"), integer(axis, "axis", 0)
     if column >= curve.jets.shape[2]:
         raise CurveError(f"axis must be less than {curve.jets.shape[2]}, the dim of the curve, not {column}")
@@ -109,7 +109,7 @@ def _reached(whole: _Stretches) -> FloatArray:
 
 
 def _crossed(curve: ParametricCurve, pieces: BezierPieces, stretches: _Stretches, value: float) -> FloatArray:
-    """Return where the value is crossed inside stretches.
+    """Return the parameters inside stretches at which the coordinate crosses the value.
 
     Newton's method with the slopes of the Bezier pieces, and halving where it is slow: behind the last small
     step nothing more is left than rounding.

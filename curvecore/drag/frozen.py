@@ -37,7 +37,7 @@ from curvecore.families.curve import ParametricCurve
 ComplexArray = npt.NDArray[np.complex128]
 
 _FINER = 4.0  # of the tolerance: room for the curve to bend more before new samples are needed
-_MARGIN = 1.6  # on an estimate from one place for the whole of a piece
+_MARGIN = 1.6  # on an estimate from one parameter for the whole of a piece
 _MOST_MOVED = 4  # points whose parameters move, above which evaluating anew is as fast
 _LEAST_SQUARE = 1e-290  # of lengths, below which products lose digits
 _SHARE = 0.05  # of the tolerance, that roundings may take
@@ -165,7 +165,7 @@ class FrozenFlattening:
         return curve.evaluate(self._parameters)
 
     def _leave_out(self, curve: ParametricCurve) -> LeftOut | None:
-        """Leave out what `curve` has elsewhere; None where that is too much."""
+        """Return the curve without the points that `curve` has elsewhere; None where they are too many."""
         if len(curve.parameters) != len(self._curve.parameters) or not curve.is_one_polynomial:
             return None
         differs = (curve.parameters != self._curve.parameters) | (curve.points != self._curve.points).any(
@@ -200,7 +200,7 @@ class FrozenFlattening:
         return float((off * self._leverage).max())
 
     def _deviation(self, points: FloatArray) -> FloatArray:
-        """Estimate how far each piece leaves its chord; infinite for what stays outside the box.
+        """Return estimates of how far each piece leaves its chord; infinite for pieces outside the box.
 
         A sample lies |c''| h k / 2 off the chord of its neighbours, h and k away from it in t; a piece of
         length h leaves its own chord by |c''| h**2 / 8.
@@ -254,7 +254,7 @@ def _steps(points: FloatArray) -> ComplexArray:
 
 
 def _overshoot_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float, float]:
-    """Return how far a curve first goes the other way, from its beginning and back from its end."""
+    """Return how far a curve first recedes, from its beginning and back from its end."""
     return (
         _overshoot_at_end(complex(step[0]), complex(step[1]), float(quotient[0])),
         _overshoot_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1])),
@@ -262,7 +262,7 @@ def _overshoot_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float,
 
 
 def _overshoot_at_end(step: complex, following: complex, quotient: float) -> float:
-    """Return how far a curve first goes the other way, given the first steps from its end."""
+    """Return how far a curve first recedes, given the first steps from its end."""
     change = (following / quotient - step) / (1.0 + quotient)
     velocity = step - change
     if (velocity * step.conjugate()).real > 0.0:
@@ -271,7 +271,7 @@ def _overshoot_at_end(step: complex, following: complex, quotient: float) -> flo
 
 
 def _parabola_overshoot(velocity: ComplexArray, bend: ComplexArray) -> FloatArray:
-    """Return how far a parabola goes on before it turns: (v . c'')**2 / (2 |c''|**3)."""
+    """Return the distance from a point of a parabola to its turn: (v . c'')**2 / (2 |c''|**3)."""
     size = np.abs(bend)
     along = (velocity * bend.conj()).real / size
     return np.where(size > 0.0, 0.5 * along * along / size, 0.0)
@@ -369,7 +369,7 @@ class FrozenSegments:
             return Pieces(t, self._points(curve, controls), deviation[self._segment])
 
     def _misses(self, controls: FloatArray, deviation: FloatArray) -> bool:
-        """Whether a segment in the box needs more; what is outside of it counts as infinitely far off."""
+        """Return whether a segment in the box needs more vertices; deviations outside become infinite."""
         off = np.flatnonzero(~(deviation <= self._tolerance))
         if not off.size:
             return False

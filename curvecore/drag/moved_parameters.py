@@ -36,11 +36,11 @@ from curvecore.arrays import FloatArray, IntArray, parameter_row
 from curvecore.families.curve import ParametricCurve
 from curvecore.families.lagrange import LagrangeCurve
 
-_NEAR = 32  # places on either side of a left out parameter where roundings are estimated
+_NEAR = 32  # parameters on either side of a left out parameter where roundings are estimated
 
 
 class KeptSamples(NamedTuple):
-    """A curve at given places.
+    """A curve at given parameters.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class KeptSamples(NamedTuple):
 
 
 class LeftOut:
-    """A curve at fixed places while some of its points are left out and put back elsewhere.
+    """A curve at fixed parameters while some of its points are left out and put back elsewhere.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ class LeftOut:
         )
 
     def evaluate(self, curve: ParametricCurve) -> KeptSamples:
-        """Return a curve that this `serves` at the places."""
+        """Return a curve that this `serves` at the parameters."""
         t = curve.parameters[self._moving]
         growth = 1.0
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
@@ -128,7 +128,7 @@ _MOST_MOVED = 4  # parameters, above which the saving is gone
 
 
 class MovedParameters:
-    """The basis of one curve at fixed places, and of others whose parameters are nearly the same.
+    """The basis of one curve at fixed parameters, and of others whose parameters are nearly the same.
 
     Parameters
     ----------
@@ -209,9 +209,9 @@ class MovedParameters:
     def _rows_at_moved(
         self, curve: ParametricCurve, moved: IntArray, weights: FloatArray
     ) -> tuple[IntArray, FloatArray]:
-        """Return the places t that are moved parameters, old or new, and the functions there, (k, n).
+        """Return the rows t that are moved parameters, old or new, and the functions there, (k, n).
 
-        The quotients above are 0 / 0 there. At the old place of t_k, L_i(t) / (t - t_k) tends to
+        The quotients above are 0 / 0 there. At the old t_k, L_i(t) / (t - t_k) tends to
         (w_i / w_k) / (t_k - t_i).
         """
         old, new = self._parameters, curve.parameters

@@ -25,13 +25,13 @@ from curvecore.bezier.control_points import drawable_pieces, equal_parts
 from curvecore.bezier.flatten import Pieces, chord_bound, may_enter, sampled_pieces
 from curvecore.families.curve import ParametricCurve
 
-_REACH, _FARTHEST = 100.0, 1600.0  # tolerances: so far around a place vertices serve, as steps are long
+_REACH, _FARTHEST = 100.0, 1600.0  # tolerances: so far around a position vertices serve, as steps are long
 _STEPS = 8.0  # so many more of the last one shall be within reach
 _LEAST_REACH = 25.0
-# Above these choosing them anew at every place saves more than is gained here.
+# Above these choosing them anew at every position saves more than is gained here.
 _MOST_VERTICES, _MOST_SAMPLES = 1024, 2048
 _FINER, _FINER_SAMPLES = 4.0, 6.0  # of the tolerance: room for vertices to be left out
-_MARGIN = 1.6  # on an estimate from one place for the whole of a piece
+_MARGIN = 1.6  # on an estimate from one parameter for the whole of a piece
 _ROUNDS = 4  # of halving what is not close enough
 
 
@@ -117,7 +117,7 @@ class MovedPoints:
         Returns
         -------
         Pieces or None
-            None where choosing vertices for each place is quicker.
+            None where choosing vertices for each position is quicker.
         """
         here, last = (dx, dy), self._last
         self._last = here
@@ -182,7 +182,7 @@ class MovedPoints:
         )
 
     def _sampled(self) -> _Vertices | None:
-        """Halve what samples leave too far apart for all within reach of the centre."""
+        """Return samples halved where they are too far apart for all moves within reach of the centre."""
         samples = self._samples or self._sample(self._first_samples())
         for _ in range(_ROUNDS):
             vertices = self._measured(samples)
@@ -258,7 +258,7 @@ class MovedPoints:
         return _Vertices(t, positions, directions, deviation)
 
     def _off_chord(self, points: FloatArray, directions: FloatArray, middle: IntArray) -> FloatArray:
-        """Return how far vertices come to lie off the chord of their neighbours, at most within reach."""
+        """Return bounds of the distances of vertices from the chord of their neighbours, within reach."""
         start, chord = points[middle - 1], points[middle + 1] - points[middle - 1]
         square = (chord**2).sum(axis=1)
         share = ((points[middle] - start) * chord).sum(axis=1) / np.where(square > 0.0, square, 1.0)

@@ -122,7 +122,7 @@ class BSplineCurve(ParametricCurve):
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
         """Return dc(t)/dt_i, shape (m, n, dim): splines, with a second knot at t_i.
 
-        The derivative of a divided difference by one of its places is one with that place twice. At t_i it is
+        The derivative of a divided difference by one of its arguments has that argument twice. At t_i it is
         that of the piece to the right.
         """
         at = parameter_row(t)
@@ -220,7 +220,7 @@ class BSplineCurve(ParametricCurve):
 
     @property
     def idle_parameters(self) -> BoolArray:
-        """Those that are no knots."""
+        """The parameters that are no knots."""
         return ~np.isin(self._parameters, self.breaks)
 
     def refined(self, t: float) -> Self | None:
@@ -255,7 +255,7 @@ class BSplineCurve(ParametricCurve):
         return _Knotted(self.knots, self.points, self.degree)
 
     def _around(self, breaks: FloatArray, count: int | None = None) -> FloatArray:
-        """Return parameters of which `breaks` are the knots: what stands next to the ends stays if it can."""
+        """Return parameters of which `breaks` are the knots; those next to the ends stay if they can."""
         count = len(breaks) + 2 if count is None else count
         if count < 4:
             return np.linspace(breaks[0], breaks[-1], count)
@@ -267,7 +267,7 @@ class BSplineCurve(ParametricCurve):
         return parameters
 
     def _blossom(self, interval: IntArray, arguments: list[FloatArray]) -> FloatArray:
-        """Return the polar form of pieces [knots[j], knots[j + 1]] at `degree` places on each, (k, dim)."""
+        """Return the polar form of pieces [knots[j], knots[j + 1]] at `degree` arguments, (k, dim)."""
         knots, p = self.knots, self.degree
         points = [self.points[interval - p + k] for k in range(p + 1)]
         for level, t in enumerate(arguments, start=1):

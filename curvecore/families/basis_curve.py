@@ -88,7 +88,7 @@ class BasisCurve(ParametricCurve):
     ------
     CurveError
         If an argument does not have the shape or values above, there are more than 2000 points, or the
-        functions are not of the shape (m, n), or not finite at the parameters or at one of 16 places in
+        functions are not of the shape (m, n), or not finite at the parameters or at one of 16 parameters in
         each segment (320 in all, of many points).
 
     See Also
@@ -139,7 +139,7 @@ class BasisCurve(ParametricCurve):
 
     @property
     def name(self) -> str:  # type: ignore[override]
-        """That of the scheme."""
+        """The name of the scheme."""
         return self._scheme.name
 
     @property
@@ -190,11 +190,11 @@ class BasisCurve(ParametricCurve):
         return functions
 
     def _differences(self, t: FloatArray, order: int) -> FloatArray:
-        """Differentiate the polynomials through the functions at seven places around each t."""
+        """Differentiate the polynomials through the functions at seven parameters around each t."""
         parameters = self._parameters
         segment = np.clip(np.searchsorted(parameters, t, side="right") - 1, 0, len(parameters) - 2)
         longest = np.diff(parameters)[segment] / _FINENESS[min(order, len(_FINENESS)) - 1]
-        # Powers of two, so that places are exact where parameters lie far from 0.
+        # Powers of two, so that samples are exact where parameters lie far from 0.
         step = np.ldexp(0.5, np.frexp(longest)[1])
         middle = self._inside_of_a_piece(t, 3.0 * step)
         samples = middle[:, None] + step[:, None] * _STENCIL
@@ -205,7 +205,7 @@ class BasisCurve(ParametricCurve):
         return result
 
     def _inside_of_a_piece(self, t: FloatArray, reach: FloatArray) -> FloatArray:
-        """Return t, moved so far that what is within `reach` lies in the same piece."""
+        """Return t, moved so far that all parameters within `reach` lie in the same piece."""
         piece = np.clip(np.searchsorted(self._breaks, t, side="right") - 1, 0, len(self._breaks) - 2)
         low, high = self._breaks[piece] + reach, self._breaks[piece + 1] - reach
         middle = 0.5 * (low + high)
@@ -227,7 +227,7 @@ class BasisCurve(ParametricCurve):
         return read_only(np.concatenate((ends[:1], inner, ends[1:])))
 
     def _probes(self) -> FloatArray:
-        """Return places of all segments, their middles and quarters among them where points are few."""
+        """Return parameters of all segments, their middles and quarters among them where points are few."""
         t = self._parameters
         if _PROBES * (len(t) - 1) > _MOST_PROBES:
             return np.linspace(t[0], t[-1], _MOST_PROBES)

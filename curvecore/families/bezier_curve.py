@@ -46,7 +46,7 @@ _DRAWN = 8
 """Degree up to which the one piece is drawn and searched as it is, as `pieces` has it of all curves."""
 
 _INTERPOLATED = 64
-"""Control points up to which values at so many places stand for them."""
+"""Control points up to which values at so many parameters stand for them."""
 
 _PLAIN, _SAFE = 48, 900.0
 """Degree up to which functions may be plain products; powers of 2 that their factors stay within.
@@ -370,7 +370,7 @@ def _binomials(degree: int) -> _Binomials:
 
 
 def _cut(points: FloatArray, s: float, r: float) -> tuple[FloatArray, FloatArray]:
-    """Return the control points on both sides of the place s = 1 - r."""
+    """Return the control points on both sides of the parameter s = 1 - r."""
     left, right = points.copy(), points.copy()
     work = points
     for k in range(1, len(points)):
@@ -388,7 +388,7 @@ _WINDOW_CHUNK = 1 << 16
 
 
 def windowed_values(points: FloatArray, x: DoubleDouble, y: DoubleDouble) -> FloatArray:
-    """Return a Bezier curve at places x = 1 - y.
+    """Return a Bezier curve at parameters x = 1 - y.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Curves end to end over one t axis: what a corner or a break makes of a curve."""
+"""Chains: curves end to end over one t axis, with corners and jumps between them."""
 
 from __future__ import annotations
 
@@ -80,12 +80,12 @@ class Chain(ParametricCurve):
 
     @property
     def name(self) -> str:  # type: ignore[override]
-        """That of the pieces."""
+        """The name of the pieces."""
         return self._pieces[0].name
 
     @property
     def functions_key(self) -> tuple[object, ...]:
-        """That of the pieces."""
+        """The key of the pieces."""
         return self._pieces[0].functions_key
 
     @property
@@ -106,7 +106,7 @@ class Chain(ParametricCurve):
 
     @property
     def breaks(self) -> FloatArray:
-        """Those of the pieces, each once."""
+        """The breaks of the pieces, each once."""
         return end_to_end(piece.breaks for piece in self._pieces)
 
     @property
@@ -170,7 +170,7 @@ class Chain(ParametricCurve):
         return LocalBasis(segment, values)
 
     def interpolants(self) -> list[Interpolant] | None:
-        """Return those of the pieces; None where one of them has none."""
+        """Return the interpolants of the pieces; None where one of them has none."""
         parts = [piece.interpolants() for piece in self._pieces]
         return (
             None

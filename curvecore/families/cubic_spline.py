@@ -159,7 +159,7 @@ class CubicSplineCurve(ParametricCurve):
             "ends",
             SplineEnds.NATURAL.value,
             "The conditions at both ends: c″ = 0, c′ = 0, no jump of c‴ beside them, or the same c′ and c″",
-            choices=tuple((each.value, each.label) for each in SplineEnds),
+            choices=tuple((ends.value, ends.label) for ends in SplineEnds),
             when_closed=SplineEnds.PERIODIC.value,
         ),
     )
@@ -198,7 +198,7 @@ class CubicSplineCurve(ParametricCurve):
         return curve
 
     def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
-        """Evaluate by the points and velocities what is as accurate by these, else by c''."""
+        """Evaluate by points and velocities, or by c'' where that is more accurate."""
         if type(order) is int and order >= 2:
             return self._evaluate_lines(t, order)
         return self._pieces._evaluate_at_once(t, order)
@@ -313,7 +313,7 @@ class CubicSplineCurve(ParametricCurve):
         return JointDerivatives(values, scale)
 
     def parameter_derivatives(self, t: ArrayLike) -> FloatArray:
-        """Return dc(t)/dt_i, shape (m, n, dim): at fixed velocities, and by what these change."""
+        """Return dc(t)/dt_i, shape (m, n, dim): at fixed velocities, and by the change of the velocities."""
         at = parameter_row(t)
         result = self._pieces.parameter_derivatives(at)
         segment, functions = self._pieces.local_basis(at)
@@ -386,7 +386,7 @@ def spline_derivatives(
 
 
 def velocity_moves(points: FloatArray, parameters: FloatArray, ends: SplineEnds) -> FloatArray:
-    """Return what the velocities change by per unit of each parameter, the points at rest; O(n**2).
+    """Return the derivatives of the velocities by each parameter, at fixed points; O(n**2).
 
     Parameters
     ----------
@@ -461,7 +461,7 @@ def refined_bends(
 def _halves_of_rows(
     h: DoubleDouble, slope: DoubleDouble, bends: FloatArray
 ) -> tuple[DoubleDouble, DoubleDouble]:
-    """Return what segments add to the left sides of the rows of their ends, less the right ones."""
+    """Return the terms of segments in the left sides of the rows of their ends, less the right ones."""
     near, far = bends[:-1], bends[1:]
     sixfold = multiply(slope, DoubleDouble(np.array(6.0), np.array(0.0)))
     halves = []
@@ -472,7 +472,7 @@ def _halves_of_rows(
 
 
 class _Shares(NamedTuple):
-    """A sixth of what segments add to the right sides of the rows of their ends.
+    """A sixth of the terms of segments in the right sides of the rows of their ends.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What a family may override: methods of every curve, each with its default.
+"""Methods of every curve that a family may override, each with its default.
 
 The defaults follow from what a family must say, `ParametricCurve._basis`, and from its `breaks` and `degree`.
 They are correct, if slower; a family overrides what it knows how to do faster or exactly.
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from curvecore.families.curve import Extrapolate, ParametricCurve
 
     class _Curve(Protocol):
-        """What the defaults rest on: `ParametricCurve` has it."""
+        """The members of `ParametricCurve` that the defaults use."""
 
         @property
         def points(self) -> FloatArray: ...
@@ -58,7 +58,7 @@ _STEP = 2.0**-13
 
 
 class FamilyDefaults(_Curve):
-    """The part of `ParametricCurve` that a family may override, from what it must say."""
+    """The part of `ParametricCurve` that a family may override; it follows from the basis functions."""
 
     __slots__ = ()
 
@@ -91,7 +91,7 @@ class FamilyDefaults(_Curve):
 
     @property
     def passes_points(self) -> bool:
-        """Whether c(t_i) is p_i: what the family says by `interpolates`, measured where that may be wrong."""
+        """Whether c(t_i) is p_i, as the family says by `interpolates`; measured where that may be wrong."""
         return self.interpolates
 
     @property
@@ -106,7 +106,7 @@ class FamilyDefaults(_Curve):
 
     @property
     def idle_parameters(self) -> BoolArray:
-        """Whether the curve stays what it is when t_i alone changes, shape (n,)."""
+        """Whether the curve does not change when t_i alone changes, shape (n,)."""
         return np.zeros(len(self.parameters), dtype=bool)
 
     @property
@@ -151,7 +151,7 @@ class FamilyDefaults(_Curve):
         return None
 
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
-        """Return derivatives of several orders at many places, where that takes less than one by one.
+        """Return derivatives of several orders at many parameters, where that takes less than one by one.
 
         Parameters
         ----------
@@ -287,7 +287,7 @@ class FamilyDefaults(_Curve):
         return None
 
     def interpolants(self) -> list[Interpolant] | None:
-        """Return what each polynomial piece between `breaks` interpolates.
+        """Return the data that each polynomial piece between `breaks` interpolates.
 
         Returns
         -------
@@ -428,7 +428,7 @@ class FamilyDefaults(_Curve):
         data = self.jets.copy()
         data[:, 0] -= origin
         digits = self.difference_digits[order - 1 : order] if order else ()
-        lost = sum(2.0 * 10.0**-kept_digits for kept_digits in digits) / h**order
+        lost = sum(2.0 * 10.0**-count for count in digits) / h**order
         shifts = basis[:, :, 0].sum(axis=1)
         if order:
             roundings = 64.0 * UNIT_ROUNDOFF * np.abs(basis[:, :, 0]).sum(axis=1)

@@ -173,7 +173,7 @@ class FloaterHormannCurve(ParametricCurve):
         return None if (polynomial := self._polynomial) is None else polynomial.interpolants()
 
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
-        """Return derivatives of several orders at many places, all of them in one pass.
+        """Return derivatives of several orders at many parameters, all of them in one pass.
 
         Where the Lebesgue function stays below 1e3, and parameters are not too uneven, by sums in double
         precision: the errors are then up to 1e4 times larger than those of `evaluate`.

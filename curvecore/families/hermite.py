@@ -141,7 +141,7 @@ class PiecewiseHermite(ParametricCurve):
         return [Interpolant(t[i : i + 2], jets[i : i + 2]) for i in range(len(t) - 1)]
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
-        """Return c to c''' at the ends of all segments: what is given exactly."""
+        """Return c to c''' at the ends of all segments, given derivatives exactly."""
         values = self._jets[1:] if before else self._jets[:-1]
         scale = vector_lengths(values)
         for order in range(values.shape[1], JOINT_ORDERS):

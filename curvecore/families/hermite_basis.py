@@ -6,8 +6,8 @@ rounding next to its own end; a polynomial expanded in s alone loses that at s =
 follow from g_k(s, r) = (-1)**k f_k(r, s).
 
 A factor in which r and s meet with opposite signs, such as 1 - 3 s = r - 2 s, vanishes within the segment,
-and all functions of one order may do so at nearly the same place. Such factors are formed in double-double
-arithmetic from the exact differences, so that each function keeps a small *relative* error.
+and all functions of one order may do so at nearly the same parameter. Such factors are formed in
+double-double arithmetic from the exact differences, so that each function keeps a small *relative* error.
 
 Cubics and quintics are written out. Of R data at each end, the function of the k-th derivative at the left
 end is the form
@@ -88,7 +88,7 @@ def _finite(exact: FloatArray, plain: FloatArray) -> FloatArray:
 
 
 def local_coordinates(t: FloatArray, start: FloatArray, end: FloatArray, exact: bool) -> LocalCoordinates:
-    """Return where t lies between start and end.
+    """Return the position of t between start and end.
 
     Parameters
     ----------
@@ -214,7 +214,7 @@ class Form(NamedTuple):
         return cls(common, divisor, first, last, tuple(value // common for value in inner))
 
     def __call__(self, at: LocalCoordinates) -> FloatArray:
-        """Return the values at places of segments, (m,)."""
+        """Return the values at positions in segments, (m,)."""
         values = self._sum(at) * (self.scale / self.divisor)
         for factor, times_ in ((at.s, self.of_s), (at.r, self.of_r)):
             for _ in range(times_):
@@ -273,7 +273,7 @@ class _Functions:
         self._forms = [Form.of(hermite_form(width, k, order), math.factorial(k)) for k in range(width)]
 
     def __call__(self, at: LocalCoordinates) -> tuple[FloatArray, ...]:
-        """Return the values of f_0, ..., f_(R-1) at places of segments."""
+        """Return the values of f_0, ..., f_(R-1) at positions in segments."""
         return tuple(form(at) for form in self._forms)
 
 

@@ -1,4 +1,4 @@
-"""Base class of objects that never change: equality, copies, and what comes back from a pickle.
+"""Base class of immutable objects: equality, copies and pickles.
 
 NumPy pickles values and not flags, so an array that came back would be
 writeable, next to values computed from what it held before. A copy of what
@@ -47,12 +47,12 @@ class Immutable:
         return self
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what the slots hold, without what is computed when needed."""
+        """Return the values of the slots, without the caches."""
         names = (name for base in type(self).__mro__ for name in getattr(base, "__slots__", ()))
         return {name: getattr(self, name) for name in names if name not in self._caches}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Take over what the slots held; arrays become read-only again."""
+        """Set the values of the slots; arrays become read-only again."""
         for name, value in state.items():
             _freeze(value)
             setattr(self, name, value)
@@ -61,7 +61,7 @@ class Immutable:
 
 
 def _key(value: object) -> object:
-    """Return what is equal, and has the same hash, where values and their shapes are the same."""
+    """Return a key that is equal, and has the same hash, where values and their shapes are the same."""
     if isinstance(value, np.ndarray):
         # Adding 0 makes -0.0, which is equal to 0.0, the same bytes.
         return value.shape, (value + 0.0).tobytes()

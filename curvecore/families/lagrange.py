@@ -185,7 +185,7 @@ class LagrangeCurve(ParametricCurve):
 
     @property
     def has_exact_pieces(self) -> bool:
-        """Whether there are 64 points at most: the work grows with the fourth power."""
+        """Whether the curve has 64 points at most: the work grows with the fourth power."""
         from curvecore.bezier.conversion import MOST  # noqa: PLC0415 - it imports this module
 
         return len(self._parameters) <= MOST
@@ -221,7 +221,7 @@ class LagrangeCurve(ParametricCurve):
         return [Interpolant(self._parameters, self._jets)]
 
     def derivatives_at(self, t: FloatArray, orders: tuple[int, ...]) -> list[FloatArray]:
-        """Return derivatives of several orders at many places.
+        """Return derivatives of several orders at many parameters.
 
         Of many t by a short cut: derivatives at the t_i, and interpolation of these. The errors are then up
         to max sum |L_i(t)| <= 1e5 times larger than those of `evaluate`.

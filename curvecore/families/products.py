@@ -75,7 +75,7 @@ class WeightBlock(NamedTuple):
 
 
 def weight_blocks(weights: Scaled) -> list[WeightBlock]:
-    """Return all weights in as few blocks as follow from taking what fits, from the first one on."""
+    """Return all weights in blocks, each as long as fits, from the first weight on."""
     blocks, start = [], 0
     exponents = weights.exponent
     while start < len(exponents):
@@ -114,7 +114,7 @@ def value_kernel(x: FloatArray, scaled: FloatArray, hits: Hits, bits: float, out
 
 
 def lost_in_differences(x: FloatArray, scaled: FloatArray, distances: FloatArray, hits: Hits) -> FloatArray:
-    """Return what rounding left of exact differences, (n, m).
+    """Return the rounding errors of differences, (n, m).
 
     A parameter larger than x has coarser digits, so the difference loses the same last bits of x for all such
     parameters: these roundings do not average out, and add up to about n u / 4 in their product. Those of
@@ -269,7 +269,7 @@ def column_product(factors: FloatArray, block: int) -> Scaled:
 
 
 def block_of(bits: float) -> int:
-    """Return how many factors of at most 2**+-bits one block may hold."""
+    """Return the number of factors of at most 2**+-bits that one block may hold."""
     return max(1, int(_BLOCK_BITS / max(bits, 1.0)))
 
 

@@ -1,4 +1,4 @@
-"""The data that give a curve of one family the shape of another: Bezier pieces, and what meets at their ends.
+"""Data that give a curve of one family the shape of another: Bezier pieces, and derivatives at their ends.
 
 A change of basis of polynomial pieces rounds, and nothing else, where the family that is wanted has pieces of
 that degree which join as smoothly. Where it has not, the reason is told.

@@ -54,7 +54,7 @@ _MESHES, _FEW_MESHES = 6, 2
 """Attempts with joints that follow the error; how many of them are enough in a search."""
 
 _EVEN = 0.02
-"""Share of the largest error that every segment counts with, lest joints all go to one place."""
+"""Share of the largest error that every segment counts with, lest joints all go to one parameter."""
 
 _WARM = 4.0
 """Times the tolerance up to which a fit tells others where the data belong."""
@@ -227,7 +227,7 @@ class Fitter:
         return self._pressed(best) if is_near else best
 
     def _start(self, before: Attempt | None) -> FloatArray:
-        """Return where the data begin: on a curve that is near them already, else by their length."""
+        """Return first parameters of the data: on a curve that is near them already, else by their length."""
         data = self._data
         if not self._moves or before is None or before.fit.deviation > _WARM * self.tolerance:
             return data.parameters
@@ -275,7 +275,7 @@ class Fitter:
 
     @np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore")
     def _pressed(self, settled: Attempt) -> Attempt:
-        """Return a fit of the same joints with a smaller deviation: what is beyond the tolerance counts more.
+        """Return a fit of the same joints with a smaller deviation: data beyond the tolerance count more.
 
         A datum of weight w draws the curve by w h / (1 + w h) of its distance, with h the share of one datum
         among the unknowns; so much more weight brings it where it should be [4]_.
@@ -351,7 +351,7 @@ class Cubics(NamedTuple):
 
     @classmethod
     def near(cls, curve: ParametricCurve) -> Cubics:
-        """Return the curve's own cubics, or those through some of its places."""
+        """Return the curve's own cubics, or those through some of its points."""
         joints = np.union1d(curve.parameters, curve.breaks)
         fine = 1 if curve.degree is not None and curve.degree <= 3 else _FINE
         step = np.arange(fine) / fine
@@ -391,7 +391,7 @@ class Cubics(NamedTuple):
         return t
 
     def _state(self, t: FloatArray, data: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return where the curve lies from the data, and its velocity, each (dim, m) like the data."""
+        """Return the offsets of the curve from the data, and its velocity, each (dim, m) like the data."""
         piece = np.searchsorted(self.breaks[1:-1], t, side="right")
         length = np.diff(self.breaks)[piece]
         x = (t - self.breaks[piece]) / length

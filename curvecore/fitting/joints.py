@@ -119,7 +119,7 @@ def _averaged(points: FloatArray, along: FloatArray, reach: float) -> FloatArray
 
 
 def _turns(points: FloatArray, along: FloatArray, reach: float, closed: bool) -> FloatArray:
-    """Return by how much the polyline turns at each point, between the places `reach` before and after."""
+    """Return by how much the polyline turns at each point, between the points `reach` before and after."""
     period = along[-1] if closed else None
     before, after = (
         np.stack([np.interp(at, along, column, period=period) for column in points.T], axis=1)
@@ -174,7 +174,7 @@ def placed(
 
 
 def _allotted(weights: FloatArray, room: IntArray, total: int) -> list[int]:
-    """Return how many segments each stretch gets: at least one, at most its room, else by its weight."""
+    """Return the number of segments of each stretch: at least one, at most its room, else by its weight."""
     numbers = np.ones(len(weights), dtype=np.intp)
     for _ in range(total - len(weights)):
         need = np.where(numbers < room, weights / numbers, -1.0)

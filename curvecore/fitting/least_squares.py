@@ -190,7 +190,7 @@ class _Sides:
         return jets
 
     def _agree(self, jets: FloatArray) -> None:
-        """Let what is one unknown have one value."""
+        """Let both rows of one unknown have one value."""
         values = np.zeros((self.count, jets.shape[-1]))
         values[self.columns[::-1]] = jets[::-1]
         jets[:] = values[self.columns]
@@ -207,7 +207,7 @@ class _Sides:
 
 
 class _Problem:
-    """The linear problem: the functions at the data, and what the guess leaves."""
+    """The linear problem: the functions at the data, and the residuals of the guess."""
 
     def __init__(self, make: Make, knots: FloatArray, sides: _Sides, guess: FloatArray) -> None:
         self._sides, self._dim = sides, guess.shape[-1]
@@ -363,7 +363,7 @@ def solved(blocks: list[Block], ends: list[Block] | None, count: int, pivots: tu
 
 
 def _without(block: Block, unknowns: list[int], held: FloatArray) -> Block:
-    """Put what holds the unknowns `own` in their place: row k of `held` says x_own[k] + A x = b."""
+    """Eliminate unknowns from a block: row k of `held` says x_unknowns[k] + A x = b."""
     inside = [k for k, column in enumerate(unknowns) if column in block.columns]
     if not inside:
         return block
@@ -424,7 +424,7 @@ def _triangular(matrix: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _any(matrix: FloatArray, right: FloatArray) -> FloatArray:
-    """Return x of least |A x - b|; what it does not tell is as small as can be."""
+    """Return x of least |A x - b|, and of least norm where that leaves a choice."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise np.linalg.LinAlgError
     return np.asarray(np.linalg.lstsq(matrix, right, rcond=_ROUNDING)[0])

@@ -92,7 +92,7 @@ class Prepared(NamedTuple):
 
 
 class Form(NamedTuple):
-    """A method: what it prepares of one stretch of the data, and the point that it makes of that at one t."""
+    """A method: its preparation of a stretch of the data, and the point that it makes from that at one t."""
 
     prepare: Callable[[Data, int, Arithmetic], Prepared]
     value: Callable[[Prepared, Decimal, Arithmetic], Row]
@@ -104,7 +104,7 @@ class Form(NamedTuple):
         a: Arithmetic,
         store: Callable[[Decimal], Decimal] | None = None,
     ) -> list[Row]:
-        """Return the points at all t, every operation done by `a`; `store` is what keeps a coefficient."""
+        """Return the points at all t, every operation done by `a`; `store` rounds a coefficient."""
         prepared: dict[int, Prepared] = {}
         rows = []
         for x, segment in zip(t, data.segments(np.array([float(x) for x in t])).tolist(), strict=True):
@@ -161,7 +161,7 @@ def _solve(matrix: list[Row], right: list[Row], a: Arithmetic) -> list[Row]:
 
 
 def _size(value: Decimal) -> Decimal:
-    """Return |value|; what is not a number is never a pivot while there is another one."""
+    """Return |value|; a NaN is never a pivot while there is another number."""
     return value.copy_abs() if not value.is_nan() else Decimal(-1)
 
 

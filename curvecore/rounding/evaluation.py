@@ -231,7 +231,7 @@ def rounded_decimals(
     *,
     rounding: Rounding | str = Rounding.EVERY_STEP,
 ) -> list[list[Decimal]]:
-    """Return what `evaluate_rounded` does as Decimals, m lists of dim: the digits themselves.
+    """Return the result of `evaluate_rounded` as Decimals, m lists of dim: the digits themselves.
 
     Parameters
     ----------

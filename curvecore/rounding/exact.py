@@ -246,7 +246,7 @@ def exact_decimals(
 
 
 def digits_lost(computed: ArrayLike, exact: ArrayLike, digits: int, scale: float | None = None) -> FloatArray:
-    """Return how many of the k digits are wrong.
+    """Return the number of the k digits that are wrong.
 
     Parameters
     ----------

@@ -59,7 +59,7 @@ _OF_FUNCTIONS = {2: 6, 3: 18, 4: 34}
 
 
 def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) -> OperationCounts:
-    """Return how many operations `evaluate_rounded` does.
+    """Return the number of operations of `evaluate_rounded`.
 
     Parameters
     ----------

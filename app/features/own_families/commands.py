@@ -1,4 +1,4 @@
-"""Families from a file: a template, a file that is used, and what became of it."""
+"""Actions for families from files: write a template, use a file, report on it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _NEW_NAME = "my_family.py"
 
 
 class OwnFamilyCommands(QObject):
-    """Writes templates, uses files, and tells what became of them."""
+    """Actions that write templates and use files, with the bar that reports on them."""
 
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
@@ -115,7 +115,7 @@ class OwnFamilyCommands(QObject):
     # What became of it
 
     def _take(self, path: Path, families: frozenset[Family]) -> None:
-        """Offer what a file has brought, and draw its curves anew."""
+        """Offer the families of a file, and redraw their curves."""
         self._context.actions.declare_again()
         self._session.renew(families)
         offered = [each for each in FAMILIES.files[path] if each in FAMILIES]
@@ -134,7 +134,7 @@ class OwnFamilyCommands(QObject):
         self._draw_answered()
 
     def _catch_up(self) -> None:
-        """Do what a gesture in flight would have been disturbed by."""
+        """Redraw curves and show the bar after a gesture, which they would have disturbed."""
         self._draw_answered()
         if self._shows_late:
             self._show()
@@ -145,7 +145,7 @@ class OwnFamilyCommands(QObject):
             self._session.renew(answered)
 
     def render_panel(self, view: CurveView) -> None:
-        """Say no longer what is new where it is in use."""
+        """Hide the notice about a new family once the active curve is of it."""
         if (self._answered or self._shows_late) and not self._session.is_previewing:
             QTimer.singleShot(0, self, self._catch_up)
         if self._news and view.source.family == self._files.offered:
@@ -157,7 +157,7 @@ class OwnFamilyCommands(QObject):
         self._show()
 
     def _show(self) -> None:
-        """Show the most urgent sentence: what runs, what is wrong, what is new."""
+        """Show the most urgent notice: a file that runs, a mistake, a new family."""
         self._shows_late = self._session.is_previewing
         if self._shows_late:
             # The canvas has another size with it: what is dragged would move under the hand.

@@ -83,7 +83,7 @@ class FamilyFiles(QObject):
         self._begin(path)
 
     def stop(self) -> None:
-        """Stop what is running; everything is as it was."""
+        """Stop the trial in flight; nothing changes."""
         tried = self._trying
         if tried is not None and self._task.cancel():
             what = f"“{tried.name}”" if isinstance(tried, Path) else f"{tried.words} and"
@@ -205,7 +205,7 @@ class FamilyFiles(QObject):
         self.told.emit()
 
     def _go_on(self) -> None:
-        """Try what has been waiting; called when a trial has ended, before its result is taken."""
+        """Start the next trial that waits; called when a trial has ended, before its result is used."""
         was_told, self._trying, self.running = bool(self.running), None, ""
         if was_told:
             self.told.emit()
@@ -227,7 +227,7 @@ _files: list[FamilyFiles] = []
 
 
 def family_files() -> FamilyFiles:
-    """Return those of this process, made with the first window; with the application they go."""
+    """Return the family files of this process, made with the first window."""
     if not _files or not isValid(_files[0]):
         _files[:] = [FamilyFiles(QCoreApplication.instance())]
     return _files[0]

@@ -1,4 +1,4 @@
-"""A file of a family to begin with: Lagrange's functions as the course writes them, and what to try."""
+"""Template of a family file: Lagrange's functions as the course writes them, with things to try."""
 
 from __future__ import annotations
 

@@ -81,7 +81,7 @@ def try_call(call: Call, report: Report) -> float:
 
 
 def _printed_by(path: Path, arguments: tuple[str, ...], report: Report) -> str:
-    """Return what the program prints that is started with these arguments and runs the file at `path`."""
+    """Return the output of the program, started with these arguments to run the file at `path`."""
     frozen = getattr(sys, "frozen", False)
     arguments = (*arguments, PROCESSOR_LIMIT, str(SECONDS))
     start = () if frozen else ("-c", _START, str(len(arguments)))
