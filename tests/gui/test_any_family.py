@@ -325,7 +325,7 @@ def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn, tmp_pa
     assert not view.is_current
     assert panel.drawing.basis is None
     assert editor.window.findChild(QLabel, "basisDrawing").text() == (
-        "none while there is no curve with these parameters"
+        "No functions: there is no curve with these parameters"
     )
     editor.drag_pixels(panel, panel.rail_pixel(0.6), panel.rail_pixel(0.7))
     assert editor.session.undo_stack.undoText() == "Change t of point 3"

@@ -126,7 +126,7 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
     editor.wait_for_rest()
     names, shown, basis = panel.drawing.functions._names, panel.pixel_map, panel.drawing.basis
     cell = names._cell
-    boxes = names._written
+    boxes = names._centres
     assert len(boxes) >= least
     for x, y in boxes:
         t = np.linspace(
@@ -143,27 +143,27 @@ def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, pane
     editor.wait_for_rest()
     names, start = panel.drawing.functions._names, panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
-    before, crests = names._asides, names._places
-    usual = names._soon.interval()
-    names._soon.start(60_000)
+    before, crests = names._offsets, names._places
+    usual = names._choose_timer.interval()
+    names._choose_timer.start(60_000)
     for step in range(1, 6):
         editor.send(panel, QEvent.Type.MouseMove, start + QPointF(4 * step, 0))
         panel.viewport().repaint()
-        assert names._asides is before
+        assert names._offsets is before
     assert not np.array_equal(names._places, crests)
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(20, 0), held=False)
-    names._soon.start(usual)
+    names._choose_timer.start(usual)
     editor.wait_for_rest()
-    at_rest = names._asides.copy()
-    names._asked = ()
+    at_rest = names._offsets.copy()
+    names._sides_key = ()
     panel.viewport().repaint()
-    assert np.array_equal(names._asides, at_rest)
+    assert np.array_equal(names._offsets, at_rest)
 
 
 def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
     """Both plots were painted twice for every change, in case a drag had gone on meanwhile."""
     plots, session = (editor.window.canvas, panel), editor.session
-    timers = editor.window.canvas.drawing.points._soon, panel.drawing.functions._names._soon
+    timers = editor.window.canvas.drawing.points._soon, panel.drawing.functions._names._choose_timer
 
     def paint(x, scale=1.0):
         (curve,) = move_points(session.committed, 0, [1], (x, 0.0)).curves
@@ -339,7 +339,7 @@ def test_kinds_can_be_switched(editor, panel):
 def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, panel):
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
     note = editor.window.central["basisPane"].findChild(QWidget, "basisExtent").toolTip()
-    assert "The functions reach" in note
+    assert "The functions range" in note
     assert editor.window.width() == 1200
     fit = editor.window.findChild(QToolButton, "fitBasis")
     assert fit.isVisible()

@@ -11,7 +11,7 @@ from app.appearance.theme import LIGHT
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
 from app.document.rule_edits import set_parameters
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE, Family
-from app.features.basis.function_lines import FunctionDrawing, FunctionLines, way_to_draw
+from app.features.basis.function_lines import FunctionDrawing, FunctionLines, drawing_of
 from app.plotting.pixel_map import PixelMap
 from app.plotting.stamps import cells_of
 from app.testing import Editor
@@ -58,7 +58,7 @@ def test_functions_beyond_all_pixels_are_drawn_without_a_warning():
 )
 def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, closed):
     basis = basis_view(view_of(wave(n, family, closed=closed)))
-    assert way_to_draw(basis) is way
+    assert drawing_of(basis) is way
     assert basis.point_count == n
     for kind in range(basis.kinds):
         t, low, high = basis.envelope(kind)
@@ -122,7 +122,7 @@ def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
     panel = editor.window.basis_panel
     basis, shown, lines = panel.drawing.basis, panel.pixel_map, panel.drawing.functions._lines
     assert lines.are_of(basis, shown)
-    assert way_to_draw(basis) is FunctionDrawing.SPANS
+    assert drawing_of(basis) is FunctionDrawing.SPANS
     # Of a quintic needle three pixels wide, eight chords cut off the tip.
     narrow = (0, 50, 97, 101, 199) if family is HERMITE else ()
     for kind in range(basis.kinds):

@@ -24,7 +24,7 @@ from .pane import BasisPane
 from .panel import BasisPanel
 
 _STARTS = tuple(kind for kind in ParametrizationKind if kind.takes and "alpha" not in kind.takes)
-"""The rules to start from: those that need nothing but the points."""
+"""Rules that need no settings."""
 
 
 def _from(kind: ParametrizationKind) -> str:
@@ -39,7 +39,7 @@ _MOST_MEASURED_LIVE = 40
 
 
 class BasisCommands:
-    """Shows the functions of the active curve, and edits its parameters at the t-rail."""
+    """The basis functions of the active curve, and its parameters at the t-rail."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -67,7 +67,7 @@ class BasisCommands:
         panel.menu_requested.connect(self._show_menu)
         return pane
 
-    # What is shown
+    # Display
 
     def follow_drag(self, view: CurveView) -> bool:
         """Show the functions of `view`."""
@@ -76,9 +76,9 @@ class BasisCommands:
         return True
 
     def render_panel(self, view: CurveView) -> None:
-        """Show Λ and what is wrong with the functions; of many points when a drag has ended."""
-        is_dear = view.source.family.derivatives and len(view.points) > _MOST_LIVE
-        waits = self._session.is_previewing and is_dear
+        """Show Λ and the findings about the functions; for many points after a drag."""
+        is_slow = view.source.family.derivatives and len(view.points) > _MOST_LIVE
+        waits = self._session.is_previewing and is_slow
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth, view.growth_holds)
         if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
@@ -94,7 +94,7 @@ class BasisCommands:
     # At the t-rail
 
     def _set_parameter(self, knot: int, t: float) -> None:
-        """Set the t that was typed at a tick; where it is refused, say why there."""
+        """Set the t that was typed at a tick, or show the refusal there."""
         session, view = self._session, self._session.active_view
         if knot < len(view.ticks):
             change = session.change(
@@ -109,12 +109,12 @@ class BasisCommands:
         self._panel.tick_edit.close_and_return()
 
     def _select(self, point: int) -> None:
-        """Select a point whose tick the menu is about, unless it is among those selected already."""
+        """Select the point whose tick the menu is about, unless it is selected already."""
         if point not in self._session.selection:
             self._session.selected.set_points([point])
 
-    def _show_menu(self, place: QPoint) -> None:
-        bar_menu(self._context, RAIL_MENU, "railMenu").popup(place)
+    def _show_menu(self, position: QPoint) -> None:
+        bar_menu(self._context, RAIL_MENU, "railMenu").popup(position)
 
     @action_for_each(
         _STARTS,
@@ -129,7 +129,7 @@ class BasisCommands:
     )
     @also(RAIL_MENU(20))
     def _start_from(self, kind: ParametrizationKind) -> None:
-        """Make the parameters manual, starting from those that a rule gives on the present interval."""
+        """Make the parameters manual, starting from those of a rule on the present interval."""
         session = self._session
         curve = session.active_curve
         start, end = curve.interval
@@ -153,7 +153,7 @@ class BasisCommands:
     )
     @also(RAIL_MENU(10))
     def _type_parameter(self) -> None:
-        """Type the parameter of the selected point at its tick."""
+        """Enter the parameter of the selected point at its tick."""
         selected = self._session.selected.group.only_point
         if selected is not None:
             self._panel.edit_tick(selected[1])

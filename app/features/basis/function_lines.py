@@ -27,25 +27,25 @@ from ...view_model.basis import BasisView
 _MOST_EACH = 64
 _LIMIT = 1e4
 _MOST_CHORDS = 256
-"""Of a segment, however far the values are zoomed."""
+"""Largest number of chords of a segment, however far the values are zoomed."""
 
 _OFF = 0.25
-"""Pixels that the chords of a segment may leave its functions."""
+"""Largest distance in pixels between the chords of a segment and its functions."""
 
 _THINNED = 0.05
-"""Pixels that a wide line may leave the samples: it costs by the vertex."""
+"""Largest distance in pixels between a wide line and the samples: it takes time for each vertex."""
 
 
 class FunctionDrawing(Enum):
-    """Drawing of the functions of a curve, and the word for it."""
+    """Way to draw the functions of a curve; the value is the word for it."""
 
     EACH = ""
     SPANS = "outlines"
     ENVELOPE = "envelope"
 
 
-def way_to_draw(basis: BasisView) -> FunctionDrawing:
-    """Return how to draw these functions: beyond some number, lines side by side say less than an outline."""
+def drawing_of(basis: BasisView) -> FunctionDrawing:
+    """Return the way to draw these functions: outlines where single lines are too many."""
     if basis.count <= _MOST_EACH:
         return FunctionDrawing.EACH
     if basis.first is None or basis.is_coarse:
@@ -54,8 +54,8 @@ def way_to_draw(basis: BasisView) -> FunctionDrawing:
 
 
 def note_on_drawing(basis: BasisView) -> str:
-    """Return what a person must know of a drawing that does not show every function; empty where it does."""
-    drawing = way_to_draw(basis)
+    """Return the note on a drawing that does not show every function; empty if it does."""
+    drawing = drawing_of(basis)
     if drawing is FunctionDrawing.EACH:
         return ""
     return f"{basis.point_count} functions: {drawing.value} + selection"
@@ -64,62 +64,61 @@ def note_on_drawing(basis: BasisView) -> str:
 class FunctionLines:
     """The lines of one sampled basis on one part of the plane.
 
-    Lines made for the basis before, which is not drawn any more, lend their polygons: filling one takes a
-    third of the time of making one.
+    Polygons of the previous lines are reused: filling one takes a third of the time of making one.
     """
 
     def __init__(self, basis: BasisView, pixel_map: PixelMap, before: FunctionLines | None = None) -> None:
-        self._basis, self._shown = basis, pixel_map
-        way = way_to_draw(basis)
-        needs_all = way is not FunctionDrawing.ENVELOPE
+        self._basis, self._pixel_map = basis, pixel_map
+        drawing = drawing_of(basis)
+        needs_all = drawing is not FunctionDrawing.ENVELOPE
         self._x, self._y = self._pixels(basis.t, basis.values if needs_all else np.empty(0))
-        # Of each function, where it is not zero: copying a stretch of vertices takes a quarter of the time of
+        # The vertices of each function where it is not zero: copying a stretch takes a quarter of the time of
         # picking x and y.
-        self._stretches = self._all_stretches() if way is FunctionDrawing.EACH else None
+        self._stretches = self._all_stretches() if drawing is FunctionDrawing.EACH else None
         self._polygons: dict[tuple[int, int], QPolygonF] = {}
-        self._made: dict[tuple[int, int], tuple[QPolygonF, FloatArray]] = (
-            before._made if before is not None else {}
+        self._cached: dict[tuple[int, int], tuple[QPolygonF, FloatArray]] = (
+            before._cached if before is not None else {}
         )
         self._strokes: dict[tuple[int, int], RoundLine] = before._strokes if before is not None else {}
-        # The widths of those that are filled with functions of this basis.
+        # The widths of the lines that are filled with functions of this basis.
         self._widths: dict[tuple[int, int], float] = {}
-        self._refined = self._refine() if way is FunctionDrawing.SPANS else {}
+        self._refined = self._refine() if drawing is FunctionDrawing.SPANS else {}
         self._fine: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._spans: dict[int, Segments] = {}
         self._envelopes: dict[int, tuple[FloatArray, FloatArray, FloatArray]] = {}
 
     def _pixels(self, t: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return t and values in pixels, no farther away than Qt can draw."""
+        """Return t and values in pixels, limited to the range that Qt can draw."""
         # Functions of a polynomial through 2000 points reach 1e306.
         with np.errstate(over="ignore"):
-            x, y = self._shown.x(t), self._shown.y(values)
+            x, y = self._pixel_map.x(t), self._pixel_map.y(values)
         return np.clip(x, -_LIMIT, _LIMIT), np.clip(y, -_LIMIT, _LIMIT)
 
     def _refine(self) -> dict[int, tuple[FloatArray, FloatArray]]:
-        """Return x (m,) and y (m, 2, R) of each segment in sight that its samples would show as a polygon.
+        """Return x (m,) and y (m, 2, R) of each visible segment whose samples would show as a polygon.
 
-        All segments have the same number of samples, though one may be a hundred times as long as another.
+        All segments have equally many samples, though one may be a hundred times as long as another.
         """
-        basis, shown = self._basis, self._shown
+        basis, pixel_map = self._basis, self._pixel_map
         assert basis.first is not None
-        knots = shown.x(basis.curve.parameters)
-        chords = math.ceil(math.sqrt(basis.most_bent * shown.sy / (8 * _OFF)))
-        each = basis.first[1] - basis.first[0] - 1
-        # Where there is a chord for every pixel, more of them would show nothing.
-        is_coarse = np.diff(knots) > each if chords > each else np.zeros(len(knots) - 1, dtype=bool)
-        wide = np.flatnonzero(is_coarse & (knots[1:] >= 0) & (knots[:-1] <= shown.width))
-        if not len(wide):
+        knots = pixel_map.x(basis.curve.parameters)
+        chords = math.ceil(math.sqrt(basis.most_bent * pixel_map.sy / (8 * _OFF)))
+        samples = basis.first[1] - basis.first[0] - 1
+        # With a chord for every pixel, more of them would be invisible.
+        is_coarse = np.diff(knots) > samples if chords > samples else np.zeros(len(knots) - 1, dtype=bool)
+        segments = np.flatnonzero(is_coarse & (knots[1:] >= 0) & (knots[:-1] <= pixel_map.width))
+        if not len(segments):
             return {}
-        t, values = basis.fine_segments(wide, min(chords, _MOST_CHORDS))
+        t, values = basis.fine_segments(segments, min(chords, _MOST_CHORDS))
         x, y = self._pixels(t, values)
-        return {int(segment): (x[place], y[place]) for place, segment in enumerate(wide)}
+        return {int(segment): (x[row], y[row]) for row, segment in enumerate(segments)}
 
     def are_of(self, basis: BasisView, pixel_map: PixelMap) -> bool:
-        """Tell whether these are the lines of `basis` as `shown`."""
-        return self._basis.values is basis.values and self._shown is pixel_map
+        """Return whether these are the lines of `basis` in `pixel_map`."""
+        return self._basis.values is basis.values and self._pixel_map is pixel_map
 
     def _all_stretches(self) -> list[list[FloatArray]]:
-        """Return the vertices (R, m, 2) of each function: on each side of its knot, or all at once."""
+        """Return the vertices (R, m, 2) of each function in stretches: on each side of its knot, or one."""
         basis = self._basis
         _m, rows, kinds = self._y.shape
         vertices = np.empty((rows, kinds, len(self._x), 2))
@@ -133,24 +132,24 @@ class FunctionLines:
         return [[*before[max(knot - 1, 0) : knot], *after[knot : knot + 1]] for knot in range(basis.count)]
 
     def function(self, index: int, kind: int) -> QPolygonF:
-        """Return one function."""
+        """Return the polygon of one function."""
         key = (index, kind)
         if key not in self._polygons:
             pieces = self._pieces(index, kind)
             size = sum(map(len, pieces))
-            made = self._made.get(key)
-            if made is None or len(made[1]) != size:
+            cached = self._cached.get(key)
+            if cached is None or len(cached[1]) != size:
                 fresh: QPolygonF = pg.functions.create_qpolygonf(size)
-                made = self._made[key] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
+                cached = self._cached[key] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
             end = 0
             for vertices in pieces:
                 start, end = end, end + len(vertices)
-                made[1][start:end] = vertices
-            self._polygons[key] = made[0]
+                cached[1][start:end] = vertices
+            self._polygons[key] = cached[0]
         return self._polygons[key]
 
     def _pieces(self, index: int, kind: int) -> list[FloatArray]:
-        """Return the vertices (m, 2) of one function: on each side of its knot, or all at once."""
+        """Return the stretches of vertices (m, 2) of one function: one on each side of its knot, or one."""
         if self._stretches is not None:
             return [stretch[kind] for stretch in self._stretches[index]]
         basis = self._basis
@@ -175,7 +174,7 @@ class FunctionLines:
         return np.column_stack([self._x[here], self._y[here, side, kind]])
 
     def wide(self, index: int, kind: int, width: float) -> RoundLine:
-        """Return one function to be drawn wide and solid."""
+        """Return the line of one function, wide and solid."""
         key = (index, kind)
         if self._widths.get(key) == width:
             return self._strokes[key]
@@ -186,11 +185,11 @@ class FunctionLines:
         if line is None:
             line = self._strokes[key] = RoundLine()
         self._widths[key] = width
-        line.fill(thinned(np.concatenate(self._pieces(index, kind)), _THINNED), self._shown, width)
+        line.fill(thinned(np.concatenate(self._pieces(index, kind)), _THINNED), self._pixel_map, width)
         return line
 
     def spans(self, kind: int) -> Segments:
-        """Return all functions of one kind of a piecewise curve, where they are not zero."""
+        """Return all functions of one kind of a piecewise curve where they are not zero."""
         if kind not in self._spans:
             segments = Segments()
             segments.fill(self._span_segments(kind))
@@ -201,9 +200,9 @@ class FunctionLines:
         count = self._basis.count - 1
         x = self._x.reshape(count, -1)
         y = self._y[:, :, kind].reshape(count, -1, 2)
-        seen = (x[:, -1] >= 0) & (x[:, 0] <= self._shown.width)
-        seen[list(self._refined)] = False
-        chords = _chords(x, y)[seen].reshape(-1, 4)
+        visible = (x[:, -1] >= 0) & (x[:, 0] <= self._pixel_map.width)
+        visible[list(self._refined)] = False
+        chords = _chords(x, y)[visible].reshape(-1, 4)
         if not self._refined:
             return chords
         fine_x, fine_y = zip(*self._refined.values(), strict=True)
@@ -216,7 +215,7 @@ class FunctionLines:
         return polygon(x, edges[1 if upper else 0])
 
     def band(self, kind: int) -> Segments:
-        """Return what lies between the edges as upright lines, one on every column of pixels."""
+        """Return the area between the edges as upright lines, one in each column of pixels."""
         x, low, high = self._envelope(kind)
         band = Segments()
         middle = np.floor(x) + 0.5
@@ -227,8 +226,8 @@ class FunctionLines:
         """Return the columns of pixels, and the lower and upper edge at each."""
         if kind not in self._envelopes:
             t, low, high = self._basis.envelope(kind)
-            x = self._shown.x(t)
-            columns = np.arange(max(x[0], 0.0), min(x[-1], self._shown.width), 1.0)
+            x = self._pixel_map.x(t)
+            columns = np.arange(max(x[0], 0.0), min(x[-1], self._pixel_map.width), 1.0)
             edges = [
                 self._pixels(t, _at_columns(x, values, columns, reduce))[1]
                 for values, reduce in ((low, np.minimum), (high, np.maximum))
@@ -258,7 +257,7 @@ def _at_columns(x: FloatArray, values: FloatArray, columns: FloatArray, reduce: 
 
 
 MOST = 24
-"""Functions that are named, of all kinds together; among more, a number would stand on other lines."""
+"""Largest number of functions with numbers, of all kinds: more numbers would lie on other lines."""
 
 _GAP = 1.0
 """Pixels between a crest and its number."""
@@ -266,12 +265,12 @@ _GAP = 1.0
 _RIM = 2.0
 """Pixels of paper around a number."""
 
-_HELD_MS = 200
-"""Time that a number keeps its side of a crest that moves."""
+_KEEP_SIDE_MS = 200
+"""Milliseconds for which a number keeps its side of a moving crest."""
 
 
 class Crest(NamedTuple):
-    """Greatest value of a function; that of a point on the curve is named at its t_i, where others are 0."""
+    """Crest of a function: its greatest value, or its value at t_i for a point on the curve."""
 
     owner: int
     kind: int
@@ -280,9 +279,9 @@ class Crest(NamedTuple):
 
 
 def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
-    """Return the crests of the functions of these kinds; that of a derivative lies ahead of its knot."""
+    """Return the crests of the functions of these kinds; crests of derivatives lie ahead of their knots."""
     knots, last = basis.curve.parameters.tolist(), basis.count - 1
-    found = _crests_of_points(basis) if 0 in kinds else []
+    crests = _crests_of_points(basis) if 0 in kinds else []
     for kind in kinds:
         if kind == 0:
             continue
@@ -290,18 +289,18 @@ def crests_of(basis: BasisView, kinds: list[int]) -> list[Crest]:
             t, values = basis.function(knot, kind)
             sizes = np.abs(values) if knot == last else np.where(t >= t_knot, np.abs(values), 0.0)
             top = int(np.argmax(sizes))
-            found.append(Crest(basis.owners[knot], kind, float(t[top]), float(values[top])))
-    return found
+            crests.append(Crest(basis.owners[knot], kind, float(t[top]), float(values[top])))
+    return crests
 
 
 def _crests_of_points(basis: BasisView) -> list[Crest]:
-    """Return the crests of the position functions: 1 at their parameters; of control points as found."""
+    """Return the crests of the position functions: 1 at their parameters; of control points, the maxima."""
     if basis.curve.interpolates:
         tops = [(t, 1.0) for t in basis.curve.parameters.tolist()]
     elif basis.first is None:
-        places = basis.values[:, :, 0].argmax(axis=0)
-        highest = basis.values[places, np.arange(basis.count), 0]
-        tops = list(zip(basis.t[places].tolist(), highest.tolist(), strict=True))
+        rows = basis.values[:, :, 0].argmax(axis=0)
+        highest = basis.values[rows, np.arange(basis.count), 0]
+        tops = list(zip(basis.t[rows].tolist(), highest.tolist(), strict=True))
     else:
         functions = [basis.function(knot, 0) for knot in range(basis.count)]
         tops = [(float(t[values.argmax()]), float(values.max())) for t, values in functions]
@@ -311,7 +310,7 @@ def _crests_of_points(basis: BasisView) -> list[Crest]:
 class Room(NamedTuple):
     """Room for numbers at crests; below `floor`, in pixels, there is none."""
 
-    shown: PixelMap
+    pixel_map: PixelMap
     basis: BasisView
     kinds: list[int]
     floor: float
@@ -319,44 +318,44 @@ class Room(NamedTuple):
 
 
 def room_above(font: QFont, scale: float) -> float:
-    """Return how much height in pixels a number above its crest takes."""
+    """Return the height in pixels of a number above its crest."""
     return _size_of_number(font, scale).height() + _GAP
 
 
 def _size_of_number(font: QFont, scale: float) -> QSizeF:
     """Return the size of a number of two digits with its halo of paper."""
     metrics, rim = QFontMetricsF(font), _RIM * scale
-    # Even numbers of pixels: their middles are whole, and letters are sharp.
+    # Even numbers of pixels: the centres are whole pixels, and letters are sharp.
     width, height = metrics.horizontalAdvance("00") + 2 * rim, metrics.ascent() + 2 * rim
     return QSizeF(2 * math.ceil(width / 2), 2 * math.ceil(height / 2))
 
 
 class CrestNames:
-    """Writes the numbers.
+    """Numbers of points at the crests of their functions.
 
     Parameters
     ----------
     plot
-        Where they are written.
+        The plot of the functions.
     again
-        Has them written once more, when functions that changed have come to rest.
+        Called for another paint when changing functions have come to rest.
     """
 
     def __init__(self, plot: PlotWidget, again: Callable[[], None]) -> None:
-        # By point and colour: with more points or fewer, one may have another colour.
+        # By point and colour: the colour of a point depends on the number of points.
         self._pictures: dict[tuple[int, int], QPixmap] = {}
-        self._made_of: tuple[object, ...] = ()
+        self._pictures_key: tuple[object, ...] = ()
         self._measured: tuple[object, ...] = ()
         self._cell = QSizeF()
-        self._written = np.empty((0, 2))
+        self._centres = np.empty((0, 2))
         self._crests_of: tuple[BasisView, list[int]] | None = None
-        self._owners, self._places = np.empty(0, dtype=np.intp), np.empty((0, 2))
-        # On which side of their crests the numbers stand, in pixels, and which of them there are.
-        self._asides, self._is_clear = np.empty((0, 2)), np.empty(0, dtype=np.bool_)
-        self._asked: tuple[object, ...] = ()
-        self._made_for: BasisView | None = None
-        self._soon = QTimer(plot, singleShot=True, interval=_HELD_MS)
-        self._soon.timeout.connect(self._choose_again)
+        self._owners, self._positions = np.empty(0, dtype=np.intp), np.empty((0, 2))
+        # Offsets of the numbers from their crests in pixels, and which of them are drawn.
+        self._offsets, self._is_clear = np.empty((0, 2)), np.empty(0, dtype=np.bool_)
+        self._sides_key: tuple[object, ...] = ()
+        self._sides_basis: BasisView | None = None
+        self._choose_timer = QTimer(plot, singleShot=True, interval=_KEEP_SIDE_MS)
+        self._choose_timer.timeout.connect(self._choose_again)
         self._again = again
 
     def paint(
@@ -368,27 +367,27 @@ class CrestNames:
         theme: Theme,
         scale: float,
     ) -> None:
-        """Write a number at each crest, as far as they do not meet and no function crosses them."""
+        """Write a number at each crest, unless it would overlap another number or a function."""
         if basis.count * len(kinds) > MOST:
             return
         self._find_crests(basis, kinds)
         self._measure(painter, scale)
-        crests = np.column_stack([pixel_map.x(self._places[:, 0]), pixel_map.y(self._places[:, 1])])
+        crests = np.column_stack([pixel_map.x(self._positions[:, 0]), pixel_map.y(self._positions[:, 1])])
         self._choose_sides(crests, Room(pixel_map, basis, kinds, painter.clipBoundingRect().bottom(), scale))
-        places, clear = crests + self._asides, np.flatnonzero(self._is_clear)
-        kept = clear[apart(places[clear], self._cell)]
-        self._written = np.round(places[kept])
-        self._write(painter, self._owners[kept].tolist(), basis.point_count, theme, scale)
+        centres, clear = crests + self._offsets, np.flatnonzero(self._is_clear)
+        numbered = clear[apart(centres[clear], self._cell)]
+        self._centres = np.round(centres[numbered])
+        self._write(painter, self._owners[numbered].tolist(), basis.point_count, theme, scale)
 
     def _write(self, painter: QPainter, owners: list[int], count: int, theme: Theme, scale: float) -> None:
-        """Write the numbers of points of `count` where they were found to have room."""
-        made_of = (self._measured, theme, painter.device().devicePixelRatioF())
-        if made_of != self._made_of:
-            self._made_of = made_of
+        """Write the numbers of `owners`, of `count` points, at their centres."""
+        key = (self._measured, theme, painter.device().devicePixelRatioF())
+        if key != self._pictures_key:
+            self._pictures_key = key
             self._pictures.clear()
         left, top = self._cell.width() / 2, self._cell.height() / 2
         inks, rim = point_colours(count, theme), _RIM * scale
-        for owner, (x, y) in zip(owners, self._written.tolist(), strict=True):
+        for owner, (x, y) in zip(owners, self._centres.tolist(), strict=True):
             ink = inks[owner]
             if (name := (owner, ink.rgba())) not in self._pictures:
                 self._pictures[name] = with_halo(painter, self._cell, str(owner), theme.paper, ink, rim)
@@ -399,65 +398,65 @@ class CrestNames:
         known = self._crests_of
         if known is None or known[0] is not basis or known[1] != kinds:
             crests, self._crests_of = crests_of(basis, kinds), (basis, kinds)
-            self._owners = np.array([each.owner for each in crests], dtype=np.intp)
-            self._places = np.array([(each.t, each.value) for each in crests])
+            self._owners = np.array([crest.owner for crest in crests], dtype=np.intp)
+            self._positions = np.array([(crest.t, crest.value) for crest in crests])
 
     def _choose_sides(self, crests: FloatArray, room: Room) -> None:
-        """Choose on which side of its crest each number stands; while functions move it keeps it."""
-        asked = (room.basis.count, tuple(room.kinds), room.shown, room.floor, room.scale)
-        if asked == self._asked and self._soon.isActive():
+        """Choose the side of its crest for each number; while functions move it stays."""
+        key = (room.basis.count, tuple(room.kinds), room.pixel_map, room.floor, room.scale)
+        if key == self._sides_key and self._choose_timer.isActive():
             return
-        if room.basis is not self._made_for:
-            self._soon.start()
-        self._asked, self._made_for = asked, room.basis
-        places, self._is_clear = self._boxes(crests, room)
-        self._asides = places - crests
+        if room.basis is not self._sides_basis:
+            self._choose_timer.start()
+        self._sides_key, self._sides_basis = key, room.basis
+        centres, self._is_clear = self._boxes(crests, room)
+        self._offsets = centres - crests
 
     def _choose_again(self) -> None:
-        """Write once more, unless the sides were chosen for the functions that were drawn last."""
-        if self._crests_of is not None and self._crests_of[0] is not self._made_for:
+        """Paint once more, unless the sides were chosen for the functions drawn last."""
+        if self._crests_of is not None and self._crests_of[0] is not self._sides_basis:
             self._again()
 
     def _boxes(self, crests: FloatArray, room: Room) -> tuple[FloatArray, BoolArray]:
-        """Return the middles of the numbers in pixels, and for which of them there is one.
+        """Return the centres of the numbers in pixels, and which of them are clear of functions.
 
-        Beyond the crest, where no function crosses the number; else on its other side, or a little aside.
+        A number stands beyond its crest; if a function crosses it there, inside of it or a little aside.
         """
-        shown, basis, kinds, floor, scale = room
+        pixel_map, basis, kinds, floor, scale = room
         x, y = crests.T
         width, height = self._cell.width(), self._cell.height()
         half = height / 2
         above, below = y - half - _GAP, y + half + _GAP
-        is_below = np.where(self._places[:, 1] < 0, below + half <= floor, above < half)
+        is_below = np.where(self._positions[:, 1] < 0, below + half <= floor, above < half)
         beyond, inside = np.where(is_below, below, above), np.where(is_below, above, below)
         aside, rim = width / 2 + _GAP, 2 * _RIM * scale
-        lines = Lines(shown, basis, kinds, (width - rim, height - rim))
-        places = np.column_stack([x, beyond])
-        is_clear = lines.leave_free(places)
-        for by, other in (
+        lines = Lines(pixel_map, basis, kinds, (width - rim, height - rim))
+        centres = np.column_stack([x, beyond])
+        is_clear = lines.leave_free(centres)
+        for dx, other in (
             (0.0, inside),
             (-aside, beyond),
             (aside, beyond),
             (-aside, inside),
             (aside, inside),
         ):
-            tried = np.column_stack([x + by, other])
-            fits = (other >= half) & (other + half <= floor) & (x + by >= 0) & (x + by <= shown.width)
+            candidates = np.column_stack([x + dx, other])
+            fits = (other >= half) & (other + half <= floor) & (x + dx >= 0) & (x + dx <= pixel_map.width)
             better = np.flatnonzero(~is_clear & fits)
-            better = better[lines.leave_free(tried[better])]
-            places[better], is_clear[better] = tried[better], True
-        return places, is_clear
+            better = better[lines.leave_free(candidates[better])]
+            centres[better], is_clear[better] = candidates[better], True
+        return centres, is_clear
 
     def _measure(self, painter: QPainter, scale: float) -> None:
-        """Find out how much room a number takes, with its halo of paper."""
-        measured = (painter.font().key(), scale)
-        if measured != self._measured:
-            self._measured = measured
+        """Compute the size of a number with its halo of paper."""
+        key = (painter.font().key(), scale)
+        if key != self._measured:
+            self._measured = key
             self._cell = _size_of_number(painter.font(), scale)
 
 
 class Lines:
-    """The functions and the line of zero in pixels, as far as it takes to see whether they cross a number.
+    """The functions and the zero line in pixels, for the test whether they cross a number.
 
     Parameters
     ----------
@@ -474,29 +473,29 @@ class Lines:
         y = pixel_map.y(np.column_stack([values, np.zeros(len(values))]))
         self._top, self._bottom = np.minimum(y[:-1], y[1:]), np.maximum(y[:-1], y[1:])
         if basis.first is not None:
-            # Where one segment ends and the next begins a column changes from one knot to another.
+            # Between two segments a column changes from one knot to another.
             self._top[basis.first[1:-1] - 1] = np.inf
 
-    def leave_free(self, places: FloatArray) -> BoolArray:
-        """Return around which places (k, 2) nothing crosses a number."""
+    def leave_free(self, centres: FloatArray) -> BoolArray:
+        """Return at which of the centres (k, 2) nothing crosses a number."""
         across, up = self._half
-        starts = (np.searchsorted(self._x, places[:, 0] - across) - 1).clip(0)
-        ends = np.searchsorted(self._x, places[:, 0] + across)
-        result = np.ones(len(places), dtype=np.bool_)
+        starts = (np.searchsorted(self._x, centres[:, 0] - across) - 1).clip(0)
+        ends = np.searchsorted(self._x, centres[:, 0] + across)
+        result = np.ones(len(centres), dtype=np.bool_)
         for k, (start, end) in enumerate(zip(starts.tolist(), ends.tolist(), strict=True)):
-            low, high = places[k, 1] - up, places[k, 1] + up
+            low, high = centres[k, 1] - up, centres[k, 1] + up
             result[k] = not ((self._top[start:end] < high) & (self._bottom[start:end] > low)).any()
         return result
 
 
-def apart(places: FloatArray, cell: QSizeF) -> IntArray:
-    """Return which numbers can be written without meeting one that is written already."""
-    order = np.argsort(places[:, 0], kind="stable")
-    if (np.diff(places[order, 0]) >= cell.width()).all():
+def apart(centres: FloatArray, cell: QSizeF) -> IntArray:
+    """Return the indices of numbers that do not overlap an earlier one."""
+    order = np.argsort(centres[:, 0], kind="stable")
+    if (np.diff(centres[order, 0]) >= cell.width()).all():
         return order
-    kept: list[int] = []
+    result: list[int] = []
     for index in order.tolist():
-        near = [k for k in kept if abs(places[k, 0] - places[index, 0]) < cell.width()]
-        if all(abs(places[k, 1] - places[index, 1]) >= cell.height() for k in near):
-            kept.append(index)
-    return np.array(kept, dtype=np.intp)
+        near = [k for k in result if abs(centres[k, 0] - centres[index, 0]) < cell.width()]
+        if all(abs(centres[k, 1] - centres[index, 1]) >= cell.height() for k in near):
+            result.append(index)
+    return np.array(result, dtype=np.intp)

@@ -24,14 +24,14 @@ from ...workbench.central_area import CentralPane
 from .function_lines import note_on_drawing
 from .panel import BasisPanel
 
-_NO_PARAMETERS = "none while the rule gives no parameters"
-_NO_CURVE = "none while there is no curve with these parameters"
-_NAMES = ("position", *(each.name for each in DERIVATIVES))
+_NO_PARAMETERS = "No functions: the rule gives no parameters"
+_NO_CURVE = "No functions: there is no curve with these parameters"
+_NAMES = ("position", *(derivative.name for derivative in DERIVATIVES))
 
 _CARDINAL_TITLES = ("Cardinal functions  Cᵢ(t)", "Cᵢ(t)")
-_CARDINAL_TIP = "What point i does to the curve, with the derivatives that are estimated from it"
+_CARDINAL_TIP = "Effect of point i on the curve, including the derivatives estimated from it"
 
-_SOON_MS = 33
+_WORDS_MS = 33
 
 
 _LEAST_HEADER = QSize(260, 100)
@@ -39,7 +39,7 @@ _LEAST_HEADER = QSize(260, 100)
 
 
 class _HeaderRow(Scrolled[QWidget]):
-    """Row that scrolls by wheel and Tab where it is too long, without a bar: that would cover it."""
+    """A row that scrolls by wheel and Tab where it is too long; a bar would cover it."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(QWidget, _LEAST_HEADER, parent)
@@ -48,38 +48,38 @@ class _HeaderRow(Scrolled[QWidget]):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
-        # It takes the width that there is: a longer note does not lay the window out anew.
+        # A fixed width: a longer note must not lay the window out anew.
         return QSize(_LEAST_HEADER.width(), super().sizeHint().height())
 
 
 class BasisPane(FollowsTheme, CentralPane):
-    """The lower third of the window."""
+    """The basis functions with their header: the lower third of the window."""
 
     def __init__(self, panel: BasisPanel, estimates: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.plot = self._panel = panel
         self._title = named(Label("Basis functions"), "basisTitle")
-        words = "Show what each point does with its estimates"
-        self._estimates = tool_button("withEstimates", words, "", text="With estimates")
+        label = "Show the effect of each point including its estimates"
+        self._estimates = tool_button("withEstimates", label, "", text="With estimates")
         mirror(self._estimates, estimates)
         self._shows_cardinals, self._linearised = False, ""
         self._kinds = [self._kind_button(kind) for kind in range(len(_NAMES))]
-        # The functions that the header is about, and whether with the estimates.
-        self._told_of: tuple[BasisView | None, bool] = (None, False)
+        # The functions of the header, and whether they include estimates.
+        self._header_key: tuple[BasisView | None, bool] = (None, False)
         # The formulas of the kinds, the note on the drawing, and the name of the functions.
-        self._said: tuple[tuple[str, ...], str, str] = ((), "", self._title.text())
+        self._header_texts: tuple[tuple[str, ...], str, str] = ((), "", self._title.text())
         self._reach: tuple[float, float] | None = None
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
         self._fit, self._is_fitted = self._fit_button(), False
-        self._findings = Label(name="basisFindings", label="What was found of the functions", wordWrap=True)
+        self._findings = Label(name="basisFindings", label="Findings about the functions", wordWrap=True)
         self._findings.setContentsMargins(10, 0, 8, 2)
         self._findings.hide()
         self._warns = False
-        # How many words are left out of the header, from 0 to 3.
+        # Level of brevity of the header, from 0 to 3.
         self._brevity = 0
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._write_reach)
+        self._words_timer = QTimer(self, singleShot=True, interval=_WORDS_MS)
+        self._words_timer.timeout.connect(self._write_reach)
         self._lay_out()
         panel.drawing.extent_changed.connect(self._show_extent)
         self._write_reach()
@@ -97,11 +97,11 @@ class BasisPane(FollowsTheme, CentralPane):
         return button
 
     def _fit_button(self) -> QToolButton:
-        tip = "Show the functions from their least to their greatest value"
+        tip = "Show the full range of the functions"
         button = tool_button("fitBasis", "Fit the basis functions", tip, text="Fit")
         button.setCheckable(True)
         button.clicked.connect(self._fit_or_calm)
-        # Its room stays when it is hidden, or the drawing below would jump.
+        # Its room stays when it is hidden; otherwise the plot below would jump.
         policy = button.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         button.setSizePolicy(policy)
@@ -115,7 +115,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._header = row_of(*parts, margins=(10, 4, 8, 2), spacing=6, parent=row.content)
         self._header.insertSpacing(1, 8)
         for button in switches:
-            # Until there is a curve: else the window is built with room for all of them.
+            # Hidden until there is a curve: otherwise the window reserves room for all of them.
             button.hide()
         column_of(row, self._findings, (self._panel, 1), margins=0, spacing=0, parent=self)
 
@@ -124,22 +124,26 @@ class BasisPane(FollowsTheme, CentralPane):
         return self._panel
 
     def render_view(self, view: CurveView) -> None:
-        """Show the functions of `view`, and the legend that goes with its family."""
+        """Show the functions of `view`, and the legend of its family."""
         drawing = self._panel.drawing
         drawing.render_view(view)
         basis = drawing.basis
-        if view.displacement is not None and self._told_of == (basis, drawing.with_estimates):
-            # Points have moved, and the functions rest.
+        if view.displacement is not None and self._header_key == (basis, drawing.with_estimates):
+            # Points have moved, and the functions have not.
             return
-        self._told_of = (basis, drawing.with_estimates)
+        self._header_key = (basis, drawing.with_estimates)
         has_estimates = view.source.family.derivatives > 0
         shows_cardinals = drawing.with_estimates and has_estimates
         formulas = ("Cᵢ(t)",) if shows_cardinals else basis_formulas(view.source.family)
         note = " · ".join(filter(None, (view.linearised * shows_cardinals, _note(basis, view))))
-        # Laying the header out costs more than drawing the curve: only when it says something else.
-        said = (formulas, note, view.source.family.curve_class.functions)
-        if said != self._said:
-            self._said, self._shows_cardinals, self._linearised = said, shows_cardinals, view.linearised
+        # A layout of the header takes longer than drawing the curve: only when a text changes.
+        header_texts = (formulas, note, view.source.family.curve_class.functions)
+        if header_texts != self._header_texts:
+            self._header_texts, self._shows_cardinals, self._linearised = (
+                header_texts,
+                shows_cardinals,
+                view.linearised,
+            )
             self._estimates.setVisible(has_estimates)
             for kind, button in enumerate(self._kinds):
                 button.setVisible(kind < len(formulas) and len(formulas) > 1)
@@ -147,7 +151,7 @@ class BasisPane(FollowsTheme, CentralPane):
             self._write_header()
 
     def show_findings(self, findings: Sequence[str], remark: str) -> None:
-        """Show what is wrong with the functions, and what is to be known of them, below the header."""
+        """Show findings and a remark about the functions below the header."""
         text = " ".join(filter(None, ("⚠" * bool(findings), *findings, remark)))
         if text != self._findings.text():
             self._findings.setText(text)
@@ -167,18 +171,18 @@ class BasisPane(FollowsTheme, CentralPane):
     def _write_header(self) -> None:
         """Write as much as there is room for.
 
-        First the words beside the formulas go, then the note's own, then the factors of the functions.
+        First the names beside the formulas are omitted, then words of the note, then factors of functions.
         """
         linearised = f"; shown are those {self._linearised}" if self._linearised else ""
         set_tip(self._title, f"{_CARDINAL_TIP}{linearised}" if self._shows_cardinals else "")
-        formulas, _drawing, functions = self._said
+        formulas, _drawing, functions = self._header_texts
         for brief in range(4):
             self._brevity = brief
             self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else functions)
             for kind, formula in enumerate(formulas):
-                # The leading space keeps the words off the line that is their sign.
-                shown = _function_of(formula) if brief > 2 else formula
-                self._kinds[kind].setText(" " + (shown if brief else f"{_NAMES[kind]}  {formula}"))
+                # The leading space keeps the text off its line sample.
+                text = _function_of(formula) if brief > 2 else formula
+                self._kinds[kind].setText(" " + (text if brief else f"{_NAMES[kind]}  {formula}"))
             self._write_extent()
             if self._header.sizeHint().width() <= self.width():
                 break
@@ -188,7 +192,7 @@ class BasisPane(FollowsTheme, CentralPane):
         set_tip(self._extent, _reach_text(self._reach))
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self._panel.set_theme(theme)
         for button, dashes in zip(self._kinds, KIND_DASHES, strict=True):
             button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
@@ -223,34 +227,34 @@ class BasisPane(FollowsTheme, CentralPane):
         self._reach = extent
         if appears_or_goes:
             self._write_reach()
-        elif extent is not None and not self._soon.isActive():
-            # A drag says something else every time: nobody reads that fast.
-            self._soon.start()
+        elif extent is not None and not self._words_timer.isActive():
+            # At most every 33 ms during a drag: nobody reads faster.
+            self._words_timer.start()
 
     def _write_reach(self) -> None:
         self._fit.setVisible(self._reach is not None or self._is_fitted)
         room = self._extent.sizeHint()
         self._write_extent()
         if self._extent.sizeHint() != room:
-            # As above: what the header says besides depends on what this leaves of the room.
+            # The brevity of the header depends on the room that this text leaves.
             self._write_header()
 
 
 def _function_of(formula: str) -> str:
-    """Return the function of a formula, without its factors: of 2·B₁ ∕ h only B₁."""
+    """Return the function of a formula without factors: B₁ of 2·B₁ ∕ h."""
     return formula.rpartition("·")[2].partition(" ")[0]
 
 
 def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:
-    """Return the note that the functions leave the range; empty where they do not."""
+    """Return the note about functions beyond the visible range; empty for none."""
     if reach is None:
         return ""
     span = f"{number(reach[0], 3)} to {number(reach[1], 3)}"
-    return f"⚠ {span}" if brief else f"⚠ The functions reach from {span}"
+    return f"⚠ {span}" if brief else f"⚠ The functions range from {span}"
 
 
 def _note(basis: BasisView | None, view: CurveView) -> str:
-    """Return what is said of the functions drawn, or why there are none."""
+    """Return the note on the drawn functions, or why there are none."""
     if basis is not None:
         return note_on_drawing(basis)
     if len(view.ticks):

@@ -33,18 +33,18 @@ FUNCTION_REACH = 10.0
 
 _SCRUB_REACH = 4.0
 
-_PLACE_REACH = 5.0
+_NODE_REACH = 5.0
 
 
 def hit_test(
     pointer: Pointer, pixel_map: PixelMap, basis: BasisView | None, rail: RailLayer, kinds: frozenset[int]
 ) -> Hit | None:
-    """Return what lies under the pointer: on the rail a tick, above it the scrub line before functions.
+    """Return the part under the pointer: on the rail a tick, above it the scrub line or a function.
 
-    On the rail's edge lie the dots of control points; a tick that is nearer, or is pointed at, goes before.
+    On the edge of the rail lie the dots of control points; a nearer tick, or one pointed at, comes first.
     """
-    if (place := _hit_place(pointer, pixel_map, rail)) is not None:
-        return place
+    if (node := _hit_node(pointer, pixel_map, rail)) is not None:
+        return node
     if pointer.pixel[1] > pixel_map.height - rail_height(rail.scale) - 2:
         return _hit_tick(pointer, pixel_map, rail)
     scrub = rail.scrub
@@ -53,18 +53,18 @@ def hit_test(
     return _hit_function(pointer, pixel_map, basis, kinds) if basis is not None else None
 
 
-def _hit_place(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | None:
-    if rail.shown_places is None:
+def _hit_node(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | None:
+    if rail.visible_nodes is None:
         return None
     top = pixel_map.height - rail_height(rail.scale)
-    if abs(pointer.pixel[1] - top) > _PLACE_REACH:
+    if abs(pointer.pixel[1] - top) > _NODE_REACH:
         return None
-    distances = np.abs(pixel_map.x(rail.shown_places) - pointer.pixel[0])
+    distances = np.abs(pixel_map.x(rail.visible_nodes) - pointer.pixel[0])
     index = int(np.argmin(distances))
     nearest_tick = float(np.abs(pixel_map.x(rail.parameters) - pointer.pixel[0]).min())
-    if distances[index] > _PLACE_REACH or (pointer.pixel[1] > top and nearest_tick <= distances[index]):
+    if distances[index] > _NODE_REACH or (pointer.pixel[1] > top and nearest_tick <= distances[index]):
         return None
-    return Hit(Part.PLACE, index, (float(rail.shown_places[index]), 0.0))
+    return Hit(Part.PLACE, index, (float(rail.visible_nodes[index]), 0.0))
 
 
 def _hit_tick(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | None:
@@ -93,7 +93,7 @@ def _hit_function(
     for kind in basis.drawn_kinds(kinds):
         values = basis.value_at(t, kind)
         distances = np.abs(pixel_map.y(values) - pointer.pixel[1])
-        # Functions that are zero here lie on top of each other; none of them is meant.
+        # Functions that are zero here lie on top of each other; none of them is hit.
         distances[values == 0] = np.inf
         index = int(np.argmin(distances))
         if distances[index] <= FUNCTION_REACH and (best is None or distances[index] < best[0]):
@@ -106,14 +106,14 @@ _WIDTH, _WIDEST_REASON = 150, 320
 
 
 class TickEdit(OverlayFrame):
-    """Takes a number or an expression; Enter sets it, Escape or a click elsewhere gives it up.
+    """A line for a number or an expression at a tick; Enter sets it, Escape or a click elsewhere cancels.
 
-    What cannot be set is explained above the line, and stays there to be mended.
+    The reason of a refusal stands above the line, and the text stays for correction.
 
     Signals
     -------
     typed
-        (knot, t) was typed and confirmed; who hears it answers with `close_and_return` or `refuse`.
+        (knot, t) was typed and confirmed; the receiver answers with `close_and_return` or `refuse`.
     """
 
     typed = Signal(int, float)
@@ -131,18 +131,18 @@ class TickEdit(OverlayFrame):
 
     @property
     def problem(self) -> str:
-        """Why the number typed cannot be set; empty where it can."""
+        """Reason why the typed number cannot be set; empty for none."""
         return self._reason.text()
 
     def open(self, knot: int, t: float, tick: QPointF) -> None:
-        """Type the parameter of `knot`, now `t`, above its tick, which points at a pixel of the parent."""
+        """Open the line for the parameter `t` of `knot`, above its tick at a pixel of the parent."""
         self._knot, self._tick = knot, tick
         self.line.setText(exact_text(t, decimal_mark()))
         self.line.selectAll()
         self.refuse("")
 
     def confirm(self) -> None:
-        """Read what was typed and report it."""
+        """Read the typed number and report it."""
         try:
             t = read_number(self.line.text())
         except ExpressionError as reason:
@@ -152,7 +152,7 @@ class TickEdit(OverlayFrame):
         self.typed.emit(self._knot, t)
 
     def refuse(self, reason: str) -> None:
-        """Say why the number cannot be set; it stays to be mended."""
+        """Show why the number cannot be set, and keep it for correction."""
         self._reason.setText(reason)
         self._reason.setVisible(bool(reason))
         self.place()
@@ -161,7 +161,7 @@ class TickEdit(OverlayFrame):
         self.line.setFocus(Qt.FocusReason.PopupFocusReason)
 
     def close_and_return(self) -> None:
-        """Put the line away and give the focus to the panel."""
+        """Hide the line and focus the panel."""
         self.below.setFocus(Qt.FocusReason.PopupFocusReason)
         self.hide()
 
@@ -181,7 +181,7 @@ class _TickLine(SafeOverrides, QLineEdit):
     def __init__(self, owner: TickEdit) -> None:
         super().__init__(owner)
         self._owner = owner
-        tip = "A number or an expression such as 1/3; Enter sets it, Escape leaves it"
+        tip = "A number or an expression such as 1/3. Enter sets it, Escape cancels"
         named(self, "tickValue", "Parameter t", tip)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -204,21 +204,21 @@ class BasisPanel(ToolPlot, CanvasQueries):
     Attributes
     ----------
     drawing
-        The scene: what is drawn.
+        The scene with all layers.
 
     Signals
     -------
     drag_changed
-        Ticks are being dragged, or no longer.
+        A drag of ticks has begun or ended.
     tick_pointed
-        A menu about the tick of a point is wanted.
+        A menu of the tick of a point is requested.
     menu_requested
-        The menu of the t-rail is wanted at a place of the screen.
+        The menu of the t-rail is requested at a position of the screen.
 
     Attributes
     ----------
     tick_edit
-        Reports a t that was typed.
+        The line in which a t is typed.
     """
 
     drag_changed = Signal(bool)
@@ -247,7 +247,7 @@ class BasisPanel(ToolPlot, CanvasQueries):
             self.drag_changed.emit(True)
 
     def abandon_gesture(self) -> None:
-        """Drop the gesture in flight, and what is being typed; the document is another one."""
+        """Drop the gesture in flight and the text being typed: another document is open."""
         self.tick_edit.hide()
         super().abandon_gesture()
 
@@ -256,9 +256,9 @@ class BasisPanel(ToolPlot, CanvasQueries):
         return hit_test(pointer, self.pixel_map, drawing.basis, drawing.rail, drawing.functions.kinds)
 
     def rail_pixel(self, t: float) -> QPointF:
-        """Return where in the viewport the tick at `t` is grabbed."""
-        shown = self.pixel_map
-        area = QPointF(shown.point(t, 0.0)[0], shown.height - rail_height(self.layers.scale) + 8)
+        """Return the pixel of the viewport at which the tick at `t` is grabbed."""
+        pixel_map = self.pixel_map
+        area = QPointF(pixel_map.point(t, 0.0)[0], pixel_map.height - rail_height(self.layers.scale) + 8)
         return self.camera.origin + area
 
     def set_scale(self, scale: float) -> None:
@@ -280,15 +280,15 @@ class BasisPanel(ToolPlot, CanvasQueries):
             super().mouseDoubleClickEvent(event)
 
     def edit_tick(self, point: int) -> None:
-        """Let the person type the parameter of a point at its tick."""
+        """Let the user type the parameter of a point at its tick."""
         if len(self.drawing.rail.parameters):
             self._edit_knot(point)
 
     def _edit_knot(self, knot: int) -> None:
         self.tools.cancel()
         t = float(self.drawing.rail.parameters[knot])
-        place = self.rail_pixel(t) - QPointF(0, 8)
-        self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, place.toPoint())))
+        pixel = self.rail_pixel(t) - QPointF(0, 8)
+        self.tick_edit.open(knot, t, QPointF(self.viewport().mapTo(self, pixel.toPoint())))
 
     def _menu_wanted(self, event: QContextMenuEvent) -> None:
         """Ask for the menu of the t-rail."""
@@ -296,7 +296,7 @@ class BasisPanel(ToolPlot, CanvasQueries):
         self.menu_requested.emit(event.globalPos())
 
     def _select_for_menu(self, event: QContextMenuEvent) -> None:
-        """Let a right click on a tick that is not selected select it: the menu is about it."""
+        """Select the tick under a right click, which the menu is about, if it is not selected."""
         if event.reason() != QContextMenuEvent.Reason.Mouse:
             return
         hit = self._hit_at(QPointF(event.pos()))
@@ -305,7 +305,7 @@ class BasisPanel(ToolPlot, CanvasQueries):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_E and not event.modifiers():
-            # The repeats count, too: the press may have gone to another widget, before the mouse came here.
+            # Repeats count as well: the press may have gone to another widget before the mouse came here.
             self._set_ripple(down=True)
             event.accept()
         else:
@@ -321,7 +321,7 @@ class BasisPanel(ToolPlot, CanvasQueries):
         super().focusOutEvent(event)
 
     def _set_ripple(self, *, down: bool) -> None:
-        """Note whether E is down, and show at once what it changes of a drag, or would of a press."""
+        """Record whether E is down, and update the drag or the hint at once."""
         was_down, self._ripple_down = self._ripple_down, down
         if down != was_down and self._pointer is not None:
             self._pointer = replace(self._pointer, ripple=down)

@@ -26,13 +26,13 @@ from ...plotting.tool_plot import ToolPlot
 from ...view_model.basis import BasisView, CardinalView, basis_view, cardinal_view
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES
-from .function_lines import CrestNames, FunctionDrawing, FunctionLines, room_above, way_to_draw
+from .function_lines import CrestNames, FunctionDrawing, FunctionLines, drawing_of, room_above
 
 _RAIL_HEIGHT = 34.0
 
 
 def rail_height(scale: float) -> float:
-    """Return how many pixels at the foot of the plot area belong to the t-rail."""
+    """Return the height in pixels of the t-rail at the bottom of the plot area."""
     return _RAIL_HEIGHT * scale
 
 
@@ -42,21 +42,21 @@ _MOST_EMPHASISED = 32
 _NEIGHBOURS = 2
 _OUTLINE, _FILL = 0.3, 0.07
 _MARKED_ONE_BY_ONE = 16
-"""Ticks up to which each is drawn; of more, as many as there is room for are stamped."""
+"""Number of ticks up to which each is drawn; more are stamped as far as there is room."""
 
 _LEAST_TICK_GAP = 4.0
-"""Pixels between ticks that are not chosen, at least: closer together they are a ribbon."""
+"""Smallest distance in pixels of ticks at rest: closer ones would merge into a ribbon."""
 
-_PLACE_RADIUS = 3.0
+_NODE_RADIUS = 3.0
 _IDLE = 0.6
-"""Share of the colour in the rim of a tick that does nothing."""
+"""Share of the colour in the rim of an idle tick, mixed with paper."""
 
-_MOST_LOOKS = 24
-"""Sets of pens that are kept: one for each kind, opacity and width, before and after a change of theme."""
+_MOST_PEN_SETS = 24
+"""Largest number of cached sets of pens: one for each kind, opacity, width and theme."""
 
 
 class FunctionLayer(Layer):
-    """All basis functions, in one item."""
+    """Layer of all basis functions."""
 
     def __init__(self, plot: PlotWidget) -> None:
         super().__init__(plot)
@@ -81,7 +81,7 @@ class FunctionLayer(Layer):
         if self._lines is None or not self._lines.are_of(self._basis, pixel_map):
             self._lines = FunctionLines(self._basis, pixel_map, self._lines)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        if way_to_draw(self._basis) is FunctionDrawing.EACH:
+        if drawing_of(self._basis) is FunctionDrawing.EACH:
             self._paint_all(painter, self._basis)
             kinds = self._basis.drawn_kinds(self.kinds)
             painter.setFont(self._number_font())
@@ -93,7 +93,7 @@ class FunctionLayer(Layer):
         return self.fonts.less(1.5, self.scale)
 
     def room_above(self) -> float:
-        """Return how much height in pixels a number above its crest takes."""
+        """Return the height in pixels of a number above its crest."""
         return room_above(self._number_font(), self.scale)
 
     def _paint_levels(self, painter: QPainter, pixel_map: PixelMap) -> None:
@@ -109,13 +109,13 @@ class FunctionLayer(Layer):
         self._paint_emphasised(painter, basis)
 
     def _paint_together(self, painter: QPainter, basis: BasisView) -> None:
-        """Draw many functions in one go; those near the emphasised ones, and these, in their colours."""
+        """Draw many functions in one call; the emphasised ones and their neighbours in their colours."""
         assert self._lines is not None
         for kind in basis.drawn_kinds(self.kinds):
             outline = QColor(self.theme.ink)
             outline.setAlphaF(_OUTLINE)
             pen = QPen(outline, self.scale)
-            if way_to_draw(basis) is FunctionDrawing.SPANS:
+            if drawing_of(basis) is FunctionDrawing.SPANS:
                 painter.setPen(pen)
                 self._lines.spans(kind).draw(painter)
                 continue
@@ -134,7 +134,7 @@ class FunctionLayer(Layer):
 
     def _neighbours(self, basis: BasisView) -> Sequence[int]:
         """Return the knots near the emphasised ones."""
-        knots = {k + by for k in self.emphasised for by in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
+        knots = {k + step for k in self.emphasised for step in range(-_NEIGHBOURS, _NEIGHBOURS + 1)}
         return [knot for knot in sorted(knots) if 0 <= knot < basis.count]
 
     def _paint_emphasised(self, painter: QPainter, basis: BasisView) -> None:
@@ -165,7 +165,7 @@ class FunctionLayer(Layer):
             for kind, pens in kinds:
                 painter.setPen(pens[owner])
                 if kind == 0 and wide > 1:
-                    # Qt takes many times as long for one long line that is wide.
+                    # Qt takes many times as long for a single wide line.
                     self._lines.wide(knot, kind, wide).draw(painter)
                 else:
                     painter.drawPolyline(self._lines.function(knot, kind))
@@ -182,8 +182,8 @@ class RailLayer(Layer):
         self.hovered = -1
         self.scrub: float | None = None
         self.parameters: FloatArray = np.empty(0)
-        # Where control points act, None of points on the curve; which ticks do nothing.
-        self.places: FloatArray | None = None
+        # Nodes (Greville abscissae) of control points, None for points on the curve; which ticks have no effect.
+        self.nodes: FloatArray | None = None
         self._idle: BoolArray = np.empty(0, dtype=np.bool_)
         self._stamps = Stamps(lambda painter, size, _form: _tick(painter, size))
         self._count = 0
@@ -193,18 +193,18 @@ class RailLayer(Layer):
         self.parameters = view.ticks
         self._count = len(view.source.points)
         curve = view.curve if view.is_current else None
-        self.places = None if curve is None or curve.interpolates else curve.nodes
+        self.nodes = None if curve is None or curve.interpolates else curve.nodes
         self._idle = np.zeros(len(self.parameters), bool) if curve is None else curve.idle_parameters
         self.update()
 
     def owner(self, knot: int) -> int:
-        """Return the point that a knot belongs to: of a closed curve, to the last one the first."""
+        """Return the point of a knot; the last knot of a closed curve belongs to the first point."""
         return knot % self._count
 
     @property
-    def shown_places(self) -> FloatArray | None:
-        """The parameters near which control points act most, where they are drawn."""
-        return self.places if self._count <= _NUMBERED_UP_TO else None
+    def visible_nodes(self) -> FloatArray | None:
+        """The parameters near which control points act most; None where they are not drawn."""
+        return self.nodes if self._count <= _NUMBERED_UP_TO else None
 
     def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
@@ -212,8 +212,8 @@ class RailLayer(Layer):
         painter.setPen(QPen(self.theme.grid_coarse, 1))
         painter.drawLine(QPointF(0, round(top) + 0.5), QPointF(pixel_map.width, round(top) + 0.5))
         self._paint_ticks(painter, pixel_map, top)
-        if (places := self.shown_places) is not None:
-            self._paint_places(painter, pixel_map.x(places), top)
+        if (nodes := self.visible_nodes) is not None:
+            self._paint_nodes(painter, pixel_map.x(nodes), top)
         if self.scrub is not None:
             self._paint_scrub(painter, pixel_map, self.scrub)
 
@@ -229,49 +229,49 @@ class RailLayer(Layer):
         numbers_right_of = -np.inf
         painter.setFont(self.fonts.less(1.5, self.scale))
         for index in order:
-            place, owner = float(x[index]), self.owner(index)
-            self._paint_tick(painter, place, top, owner, colours[owner])
-            chosen = owner in last
-            if chosen or (len(x) <= _NUMBERED_UP_TO and place > numbers_right_of):
-                self._paint_number(painter, place, top, owner, chosen=chosen)
-                numbers_right_of = place + 16 * self.scale if not chosen else numbers_right_of
+            pixel, owner = float(x[index]), self.owner(index)
+            self._paint_tick(painter, pixel, top, owner, colours[owner])
+            is_emphasised = owner in last
+            if is_emphasised or (len(x) <= _NUMBERED_UP_TO and pixel > numbers_right_of):
+                self._paint_number(painter, pixel, top, owner, is_emphasised=is_emphasised)
+                numbers_right_of = pixel + 16 * self.scale if not is_emphasised else numbers_right_of
 
-    def _paint_places(self, painter: QPainter, x: FloatArray, top: float) -> None:
+    def _paint_nodes(self, painter: QPainter, x: FloatArray, top: float) -> None:
         """Draw a disc on the rail's edge where each control point acts most: its Greville abscissa."""
-        radius = _PLACE_RADIUS * self.scale
+        radius = _NODE_RADIUS * self.scale
         painter.setPen(QPen(self.theme.paper, self.scale))
-        for place, colour in zip(x.tolist(), point_colours(self._count, self.theme), strict=True):
+        for pixel, colour in zip(x.tolist(), point_colours(self._count, self.theme), strict=True):
             painter.setBrush(colour)
-            painter.drawEllipse(QPointF(place, top), radius, radius)
+            painter.drawEllipse(QPointF(pixel, top), radius, radius)
 
     def _stamp_ticks(
         self, painter: QPainter, x: FloatArray, visible: IntArray, count: int, top: float
     ) -> IntArray:
-        """Draw as many ticks as there is room for, and return the chosen ones, which are drawn after all."""
+        """Draw as many ticks as there is room for; return the emphasised ones, to be drawn in any case."""
         least = _LEAST_TICK_GAP * self.scale
         is_idle = self._idle[visible]
         ticks, gap = spread_out(x, visible[~is_idle], least)
-        # Stamped anew for every size: in steps, so that a drag does not.
-        room = gap // 2 - 1 if math.isfinite(gap) else gap  # a single tick has all the room there is
+        # In steps: every size is stamped anew, which a drag must not do.
+        room = gap // 2 - 1 if math.isfinite(gap) else gap  # a single tick has room enough
         size = min(max(room, 0.5 * least), 5.0 * self.scale)
-        places = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
+        centres = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
         if is_idle.any():
             self._paint_idle(painter, x[spread_out(x, visible[is_idle], least)[0]], top + 1 + size, size)
-        self._stamps.draw(painter, places, owners, count, self.theme, size, 0.0)
-        chosen = {self.hovered}
+        self._stamps.draw(painter, centres, owners, count, self.theme, size, 0.0)
+        emphasised = {self.hovered}
         if len(self.selection) <= _MOST_EMPHASISED:
-            chosen |= self.selection
-        return np.array([knot for knot in chosen if 0 <= knot < count], dtype=np.intp)
+            emphasised |= self.selection
+        return np.array([knot for knot in emphasised if 0 <= knot < count], dtype=np.intp)
 
     def _paint_idle(self, painter: QPainter, x: FloatArray, y: float, size: float) -> None:
-        """Draw ticks that do nothing hollow."""
+        """Draw ticks without an effect hollow."""
         painter.setBrush(self.theme.paper)
         painter.setPen(QPen(self.theme.muted, self.scale))
-        for place in x.tolist():
-            painter.translate(place, y)
+        for pixel in x.tolist():
+            painter.translate(pixel, y)
             _tick(painter, size)
-            painter.translate(-place, -y)
+            painter.translate(-pixel, -y)
 
     def _paint_tick(self, painter: QPainter, x: float, top: float, index: int, colour: QColor) -> None:
         size = (6.5 if index == self.hovered or index in self.selection else 5.0) * self.scale
@@ -280,19 +280,21 @@ class RailLayer(Layer):
         selected = index in self.selection
         rim = self.theme.accent if selected else self.theme.paper
         if self._idle[index % len(self._idle)]:
-            # Hollow: dragging it does nothing.
+            # Hollow: dragging the tick has no effect.
             colour, rim = self.theme.paper, rim if selected else mix(colour, self.theme.paper, _IDLE)
         painter.setBrush(colour)
         painter.setPen(QPen(rim, 1.5 * self.scale))
         painter.drawPolygon(QPolygonF([tip, QPointF(x + size, base), QPointF(x - size, base)]))
 
-    def _paint_number(self, painter: QPainter, x: float, top: float, index: int, *, chosen: bool) -> None:
+    def _paint_number(
+        self, painter: QPainter, x: float, top: float, index: int, *, is_emphasised: bool
+    ) -> None:
         box = QRectF(x - 20, top + 13 * self.scale, 40, rail_height(self.scale) - 13 * self.scale)
-        if chosen:
+        if is_emphasised:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self.theme.paper)
             painter.drawRect(QRectF(x - 9 * self.scale, box.top() + 3, 18 * self.scale, box.height() - 4))
-        painter.setPen(self.theme.ink if chosen else self.theme.muted)
+        painter.setPen(self.theme.ink if is_emphasised else self.theme.muted)
         painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), str(index))
 
     def _paint_scrub(self, painter: QPainter, pixel_map: PixelMap, t: float) -> None:
@@ -310,36 +312,36 @@ class RailLayer(Layer):
         painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
 
 
-@lru_cache(maxsize=_MOST_LOOKS)
+@lru_cache(maxsize=_MOST_PEN_SETS)
 def _pens(count: int, theme: Theme, opacity: float, width: float, kind: int) -> tuple[QPen, ...]:
-    """Return the pens of the functions of one kind, by their points; a drag needs sixty of them every frame.
+    """Return the pens of the functions of one kind, by point; a drag needs sixty of them in every frame.
 
-    Their colours are mixed with the paper: Qt draws opaque lines a third faster than translucent ones.
+    Colours are mixed with the paper: Qt draws opaque lines a third faster than translucent ones.
     """
     colours = (mix(colour, theme.paper, opacity) for colour in point_colours(count, theme))
-    # Ends of one pixel are square at no cost; wider ones are dots.
+    # Square caps of one pixel take no time; of wider lines, short dashes should be round dots.
     cap = Qt.PenCapStyle.RoundCap if width > 1 and kind == 0 else Qt.PenCapStyle.SquareCap
     pens = (QPen(colour, width, Qt.PenStyle.SolidLine, cap) for colour in colours)
     return tuple(with_dashes(pen, KIND_DASHES[kind]) for pen in pens)
 
 
 def spread_out(x: FloatArray, ticks: IntArray, least: float) -> tuple[IntArray, float]:
-    """Return ticks that lie at least so far apart, from the left, and the usual gap between them.
+    """Return ticks that lie at least `least` pixels apart, and the median gap between them.
 
     Parameters
     ----------
     x
         The pixels of all ticks, ascending.
     ticks
-        The indices of those that want to be drawn, ascending.
+        The indices of the ticks to draw, ascending.
     """
     gaps = np.diff(x[ticks])
     if len(gaps) and gaps.min() < least:
-        places, kept, index = x[ticks].tolist(), list[int](), 0
-        while index < len(places):
-            kept.append(index)
-            index = bisect_left(places, places[index] + least, index + 1)
-        ticks = ticks[kept]
+        pixels, result, index = x[ticks].tolist(), list[int](), 0
+        while index < len(pixels):
+            result.append(index)
+            index = bisect_left(pixels, pixels[index] + least, index + 1)
+        ticks = ticks[result]
         gaps = np.diff(x[ticks])
     return ticks, float(np.sort(gaps)[len(gaps) // 2]) if len(gaps) else math.inf
 
@@ -351,7 +353,7 @@ def _tick(painter: QPainter, size: float) -> None:
 _CALM_RANGE = (-0.5, 1.2)
 _MOST_ROOM = 0.2  # for numbers above the functions, of the height that these have
 _PADDING = 0.035
-_WHAT = "The basis functions"
+_SUBJECT = "The basis functions"
 
 
 class BasisScene(QObject):
@@ -360,11 +362,11 @@ class BasisScene(QObject):
     Attributes
     ----------
     functions, rail
-        All basis functions of the curve that is edited; the t-rail with the scrub line.
+        All basis functions of the active curve; the t-rail with the scrub line.
     basis
-        The functions on screen, None without a curve.
+        The functions on the screen, None without a curve.
     with_estimates
-        Whether they say what each point does with the estimates that follow it.
+        Whether the functions include the estimates that depend on each point.
 
     Signals
     -------
@@ -388,7 +390,7 @@ class BasisScene(QObject):
         self.set_with_estimates(False)
 
     def render_view(self, view: CurveView) -> None:
-        """Show the functions of `view`; they are sampled again only if they are other ones."""
+        """Show the functions of `view`, sampled again only if they have changed."""
         self._view = view
         shows_cardinals = self.with_estimates and view.source.family.derivatives > 0
         if _is_of(self.basis, view, shows_cardinals):
@@ -404,12 +406,16 @@ class BasisScene(QObject):
             self.fit_domain()
         self._report_extent()
 
-    def set_with_estimates(self, shown: bool) -> None:
-        """Show cardinal functions, which contain estimates, or the family's own from the next view on."""
-        self.with_estimates = shown
-        name, what = ("Cardinal functions", "What each point does") if shown else ("Basis functions", _WHAT)
+    def set_with_estimates(self, with_estimates: bool) -> None:
+        """Show cardinal functions, which include estimates, or the family's own, from the next view on."""
+        self.with_estimates = with_estimates
+        name, subject = (
+            ("Cardinal functions", "The effect of each point")
+            if with_estimates
+            else ("Basis functions", _SUBJECT)
+        )
         self._plot.setAccessibleName(name)
-        self._plot.setAccessibleDescription(f"{what} over t; drag a tick at the foot to change t.")
+        self._plot.setAccessibleDescription(f"{subject} over t; drag a tick at the bottom to change t.")
 
     def set_selection(self, selection: frozenset[int]) -> None:
         """Draw the functions of these points thick."""
@@ -418,7 +424,7 @@ class BasisScene(QObject):
             self._emphasise()
 
     def set_hovered(self, index: int) -> None:
-        """Draw the functions of this point thick, too (−1 for none)."""
+        """Draw the functions of the hovered point thick as well (−1 for none)."""
         if index != self.rail.hovered:
             self.rail.hovered = index
             self._emphasise()
@@ -430,12 +436,12 @@ class BasisScene(QObject):
         self.rail.update()
 
     def set_scrub(self, t: float | None) -> None:
-        """Move the scrub line, or put it away (None)."""
+        """Move the scrub line, or hide it (None)."""
         self.rail.scrub = t
         self.rail.update()
 
     def switch_kind(self, kind: int) -> None:
-        """Show a kind of functions, or hide it: 0 of positions, else those of derivatives of that order."""
+        """Show or hide a kind of functions: 0 for positions, else the order of the derivatives."""
         self.functions.kinds ^= {kind}
         self.functions.update()
         self._report_extent()
@@ -451,7 +457,7 @@ class BasisScene(QObject):
             self._camera.show_t(start - padding, end + padding)
 
     def hold_domain(self) -> None:
-        """Keep the interval in view as it is while a drag changes it: ticks must not run from the pointer."""
+        """Keep the visible interval while a drag changes parameters: ticks must stay under the pointer."""
         self._held_domain = self._domain()
 
     def release_domain(self) -> None:
@@ -461,7 +467,7 @@ class BasisScene(QObject):
             self.fit_domain()
 
     def _domain(self) -> tuple[float, float] | None:
-        """Return the interval of t; without points that which the rule is going to span, else None."""
+        """Return the interval of t; without points, the one that the rule will span; else None."""
         domain = self._domain_of_ticks()
         if domain is not None or self._view is None or self._view.source.points:
             return domain
@@ -473,7 +479,7 @@ class BasisScene(QObject):
         return (float(ticks[0]), float(ticks[-1])) if len(ticks) else None
 
     def fit_values(self) -> None:
-        """Show the functions from their least to their greatest value, as far as an axis reaches."""
+        """Show the full range of the functions, up to the longest range of an axis."""
         if self.basis is not None:
             low, high = self.basis.extent(self.functions.kinds)
             most = 0.5 * GREATEST_SPAN / (1.0 + self._rail_share())
@@ -492,7 +498,7 @@ class BasisScene(QObject):
         """Map the range of values to the part of the plot area above the rail."""
         low, high = self._values
         if self._values == _CALM_RANGE:
-            # The functions of points are 1 at their crests: their numbers have room above, in any font.
+            # Room above 1, the crests of the functions, for their numbers in any font.
             room = min(self.functions.room_above() / self._height_above_rail(), _MOST_ROOM)
             high = max(high, (1.0 - room * low) / (1.0 - room))
         self._plot.getAxis("left").set_least(low)
@@ -500,7 +506,7 @@ class BasisScene(QObject):
         self._report_extent()
 
     def _rail_share(self) -> float:
-        """Return the height of the rail as a share of what is left for the functions."""
+        """Return the height of the rail, relative to the area of the functions."""
         return rail_height(self.rail.scale) / self._height_above_rail()
 
     def _height_above_rail(self) -> float:
@@ -514,14 +520,14 @@ class BasisScene(QObject):
 
 
 def _is_of(basis: BasisView | None, view: CurveView, cardinals: bool) -> bool:
-    """Tell whether these are the functions of `view`.
+    """Return whether these are the functions of `view`.
 
-    Those of a family depend on it, its settings and the parameters alone; cardinal ones on the rules, too.
+    Functions of a family depend on its settings and the parameters; cardinal functions on the rules as well.
     """
     if basis is None:
         return False
     if view.displacement is not None and not cardinals and basis.curve is view.displacement.moving.curve:
-        # As under most drags: points move, and the functions rest.
+        # As in most drags: points move, and the functions do not.
         return not isinstance(basis, CardinalView)
     if not view.is_current or len(view.source.points) <= basis.owners[-1]:
         return False
