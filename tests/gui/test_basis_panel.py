@@ -143,14 +143,14 @@ def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, pane
     editor.wait_for_rest()
     names, start = panel.drawing.functions._names, panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
-    before, crests = names._offsets, names._places
+    before, crests = names._offsets, names._positions
     usual = names._choose_timer.interval()
     names._choose_timer.start(60_000)
     for step in range(1, 6):
         editor.send(panel, QEvent.Type.MouseMove, start + QPointF(4 * step, 0))
         panel.viewport().repaint()
         assert names._offsets is before
-    assert not np.array_equal(names._places, crests)
+    assert not np.array_equal(names._positions, crests)
     editor.send(panel, QEvent.Type.MouseButtonRelease, start + QPointF(20, 0), held=False)
     names._choose_timer.start(usual)
     editor.wait_for_rest()

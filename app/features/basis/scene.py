@@ -182,7 +182,7 @@ class RailLayer(Layer):
         self.hovered = -1
         self.scrub: float | None = None
         self.parameters: FloatArray = np.empty(0)
-        # Nodes (Greville abscissae) of control points, None for points on the curve; which ticks have no effect.
+        # Nodes (Greville abscissae) of control points, None for points on the curve; ticks without effect.
         self.nodes: FloatArray | None = None
         self._idle: BoolArray = np.empty(0, dtype=np.bool_)
         self._stamps = Stamps(lambda painter, size, _form: _tick(painter, size))
