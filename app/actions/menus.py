@@ -153,7 +153,7 @@ EDIT_STYLE = EDIT.section("Copy and Paste Special")
 EDIT_DELETE = EDIT.section(is_separated=False)
 EDIT_SELECT = EDIT.section()
 EDIT_TOOLS = EDIT.section("Tools")
-EDIT_PENCIL = EDIT.section("Tools")
+EDIT_TOOL_SETTINGS = EDIT.section("Tools")
 EDIT_PROGRAM = EDIT.section()
 
 CURVE = Menu("Curve", interrupts=True, needs=SELECTED_CURVE)

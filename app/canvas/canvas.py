@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
@@ -159,11 +158,6 @@ class Canvas(ToolPlot):
         self._show_cursor(Hint())
         self._end_gesture()
         self.viewport().update()
-
-    def change_tool_settings(self, **changes: object) -> None:
-        """Change some of the `ToolSettings`, by name."""
-        self.tools.settings = replace(self.tools.settings, **changes)
-        self.show_marks()
 
     def begin_transform(self, kind: TransformKind) -> None:
         """Let the selected points, or else all, follow the pointer until Enter, a click or Escape."""

@@ -78,7 +78,15 @@ class Setting(ABC, Generic[Value]):
         return self if owner is None else self._read(owner.file)
 
     def __set__(self, owner: Remembering, value: Value) -> None:
-        owner.file.write(self.key, self._stored(value))
+        self.write(owner.file, value)
+
+    def read(self, file: SettingsFile) -> Value:
+        """Return what the file holds, or the default."""
+        return self._read(file)
+
+    def write(self, file: SettingsFile, value: Value) -> None:
+        """Have the file hold a value."""
+        file.write(self.key, self._stored(value))
 
     @abstractmethod
     def _read(self, file: SettingsFile) -> Value:
@@ -130,10 +138,10 @@ class Choice(TextSetting[Member]):
 
 
 class Switch(TextSetting[bool]):
-    """On or off, as an action switches it."""
+    """On or off, as an action or a check box switches it."""
 
-    def __init__(self, key: str, *, default: bool) -> None:
-        super().__init__(key, default)
+    def __init__(self, key: str, *, default: bool, label: str = "", tip: str = "", widget: str = "") -> None:
+        super().__init__(key, default, label, tip, widget)
 
     def _parse(self, text: str) -> bool:
         if text not in _SWITCHES:

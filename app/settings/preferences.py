@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from PySide6.QtCore import QSettings
 
 from .. import exchange
 from ..appearance.theme import ThemeMode
-from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind
+from ..tools.tool import TOOLS
+from ..view_model.settings import ChoiceSetting, OwnedSetting, SettingValues, SwitchSetting
 from .file import SettingsFile
 from .kinds import (
     Choice,
@@ -39,6 +40,18 @@ USUAL_UNITS: Final = (NO_UNIT, "mm", "cm", "m", "in", "px", "s")
 def _note_of_unit(name: str) -> str:
     # Units are loaded when one is first shown.
     return exchange.units.note_of_unknown(name)
+
+
+def stored_tool_settings() -> dict[OwnedSetting[Any], Choice[Any] | Switch]:
+    """Return the settings of all tools, with how each is stored."""
+    return {setting: _stored(setting) for tool in TOOLS for setting in tool.settings}
+
+
+def _stored(setting: ChoiceSetting[Any] | SwitchSetting) -> Choice[Any] | Switch:
+    label, tip, widget = setting.label, setting.tip, setting.name
+    if isinstance(setting, SwitchSetting):
+        return Switch(setting.key, default=setting.default, label=label, tip=tip, widget=widget)
+    return Choice(setting.key, setting.default, label, tip, widget)
 
 
 class Preferences:
@@ -87,15 +100,6 @@ class Preferences:
 
     snap_kinds = Several("snap/kinds", SnapKind, "Snap to", "Snap dragged points to: {}", "snap_{}")
     """Targets that dragged and added points snap to."""
-
-    pencil = Choice(
-        "pencil/detail",
-        PencilDetail.MEDIUM,
-        "Pencil",
-        "Largest distance between the curve and the drawn line",
-        "pencilBox",
-    )
-    """The distance of a curve from what the pencil draws."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""
@@ -150,6 +154,17 @@ class Preferences:
 
     def __init__(self, store: Path | QSettings | None = None) -> None:
         self.file = SettingsFile(store)
+
+    @property
+    def tool_settings(self) -> SettingValues:
+        """The settings of the tools, each kept under its key."""
+        kinds = stored_tool_settings()
+        return SettingValues(frozenset((setting, kind.read(self.file)) for setting, kind in kinds.items()))
+
+    @tool_settings.setter
+    def tool_settings(self, values: SettingValues) -> None:
+        for setting, kind in stored_tool_settings().items():
+            kind.write(self.file, values.value(setting))
 
     @property
     def complaint(self) -> str:

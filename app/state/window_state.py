@@ -13,14 +13,14 @@ from ..document.transforms import Reference
 from ..settings.preferences import Preferences
 from ..storage.open_file import FileChange
 from ..tools.canvas.select import SELECT
-from ..tools.pencil_detail import PencilDetail
 from ..tools.snapping import SnapKind, Snapping
 from ..tools.tool import ToolRecord
 from ..view_model.analysis.ghost import Ghost
-from ..view_model.analysis.overlay import Overlay, OverlaySetting
+from ..view_model.analysis.overlay import Overlay
 from ..view_model.analysis.plot import Plot, PlotData
 from ..view_model.analysis.settings import AnalysisSettings
 from ..view_model.motion_settings import MotionSettings
+from ..view_model.settings import OwnedSetting, SettingValues
 
 
 class FileState(msgspec.Struct, frozen=True):
@@ -64,7 +64,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Whether everything but canvas and basis functions is hidden.
     scale
         How large points, lines and type are drawn; 1 as usual.
-    snap_on, snap_kinds, with_estimates, theme_mode, pencil
+    snap_on, snap_kinds, with_estimates, theme_mode, tool_settings
         As the preferences remember them.
     transform_box, keep_proportions
         As the preferences remember them.
@@ -106,7 +106,7 @@ class WindowState(msgspec.Struct, frozen=True):
     align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM
-    pencil: PencilDetail = PencilDetail.MEDIUM
+    tool_settings: SettingValues = SettingValues()
     analysis: AnalysisSettings = AnalysisSettings()
     error_plot: bool = False
     motion: MotionSettings = MotionSettings()
@@ -241,7 +241,7 @@ class Analysis(QObject):
         """Take other values for some of the settings."""
         self._store.change(analysis=replace(self.settings, **fields))
 
-    def set_value(self, setting: OverlaySetting[float], value: float) -> None:
+    def set_value(self, setting: OwnedSetting[float], value: float) -> None:
         """Take another value for a setting of overlays."""
         self._store.change(analysis=self.settings.with_value(setting, value))
 

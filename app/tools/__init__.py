@@ -19,5 +19,4 @@ In reading order:
 - ``box``: the box around the selection, with grips and pivot.
 - ``marks``: what is drawn over the plot.  ``hints``: words that several hints share.
 - ``editing_session``: the session as tools see it.  ``background``: work that takes longer than a moment.
-- ``pencil_detail``: the distance of a curve from what the pencil draws.
 """

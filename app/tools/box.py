@@ -167,10 +167,20 @@ def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False)
 
 
 class SelectionBox:
-    """The selected points of the curves that are edited; with none, the curves that are chosen as wholes."""
+    """The box around the selected points of the edited curves; with none, around the selected curves.
+
+    Attributes
+    ----------
+    is_visible
+        Whether it is drawn around two or more selected points, or several selected curves.
+    keeps_proportions
+        Whether the grips at its corners keep its proportions.
+    """
 
     def __init__(self, session: EditingSession) -> None:
         self._session = session
+        self.is_visible = True
+        self.keeps_proportions = False
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
@@ -188,9 +198,9 @@ class SelectionBox:
         return self._now()[1]
 
     @property
-    def free_rectangle(self) -> TransformBox | None:
-        """The box, where nothing in it is locked."""
-        group, rectangle = self._now()
+    def visible_rectangle(self) -> TransformBox | None:
+        """The box, where it is drawn and nothing in it is locked; None otherwise."""
+        group, rectangle = self._now() if self.is_visible else (None, None)
         return rectangle if rectangle is not None and not self.refusal_of(group) else None
 
     def _now(self) -> tuple[PointGroup | None, TransformBox | None]:

@@ -33,7 +33,7 @@ def press_on_ruler(event: ToolEvent, axis: Axis) -> MoveGuide:
 
 
 def _drag(event: ToolEvent, document: Document, index: int) -> MoveGuide:
-    snapper, unit = event.snapping.for_guide(), event.settings.unit
+    snapper, unit = event.snapping.for_guide(), event.session.document.unit
     return MoveGuide(document=document, index=index, snapper=snapper, unit=unit)
 
 
@@ -109,7 +109,7 @@ def _is_beyond(pointer: Pointer) -> bool:
 def hint_on_guide(event: ToolEvent, index: int) -> Hint:
     """Return the hint over a guide."""
     guide = event.session.document.guides[index]
-    words = guide_label(guide, event.settings.unit)
+    words = guide_label(guide, event.session.document.unit)
     text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type its place"
     return Hint(text, grab=True, cursor=CURSORS[guide.axis.coordinate])
 

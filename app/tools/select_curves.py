@@ -197,7 +197,7 @@ def _turns_grips(event: ToolEvent, hit: Hit) -> bool:
     meant, chosen = _intended(event, hit), event.session.selected.chosen
     # With Ctrl a part of what is chosen is wanted alone.
     is_chosen = meant == chosen if event.pointer.ctrl else meant <= chosen
-    return is_chosen and event.settings.shows_box and not event.box.refusal_of(event.box.group)
+    return is_chosen and event.box.is_visible and not event.box.refusal_of(event.box.group)
 
 
 def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:

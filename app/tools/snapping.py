@@ -384,20 +384,23 @@ class SnapTargets:
 
     Attributes
     ----------
+    settings
+        Whether to snap, and to what.
     now
         The snapper in use, None for none.
     """
 
-    def __init__(
-        self,
-        session: EditingSession,
-        settings: Callable[[], Snapping],
-        grid: Callable[[], float],
-    ) -> None:
-        self._session, self._settings, self._grid = session, settings, grid
+    def __init__(self, session: EditingSession, grid: Callable[[], float]) -> None:
+        self._session, self._grid = session, grid
+        self.settings = Snapping()
         self.now: Snapper | None = None
         # The snapper of the last hover, and what it was made for.
         self._hovered: tuple[tuple[Document, int, int, Snapping], Snapper] | None = None
+
+    @property
+    def is_on(self) -> bool:
+        """Whether points snap."""
+        return self.settings.on
 
     def for_new_point(self, place: int) -> Snapper:
         """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
@@ -444,16 +447,16 @@ class SnapTargets:
         """Return a snapper to what `collect` returns and to guides, by default those of the document."""
         # Guides as they are at the press.
         guides = self._session.document.guides if guides is None else guides
-        self.now = Snapper(self._settings, self._grid, collect, guides)
+        self.now = Snapper(lambda: self.settings, self._grid, collect, guides)
         return self.now
 
     @property
     def _kinds(self) -> Collection[SnapKind]:
-        return self._settings().kinds
+        return self.settings.kinds
 
     def show_before_press(self, pointer: Pointer, place: int) -> None:
         """Show where a press at `pointer` would put the point of index `place`."""
-        session, settings = self._session, self._settings()
+        session, settings = self._session, self.settings
         made_for = (session.document, session.active_index, place, settings)
         if self._hovered is None or self._hovered[0] != made_for:
             self._hovered = (made_for, self.for_new_point(place))

@@ -32,7 +32,7 @@ Threshold, preview, the undo step, Escape and the status line follow from that.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import msgspec
 from msgspec.structs import replace
@@ -44,14 +44,14 @@ from ..document.transforms import round_step_above
 from ..document.words import decimal_product
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.registry import Registry
+from ..view_model.settings import ChoiceSetting, OwnedSetting, SettingValues, SwitchSetting, Value_co
 from .background import Background
-from .box import SelectionBox, TransformBox
+from .box import SelectionBox
 from .editing_session import EditingSession
 from .marks import Marks
 from .nudge import DIRECTIONS, nudge, select_next
-from .pencil_detail import PencilDetail
 from .pointer import Cursor, Hint, Hit, Part, Pointer
-from .snapping import SnapKind, Snapping, SnapTargets
+from .snapping import SnapKind, SnapTargets
 from .typed_amount import TypedAmount
 
 THRESHOLD = 3.0
@@ -83,30 +83,6 @@ class CanvasQueries:
         return 1.0
 
 
-class ToolSettings(msgspec.Struct, frozen=True):
-    """Settings of the tools, as the person has them.
-
-    Attributes
-    ----------
-    snapping
-        Whether to snap, and to what.
-    unit
-        The name of the unit of length, for what is measured.
-    shows_box
-        Whether two or more selected points, or several selected curves, get a box with grips.
-    keeps_proportions
-        Whether the grips at the corners of that box keep its proportions.
-    pencil
-        How near a curve comes to what the pencil draws.
-    """
-
-    snapping: Snapping = Snapping()
-    unit: str = ""
-    shows_box: bool = True
-    keeps_proportions: bool = False
-    pencil: PencilDetail = PencilDetail.MEDIUM
-
-
 class ToolEvent(msgspec.Struct, frozen=True):
     """One press, move, hover or key, with everything that a tool needs to answer it.
 
@@ -117,9 +93,9 @@ class ToolEvent(msgspec.Struct, frozen=True):
     session
         Document, views and selection, and the methods that change them.
     settings
-        Snapping, the unit, whether there is a box with grips.
+        Settings of all tools: `event.value(DETAIL)` is the value of one.
     snapping
-        Makes the snapper of a gesture.
+        Whether and to what to snap; makes the snapper of a gesture.
     box
         The box around the selection, and its pivot.
     background
@@ -134,7 +110,7 @@ class ToolEvent(msgspec.Struct, frozen=True):
 
     pointer: Pointer
     session: EditingSession
-    settings: ToolSettings
+    settings: SettingValues
     snapping: SnapTargets
     box: SelectionBox
     background: Background
@@ -147,6 +123,10 @@ class ToolEvent(msgspec.Struct, frozen=True):
         """The view of the active curve."""
         return self.session.active_view
 
+    def value(self, setting: OwnedSetting[Value_co]) -> Value_co:
+        """Return the value of a setting of the tool."""
+        return self.settings.value(setting)
+
     def at(self, pointer: Pointer) -> ToolEvent:
         """Return the event of a pointer somewhere else."""
         return replace(self, pointer=pointer, hit=None)
@@ -156,21 +136,16 @@ class ToolEvent(msgspec.Struct, frozen=True):
         hit = self.canvas.hit(self.pointer, self.tool.hits) if self.pointer.is_there else None
         return replace(self, hit=hit)
 
-    @property
-    def rectangle(self) -> TransformBox | None:
-        """The box around the selection, where it is displayed and can be changed; None otherwise."""
-        return self.box.free_rectangle if self.settings.shows_box else None
-
     def frame_marks(self) -> Marks:
         """Return the marks of the selection while something is dragged: its box without grips, its pivot."""
         if not self.tool.shows_box:
             return Marks()
-        box, pivot = self.rectangle, self.box.pivot
+        box, pivot = self.box.visible_rectangle, self.box.pivot
         return Marks(frame=box, pivot=pivot or (box.centre if box is not None else None))
 
     def preview_snap(self, index: int) -> None:
         """Show where a press would put the point of an index, −1 for none in particular."""
-        if self.settings.snapping.on and self.pointer.is_there:
+        if self.snapping.is_on and self.pointer.is_there:
             self.snapping.show_before_press(self.pointer, index)
 
     def key_step(self, *, on_grid: bool = True) -> float:
@@ -178,8 +153,7 @@ class ToolEvent(msgspec.Struct, frozen=True):
 
         With Shift ten times as far, with Ctrl a tenth; it is a short decimal number each time.
         """
-        snapping = self.settings.snapping
-        if on_grid and snapping.on and SnapKind.GRID in snapping.kinds:
+        if on_grid and self.snapping.is_on and SnapKind.GRID in self.snapping.settings.kinds:
             step = self.canvas.grid_spacing()
         else:
             step = round_step_above(_LEAST_PIXELS / self.pointer.scale)
@@ -484,6 +458,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         not stand in the menu of the further ones there.
     keywords
         Other words by which the palette finds it.
+    settings
+        Its settings: each has a field in the preferences, a choice also an action for each member.
     """
 
     name: str
@@ -502,6 +478,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     in_menu: bool = False
     in_toolbar: bool = True
     keywords: str = ""
+    settings: tuple[ChoiceSetting[Any] | SwitchSetting, ...] = ()
 
     @property
     def sort_key(self) -> tuple[int, ...]:

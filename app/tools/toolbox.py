@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from ..document.limits import EditError
 from ..document.model import Vector
+from ..view_model.settings import SettingValues
 from .background import Background
 from .box import SelectionBox
 from .editing_session import EditingSession
@@ -24,7 +25,6 @@ from .tool import (
     Tool,
     ToolEvent,
     ToolRecord,
-    ToolSettings,
 )
 
 
@@ -38,7 +38,9 @@ class Toolbox:
     canvas
         The plot: answers what lies under the pointer, for one; whoever shows it sets it.
     settings
-        Settings of all tools.
+        Values of the settings of all tools.
+    snapping
+        Whether and to what to snap; makes the snapper of a gesture.
     box
         The box around the selection, which transforms act on, and its pivot.
     background
@@ -48,16 +50,15 @@ class Toolbox:
     def __init__(self, session: EditingSession, record: ToolRecord) -> None:
         self.record = record
         self.canvas = CanvasQueries()
-        self.settings = ToolSettings()
+        self.settings = SettingValues()
         self.background = Background(lambda: not self.is_pressed)
         self._session = session
-        self._snapping = SnapTargets(
+        self.snapping = SnapTargets(
             session,
-            lambda: self.settings.snapping,
             lambda: self.canvas.grid_spacing(),  # noqa: PLW0108 - it is set later
         )
         self.box = SelectionBox(session)
-        self._tools = {record.name: record.make()}
+        self._made = {record.name: record.make()}
         self._gesture: Gesture | None = None
         self._is_buttonless = False
         self._pointer = Pointer((0.0, 0.0), (0.0, 0.0))
@@ -65,9 +66,9 @@ class Toolbox:
     @property
     def tool(self) -> Tool:
         """The tool in use."""
-        if self.record.name not in self._tools:
-            self._tools[self.record.name] = self.record.make()
-        return self._tools[self.record.name]
+        if self.record.name not in self._made:
+            self._made[self.record.name] = self.record.make()
+        return self._made[self.record.name]
 
     @property
     def event(self) -> ToolEvent:
@@ -76,7 +77,7 @@ class Toolbox:
             self._pointer,
             self._session,
             self.settings,
-            self._snapping,
+            self.snapping,
             self.box,
             self.background,
             self.canvas,
@@ -172,7 +173,7 @@ class Toolbox:
     def _end(self) -> Gesture | None:
         """Return the gesture that was in flight; from now on there is none."""
         gesture, self._gesture, self._is_buttonless = self._gesture, None, False
-        self._snapping.reset()
+        self.snapping.reset()
         return gesture
 
     # No gesture in flight
@@ -190,7 +191,7 @@ class Toolbox:
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""
         event = self._at(pointer).with_hit()
-        self._snapping.reset()
+        self.snapping.reset()
         hint, highlighted = self.tool.hover(event), -1
         if hint.highlighted is not None:
             highlighted = hint.highlighted
@@ -202,7 +203,7 @@ class Toolbox:
     def leave(self) -> None:
         """Show nothing of what a press would do: the pointer has left."""
         self._session.selected.set_hovered(-1)
-        self._snapping.reset()
+        self.snapping.reset()
         self.tool.hover(self._at(ELSEWHERE))
 
     def dismiss(self) -> bool:
@@ -215,7 +216,7 @@ class Toolbox:
     def reset(self) -> None:
         """Forget what concerns the document: another one is open."""
         self.background.cancel()
-        self._tools = {}
+        self._made = {}
 
     # Keys
 
@@ -263,7 +264,7 @@ class Toolbox:
         """Return the sentence about the gesture in flight, with what it has snapped to."""
         if self._gesture is None or not self._gesture.has_moved:
             return ""
-        return with_snap(self._gesture.status(self.event), self._snapping.caught)
+        return with_snap(self._gesture.status(self.event), self.snapping.caught)
 
     def dragged_position(self) -> Vector | None:
         """Return the position of the point that is dragged, None while none is."""

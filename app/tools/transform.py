@@ -37,7 +37,7 @@ def press_on_grip(event: ToolEvent, grip: Grip) -> Drag:
     """Start to drag a grip of the box around the selection: it scales, rotates or skews."""
     if grip.does is not TransformKind.SCALE:
         return _by_grip(event, grip)
-    session, box, settings = event.session, event.box, event.settings
+    session, box = event.session, event.box
     assert box.group is not None
     assert box.rectangle is not None
     return ScaleBox(
@@ -49,7 +49,7 @@ def press_on_grip(event: ToolEvent, grip: Grip) -> Drag:
         grip=grip,
         start=event.pointer.position,
         snapper=event.snapping.for_grip(grip, box.group),
-        even=settings.keeps_proportions and bool(grip.x and grip.y),
+        even=box.keeps_proportions and bool(grip.x and grip.y),
     )
 
 

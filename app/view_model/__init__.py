@@ -7,7 +7,8 @@ more at the end, which is the first point again.
 - ``geometry``: vectors, parameters along a curve, insides of outlines.
 - ``stroke_box``: boxes around cubic pieces and stroked lines.  ``arc_lengths``: lengths of curves.
 - ``line_styles``, ``palette``: the look of lines and marks; colours of papers, curves and points.
-- ``registry``: registries that read their records off the modules of a package.
+- ``registry``: registries that read their records off the modules of a package.  ``settings``: settings that
+  an overlay or a tool owns.
 
 What a drag does to curves:
 

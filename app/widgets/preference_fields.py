@@ -16,7 +16,7 @@ from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import Label
 from ..qt.overrides import SafeOverrides
-from ..settings.kinds import Choice, Distance, Setting, Several, Text, Value
+from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
 from .controls import check_box, choice_box
 from .fields import NumberEdit, read_number
 from .number_text import typed_text
@@ -61,6 +61,20 @@ class ChoicePreference(PreferenceField[NamedEnum]):
     def show(self, value: NamedEnum) -> None:
         """Show a value."""
         self._box.setCurrentIndex(self._members.index(value))
+
+
+@field_of.register(Switch)
+class SwitchPreference(PreferenceField[bool]):
+    """A check box."""
+
+    def __init__(self, setting: Switch, change: Change) -> None:
+        self._check = check_box(setting.widget, setting.label, setting.tip, setting.label)
+        self._check.clicked.connect(change)
+        self.rows = [("", self._check)]
+
+    def show(self, value: bool) -> None:
+        """Show a value."""
+        self._check.setChecked(value)
 
 
 @field_of.register(Several)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Any
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
@@ -23,7 +24,8 @@ from ..appearance.theme import theme_of
 from ..qt.labels import Label
 from ..qt.overrides import ENTER, SafeOverrides
 from ..settings.kinds import settings_with_labels
-from ..settings.preferences import Preferences
+from ..settings.preferences import Preferences, stored_tool_settings
+from ..view_model.settings import OwnedSetting
 from ..widgets.boxes import column_of, form_of, row_of
 from ..widgets.controls import named, push_button
 from ..widgets.frames import FittedDialog
@@ -49,6 +51,10 @@ class PreferencesDialog(FittedDialog):
             name: field_of(setting, partial(self._choose, name))
             for name, setting in settings_with_labels(type(preferences)).items()
         }
+        self._tool_fields = {
+            setting: field_of(stored, partial(self._choose_of_tool, setting))
+            for setting, stored in stored_tool_settings().items()
+        }
         self.shortcuts = ShortcutEditor(keymap)
         self.tabs = QTabWidget()
         self.tabs.setObjectName("preferencesTabs")
@@ -70,7 +76,7 @@ class PreferencesDialog(FittedDialog):
 
     def _general(self) -> QWidget:
         page = QWidget()
-        rows = (row for field in self._fields.values() for row in field.rows)
+        rows = (row for field in (*self._fields.values(), *self._tool_fields.values()) for row in field.rows)
         form_of(*rows, margins=16, across=16, down=10, parent=page)
         return page
 
@@ -78,6 +84,9 @@ class PreferencesDialog(FittedDialog):
         """Show what the preferences hold."""
         for name, field in self._fields.items():
             field.show(getattr(self._preferences, name))
+        values = self._preferences.tool_settings
+        for setting, tool_field in self._tool_fields.items():
+            tool_field.show(values.value(setting))
         self.shortcuts.show_all()
 
     def show_shortcuts(self) -> None:
@@ -88,6 +97,9 @@ class PreferencesDialog(FittedDialog):
     def _choose(self, name: str, value: object) -> None:
         setattr(self._preferences, name, value)
         self.changed.emit()
+
+    def _choose_of_tool(self, setting: OwnedSetting[Any], value: object) -> None:
+        self._choose("tool_settings", self._preferences.tool_settings.with_value(setting, value))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         # Enter confirms what was typed; it does not close.

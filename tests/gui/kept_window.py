@@ -78,7 +78,7 @@ class KeptEditor:
         window.setProperty("isKept", True)
         self._curtain = Curtain(window)
         window.preferences.file._settings.installEventFilter(Unwritten(window))
-        self._tool_settings = window.canvas.tools.settings
+        self._snapping = window.canvas.tools.snapping.settings
         self._sketch, self._views = self._editor.session.document, tuple(self._editor.session.views)
         self._docks = window.findChildren(QDockWidget)
         self._in_front = [dock for dock in self._docks if is_in_front(dock)]
@@ -251,8 +251,7 @@ class KeptEditor:
         if window.store.state.scale != 1.0:
             window.actions_by_name["usualSize"].trigger()
         # As they follow from settings and document, where a test has changed them itself.
-        if window.canvas.tools.settings != self._tool_settings:
-            window.canvas.change_tool_settings(**msgspec.structs.asdict(self._tool_settings))
+        window.canvas.tools.snapping.settings = self._snapping
         if window.canvas.drawing.grid._fixed != self._sketch.grid_spacing:
             window.canvas.drawing.grid.set_spacing(self._sketch.grid_spacing)
         window.central["plotPanel"].last_height = USUAL_HEIGHT

@@ -485,7 +485,7 @@ def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
 def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
     choose(five, "BC")
     five.set_grid(0.3)
-    five.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.GRID})))
+    five.window.canvas.tools.snapping.settings = Snapping(True, frozenset({SnapKind.GRID}))
     x, y = five.grip(1, 0)
     five.drag((x, y), (x + 0.62, y))
     assert [positions(five, row)[3][0] for row in (1, 2)] == [3.6, 3.6]
@@ -493,7 +493,7 @@ def test_a_grip_snaps_a_side_to_the_grid_in_all_curves(five):
 
 def test_the_point_under_the_pointer_snaps_to_a_curve_that_stays(five):
     choose(five, "BC")
-    five.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.POINTS})))
+    five.window.canvas.tools.snapping.settings = Snapping(True, frozenset({SnapKind.POINTS}))
     x, y = five.session.views[2].curve.evaluate(0.9)
     end, goal = positions(five, 2)[3], positions(five, 3)[2]
     five.drag((x, y), (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02))

@@ -399,7 +399,7 @@ def test_copies_have_it_too(two):
 
 
 def test_it_snaps_to_a_point_and_to_the_box(two):
-    two.window.canvas.change_tool_settings(snapping=Snapping(True, frozenset({SnapKind.POINTS})))
+    two.window.canvas.tools.snapping.settings = Snapping(True, frozenset({SnapKind.POINTS}))
     two.trigger("selectAll")
     box = box_shown(two)
     drag_pivot(two, (4.0 + 3 * two.pixel, 0.5 - 2 * two.pixel))

@@ -155,7 +155,7 @@ def test_how_near_is_chosen_from_the_menu_and_remembered(editor):
     draw(editor, PLACES["wobbling"])
     usual = len(editor.session.active_curve.points)
     editor.trigger("pencilVerySmooth")
-    assert editor.window.preferences.pencil.pixels == 10.0
+    assert editor.window.preferences.tool_settings.value(pencil.DETAIL).pixels == 10.0
     line = draw(editor, PLACES["wobbling"])
     assert len(editor.session.active_curve.points) < usual
     assert farthest(editor, line) <= 10.2

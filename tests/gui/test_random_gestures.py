@@ -28,7 +28,7 @@ from app.tools.explain import EXPLAIN
 from app.tools.parameters import RAIL
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapping
-from app.tools.tool import TOOLS, CanvasQueries, ToolSettings
+from app.tools.tool import TOOLS, CanvasQueries
 from app.tools.toolbox import Toolbox
 from app.tools.transform import transform_by_key
 from app.view_model.curve.handles import handles_at, handles_on, sides_facing
@@ -239,7 +239,7 @@ class Gestures(RuleBasedStateMachine):
     @rule(record=st.sampled_from((*TOOLS, EXPLAIN)), snapping=st.booleans())
     def choose_tool(self, record, snapping):
         self.tool.choose(record)
-        self.tool.settings = ToolSettings(Snapping(snapping))
+        self.tool.snapping.settings = Snapping(snapping)
 
     @rule(aim=aims, held=modifiers, moves=moves, ending=endings)
     def drag(self, aim, held, moves, ending):

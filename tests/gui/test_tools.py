@@ -5,18 +5,32 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QMenu, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QWidget
 
 from app.document import point_edits
 from app.document.model import Point
+from app.document.words import NamedEnum
 from app.testing import Editor
 from app.tools.canvas.select import SELECT
 from app.tools.marks import Marks, Ruler
 from app.tools.pointer import Cursor, Hint
 from app.tools.tool import TOOLS, Drag, Gesture, GestureRow, Tool, ToolRecord
+from app.view_model.settings import ChoiceSetting, SwitchSetting
+from app.window.preferences_dialog import PreferencesDialog
 from tests.gui.editor_facts import transform
 
 HINT = "Drag to put a point above where you pressed"
+
+
+class Count(NamedEnum):
+    """How many points are put above the press."""
+
+    ONE = "one", "One point"
+    TWO = "two", "Two points"
+
+
+COUNT = ChoiceSetting("raiseBox", "Raise", Count.ONE, tip="Points above the press", key="raise/count")
+LOUD = SwitchSetting("raiseLoud", "Say where", True, tip="Say where the point is", key="raise/loud")
 
 
 class Raise(Drag, kw_only=True):
@@ -68,6 +82,7 @@ RAISE = ToolRecord(
     key="Ctrl+Alt+F8",
     icon="move",
     tip="Put points above others",
+    settings=(COUNT, LOUD),
 )
 FOOT, HEAD = (2.0, 1.0), (2.5, 3.0)
 
@@ -165,6 +180,28 @@ def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(rai
     raising.escape()
     assert canvas.tools.record is SELECT
     assert session.selection == {1}
+
+
+def test_a_setting_of_a_tool_has_an_action_a_field_in_the_preferences_and_is_remembered(raising):
+    with TOOLS.with_record(RAISE):
+        window = raising.window
+        event = window.canvas.tools.event
+        assert (event.value(COUNT), event.value(LOUD)) == (Count.ONE, True)
+        assert raising.action("raiseOne").isChecked()
+        raising.trigger("raiseTwo")
+        assert window.canvas.tools.event.value(COUNT) is Count.TWO
+        assert raising.status == "Raise Points: Two points."
+        assert raising.action("raiseTwo").isChecked()
+        QTest.keyClick(window.canvas, Qt.Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
+        dialog = window.findChild(PreferencesDialog)
+        assert dialog.findChild(QComboBox, "raiseBox").currentText() == "Two points"
+        check = dialog.findChild(QCheckBox, "raiseLoud")
+        assert check.isChecked()
+        check.click()
+        assert not window.canvas.tools.event.value(LOUD)
+        assert not window.preferences.tool_settings.value(LOUD)
+        assert window.preferences.file.text("raise/count") == "two"
+        dialog.hide()
 
 
 class StampTool(Tool):

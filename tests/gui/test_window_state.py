@@ -53,7 +53,7 @@ def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
 REMEMBERED = {
     "snap_on",
     "snap_kinds",
-    "pencil",
+    "tool_settings",
     "transform_box",
     "rulers",
     "keep_proportions",
@@ -66,9 +66,8 @@ REMEMBERED = {
 
 def test_fields_that_preferences_of_the_same_name_remember_are_remembered(qapp, tmp_path):
     fields = set(WindowState.__struct_fields__)
-    assert {
-        name for name, each in vars(Preferences).items() if isinstance(each, Setting)
-    } & fields == REMEMBERED
+    remembered = {name for name, each in vars(Preferences).items() if isinstance(each, Setting | property)}
+    assert remembered & fields == REMEMBERED
     store = store_of(tmp_path)
     store.change(snap_on=True, rulers=False, theme_mode=ThemeMode.DARK, grid=False)
     again = store_of(tmp_path).state

@@ -47,7 +47,7 @@ class DocumentSettingsCommands:
         if now != self._shown:
             before, self._shown = self._shown, now
             canvas = self._context.central.canvas
-            canvas.change_tool_settings(unit=document.unit)
+            canvas.show_marks()
             canvas.drawing.grid.set_spacing(document.grid_spacing)
             canvas.drawing.units.render(document.unit)
             self._context.status_line.readouts.show_unit(document.unit)

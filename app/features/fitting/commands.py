@@ -1,4 +1,4 @@
-"""The detail of the pencil, Simplify, and fewer points for a curve."""
+"""Simplify, and fewer points for a curve."""
 
 from __future__ import annotations
 
@@ -13,9 +13,8 @@ from PySide6.QtWidgets import QWidget
 
 from curvecore.arrays import FloatArray
 
-from ...actions.declaration import Action, action, action_for_each
-from ...actions.keymap import action_name
-from ...actions.menus import ARRANGE_SHAPES, CURVE_FEWER, EDIT_PENCIL
+from ...actions.declaration import action
+from ...actions.menus import ARRANGE_SHAPES, CURVE_FEWER
 from ...actions.needs import SOME_CURVE, UNLOCKED_CURVE
 from ...canvas.figure_layer import Trace
 from ...document.curve_edits import replace_curve
@@ -25,10 +24,8 @@ from ...document.model import Document, Vector
 from ...document.plain_numbers import with_plain_numbers
 from ...document.several_curves import name_or_count, unlocked_curves
 from ...document.words import count_of, number
-from ...state.window_state import WindowState
 from ...tasks.progress import Report, part
 from ...tasks.task import DebouncedTask
-from ...tools.pencil_detail import PencilDetail
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.curve.transformed import views_ahead
 from ...view_model.fit import Fitted, Simplified, fitted_to_curve, is_of_points_alone, simplified
@@ -124,34 +121,6 @@ _HEIGHT = 300
 _BUSY = "Fitting… Escape cancels."
 
 FAR_STYLE = LineStyle("warning", width=2.0)
-
-
-class PencilCommands:
-    """Keeps the pencil in step with what was chosen about it."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context = context
-        self._show_state(None, context.store.state)
-        context.store.changed.connect(self._show_state)
-
-    def _show_state(self, _before: WindowState | None, state: WindowState) -> None:
-        self._context.central.canvas.change_tool_settings(pencil=state.pencil)
-
-    @action_for_each(
-        tuple(PencilDetail),
-        lambda detail: Action(
-            action_name("pencil", detail),
-            detail.label,
-            EDIT_PENCIL,
-            tip=f"The pencil's curves are at most {count_of(round(detail.pixels), 'pixel')} from the line",
-            full_name=f"Pencil: {detail.label}",
-            checked=lambda state: state.window.pencil is detail,
-            group="pencil",
-        ),
-    )
-    def _choose_detail(self, detail: PencilDetail) -> None:
-        self._context.store.change(pencil=detail)
-        self._context.session.say(f"Pencil: {detail.label}.")
 
 
 class FitCommands(QObject):
@@ -320,4 +289,4 @@ def _cross(position: Vector, size: float) -> list[FloatArray]:
     ]
 
 
-COMMAND_SETS = (PencilCommands, FitCommands, SimplifyCommands)
+COMMAND_SETS = (FitCommands, SimplifyCommands)

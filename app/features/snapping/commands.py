@@ -150,7 +150,8 @@ class SnapCommands:
         hidden = {kind for kind, is_shown in shown.items() if not is_shown}
         effective = replace(state.snapping, kinds=state.snapping.kinds - hidden)
         canvas = self._context.central.canvas
-        canvas.change_tool_settings(snapping=effective)
+        canvas.tools.snapping.settings = effective
+        canvas.show_marks()
         if before is not None and before.snapping != state.snapping:
             # What is dragged goes where it snaps to now.
             canvas.move_again()

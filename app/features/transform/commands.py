@@ -98,9 +98,10 @@ class SelectionCommands:
             changed.connect(context.central.canvas.show_marks)
 
     def _show_state(self, _before: WindowState, state: WindowState) -> None:
-        self._context.central.canvas.change_tool_settings(
-            shows_box=state.transform_box, keeps_proportions=state.keep_proportions
-        )
+        canvas = self._context.central.canvas
+        box = canvas.tools.box
+        box.is_visible, box.keeps_proportions = state.transform_box, state.keep_proportions
+        canvas.show_marks()
 
     @action_for_each(
         _TRANSFORMS,

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from typing import Any, NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch, widget_at
+from ...actions.keymap import action_name
 from ...actions.menus import (
     CANVAS_MENU,
+    EDIT_TOOL_SETTINGS,
     EDIT_TOOLS,
     MORE_TOOLS_MENU,
     TOOLBAR,
@@ -22,9 +25,11 @@ from ...actions.menus import (
 from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...appearance.theme import ThemeMode
 from ...document.several_curves import common_name, name_or_count
+from ...document.words import NamedEnum
 from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
+from ...view_model.settings import ChoiceSetting
 from ...widgets.controls import ToolbarWidget
 from ...workbench.context import WindowContext
 from ...workbench.docks import LateDock, hide_idle_docks
@@ -40,6 +45,24 @@ _THEMES = (
 )
 
 
+class _ToolChoice(NamedTuple):
+    """A member of a choice among the settings of a tool."""
+
+    tool: ToolRecord
+    setting: ChoiceSetting[Any]
+    member: NamedEnum
+
+
+def _tool_choices() -> list[_ToolChoice]:
+    return [
+        _ToolChoice(tool, setting, member)
+        for tool in TOOLS
+        for setting in tool.settings
+        if isinstance(setting, ChoiceSetting)
+        for member in type(setting.default)
+    ]
+
+
 class ViewCommands:
     """Changes of what is shown, and how."""
 
@@ -52,11 +75,13 @@ class ViewCommands:
         self._before_folding = b""
         self._store.changed.connect(self._show_state)
         self._show_numbers(self._store.state)
+        context.central.canvas.tools.settings = self._store.state.tool_settings
 
     def _show_numbers(self, state: WindowState) -> None:
         self._context.central.canvas.drawing.set_plain(not state.numbered)
 
     def _show_state(self, before: WindowState, after: WindowState) -> None:
+        self._context.central.canvas.tools.settings = after.tool_settings
         if after.grid != before.grid:
             self._context.central.canvas.drawing.grid.set_visible(after.grid)
         if after.numbered != before.numbered:
@@ -147,6 +172,23 @@ class ViewCommands:
         self._store.change(tool=tool, moves_image=False)
         chosen = self._session.selected.chosen if tool is SELECT else frozenset()
         self._context.status_line.show_hint(self._told_whole(chosen) if chosen else tool.hint)
+
+    @action_for_each(
+        _tool_choices,
+        lambda each: Action(
+            action_name(each.tool.name, each.member),
+            each.member.label,
+            EDIT_TOOL_SETTINGS,
+            tip=f"{each.setting.tip}: {each.member.label}",
+            full_name=f"{each.tool.title}: {each.member.label}",
+            checked=lambda state: state.window.tool_settings.value(each.setting) is each.member,
+            group=each.setting.name,
+        ),
+    )
+    def _choose_tool_setting(self, each: _ToolChoice) -> None:
+        tool, setting, member = each
+        self._store.change(tool_settings=self._store.state.tool_settings.with_value(setting, member))
+        self._session.say(f"{tool.title}: {member.label}.")
 
     # What is shown
 

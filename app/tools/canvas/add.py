@@ -232,7 +232,7 @@ class AddTool(Tool):
         if place is not None and not in_steps:
             event.preview_snap(place)
         self._update_preview(event, act)
-        snaps = event.settings.snapping.on
+        snaps = event.snapping.is_on
         if view.source.locked and act is not PenAct.BEGIN:
             return Hint(hints.LOCKED.format(view.source.display_name))
         if part is None:

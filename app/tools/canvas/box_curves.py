@@ -184,7 +184,7 @@ class BoxCurveTool(Tool):
 
     def press(self, event: ToolEvent) -> DrawInBox:
         """Begin to draw."""
-        session, snapper, unit = event.session, event.snapping.for_new_point(-1), event.settings.unit
+        session, snapper, unit = event.session, event.snapping.for_new_point(-1), event.session.document.unit
         active = session.active_index
         drawn = drawn_index(session.document, active)
         return DrawInBox(

@@ -70,8 +70,8 @@ class MeasureTool(Tool):
     def press(self, event: ToolEvent) -> Measuring:
         """Begin to measure here."""
         snapper = event.snapping.for_new_point(-1)
-        start = snapper.at(event.pointer)
-        self._measured = Measuring(snapper=snapper, unit=event.settings.unit, ruler=Ruler(start, start, ""))
+        start, unit = snapper.at(event.pointer), event.session.document.unit
+        self._measured = Measuring(snapper=snapper, unit=unit, ruler=Ruler(start, start, ""))
         return self._measured
 
     def hover(self, event: ToolEvent) -> Hint:

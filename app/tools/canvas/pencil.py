@@ -12,15 +12,44 @@ from msgspec.structs import replace
 from ...document.curve_edits import NewCurve, new_curve_like, replace_curve, with_new_curve
 from ...document.limits import EditError
 from ...document.model import Curve, Parametrization, Vector
-from ...document.words import count_of, number, with_decimals
+from ...document.words import NamedEnum, count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
 from ...view_model.fit import SCATTERED, Fitted, fitted
+from ...view_model.settings import ChoiceSetting
 from ..background import BackgroundTask
 from ..editing_session import EditingSession
 from ..marks import Marks
 from ..pointer import Hint, Pointer
 from ..tool import THRESHOLD, Gesture, GestureRow, Tool, ToolEvent, ToolRecord
+
+
+class Detail(NamedEnum):
+    """The distance of a curve from the line that was drawn.
+
+    Attributes
+    ----------
+    pixels
+        The largest deviation, on the screen.
+    """
+
+    def __init__(self, value: str, label: str = "", pixels: float = 0.0) -> None:
+        super().__init__(value, label)
+        self.pixels = pixels
+
+    FINE = "fine", "Fine (1 px)", 1.0
+    MEDIUM = "medium", "Medium (2 px)", 2.0
+    SMOOTH = "smooth", "Smooth (5 px)", 5.0
+    VERY_SMOOTH = "very_smooth", "Very smooth (10 px)", 10.0
+
+
+DETAIL = ChoiceSetting(
+    "pencilBox",
+    "Pencil",
+    Detail.MEDIUM,
+    tip="Largest distance between the curve and the line that was drawn",
+    key="pencil/detail",
+)
 
 _CLOSING = 12.0
 """Pixels between beginning and end of a line that is meant to return."""
@@ -78,7 +107,7 @@ class PencilLine(Gesture, kw_only=True):
             return
         returns = math.dist(self.last, self.press.pixel) <= _CLOSING
         closed = returns and self.length > _LEAST_ROUND * _CLOSING
-        tolerance = event.settings.pencil.pixels / self.press.scale
+        tolerance = event.value(DETAIL).pixels / self.press.scale
         begin = _begun(session)
         model = replace(begin.document.curves[begin.curve_index], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
@@ -94,7 +123,7 @@ class PencilLine(Gesture, kw_only=True):
         """Return how the line becomes a curve."""
         if not self.line:
             return ""
-        detail = event.settings.pencil.label.lower()
+        detail = event.value(DETAIL).label.lower()
         can_close = event.view.source.family.curve_class.can_close
         closed = "back to the beginning: closed · " if can_close else ""
         return f"Drawing, {detail} · {closed}Escape cancels"
@@ -182,7 +211,7 @@ class PencilTool(Tool):
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        detail = event.settings.pencil.label.lower()
+        detail = event.value(DETAIL).label.lower()
         return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V goes back to Select")
 
 
@@ -202,6 +231,7 @@ PENCIL = ToolRecord(
     title="Pencil",
     full_name="Pencil Tool",
     key="D",
+    settings=(DETAIL,),
     icon="pencil",
     tip="Draw freehand: a curve of few points near the line",
     in_menu=True,

@@ -29,7 +29,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar
+from typing import TYPE_CHECKING
 
 import msgspec
 import numpy as np
@@ -41,6 +41,7 @@ from ...tasks.progress import Report, silent
 from ..geometry import Samples, one_sided, size_of
 from ..line_styles import LineStyle
 from ..registry import Registry
+from ..settings import OwnedSetting, SettingValues, Value_co
 
 if TYPE_CHECKING:
     from ..curve.curve_view import CurveView
@@ -101,40 +102,20 @@ def number(value: float) -> str:
 
 # Settings
 
-Number_co = TypeVar("Number_co", bound=float, covariant=True)
 
-
-class OverlaySetting(msgspec.Struct, Generic[Number_co], frozen=True):
-    """A number that an overlay is drawn with; this kind is set by an action.
-
-    Attributes
-    ----------
-    name
-        Object name of the widget that sets it.
-    label
-        Its name, for people.
-    default
-        Its value until it is set.
-    """
-
-    name: str
-    label: str
-    default: Number_co
-
-
-class Factor(OverlaySetting[float], frozen=True):
+class Factor(OwnedSetting[float], frozen=True):
     """A factor from a tenth to ten, set by a slider."""
 
     default: float = 1.0
 
 
-class Count(OverlaySetting[int], frozen=True, kw_only=True):
+class Count(OwnedSetting[int], frozen=True, kw_only=True):
     """A whole number within limits, both included, set by a slider."""
 
     limits: tuple[int, int]
 
 
-class ErrorSize(OverlaySetting[float], frozen=True, kw_only=True):
+class ErrorSize(OwnedSetting[float], frozen=True, kw_only=True):
     """The largest error of something, typed.
 
     Attributes
@@ -151,26 +132,6 @@ class ErrorSize(OverlaySetting[float], frozen=True, kw_only=True):
     short: str
     tip: str
     usual: Callable[[CurveView], float] | None = None
-
-
-class SettingValues(msgspec.Struct, frozen=True):
-    """Values of the settings of overlays; `values` has those that were set."""
-
-    values: frozenset[tuple[OverlaySetting[float], Any]] = frozenset()
-
-    def value(self, setting: OverlaySetting[Number_co]) -> Number_co:
-        """Return the value of a setting."""
-        value: Number_co = dict(self.values).get(setting, setting.default)
-        return value
-
-    def has(self, setting: OverlaySetting[float]) -> bool:
-        """Whether a setting was ever set."""
-        return setting in dict(self.values)
-
-    def with_value(self, setting: OverlaySetting[float], value: float) -> Self:
-        """Return these with another value for one of them."""
-        values = dict(self.values) | {setting: value}
-        return msgspec.structs.replace(self, values=frozenset(values.items()))
 
 
 def usual_error(view: CurveView) -> float:
@@ -233,7 +194,7 @@ class OverlayInput(msgspec.Struct, frozen=True, eq=False, dict=True):
     scrub: float | None = None
     report: Report = silent
 
-    def value(self, setting: OverlaySetting[Number_co]) -> Number_co:
+    def value(self, setting: OwnedSetting[Value_co]) -> Value_co:
         """Return the value of a setting."""
         return self.settings.value(setting)
 
@@ -330,7 +291,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     key: str = ""
     icon: str = ""
     full_name: str = ""
-    settings: tuple[OverlaySetting[float], ...] = ()
+    settings: tuple[OwnedSetting[float], ...] = ()
     follows_scrub: bool = False
     brings_scrub: bool = False
     legend: Callable[[CurveView, SettingValues], Sequence[Entry]] = lambda _view, _settings: ()

@@ -15,7 +15,7 @@ from ..line_styles import (
     VERMILLION,
     LineStyle,
 )
-from .overlay import SettingValues
+from ..settings import SettingValues
 
 if TYPE_CHECKING:
     from .ghost import Ghost

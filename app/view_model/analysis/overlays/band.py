@@ -20,6 +20,7 @@ from ...basis import parameter_moves
 from ...curve.curve_view import CurveView
 from ...geometry import Samples, to_the_left, unit_tangents
 from ...line_styles import LineStyle, Sign
+from ...settings import SettingValues
 from ..overlay import (
     PARAMETER_ERROR,
     POINT_ERROR,
@@ -29,7 +30,6 @@ from ..overlay import (
     Group,
     Overlay,
     OverlayInput,
-    SettingValues,
     Shape,
     errors_text,
     number,

@@ -12,6 +12,7 @@ from ...curve.core_curve import in_words
 from ...curve.curve_view import curve_through
 from ...geometry import all_along
 from ...line_styles import LineStyle
+from ...settings import OwnedSetting
 from ..overlay import (
     PARAMETER_ERROR,
     POINT_ERROR,
@@ -21,7 +22,6 @@ from ..overlay import (
     Group,
     Overlay,
     OverlayInput,
-    OverlaySetting,
     Shape,
     errors_text,
 )
@@ -29,7 +29,7 @@ from ..overlay import (
 LINES = LineStyle("muted", 0.3)
 
 COUNT = Count("ensembleCount", "Number of curves", 30, limits=(1, 200))
-SEED = OverlaySetting("ensembleSeed", "Seed of the random numbers", 0)
+SEED = OwnedSetting("ensembleSeed", "Seed of the random numbers", 0)
 
 _SAMPLES = 240
 
