@@ -33,25 +33,25 @@ from .model import Curve, Point, Vector
 # Straight segments
 
 _SAME = 1e-9
-"""Share of a velocity by which the two in a segment, and its chord, may differ and be the same: what parsing
-and rounding leave is 1e-12 of it, what a person drags some 1e-3."""
+"""Relative difference up to which the velocities of a segment and its chord count as equal: parsing and
+rounding leave 1e-12, a person who drags a handle 1e-3."""
 
 
 def ends_of(curve: Curve, segment: int) -> tuple[int, int]:
-    """Return the points at which a segment begins and ends."""
+    """Return the indices of the points at the start and the end of a segment."""
     return segment, (segment + 1) % len(curve.points)
 
 
 def chord_of(curve: Curve, segment: int) -> Vector:
-    """Return the way from the beginning of a segment to its end."""
+    """Return the vector from the start of a segment to its end."""
     p, q = (curve.points[index] for index in ends_of(curve, segment))
     return (q.x - p.x, q.y - p.y)
 
 
 def velocity_in(curve: Curve, segment: int) -> Vector | None:
-    """Return the velocity at both ends of a segment, within it, if it is the same; None where it is not.
+    """Return the common velocity at both ends of a segment, if nothing bends it; else None.
 
-    Only what belongs to this segment alone counts: of a corner, or of an end of an open curve.
+    Both ends must be corners, or ends of an open curve: there the velocities belong to this segment alone.
     """
     start, end = ends_of(curve, segment)
     p, q, last = curve.points[start], curve.points[end], len(curve.points) - 1
@@ -62,19 +62,19 @@ def velocity_in(curve: Curve, segment: int) -> Vector | None:
     if not (q.corner or (end == last and not curve.is_closed)):
         return None
     (v, w), higher = _derivatives_in(p, q, 1), range(2, curve.family.derivatives + 1)
-    if not v or not w or any(map(_may_bend, (each for k in higher for each in _derivatives_in(p, q, k)))):
+    if not v or not w or any(_may_bend(vector) for k in higher for vector in _derivatives_in(p, q, k)):
         return None
     return v if math.dist(v, w) <= _SAME * math.hypot(*v) else None
 
 
 def is_straight(curve: Curve, segment: int) -> bool:
-    """Whether a segment is straight, and run through at an even pace."""
+    """Return whether a segment is straight, with constant speed."""
     v = velocity_in(curve, segment)
     return v is not None and _goes_along(v, chord_of(curve, segment))
 
 
 def is_straight_beside(curve: Curve, index: int, *, ahead: bool) -> bool:
-    """Whether the segment ahead of a point, or the one behind it, is straight."""
+    """Return whether the segment after a point, or the one before it, is straight."""
     segment = index if ahead else index - 1
     count = len(curve.points)
     if curve.is_closed:
@@ -83,16 +83,16 @@ def is_straight_beside(curve: Curve, index: int, *, ahead: bool) -> bool:
 
 
 class KeptSegment(msgspec.Struct, frozen=True):
-    """A straight segment that is to stay straight.
+    """Straight segment that must stay straight.
 
     Attributes
     ----------
     segment
-        Which one.
+        Its index.
     chord
-        Its chord before an end went elsewhere.
+        Its chord before an end moved.
     by_start
-        Whether the speed at its start is still that along it; else the one at its end is.
+        Whether its speed is that of the velocity at its start; else that at its end.
     """
 
     segment: int
@@ -101,30 +101,30 @@ class KeptSegment(msgspec.Struct, frozen=True):
 
 
 def straight_segments_to_keep(before: Curve, after: Curve) -> list[KeptSegment]:
-    """Return the straight segments of `before` of which one end has gone elsewhere in `after`.
+    """Return the straight segments of `before` whose chords changed in `after`.
 
-    Not those of which both velocities have been changed, too: they are bent, or mapped with their ends.
+    Segments with two changed velocities are left out: they were bent, or transformed with their ends.
     """
-    kept = []
-    # Thousands of curves are mapped at once: what takes long is asked of few segments.
+    result = []
+    # Thousands of curves are transformed at once: the expensive check comes last.
     for segment in _apart(before):
         chord = chord_of(before, segment)
         if chord == chord_of(after, segment):
             continue
         was, now = _ends_in(before, segment), _ends_in(after, segment)
         if (was[0] == now[0] or was[1] == now[1]) and is_straight(before, segment):
-            kept.append(KeptSegment(segment, chord, by_start=was[0] == now[0]))
-    return kept
+            result.append(KeptSegment(segment, chord, by_start=was[0] == now[0]))
+    return result
 
 
-def with_straight_segments(curve: Curve, lines: Collection[KeptSegment]) -> Curve:
-    """Return a curve with these segments straight between where their ends are now."""
+def with_straight_segments(curve: Curve, segments: Collection[KeptSegment]) -> Curve:
+    """Return a curve with these segments straight between the present positions of their ends."""
     points = list(curve.points)
-    for each in lines:
-        start, end = ends_of(curve, each.segment)
-        (x, y), length = chord_of(curve, each.segment), math.hypot(*each.chord)
+    for line in segments:
+        start, end = ends_of(curve, line.segment)
+        (x, y), length = chord_of(curve, line.segment), math.hypot(*line.chord)
         ends = _derivatives_in(points[start], points[end], 1)
-        speed = math.hypot(*(ends[0 if each.by_start else 1] or (0.0, 0.0)))
+        speed = math.hypot(*(ends[0 if line.by_start else 1] or (0.0, 0.0)))
         along = checked_vector((x / length * speed, y / length * speed), "a derivative")
         points[start] = replace(points[start], **{_field(points[start], ahead=True): along})
         points[end] = replace(points[end], **{_field(points[end], ahead=False): along})
@@ -136,13 +136,13 @@ def _field(point: Point, *, ahead: bool) -> str:
 
 
 def _apart(curve: Curve) -> Iterator[int]:
-    """Yield the segments that have derivatives of their own at both ends: corners, ends of an open curve."""
-    own = [point.corner for point in curve.points]
+    """Yield the segments between corners or ends of an open curve, whose derivatives belong to them alone."""
+    separates = [point.corner for point in curve.points]
     if curve.is_closed:
-        own += own[:1]
-    elif own:
-        own[0] = own[-1] = True
-    return (segment for segment, (start, end) in enumerate(pairwise(own)) if start and end)
+        separates += separates[:1]
+    elif separates:
+        separates[0] = separates[-1] = True
+    return (segment for segment, (start, end) in enumerate(pairwise(separates)) if start and end)
 
 
 def _ends_in(curve: Curve, segment: int) -> tuple[Vector | None, Vector | None]:
@@ -151,7 +151,7 @@ def _ends_in(curve: Curve, segment: int) -> tuple[Vector | None, Vector | None]:
 
 
 def _derivatives_in(start: Point, end: Point, order: int) -> tuple[Vector | None, Vector | None]:
-    """Return the derivatives of an order that were set at the ends of a segment, within it."""
+    """Return the explicit derivatives of an order at the ends of a segment, within it."""
     return start.explicit_sides(order)[1], end.explicit_sides(order)[0]
 
 
@@ -167,29 +167,29 @@ def _goes_along(v: Vector, chord: Vector) -> bool:
 # Ties
 
 PARALLEL = 1e-9
-"""Angle in radians up to which two velocities go the same way: what the certificate of joints takes for
-none. Turning one to the other leaves some 1e-16."""
+"""Angle in radians up to which two velocities are parallel, as in the joint certificate; turning one velocity
+to the other leaves about 1e-16."""
 
 
 def angle_between(v: Vector, w: Vector) -> float:
-    """Return the angle between two vectors, 0 to π; 0 where one of them is zero and has no direction."""
+    """Return the angle between two vectors, 0 to π; 0 if one of them is zero."""
     (a, b), (c, d) = unit_vector(v), unit_vector(w)
     return 2.0 * math.atan2(math.hypot(a - c, b - d), math.hypot(a + c, b + d)) if any(v) and any(w) else 0.0
 
 
 def unit_vector(v: Vector) -> Vector:
-    """Return the direction of a vector, zero where it has none."""
+    """Return the unit vector in the direction of `v`; zero for the zero vector."""
     largest = max(abs(v[0]), abs(v[1]))
     if not largest:
         return (0.0, 0.0)
-    # Scaled first: the square of a small number vanishes.
+    # Scaled first, because the squares of small numbers underflow.
     x, y = v[0] / largest, v[1] / largest
     length = math.hypot(x, y)
     return (x / length, y / length)
 
 
 def turned_along(v: Vector, along: Vector) -> Vector:
-    """Return a vector as long as `v` that goes the way of `along`; where that is zero, `v` itself."""
+    """Return a vector as long as `v` in the direction of `along`; `v` itself if `along` is zero."""
     if not any(along) or unit_vector(v) == unit_vector(along):
         return v
     (x, y), length = unit_vector(along), math.hypot(*v)
@@ -197,7 +197,7 @@ def turned_along(v: Vector, along: Vector) -> Vector:
 
 
 def has_parallel_velocities(point: Point) -> bool:
-    """Whether the two velocities of a point are what a tie says: both set, and parallel."""
+    """Return whether both velocities of a corner are explicit and parallel, as a tie requires."""
     before, after = point.velocity, point.velocity_after
     return (
         point.corner and before is not None and after is not None and angle_between(before, after) <= PARALLEL
@@ -205,9 +205,9 @@ def has_parallel_velocities(point: Point) -> bool:
 
 
 def tie(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (1.0, 1.0)) -> Point:
-    """Return a point whose velocities are tied: the shorter handle is turned to the longer.
+    """Return a point with tied velocities: the shorter handle is turned to the longer one.
 
-    `h` are the lengths in t of the segments before and after it, which handles are in proportion to.
+    `h` are the lengths in t of the segments before and after the point, to which handles are proportional.
     """
     if h[0] * math.hypot(*before) < h[1] * math.hypot(*after):
         before = turned_along(before, after)
@@ -218,26 +218,26 @@ def tie(point: Point, before: Vector, after: Vector, h: tuple[float, float] = (1
 
 
 def tie_if_parallel(point: Point) -> Point:
-    """Return a corner whose velocities go the same way as tied: nothing turns there. Others as they are."""
+    """Return a corner with parallel velocities as a tied point, any other point untied; nothing is turned."""
     return replace(point, tied=True) if has_parallel_velocities(point) else untie(point)
 
 
 def untie(point: Point) -> Point:
-    """Return a point whose velocities are free of each other, themselves what they are."""
+    """Return a point without a tie; its velocities stay."""
     return replace(point, tied=False, even=False) if point.tied else point
 
 
 HAND_DRAWN_ANGLE = math.radians(5)
-"""Angle up to which a handle drawn by hand beside a straight line means the direction of the line."""
+"""Largest angle to a straight line at which a handle drawn by hand is meant to continue the line."""
 
 
 def tied_to_straight_segment(curve: Curve, index: int) -> Point:
-    """Return point `index` of a curve, tied where a handle goes on from a line beside it, or nearly so."""
+    """Return point `index` of a curve, tied if its handle nearly continues a straight segment beside it."""
     point = curve.points[index]
     before, after = point.velocity, point.velocity_after
     if before is None or after is None or angle_between(before, after) > HAND_DRAWN_ANGLE:
         return point
-    behind, ahead = (is_straight_beside(curve, index, ahead=each) for each in (False, True))
+    behind, ahead = (is_straight_beside(curve, index, ahead=side) for side in (False, True))
     if behind is ahead:
         return point
     if behind:
@@ -254,15 +254,16 @@ def with_derivative(
     ahead: bool,
     point: Point | None = None,
 ) -> Point:
-    """Return point `index` of a curve with another derivative on one side, and what is tied to that.
+    """Return point `index` of a curve with another derivative on one side; a tied velocity is turned as well.
 
-    Of a tied point the velocity on the other side turns along and keeps its length, or where it is even, its
-    share of the other's. Where a straight segment
-    lies there, it stays straight: the velocity goes along it, as far as it did. One that is left to the rules
-    (None) ends the tie. `point` stands for the one of the curve where that has been changed already.
+    The velocity on the other side of a tied point keeps its length or, if the point is even, its ratio to the
+    new one. If a straight segment is on the other side, it stays straight: only the part of `vector` along it
+    is used. Leaving the velocity to the rules (None) ends the tie. `point` replaces the point of the curve
+    where that has been changed already.
     """
-    point, each = point or curve.points[index], DERIVATIVES[order - 1]
-    name, other = (each.after, each.name) if point.corner and ahead else (each.name, each.after)
+    point, derivative = point or curve.points[index], DERIVATIVES[order - 1]
+    sides = (derivative.name, derivative.after)
+    name, other = sides[::-1] if point.corner and ahead else sides
     if not point.tied or order > 1:
         return replace(point, **{name: vector})
     if vector is None:
@@ -274,14 +275,14 @@ def with_derivative(
         far = max(vector[0] * x + vector[1] * y, 0.0)
         vector = (far * x, far * y)
         return replace(point, **{name: vector} | ({other: _in_step(held, was, vector)} if point.even else {}))
-    other_way = _in_step(held, was, vector) if point.even else turned_along(held, vector)
-    return replace(point, **{name: vector, other: other_way})
+    opposite = _in_step(held, was, vector) if point.even else turned_along(held, vector)
+    return replace(point, **{name: vector, other: opposite})
 
 
 def _in_step(held: Vector, was: Vector, vector: Vector) -> Vector:
-    """Return the velocity across an even point: along `vector`, at its speed by the ratio that there was.
+    """Return the opposite velocity of an even point: along `vector`, with the former ratio of the two speeds.
 
-    Handles that are equally long stay so, whatever the lengths of the segments are: speeds go by their ratio.
+    Equally long handles stay equally long, whatever the lengths of the segments are.
     """
     length = math.hypot(*was)
     if not length or not any(held) or not any(vector):
@@ -291,9 +292,10 @@ def _in_step(held: Vector, was: Vector, vector: Vector) -> Vector:
 
 
 def tied_to_straight_segments(curve: Curve, index: int) -> Point:
-    """Return point `index` with its tie kept, where straight segments beside it may have turned.
+    """Return point `index` with its tie kept after straight segments beside it were turned.
 
-    One line gives the velocity on its other side the direction; two of different directions end the tie.
+    One straight segment sets the direction of the velocity on the other side; two of different directions end
+    the tie.
     """
     point = curve.points[index]
     if not point.tied or point.velocity is None or point.velocity_after is None:
@@ -308,13 +310,14 @@ def tied_to_straight_segments(curve: Curve, index: int) -> Point:
 # Handles that stay where they are
 
 _NOISE = 1e-12
-"""A change of h that is rounding."""
+"""Relative change of h that is a rounding error."""
 
 
 def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = ()) -> Curve:
-    """Return `after`, whose points are elsewhere or fewer, with derivatives set for the new spacing.
+    """Return `after`, in which points moved or are fewer, with explicit derivatives for the new spacing.
 
-    Those of the points `together` went with them. Segments that were straight are so still.
+    Handles stay where they are; those of points that moved `together` moved with them. Straight segments stay
+    straight.
     """
     if not before.has_derivatives:
         return after
@@ -324,7 +327,7 @@ def with_handles_kept(before: Curve, after: Curve, together: Collection[int] = (
         return spaced
     straight = with_straight_segments(spaced, lines)
     points = list(straight.points)
-    for index in {end for each in lines for end in ends_of(straight, each.segment)}:
+    for index in {end for line in lines for end in ends_of(straight, line.segment)}:
         points[index] = tied_to_straight_segments(straight, index)
     return replace(straight, points=tuple(points))
 
@@ -347,11 +350,11 @@ def _for_new_spacing(before: Curve, after: Curve, together: Collection[int]) -> 
             behind, ahead = growth.beside(after.points[index], index)
             factors[index] = far * behind, far * ahead
     pairs = zip(after.points, factors, strict=True)
-    return replace(after, points=tuple(rescaled_beside(point, *each) for point, each in pairs))
+    return replace(after, points=tuple(rescaled_beside(point, *pair) for point, pair in pairs))
 
 
 def _are_alike(old: Sequence[float], new: Sequence[float]) -> bool:
-    """Whether spacings differ by roundings alone: of what was moved, turned or flipped as a whole."""
+    """Return whether spacings differ by rounding errors alone, as after a rigid motion of all points."""
     if len(old) != len(new):
         return False
     return all(abs(now - was) <= 0.25 * _NOISE * was for was, now in zip(old, new, strict=True))
@@ -363,11 +366,11 @@ def _moved(before: Curve, after: Curve, together: Collection[int]) -> frozenset[
 
 
 class _Growth(msgspec.Struct, frozen=True):
-    """By how much segments grow from `old` to `new` spacings, as the handles at a point count it.
+    """Growth of segments from `old` to `new` spacings, as it applies to the handles at a point.
 
-    What lies between points that stay decides for those, and what lies between points that moved together for
-    these: that keeps its shape. Else all that lies beside a point does, and its handles together stay as long
-    as they were.
+    A segment between points that stayed, or that moved together, decides for the handles at its ends, so that
+    it keeps its shape. At any other point both segments decide, so that its handles together keep their
+    lengths.
     """
 
     old: Sequence[float]
@@ -377,7 +380,7 @@ class _Growth(msgspec.Struct, frozen=True):
 
     @property
     def points(self) -> set[int]:
-        """The points beside which there is a segment that grows."""
+        """The points beside a segment that grows."""
         count = len(self.old) + (not self.is_closed)
         grown = [
             segment for segment, pair in enumerate(zip(self.old, self.new, strict=True)) if pair[0] != pair[1]
@@ -385,7 +388,7 @@ class _Growth(msgspec.Struct, frozen=True):
         return {point % count for segment in grown for point in (segment, segment + 1)}
 
     def beside(self, point: Point, index: int) -> tuple[float, float]:
-        """Return the growth for what point `index` has before and after a corner; elsewhere the same."""
+        """Return the growth for the handles before and after a point: the same unless it is a corner."""
         count, last = len(self.old), index == len(self.old)
         behind = (index - 1) % count if index or self.is_closed else None
         ahead = None if last else index
@@ -402,29 +405,27 @@ class _Growth(msgspec.Struct, frozen=True):
             for segment in segments
             if (segment in self.moved) is ((segment + 1) % points in self.moved) is (index in self.moved)
         ]
-        was, now = (sum(each[segment] for segment in alike or segments) for each in (self.old, self.new))
+        was, now = (sum(h[segment] for segment in alike or segments) for h in (self.old, self.new))
         return now / was if was > 0.0 and now > 0.0 else 1.0
 
 
 def _spacings(curve: Curve, exponent: float) -> list[float]:
-    """Return what the spacings are in proportion to, one for each segment."""
+    """Return numbers that the spacings of the segments are proportional to."""
     points = (*curve.points, curve.points[0]) if curve.is_closed else curve.points
     return [math.dist(a.position, b.position) ** exponent for a, b in pairwise(points)]
 
 
 def rescaled_beside(point: Point, behind: float, ahead: float) -> Point:
-    """Rescale derivatives for spacings that grow by these factors, those after a corner by the second."""
+    """Return a point with derivatives rescaled for spacings that grow by factors before and after it."""
     behind, ahead = (1.0 if abs(factor - 1.0) < _NOISE else factor for factor in (behind, ahead))
     if behind == ahead:
         return rescaled(point, behind)
     after = rescaled(point, ahead)
-    return replace(
-        rescaled(point, behind), **{each.after: getattr(after, each.after) for each in DERIVATIVES}
-    )
+    return replace(rescaled(point, behind), **{row.after: getattr(after, row.after) for row in DERIVATIVES})
 
 
 def rescaled(point: Point, factor: float) -> Point:
-    """Rescale derivatives for a time that runs `factor` times as long."""
+    """Return a point with derivatives rescaled for an interval of t that is `factor` times as long."""
     if factor == 1:
         return point
     changed = {
@@ -438,7 +439,7 @@ def rescaled(point: Point, factor: float) -> Point:
 
 
 def _divided(value: float, factor: float, times: int) -> float:
-    """Divide by `factor` several times: its powers may vanish, or be infinite, where it is not."""
+    """Divide by `factor` several times, because its power may overflow or underflow."""
     for _ in range(times):
         value /= factor
     return value

@@ -20,26 +20,27 @@ _SMALL_MOVES, _AT_THESE_POINTS = "of small moves, the mean of x and y", "at thes
 
 
 class EstimateRule(NamedEnum):
-    """A rule that estimates derivatives.
+    """Rule that estimates derivatives.
 
     Attributes
     ----------
     estimate
-        What is said of an estimate.
+        Remark on an estimated derivative.
     function
-        The function of ``curvecore`` that computes the estimates.
+        Name of the function in ``curvecore`` that computes the estimates.
     tip
-        What it gives, in a line.
+        One-line explanation of the rule.
     takes
-        Its arguments: ``points``, ``parameters``, ``alpha``.
+        Arguments of the function: ``points``, ``parameters``, ``alpha``.
     changes
-        The function of ``curvecore`` for what moves of the points do to them, where these are not linear in
-        the points: it takes ``moves``, (n, k), too. Empty of a linear rule, whose estimates do as the points.
+        Name of the function in ``curvecore`` for the change of estimates when points move, with an additional
+        argument ``moves``, (n, k). Empty for a rule that is linear in the points: its estimates change as the
+        points do.
     linearised
-        What the effects of points are that it gives, to follow "those".
+        Explanation of the effects of points, to follow "those".
     growth_holds
-        Where the growth of errors holds, if it is another one for other points: the rule has kinks, treats
-        each coordinate for itself, and `changes` takes ``one_sided``. Else empty.
+        Points for which the growth of errors holds, if it depends on them: the rule has kinks and treats each
+        coordinate by itself, and `changes` takes ``one_sided``. Else empty.
     """
 
     def __init__(
@@ -65,12 +66,12 @@ class EstimateRule(NamedEnum):
 
 
 class VelocityRule(EstimateRule):
-    """The rule that estimates the velocity of a point that has none of its own."""
+    """Rule that estimates velocities that are not explicit."""
 
     NATURAL_SPLINE = (
         "natural_spline", "Natural C² spline", "estimated by the natural spline rule",
         "natural_spline_velocities",
-        "Velocities with which accelerations go on at all points and vanish at the ends",
+        "Velocities with continuous acceleration at all points and zero acceleration at the ends",
     )  # fmt: skip
     BESSEL = (
         "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule", "bessel_velocities",
@@ -84,59 +85,59 @@ class VelocityRule(EstimateRule):
     CATMULL_ROM = (
         "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule",
         "catmull_rom_velocities",
-        "The velocity of a spline over knots of its own, spaced by the distances to the power of α",
+        "The velocity of a spline over separate knots, spaced by distances to the power of α",
         ("points", "parameters", "alpha"), "catmull_rom_changes", "of points whose knots stay",
     )  # fmt: skip
     MONOTONE = (
         "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
         "monotone_velocities",
-        "Velocities with which x and y rise and fall where the points do, and never overshoot them",
+        "Velocities with which x and y rise and fall where the points do, without overshoot",
         ("points", "parameters"), "monotone_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
     AKIMA = (
         "akima", "Akima", "estimated by Akima's rule", "akima_velocities",
-        "The mean of both slopes, weighted by how straight the other side is: an outlier bends little",
+        "The mean of both slopes, weighted towards the straighter side: an outlier bends little",
         ("points", "parameters"), "akima_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
 
 
 class AccelerationRule(EstimateRule):
-    """The rule that estimates the acceleration of a point that has none of its own."""
+    """Rule that estimates accelerations that are not explicit."""
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
         "natural_spline_accelerations", "The accelerations of the natural C² spline through the points",
     )  # fmt: skip
     ZERO = (
-        "zero", "Zero", "estimated as zero", "zero_accelerations", "No acceleration at any point", ("points",)
+        "zero", "Zero", "estimated as zero", "zero_accelerations", "Zero acceleration", ("points",)
     )  # fmt: skip
 
 
 class JerkRule(EstimateRule):
-    """The rule that estimates the jerk of a point that has none of its own."""
+    """Rule that estimates jerks that are not explicit."""
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_jerks", "The jerks of the natural C² spline through the points, a mean of both sides",
+        "natural_spline_jerks", "The jerks of the natural C² spline, the mean of both sides of a point",
     )  # fmt: skip
-    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", "No jerk at any point", ("points",)
+    ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", "Zero jerk", ("points",)
 
 
 class Derivative(msgspec.Struct, frozen=True):
-    """A derivative that a point may carry: what all that lists them reads.
+    """Derivative that a point may carry; `DERIVATIVES` lists all of them.
 
     Attributes
     ----------
     order
-        1 for the first by t.
+        Order of the derivative, from 1.
     name
-        The field of a point that holds it, and what people call it.
+        Name of the derivative, and of the field of a point.
     plural
-        The argument of curves of the core that holds it.
+        Argument of the curve classes in ``curvecore``.
     letter
         Its symbol.
     unit
-        What it is per.
+        Its unit, "per unit of t".
     rules
         The rules that estimate it.
     """
@@ -150,12 +151,12 @@ class Derivative(msgspec.Struct, frozen=True):
 
     @property
     def after(self) -> str:
-        """The field of a point that holds the one after a corner."""
+        """The field of a point for the derivative after a corner."""
         return f"{self.name}_after"
 
     @property
     def rule_field(self) -> str:
-        """The field of a curve that holds the rule."""
+        """The field of a curve for the rule."""
         return f"{self.name}_rule"
 
 
@@ -167,7 +168,7 @@ DERIVATIVES = (
 """The derivatives of a point, by their orders: `Point` has their fields, `Curve` their rules."""
 
 VECTORS = (
-    *((each.order, each.name) for each in DERIVATIVES),
-    *((each.order, each.after) for each in DERIVATIVES),
+    *((row.order, row.name) for row in DERIVATIVES),
+    *((row.order, row.after) for row in DERIVATIVES),
 )
-"""Orders and names of the fields of a point that hold derivatives: those before and those after a corner."""
+"""Orders and names of the fields of a point for derivatives: before a corner, then after it."""

@@ -25,26 +25,26 @@ from typing import Annotated, Any, Final, NamedTuple, Union, get_args, get_origi
 import msgspec
 
 Vector = tuple[float, float]
-"""A place or a way in the plane."""
+"""Position or vector in the plane."""
 
 
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """An immutable value of the document; a file leaves out what is at its default."""
+    """Immutable value of the document; files omit fields at their defaults."""
 
 
 class Requirement(NamedTuple):
-    """Requirement of what a field holds, beyond its type.
+    """Requirement of the value of a field, beyond its type.
 
     Attributes
     ----------
     is_met
-        Tells of a value of the type whether it meets it.
+        Function that returns whether a value meets the requirement.
     text
-        It, to follow "must": "be 0 or greater".
+        The requirement in words that follow "must": "be 0 or greater".
     of_all
-        Whether it is one of the whole tuple, where a field holds one.
+        Whether it applies to the tuple of a field as a whole, not to each item.
     displayed
-        What of the value a refusal tells.
+        Function that returns the part of the value that a refusal shows.
     """
 
     is_met: Callable[[Any], bool]
@@ -54,61 +54,61 @@ class Requirement(NamedTuple):
 
 
 def at_least(least: float) -> Requirement:
-    """Return the requirement of a number that is not below another."""
+    """Return the requirement that a number is at least `least`."""
     return Requirement(lambda value: value >= least, f"be {least:g} or greater")
 
 
 def above(bound: float) -> Requirement:
-    """Return the requirement of a number that is greater than another."""
+    """Return the requirement that a number is greater than `bound`."""
     return Requirement(lambda value: value > bound, f"be greater than {bound:g}")
 
 
 def between(least: float, most: float) -> Requirement:
-    """Return the requirement of a number that lies between two others, or is one of them."""
+    """Return the requirement that a number lies in [least, most]."""
     return Requirement(lambda value: least <= value <= most, f"lie between {least:g} and {most:g}")
 
 
-def printable(most: int, words: str) -> Requirement:
-    """Return the requirement of a text on one line, of at most so many characters."""
-    return Requirement(lambda text: len(text) <= most and text.isprintable(), words)
+def printable(most: int, text: str) -> Requirement:
+    """Return the requirement that a value is one printable line of at most `most` characters."""
+    return Requirement(lambda value: len(value) <= most and value.isprintable(), text)
 
 
-def at_most_items(most: int, words: str) -> Requirement:
-    """Return the requirement of a tuple of at most so many."""
-    return Requirement(lambda values: len(values) <= most, words, of_all=True, displayed=len)
+def at_most_items(most: int, text: str) -> Requirement:
+    """Return the requirement that a tuple has at most `most` items."""
+    return Requirement(lambda values: len(values) <= most, text, of_all=True, displayed=len)
 
 
 SHARE = between(0, 1)
 
 
-def matching(pattern: str, words: str) -> Requirement:
-    """Return the requirement of a text that a pattern describes."""
-    return Requirement(lambda text: re.fullmatch(pattern, text) is not None, words)
+def matching(pattern: str, text: str) -> Requirement:
+    """Return the requirement that a value matches a regular expression."""
+    return Requirement(lambda value: re.fullmatch(pattern, value) is not None, text)
 
 
 LENGTH: Final = object()
-"""Mark of a field whose numbers are twice as large in a drawing twice as large."""
+"""Mark of a field whose numbers are lengths: they scale with the drawing."""
 
 
 class Field(NamedTuple):
-    """A field of a value.
+    """Field of a value, as its annotation describes it.
 
     Attributes
     ----------
     name
-        Of the field.
+        Name of the field.
     kind
-        What it holds, or holds several of: float, bool, str, a `Value`, or something else.
+        Type of its value, or of its items: float, bool, str, a `Value`, or another type.
     is_many, is_optional
-        Whether it is a tuple of these, and whether it may be None.
+        Whether it is a tuple of items, and whether it may be None.
     requirements
-        Of each of them, or of all.
+        Requirements of the value, of each item, or of the tuple.
     label
-        What people call it; its name where that is not said.
+        Label in the window; by default the name.
     is_length
         Whether its numbers are lengths in the plane.
     default
-        What it holds where nothing else was said; `msgspec.NODEFAULT` where there is no such thing.
+        Default value; `msgspec.NODEFAULT` where there is none.
     """
 
     name: str
@@ -122,7 +122,7 @@ class Field(NamedTuple):
 
     @property
     def holds_values(self) -> bool:
-        """Whether it holds other values of the document."""
+        """Whether the field holds other values of the document."""
         return isinstance(self.kind, type) and issubclass(self.kind, Value)
 
 
@@ -130,15 +130,17 @@ class Field(NamedTuple):
 def fields_of(kind: type[Value]) -> tuple[Field, ...]:
     """Return the fields of a kind of value, in order."""
     hints = get_type_hints(kind, include_extras=True)
-    return tuple(_field(each.name, hints[each.name], each.default) for each in msgspec.structs.fields(kind))
+    return tuple(
+        _field(field.name, hints[field.name], field.default) for field in msgspec.structs.fields(kind)
+    )
 
 
 def _field(name: str, hint: object, default: object) -> Field:
     hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
     requirements = tuple(note for note in notes if isinstance(note, Requirement))
-    words = next((note for note in notes if isinstance(note, str)), name)
+    label = next((note for note in notes if isinstance(note, str)), name)
     choices = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
     first = next(choice for choice in choices if choice is not NoneType)
     is_many = get_origin(first) is tuple
     kind = get_args(first)[0] if is_many else first
-    return Field(name, kind, is_many, NoneType in choices, requirements, words, LENGTH in notes, default)
+    return Field(name, kind, is_many, NoneType in choices, requirements, label, LENGTH in notes, default)

@@ -17,7 +17,7 @@ from .style import PLAIN_STYLE, Style
 from .words import NamedEnum
 
 Length = Annotated[float, LENGTH]
-"""Number that is twice as large in a drawing twice as large."""
+"""Number that is a length in the plane: it scales with the drawing."""
 
 Lengths = Annotated[Vector | None, LENGTH]
 """Vector of such numbers, or None."""
@@ -27,18 +27,18 @@ Lengths = Annotated[Vector | None, LENGTH]
 
 
 class ParametrizationKind(NamedEnum):
-    """The rule that gives the parameters t_i, in the order in which the window lists them.
+    """Rule for the parameters t_i, in the order of the window.
 
-    Each but the manual one is named as the function of ``curvecore.parametrization`` that computes it.
+    Each but the manual rule has the name of the function in ``curvecore.parametrization`` that computes it.
 
     Attributes
     ----------
     takes
-        The arguments of that function: ``count`` of the points, ``points``, ``alpha``.
+        Arguments of that function: ``count`` of the points, ``points``, ``alpha``.
     spaced
-        How the parameters lie, within a sentence.
+        The spacing of the parameters, within a sentence.
     alpha
-        The exponent of the power rule that it is; None for rules that are none.
+        The exponent of the equivalent power rule; None for other rules.
     """
 
     def __init__(
@@ -71,7 +71,7 @@ class ParametrizationKind(NamedEnum):
 
     @property
     def phrase(self) -> str:
-        """The label within a sentence: chord length."""
+        """The label within a sentence: "chord length"."""
         name, dot, rest = self.label.partition(" (")
         return f"{name if rest else name.lower()}{dot}{rest}"
 
@@ -82,25 +82,25 @@ class ParametrizationKind(NamedEnum):
 
 
 class Point(Value, frozen=True, gc=False):
-    """A point of a curve with what the person fixed there.
+    """Point of a curve, with the derivatives and the parameter that the person set.
 
     Attributes
     ----------
     x, y
         Position.
     t
-        Parameter under the manual parametrization; remembered, but not used, under any other.
+        Parameter under the manual rule; stored, but not used, under other rules.
     velocity, acceleration, jerk
-        Derivatives per unit of t that the person set; None where a rule estimates them.
+        Explicit derivatives per unit of t; None where a rule estimates them.
     corner
-        Whether the curve may have a corner here: the derivatives above are then those before the point.
+        Whether the point is a corner: the derivatives above are then those before the point.
     velocity_after, acceleration_after, jerk_after
         The derivatives after a corner; None where a rule estimates them.
     tied
-        Whether the velocities before and after a corner, both set, go the same way and keep doing so: the
-        curve is smooth there, and its handles have lengths of their own.
+        Whether the explicit velocities before and after a corner stay parallel: the curve is smooth there,
+        and its handles may have different lengths.
     even
-        Whether tied velocities also keep the ratio of their speeds, which made their handles equally long.
+        Whether tied velocities keep the ratio of their speeds, so that their handles stay equally long.
     """
 
     x: Length
@@ -122,31 +122,29 @@ class Point(Value, frozen=True, gc=False):
         return (self.x, self.y)
 
     def explicit_sides(self, order: int) -> tuple[Vector | None, Vector | None]:
-        """Return the derivative of an order that the person set before and after the point."""
-        each = DERIVATIVES[order - 1]
-        first: Vector | None = getattr(self, each.name)
-        return first, getattr(self, each.after) if self.corner else first
+        """Return the explicit derivatives of an order before and after the point."""
+        derivative = DERIVATIVES[order - 1]
+        before: Vector | None = getattr(self, derivative.name)
+        return before, getattr(self, derivative.after) if self.corner else before
 
     def as_corner(self) -> Point:
         """Return the point as a corner with the same derivatives on both sides."""
-        return replace(self, corner=True, **{each.after: getattr(self, each.name) for each in DERIVATIVES})
+        return replace(self, corner=True, **{row.after: getattr(self, row.name) for row in DERIVATIVES})
 
     def without_corner(self) -> Point:
         """Return the point with the derivatives before it on both sides."""
-        return replace(
-            self, corner=False, tied=False, even=False, **{each.after: None for each in DERIVATIVES}
-        )
+        return replace(self, corner=False, tied=False, even=False, **{row.after: None for row in DERIVATIVES})
 
     def with_derivatives(self, before: Sequence[Vector | None], after: Sequence[Vector | None]) -> Point:
-        """Return the point with derivatives before and, at a corner, after it, by their orders from 1 on."""
-        changed = {each.name: vector for each, vector in zip(DERIVATIVES, before, strict=False)}
+        """Return the point with derivatives before and, at a corner, after it, in order from the first."""
+        changed = {row.name: vector for row, vector in zip(DERIVATIVES, before, strict=False)}
         if self.corner:
-            changed |= {each.after: vector for each, vector in zip(DERIVATIVES, after, strict=False)}
+            changed |= {row.after: vector for row, vector in zip(DERIVATIVES, after, strict=False)}
         return replace(self, **changed)
 
 
 class Parametrization(Value, frozen=True, omit_defaults=False):
-    """The rule for the parameters and the interval they span.
+    """Rule for the parameters, and the interval that they span.
 
     Attributes
     ----------
@@ -155,7 +153,7 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
     alpha
         Exponent of the power rule, Δt = |Δp|^alpha.
     start, end
-        The interval that the rule's parameters span; the manual parameters carry their own.
+        The interval that parameters of a rule span; manual parameters have their own.
     """
 
     kind: ParametrizationKind = ParametrizationKind.CHORD_LENGTH
@@ -165,39 +163,42 @@ class Parametrization(Value, frozen=True, omit_defaults=False):
 
     @property
     def exponent(self) -> float | None:
-        """The power of the distances that the spacings are in proportion to; None where to nothing."""
+        """The power of the distances that the spacings are proportional to; None for other rules."""
         return self.alpha if self.kind is ParametrizationKind.POWER else self.kind.alpha
 
 
 derivatives_of: Callable[[Point], tuple[Vector | None, ...]] = attrgetter(*(name for _, name in VECTORS))
-"""Returns the derivatives of a point in the order of `VECTORS`."""
+"""Function that returns the derivatives of a point in the order of `VECTORS`."""
 
 
 class Curve(Value, frozen=True, dict=True):
-    """Points, in order, and the rules that make a curve of them.
+    """Curve of the document: points in order, and the rules that interpolate them.
+
+    Only what the person chose is stored here; parameters and derivatives that the rules give are computed by
+    the view model. For example, ``replace(curve, closed=True)`` is the closed curve.
 
     Attributes
     ----------
     name
-        What the person calls it.
+        Its name in the list of curves.
     family, parametrization, velocity_rule, acceleration_rule, jerk_rule
         The rules.
     points
         The points, in order.
     closed
-        Whether a last segment leads back to the first point; where the family cannot, it stays open.
+        Whether a last segment leads back to the first point, if the family can be closed.
     style
         Stroke and fill.
     shape
         Name of the shape that it is a part of, or empty: see ``shape_ranges``.
     groups
-        Names of the groups that it is in, the outermost first.
+        Names of the groups around it, the outermost first.
     visible, locked
-        Whether it is drawn, and whether it is safe from changes.
+        Whether it is drawn, and whether it is protected from changes.
     settings
-        Those of the family's settings that are not at their defaults.
+        Settings of the family that are not at their defaults.
     other_settings
-        The same of other families, which the curve had before and may have again.
+        Settings of other families that the curve had before, kept for a return to them.
     """
 
     name: str
@@ -217,17 +218,17 @@ class Curve(Value, frozen=True, dict=True):
     other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
 
     def with_family(self, family: Family) -> Curve:
-        """Return this curve with another family, and the settings that it had when it was of that one."""
+        """Return this curve with another family, and with its former settings for that family."""
         if family == self.family:
             return self
-        own = ((self.family, self.settings),) if self.settings else ()
-        others = tuple(each for each in self.other_settings if each[0] != family)
+        present = ((self.family, self.settings),) if self.settings else ()
+        others = tuple(entry for entry in self.other_settings if entry[0] != family)
         settings = family.settings.without_defaults(dict(self.other_settings).get(family, NO_SETTINGS))
-        return replace(self, family=family, settings=settings, other_settings=(*others, *own))
+        return replace(self, family=family, settings=settings, other_settings=(*others, *present))
 
     @property
     def settings_in_effect(self) -> ChosenSettings:
-        """The settings, with those that closing decides."""
+        """The settings, with the values that closing the curve implies."""
         return self.family.settings.in_effect(self.settings, closed=self.is_closed)
 
     @property
@@ -237,37 +238,37 @@ class Curve(Value, frozen=True, dict=True):
 
     @property
     def is_closed(self) -> bool:
-        """Whether the curve returns to its first point: closed, and of a family that can."""
+        """Whether the curve returns to its first point: closed, and of a family that can be closed."""
         return self.closed and self.family.curve_class.can_close and len(self.points) > 1
 
     @cached_property
     def has_derivatives(self) -> bool:
-        """Whether the person set any; asked at every move of a drag."""
-        # A vector of two numbers is true, whatever they are.
+        """Whether any point has an explicit derivative; cached for the moves of a drag."""
+        # A vector is a tuple of two numbers, and therefore true.
         return any(map(any, map(derivatives_of, self.points)))
 
     @property
     def rules(self) -> tuple[EstimateRule, ...]:
-        """The rules that estimate the derivatives which the family has, by their orders."""
-        return tuple(getattr(self, each.rule_field) for each in DERIVATIVES[: self.family.derivatives])
+        """The rules for the derivatives that the family has, from the first order."""
+        return tuple(getattr(self, row.rule_field) for row in DERIVATIVES[: self.family.derivatives])
 
     def with_rules_of(self, other: Curve) -> Curve:
-        """Return this curve with the rules that estimate the derivatives of another."""
-        return replace(self, **{each.rule_field: getattr(other, each.rule_field) for each in DERIVATIVES})
+        """Return this curve with the derivative rules of another."""
+        return replace(self, **{row.rule_field: getattr(other, row.rule_field) for row in DERIVATIVES})
 
     @property
     def display_name(self) -> str:
-        """The name that people see of it: that of its shape, or its own where it is alone."""
+        """The name in messages: that of its shape, or its own if it belongs to none."""
         return self.shape or self.name
 
     @property
     def is_selectable(self) -> bool:
-        """Whether it is seen and not locked."""
+        """Whether the curve is visible and unlocked."""
         return self.visible and not self.locked
 
     @property
     def is_manual(self) -> bool:
-        """Whether the person, not a rule, gives the parameters."""
+        """Whether the parameters are manual, not given by a rule."""
         return self.parametrization.kind is ParametrizationKind.MANUAL
 
     @property
@@ -285,28 +286,28 @@ class Curve(Value, frozen=True, dict=True):
 
 _PATH = Requirement(lambda path: bool(path.strip()) and path.isprintable(), "be the name of a file")
 _OF_THIS_COMPUTER = Requirement(
-    # Opening another would knock at that computer, and on some systems with the person's password.
+    # Opening a network path contacts that computer, on some systems with the password of the person.
     lambda path: not path.startswith(("//", "\\\\")),
-    "lead to a file of this computer, not to one of the network",
+    "be the path of a file on this computer, not on the network",
 )
 
 
 class ReferenceImage(Value, frozen=True, omit_defaults=False):
-    """A picture to trace, behind the curves.
+    """Reference image behind the curves, for tracing.
 
     Attributes
     ----------
     path
-        Its file: absolute in a document that is open, with forward slashes and relative to the document's
-        own folder in a file.
+        Path of the image file: absolute in an open document; relative to the folder of the document, with
+        forward slashes, in a file.
     x, y
-        Where its lower left corner lies.
+        Position of its lower left corner.
     width, height
-        Its size in the plane; what the file holds is fitted into it.
+        Size in the plane; the image is fitted into it.
     opacity
         From 0, invisible, to 1.
     locked
-        Whether it is safe from being moved.
+        Whether it is protected from being moved.
     """
 
     path: Annotated[str, _PATH, _OF_THIS_COMPUTER]
@@ -319,24 +320,24 @@ class ReferenceImage(Value, frozen=True, omit_defaults=False):
 
 
 class Axis(NamedEnum):
-    """A coordinate of the plane."""
+    """Coordinate axis of the plane."""
 
     X = "x", "x"
     Y = "y", "y"
 
     @property
     def coordinate(self) -> int:
-        """Which coordinate it is: 0 or 1."""
+        """The index of the coordinate: 0 or 1."""
         return int(self is Axis.Y)
 
 
 class Guide(Value, frozen=True):
-    """A line to draw along, all across the plane.
+    """Guide: a vertical or horizontal line across the plane that points snap to.
 
     Attributes
     ----------
     axis
-        The coordinate that all of its points have in common: x of an upright line, y of a level one.
+        The coordinate that all of its points have in common: x of a vertical line, y of a horizontal one.
     position
         That coordinate.
     """
@@ -344,16 +345,16 @@ class Guide(Value, frozen=True):
     axis: Axis
     position: Length
 
-    def nearest_position(self, place: Vector) -> Vector:
-        """Return its point that is level with a place, or straight above or below it."""
-        x, y = place
+    def nearest_position(self, position: Vector) -> Vector:
+        """Return the point of the guide that is nearest to a position."""
+        x, y = position
         return (self.position, y) if self.axis is Axis.X else (x, self.position)
 
 
 # The document
 
 LONGEST_UNIT = 12
-"""Characters of a unit's name."""
+"""Largest number of characters of a unit."""
 
 LONGEST_NAME: Final = 255
 LONGEST_OPTION: Final = 1000
@@ -371,16 +372,16 @@ _OPTION = Requirement(
 
 
 class Export(Value, frozen=True):
-    """A format, a file and the options of an export.
+    """Last export of a document: format, file name and options.
 
     Attributes
     ----------
     ending
-        Of the files of the format, such as ".png"; empty where the document was never exported.
+        Ending of the files of the format, such as ".png"; empty if the document was never exported.
     name
-        Of the file, without its folder.
+        Name of the file, without its folder.
     options
-        Options that are not at their defaults: their names, and their values as JSON.
+        Names, and values as JSON, of the options that are not at their defaults.
     """
 
     ending: Annotated[str, printable(LONGEST_NAME, "be the end of a name")] = ""
@@ -392,22 +393,25 @@ NEVER_EXPORTED: Final = Export()
 
 
 class Document(Value, frozen=True):
-    """Everything that is saved.
+    """Document: everything that is saved, as one immutable value.
+
+    Edits return new documents, ``move_points(document, 0, [2], (0.5, 0.0))``; unchanged curves and points
+    stay the same objects, so that a comparison by identity finds the differences.
 
     Attributes
     ----------
     curves
-        At least one, from the back to the front.
+        The curves from the back to the front, at least one.
     image
-        A picture to trace.
+        The reference image, or None.
     unit
-        Name of a length of one, such as "mm"; empty for none.
+        Name of the unit of length, such as "mm"; empty for none.
     grid_spacing
-        Distance of the grid's lines; 0 where it adapts to the zoom.
+        Distance of the grid lines; 0 if it adapts to the zoom.
     guides
-        Lines to draw along.
+        The guides.
     export
-        Its last export.
+        The last export.
     """
 
     curves: tuple[Curve, ...]
@@ -423,7 +427,7 @@ class Document(Value, frozen=True):
 
 
 def empty_document() -> Document:
-    """Return what File > New opens: one curve without points."""
+    """Return the document of File > New: one curve without points."""
     return Document((make_curve(()),))
 
 

@@ -64,8 +64,8 @@ def test_the_file_reads_well():
         ({"path": ""}, "image.path must be the name of a file"),
         ({"path": "a\0b.png"}, "image.path must be the name of a file"),
         ({"path": "\ud800.png"}, "image.path must be the name of a file"),
-        ({"path": "//elsewhere/share/a.png"}, "image.path must lead to a file of this computer"),
-        ({"path": "\\\\elsewhere\\share\\a.png"}, "image.path must lead to a file of this computer"),
+        ({"path": "//elsewhere/share/a.png"}, "image.path must be the path of a file on this computer"),
+        ({"path": "\\\\elsewhere\\share\\a.png"}, "image.path must be the path of a file on this computer"),
     ],
 )
 def test_what_cannot_be_is_refused(changed, message):
