@@ -181,7 +181,7 @@ def test_render_takes_curves_by_name_and_shows_them_alone(tmp_path, capsys):
     assert main(["render", str(path), "-o", str(picture)]) == 0
     assert picture.read_text(encoding="utf-8").count("<path ") == 2
     assert main(["render", str(path), "-o", str(picture), "--only", "root"]) != 0
-    assert "Nothing in it is called “root”; there is leaf 1, stem." in capsys.readouterr().err
+    assert "No curve or group is named “root”; the file contains leaf 1, stem." in capsys.readouterr().err
 
 
 def test_info_tells_shapes_and_groups(tmp_path, capsys):
@@ -369,7 +369,7 @@ def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
 
 
 def test_a_folder_is_refused_as_one(tmp_path, capsys):
-    """`convert . x.json` said that the name “” does not end in a known format."""
+    """`convert . x.json` said that the name “” has no known file extension."""
     table = tmp_path / "a.csv"
     table.write_text("0,0\n1,1\n", encoding="utf-8")
     for words in (
@@ -401,7 +401,7 @@ def test_convert_takes_what_can_be_read_of_a_drawing_and_tells_the_rest(tmp_path
     page = '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="200">{}</svg>'
     path.write_text(page.format('<path d="M5 5L20 5 20 20L35"/><rect width="9" height="9"/>'), "utf-8")
     assert main(["convert", str(path), str(out)]) == 0
-    said = "curvebench: 1 path drawn only up to an error in the data: Path 2 at the end.\n"
+    said = "curvebench: 1 path imported only up to an error in the data: Path 2 at the end.\n"
     assert capsys.readouterr().err == said
     assert [len(curve.points) for curve in load(out).curves] == [3, 4]
     # A page without a curve is an empty document, and no picture.
@@ -410,7 +410,7 @@ def test_convert_takes_what_can_be_read_of_a_drawing_and_tells_the_rest(tmp_path
     assert "b at character 1" in capsys.readouterr().err
     assert ([curve.points for curve in load(out).curves], load(out).unit) == ([()], "px")
     words = refusal(capsys, "convert", str(path), str(tmp_path / "a.png"))
-    assert "There is no curve in the file. 1 path drawn only up to an error in the data: b at" in words
+    assert "The file contains no curves. 1 path imported only up to an error in the data: b at" in words
 
 
 @pytest.mark.usefixtures("drawings_read_here")
@@ -452,7 +452,7 @@ def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
     assert "These are" not in told
     assert [curve.points[0].y for curve in load(out).curves] == [6, *range(-1, -11, -1)]
     words = refusal(capsys, "convert", str(drawing), str(out), "--only", "nothing")
-    assert words.startswith("Nothing in it is called “nothing”; there is axes (21), line2d_0, ")
+    assert words.startswith("No curve or group is named “nothing”; the file contains axes (21), line2d_0, ")
 
 
 @pytest.mark.parametrize(
@@ -473,7 +473,7 @@ def test_the_box_of_info_holds_no_rounding_and_all_numbers(tmp_path, capsys, poi
 def test_impossible_renders_are_refused_in_one_line(tmp_path, capsys):
     empty = tmp_path / "empty.curve.json"
     save(empty, Document((make_curve(()),)))
-    assert "known format" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.bmp"))
+    assert "known file extension" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.bmp"))
     assert "nothing to draw" in refusal(capsys, "render", str(empty), "-o", str(tmp_path / "a.svg"))
     assert "does not exist" in refusal(capsys, "render", LETTER, "-o", str(tmp_path / "no" / "a.svg"))
 
@@ -578,8 +578,10 @@ def test_convert_refuses_in_one_line(tmp_path, capsys):
     bad.write_text("x,y\n1,2\n=cmd,3\n", encoding="utf-8")
     line = refusal(capsys, "convert", str(bad), str(tmp_path / "a.py"))
     assert line == "“bad.csv” cannot be read: Row 3, column 1: “=cmd” is a formula; only numbers are read."
-    assert "known format" in refusal(capsys, "convert", LETTER, str(tmp_path / "a.bmp"))
-    assert "known format" in refusal(capsys, "convert", str(tmp_path / "a.gif"), str(tmp_path / "a.py"))
+    assert "known file extension" in refusal(capsys, "convert", LETTER, str(tmp_path / "a.bmp"))
+    assert "known file extension" in refusal(
+        capsys, "convert", str(tmp_path / "a.gif"), str(tmp_path / "a.py")
+    )
     assert list(tmp_path.iterdir()) == [bad]
 
 
@@ -696,7 +698,7 @@ def test_a_folder_for_passing_files_that_is_gone_is_named(monkeypatch, capsys, t
     path.write_text("<svg/>", encoding="utf-8")
     said = refusal(capsys, "convert", str(path), "b.csv")
     missing = os.strerror(errno.ENOENT)
-    assert said == f"“a.svg” cannot be read: It cannot be passed on to be read ({missing})."
+    assert said == f"“a.svg” cannot be read: It cannot be passed to the process that reads it ({missing})."
 
 
 def test_ctrl_c_is_quiet(monkeypatch, capsys):
@@ -913,7 +915,7 @@ def test_the_basis_of_a_curve_that_is_not_there(capsys, tmp_path):
 
 def test_a_picture_that_would_be_too_large(capsys, tmp_path):
     said = refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.png"), "--scale", "1e300")
-    assert "the sides may have 1 to 16384" in said
+    assert "its sides can be 1 to 16384 pixels" in said
 
 
 def test_convert_takes_columns_and_corners(capsys, tmp_path):
@@ -955,7 +957,7 @@ def test_convert_says_whether_its_deviation_is_a_bound(capsys, tmp_path):
 def test_convert_writes_a_formula_with_as_many_digits_as_it_needs(capsys, tmp_path):
     near, out = tmp_path / "near.csv", tmp_path / "near.tex"
     near.write_text("x,y\n0,0\n1,0\n1.00000001,0\n2,1\n", encoding="utf-8")
-    assert "Write 8 or more" in refusal(capsys, "convert", str(near), str(out))
+    assert "Use 8 or more" in refusal(capsys, "convert", str(near), str(out))
     assert main(["convert", str(near), str(out), "--digits", "9"]) == 0
     assert "1.00000001" in out.read_text(encoding="utf-8")
 

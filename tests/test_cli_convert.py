@@ -57,7 +57,7 @@ def test_one_that_fails_is_told_in_a_line_and_the_others_go_on(folder, capsys):
     bad, nowhere, unknown = (line for line in output.err.splitlines() if REMARK not in line)
     assert bad.startswith("curvebench: “bad.csv” cannot be read: Row 3, column 1")
     assert nowhere.startswith("curvebench: There is no file “nowhere.csv”")
-    assert unknown.startswith("curvebench: The name “x.gif” does not end in a known format")
+    assert unknown.startswith("curvebench: The name “x.gif” has no known file extension")
     assert output.out.count("\n") == 2
     assert written(folder) == ["out/a.curve.json", "out/b.curve.json"]
 
@@ -97,7 +97,7 @@ def test_the_results_as_json(folder, capsys):
         (["b.csv", "link.tsv", "-o", "sub", "--to", ".csv"], "“b.csv” would be written over “link.tsv”"),
         (["b.csv", "-o", "c.csv", "--to", "svg"], "“c.csv” is no folder"),
         (["b.csv", "-o", "c.csv/d", "--to", "svg"], "The folder “c.csv/d” cannot be made"),
-        (["b.csv", "-o", "out", "--to", ".bmp"], "does not end in a known format"),
+        (["b.csv", "-o", "out", "--to", ".bmp"], "has no known file extension"),
         (["b.csv", "-o", "out", "--to", "svg", "--keep-times"], "--keep-times goes with --fit"),
         (["b.csv", "-o", "out", "--to", "svg", "--setting", "x=1"], "--setting must be of"),
     ],
@@ -126,7 +126,7 @@ def test_a_process_reads_one_drawing_after_the_other(jobs, count, folder, capsys
     output = capsys.readouterr()
     assert output.err.splitlines() == [
         "curvebench: a.svg: 1 text left out.",
-        "curvebench: “bad.svg” cannot be read: This is no SVG file: it begins with <png>.",
+        "curvebench: “bad.svg” cannot be read: This is not an SVG file: it begins with <png>.",
         "curvebench: c.svg: 1 text left out.",
     ]
     assert written(folder) == ["out/a.curve.json", "out/c.curve.json"]

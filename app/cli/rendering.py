@@ -70,7 +70,7 @@ def render(options: argparse.Namespace) -> int:
         if Path(options.output).is_dir():
             raise RefusalError(f"“{options.output}” is a folder. Choose a file.")
         known = enumerated(_picture_endings(), "or")
-        raise RefusalError(f"“{options.output}” does not end in a known format for pictures; use {known}.")
+        raise RefusalError(f"“{options.output}” has no known file extension for pictures; use {known}.")
     document = _drawn_document(options)
     with TerminalProgress() as report:
         picture = replace(

@@ -51,8 +51,8 @@ FAMILY = HERMITE
 
 SINGLE_POINT = Loss("single point")
 
-_TOO_LARGE = Loss("curve", f"with coordinates or velocities beyond −1e12 to 1e12 {LEFT_OUT}")
-_TOO_DIFFERENT = Loss("curve", f"with pieces of too different lengths {LEFT_OUT}")
+_TOO_LARGE = Loss("curve", f"with coordinates or velocities outside −1e12 to 1e12 {LEFT_OUT}")
+_TOO_DIFFERENT = Loss("curve", f"with pieces of too unequal lengths {LEFT_OUT}")
 _TOO_MANY = Loss("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
 _ROUNDING = 2.0**-48
@@ -100,7 +100,7 @@ class ImportResult:
             If there is no curve, with what was left out.
         """
         if not self.has_curves:
-            raise ExchangeError(" ".join(["There is no curve in the file.", *self.remarks]))
+            raise ExchangeError(" ".join(["The file contains no curves.", *self.remarks]))
         return self
 
     def only(self, included: Sequence[bool]) -> ImportResult:
@@ -123,7 +123,9 @@ class ImportResult:
             for curve_names in names_of_curves
         ]
         if not any(included):
-            raise ExchangeError(f"Nothing in it is called “{', '.join(names)}”; there is {self.contents()}.")
+            raise ExchangeError(
+                f"No curve or group is named “{', '.join(names)}”; the file contains {self.contents()}."
+            )
         return self.only(included)
 
     def contents(self) -> str:
@@ -363,7 +365,7 @@ def arc(
     """
     radius = float(np.linalg.norm(axes, 2))
     if not np.isfinite(radius):
-        raise ExchangeError("An arc has a radius beyond all numbers.")
+        raise ExchangeError("The radius of an arc is out of range.")
     count = pieces_of_arc(radius, sweep, tolerance)
     angles = start + sweep * (np.arange(count + 1) / count)
     handle = 4 / 3 * math.tan(sweep / count / 4)
@@ -401,7 +403,7 @@ def arc_between(
     half = turn @ ((start - end) / 2) / (rx, ry)
     square = float(half @ half)
     if not math.isfinite(square) or square == 0:
-        raise ExchangeError("An arc has radii that do not fit its ends.")
+        raise ExchangeError("The radii of an arc do not fit its ends.")
     grow = max(1.0, math.sqrt(square))
     middle, first, sweep = _on_unit_circle(half / grow, large, positive)
     axes = np.array([[rx], [ry]]) * grow * turn

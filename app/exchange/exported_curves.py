@@ -291,7 +291,7 @@ def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     else:
         result = cubics_of(piece, tolerance)
     if not (np.abs(result.control_points) < LARGEST).all():
-        raise ExchangeError("The curve swings beyond all numbers between its points.")
+        raise ExchangeError("The curve is out of range between its points.")
     return result
 
 

@@ -137,7 +137,7 @@ def import_file(
     except (FormatError, ExchangeError) as problem:
         raise ExchangeError(f"“{Path(path).name}” cannot be read: {problem}") from problem
     except MemoryError:
-        raise ExchangeError(f"“{Path(path).name}” takes more memory than there is.") from None
+        raise ExchangeError(f"“{Path(path).name}” needs more memory than is available.") from None
     return result.named(options.only) if options.only else result
 
 

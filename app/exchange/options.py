@@ -150,13 +150,13 @@ class Extent(NamedEnum):
     """Part of a document that goes into a file."""
 
     ALL = "all", "All curves"
-    SELECTED = "chosen", "Chosen curves"
+    SELECTED = "chosen", "Selected curves"
 
 
 EXTENT = OneOf(
     name="extent",
-    label="What",
-    tip="What goes into the file",
+    label="Curves",
+    tip="Curves to export",
     default=Extent.ALL,
     choices={extent: extent.label for extent in Extent},
 )
@@ -165,7 +165,7 @@ EXTENT = OneOf(
 WIDTH = Whole(
     name="width",
     label="Width",
-    tip="Width in pixels; the height follows, and with a unit of length the resolution",
+    tip="Width in pixels; it gives the height and, with a unit of length, the resolution",
     default=1600,
     limits=(1, 16384),
     suffix=" px",
@@ -173,14 +173,14 @@ WIDTH = Whole(
 SCALE = OneOf(
     name="scale",
     label="Scale",
-    tip="How sharp: pixels for each",
+    tip="Pixels for each unit of the width",
     default=1.0,
     choices={1.0: "× 1 (96 dpi)", 2.0: "× 2 (192 dpi)", 3.0: "× 3 (288 dpi)", 4.0: "× 4 (384 dpi)"},
 )
 DPI = Whole(
     name="dpi",
     label="Resolution",
-    tip="Pixels for each inch of the true size",
+    tip="Pixels per inch at true size",
     default=300,
     limits=(10, 4800),
     suffix=" dpi",
@@ -188,7 +188,7 @@ DPI = Whole(
 BY_DPI = OneOf(
     name="by_dpi",
     label="Pixels",
-    tip="What says how many pixels there are",
+    tip="How the number of pixels is given",
     widget="exportPixels",
     default=True,
     choices={True: "By resolution", False: "By width in pixels"},
@@ -203,7 +203,7 @@ DARK_PAPER = OneOf(
     default=False,
     choices={False: "Light", True: "Dark"},
 )
-TRANSPARENT = Check(name="transparent", title="Transparent", tip="Leave the paper out", default=True)
+TRANSPARENT = Check(name="transparent", title="Transparent", tip="Omit the background", default=True)
 
 
 def _drawn_with_curves(name: str, title: str, tip: str) -> Check:
@@ -215,7 +215,7 @@ POINTS = _drawn_with_curves("points", "Points", "Draw the points")
 HANDLES = _drawn_with_curves("handles", "Handles", "Draw the Bézier control points beside the points")
 GRID = _drawn_with_curves("grid", "Grid", "Draw a grid behind the curves")
 BASIS = _drawn_with_curves(
-    "basis", "Basis functions", "Draw the basis functions of the curve that is edited below the picture"
+    "basis", "Basis functions", "Draw the basis functions of the active curve below the picture"
 )
 TOLERANCE = Tolerance(
     name="tolerance",

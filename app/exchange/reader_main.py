@@ -97,9 +97,9 @@ def answer_to(request: Request, memory: int | None = None) -> Answer:
     except ExchangeError as problem:
         return Answer(problem=str(problem))
     except FormatError as problem:
-        return Answer(problem=f"The file cannot become a document: {problem}.")
+        return Answer(problem=f"The file cannot be converted to a document: {problem}.")
     except MemoryError:
-        return Answer(problem="Reading needs more memory than is allowed; it was stopped.")
+        return Answer(problem="Reading needs more memory than is allowed and was stopped.")
     except RecursionError:
         return Answer(problem="The file is nested too deeply.")
     except Exception as problem:

@@ -167,7 +167,9 @@ class ReaderProcess:
                     env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
                 )
             except OSError as problem:
-                raise ExchangeError(f"No process could be started to read it ({problem.strerror}).") from None
+                raise ExchangeError(
+                    f"The process that reads it could not be started ({problem.strerror})."
+                ) from None
         return self._process, Path(self._folder.name)
 
     def _awaited(self, report: Report) -> bytes:
@@ -180,7 +182,7 @@ class ReaderProcess:
                 raise ExchangeError(_why_silent(process.returncode, seconds))
             spent = time.monotonic() - began
             if spent > (longest := longest_wait(seconds)):
-                raise ExchangeError(f"Reading has not ended after {longest:.3g} s; it was stopped.")
+                raise ExchangeError(f"Reading did not finish within {longest:.3g} s and was stopped.")
             # Nobody knows how far a foreign parser is: half of what is left is always ahead.
             report(1 - 0.5 ** (4 * spent / seconds), "Reading")
             time.sleep(pause)
@@ -225,16 +227,16 @@ def _result_of(answer: Answer) -> ImportResult:
 
 
 def _not_passed_on(problem: OSError) -> ExchangeError:
-    return ExchangeError(f"It cannot be passed on to be read ({problem.strerror}).")
+    return ExchangeError(f"It cannot be passed to the process that reads it ({problem.strerror}).")
 
 
 def _why_silent(code: int, seconds: float) -> str:
     """Return what to say of a process that ended without an answer, by its exit code."""
     if was_overdue(code):
-        return f"Reading takes more than {seconds:.3g} s of the processor; it was stopped."
+        return f"Reading needs more than {seconds:.3g} s of processor time and was stopped."
     # By a signal, or by what is one on Windows: C code that is refused memory breaks down.
     if code == NO_MEMORY or not 0 <= code < 2**8:
-        return "Reading needs more memory than is allowed; it was stopped."
+        return "Reading needs more memory than is allowed and was stopped."
     return f"The process that reads drawings ended without an answer (code {code})."
 
 

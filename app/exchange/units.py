@@ -23,7 +23,7 @@ def note_of_unknown(name: str) -> str:
     """Return what to know about a unit that no file knows; empty for a length, and for none at all."""
     if not name or known_unit(name):
         return ""
-    return f"“{name}” is no length that files know; pictures and exported files have no true size with it."
+    return f"“{name}” is not a known unit of length; pictures and exported files have no true size."
 
 
 def dxf_code(name: str) -> int:

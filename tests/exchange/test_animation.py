@@ -148,7 +148,7 @@ def test_without_a_curve_there_is_no_motion(tmp_path):
     begun = Document((make_curve([(1.0, 1.0)]),))
     with pytest.raises(ExchangeError, match="at least two points"):
         write_film(begun, tmp_path / "film.gif", Film(**SMALL))
-    with pytest.raises(ExchangeError, match="known format"):
+    with pytest.raises(ExchangeError, match="known file extension"):
         write_film(first_sketch(), tmp_path / "film.webp", Film(**SMALL))
 
 

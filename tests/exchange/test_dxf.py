@@ -153,7 +153,7 @@ def test_corners_a_rounding_apart_are_one():
     assert [point.position for point in line.points] == [(100, 0), (100, 7), (105, 9)]
     # One beyond limits leaves the others, too.
     assert result.remarks == (
-        "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Polyline 3.",
+        "1 curve with coordinates or velocities outside −1e12 to 1e12 left out: Polyline 3.",
     )
 
 
@@ -187,7 +187,7 @@ def test_what_is_not_exact_is_left_out_with_a_word():
 
     with pytest.raises(ExchangeError) as refusal:
         read_dxf(file_with(draw))
-    assert str(refusal.value) == ("There is no curve in the file. 1 SPLINE with weights left out.")
+    assert str(refusal.value) == ("The file contains no curves. 1 SPLINE with weights left out.")
 
 
 def test_fit_points_alone_are_points_to_interpolate():
@@ -206,15 +206,15 @@ def test_fit_points_alone_are_points_to_interpolate():
         assert [point.position for point in curve.points] == [(0, 0), (1, 1), (2, 0)]
         assert [point.velocity for point in curve.points] == [None] * 3
     assert result.remarks == (
-        "2 SPLINEs with fit points alone came as the natural spline through them.",
-        "1 SPLINE with less than two points left out.",
+        "2 SPLINEs with fit points only imported as the natural spline through them.",
+        "1 SPLINE with fewer than two points left out.",
     )
 
 
 def test_truncated_and_foreign_files_are_refused(sketch):
     data = dxf_text(sketch).text.encode()
     for share in (0.01, 0.3, 0.7, 0.99):
-        with pytest.raises(ExchangeError, match=r"ends at line \d+ without EOF: it is cut off"):
+        with pytest.raises(ExchangeError, match=r"ends at line \d+ without EOF: it is incomplete"):
             read_dxf(data[: int(len(data) * share)])
     for wrong, sentence in [
         (b"", "The file is empty"),

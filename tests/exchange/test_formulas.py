@@ -235,7 +235,7 @@ def test_what_rounding_alone_makes_different_is_said_to_be_so_about(family):
 
 def test_too_few_digits_are_refused():
     document = Document((make_curve([(0, 0), (1, 0), (1.00001, 0), (2, 0)]),))
-    with pytest.raises(ExchangeError, match=r"With 3 digits two parameters would be equal.*--digits 5 of"):
+    with pytest.raises(ExchangeError, match=r"With 3 digits two parameters would be equal.*--digits 5 on"):
         latex_formula(document, Options(format_options={DIGITS.name: 3}))
     assert latex_formula(document, Options(format_options={DIGITS.name: 6})).text.count("0.500005") == 1
 

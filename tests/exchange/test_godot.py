@@ -57,7 +57,7 @@ def test_a_scene_has_curves_named_after_their_nodes():
     assert (closed.name, closed.closed, len(closed.points)) == ("Round", True, 3)
     assert [(point.x, point.y) for point in track.points] == [(1, -2), (100, -2), (200, -50)]
     assert found.remarks == (
-        "1 node with a position, rotation or scale of its own came without that: Track.",
+        "1 node with a position, rotation or scale of its own imported without it: Track.",
     )
 
 
@@ -111,19 +111,19 @@ def test_resources_of_both_versions_are_read(text, tmp_path):
         (
             SCENE,
             "RSRC\x00\x00",
-            "There is no Curve2D in it. Save it, or its scene, as text (.tres, .tscn).",
+            "The file contains no Curve2D. Save the curve or its scene as text (.tres, .tscn).",
         ),
-        ("10, 20, 1", "10, 20", "Line 8: a curve has six numbers for each point."),
-        ("10, 20, 1", "10, 20, one", "Line 8: a curve has six numbers for each point."),
-        ("10, 20, 1", "10, 20, nan", "Line 8: a curve has six numbers for each point."),
-        ("10, 20, 1", "10, 20, 1e999", "Line 8: a curve has six numbers for each point."),
-        ('"Curve2D"', '"Curve3D"', "There is no Curve2D in it."),
+        ("10, 20, 1", "10, 20", "Line 8: a curve needs six numbers per point."),
+        ("10, 20, 1", "10, 20, one", "Line 8: a curve needs six numbers per point."),
+        ("10, 20, 1", "10, 20, nan", "Line 8: a curve needs six numbers per point."),
+        ("10, 20, 1", "10, 20, 1e999", "Line 8: a curve needs six numbers per point."),
+        ('"Curve2D"', '"Curve3D"', "The file contains no Curve2D."),
         (
             SCENE,
             '[gd_resource type="Curve2D"]\n[resource]\n_data = {"points": PackedVector2Array(0,0,0,0,1,2)}\n',
-            "There is no curve in the file. 1 single point left out: Curve 1.",
+            "The file contains no curves. 1 single point left out: Curve 1.",
         ),
-        ("(0, 0, 10, ", "(10, ", "Line 8: a curve has six numbers for each point."),
+        ("(0, 0, 10, ", "(10, ", "Line 8: a curve needs six numbers per point."),
     ],
 )
 def test_what_is_no_curve_is_refused_with_its_place(old, new, sentence):
@@ -135,4 +135,4 @@ def test_what_is_no_curve_is_refused_with_its_place(old, new, sentence):
 def test_a_curve_beyond_limits_is_told_and_the_others_come():
     found = read_curves(SCENE.replace("10, 20, 1", "10, 20, 1e13").encode())
     assert [each.name for each in found.document.curves] == ["Round"]
-    assert found.remarks[1] == "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Track."
+    assert found.remarks[1] == "1 curve with coordinates or velocities outside −1e12 to 1e12 left out: Track."

@@ -61,8 +61,8 @@ def test_a_track_is_in_metres_and_seconds(tmp_path):
     assert points[1][1] > points[0][1]  # north is up
     assert points[2][0] < points[1][0]  # west is left
     assert said[0] == (
-        "Degrees became metres about latitude 47.64485, longitude -122.32795 (equirectangular; lengths from "
-        "west to east are off by up to 0.00067 %). t is in seconds since 2009-10-17T18:37:26+00:00. "
+        "Degrees were converted to metres around latitude 47.64485, longitude -122.32795 (equirectangular; "
+        "east–west lengths are off by up to 0.00067 %). t is in seconds since 2009-10-17T18:37:26+00:00. "
         "Elevations are left out. 1 waypoint left out."
     )
     off = max(abs(cos(radians(latitude)) / cos(radians(47.64485)) - 1) for latitude, *_ in WALK)
@@ -89,7 +89,7 @@ def test_points_without_a_later_time_are_left_out_and_counted(tmp_path):
     late = [WALK[0], (47.7, -122.3, 26), (47.7, -122.3, 20), *WALK[1:]]
     (curve,), said = read(tmp_path, track(late))
     assert [point.t for point in curve.points] == [0.0, 5.0, 8.0, 14.5]
-    assert " 2 points without a later time left out." in said[0]
+    assert " 2 points left out because their times do not increase." in said[0]
 
 
 @each_row(
@@ -105,7 +105,7 @@ def test_times_that_do_not_increase_or_are_missing_are_left_out(points, tmp_path
     (curve,), said = read(tmp_path, track(points))
     assert [point.t for point in curve.points] == [None] * 4
     has_times = any(len(point) > 2 for point in points)
-    assert ("Times are left out, for not every point has a later one." in said[0]) is has_times
+    assert ("Times are left out because they do not increase." in said[0]) is has_times
 
 
 def test_a_track_goes_on_over_the_date_line(tmp_path):
@@ -125,8 +125,8 @@ def test_a_long_track_can_be_thinned_out(tmp_path):
 @each_row(
     ("text", "sentence"),
     [
-        ("", "The GPX file has no track or route of two points."),
-        (track([WALK[0]]), "The GPX file has no track or route of two points."),
+        ("", "The GPX file contains no track or route of at least two points."),
+        (track([WALK[0]]), "The GPX file contains no track or route of at least two points."),
         (
             track(WALK).replace('lat="47.6452"', 'lat="north"'),
             "Point 2 has no latitude and longitude in degrees.",

@@ -24,7 +24,7 @@ def test_the_mean_colour_stands_for_a_gradient(kind):
     """Two parts of red that is seen whole, one of blue that is half seen."""
     (colour, opacity), (sentence,) = gradient(STOPS, kind)
     assert (colour, opacity) == ("#aa0055", 0.75)
-    assert sentence == "1 gradient came as one colour."
+    assert sentence == "1 gradient imported as one colour."
 
 
 @each_row(
@@ -78,11 +78,11 @@ def test_a_gradient_takes_its_stops_from_another():
 def test_the_mean_of_its_colours_stands_for_a_pattern_or_else_the_fallback(body, paint, colour):
     (found, _), sentences = gradient(body, "pattern", paint)
     assert found == colour
-    assert sentences == ("1 pattern came as one colour.",)
+    assert sentences == ("1 pattern imported as one colour.",)
 
 
 def test_gradients_are_counted_and_their_shapes_named():
     rects = "".join(f'<rect id="{id}" width="9" height="9" fill="url(#g)"/>' for id in "ab")
     text = f'<linearGradient id="g">{STOPS}</linearGradient>{rects}'
     found = read_svg(f'<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">{text}</svg>'.encode())
-    assert found.remarks == ("2 gradients came as one colour: a and b.",)
+    assert found.remarks == ("2 gradients imported as one colour: a and b.",)

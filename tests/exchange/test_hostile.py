@@ -96,8 +96,8 @@ def reports(tmp_path_factory):
 
 TAKEN_IN = {
     "broken_transform.svg": "1 transform not applied: Path 2 “rotate(1 2)”.",
-    "numbers_after_z.svg": "1 path drawn only up to an error in the data: Path 2 at character 11, “4 4”.",
-    "odd_points.svg": "1 polygon drawn only up to an error in the data: Polygon 2 at the end.",
+    "numbers_after_z.svg": "1 path imported only up to an error in the data: Path 2 at character 11, “4 4”.",
+    "odd_points.svg": "1 polygon imported only up to an error in the data: Polygon 2 at the end.",
 }
 
 
@@ -123,19 +123,19 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
         ("wrong_type_y.curve.json", "curves[0].points[2].y must be a number"),
         ("version_newer.curve.json", "newer version of Curvebench"),
         ("million_digits.curve.json", "curves[0].points[0].x must lie between"),
-        ("ragged.csv", "Row 3 has 3 cells; the first has 2."),
+        ("ragged.csv", "Row 3 has 3 cells; the first row has 2."),
         ("formula.csv", "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula"),
         ("bad_last_row.csv", "Row 200002 has 1 cells"),
         ("entities.svg", "The entity “b5” is nested deeper than 4 levels"),
-        ("quadratic_entities.svg", "its DOCTYPE come to more than 64 KB"),
-        ("default_values.svg", "its DOCTYPE come to more than 64 KB"),
+        ("quadratic_entities.svg", "the DOCTYPE exceed 64 KB"),
+        ("default_values.svg", "the DOCTYPE exceed 64 KB"),
         ("use_loop.svg", "2 circular references left out: Use 5 and Use 3."),
-        ("nan.svg", "1 path drawn only up to an error in the data: Path 2 at character 7, “NaN 1”"),
-        ("infinite_by_transform.svg", "1 element beyond all numbers left out: Path 2."),
+        ("nan.svg", "1 path imported only up to an error in the data: Path 2 at character 7, “NaN 1”"),
+        ("infinite_by_transform.svg", "1 element with coordinates out of range left out: Path 2."),
         ("arc_beyond_numbers.svg", "Path 2 at character 31, “1e300”"),
         ("many_pieces.svg", "1 curve of more than 100000 pieces left out: Path 2."),
-        ("too_large.svg", "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path 2."),
-        ("truncated.dxf", "ends at line 59 without EOF: it is cut off"),
+        ("too_large.svg", "1 curve with coordinates or velocities outside −1e12 to 1e12 left out: Path 2."),
+        ("truncated.dxf", "ends at line 59 without EOF: it is incomplete"),
         ("number_of_words.dxf", "near line: 46"),
     ],
 )

@@ -162,6 +162,6 @@ def test_unknown_formats_are_named_with_the_known_ones(name, sketch, tmp_path):
     with pytest.raises(ExchangeError) as refusal:
         export(sketch, tmp_path / name)
     said = str(refusal.value)
-    assert said.startswith(f"The name “{name}” does not end in a known format; use .curve.json, ")
+    assert said.startswith(f"The name “{name}” has no known file extension; use .curve.json, ")
     assert said.endswith(" or .coefficients.json.")
     assert all(f" {ending}" in said for ending in endings_of(FORMATS.written))

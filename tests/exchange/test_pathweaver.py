@@ -99,11 +99,11 @@ def test_a_file_of_an_old_version_has_fewer_columns(tmp_path):
 @each_row(
     ("text", "sentence"),
     [
-        (HEAD + "1,2,3,4,true,false,\n", "one row of numbers; a curve needs two points"),
+        (HEAD + "1,2,3,4,true,false,\n", "only one row of numbers; a curve needs two points"),
         (HEAD + "1,2,3,4,true,false,\n1,2,3,four,true,false,\n", "Row 3, column 4: “four” is not a number"),
-        (HEAD + "1,2,3,4,true,false,\n,2,3,4,true,false,\n", "Row 3, column 2 is empty; it gives x"),
+        (HEAD + "1,2,3,4,true,false,\n,2,3,4,true,false,\n", "Row 3, column 2 is empty, but x is needed"),
         (HEAD + "1,2,3,4,true,perhaps,\n1,2,3,4,true,false,\n", "Row 2: “perhaps” is neither true nor false"),
-        (HEAD + "1,2,3,4,true,false,\n1,2,3\n", "Row 3 has 3 cells; the first has 7"),
+        (HEAD + "1,2,3,4,true,false,\n1,2,3\n", "Row 3 has 3 cells; the first row has 7"),
         (HEAD, "no rows of numbers"),
         ("X,Y,Tangent X,Tangent Y\n1,2,3,1e13\n", "Row 2, column 4 must lie between"),
     ],
@@ -136,7 +136,7 @@ def test_other_curves_become_waypoints_within_the_tolerance(family, tolerance, t
 def test_a_file_has_one_path(tmp_path):
     curves = [make_curve([(k, 0.0), (k + 1.0, 1.0)], name=f"Curve {k}") for k in range(2)]
     done = export(Document(tuple(curves)), tmp_path / "a.pathweaver.csv")
-    assert done.remarks == ("“Curve 1” was left out: a file of PathWeaver has one path.",)
+    assert done.remarks == ("“Curve 1” was left out: a PathWeaver file has one path.",)
     assert done.text.splitlines()[1].startswith("0.0,0.0,")
 
 
@@ -146,6 +146,6 @@ def test_a_corner_is_refused_where_the_tolerance_allows_no_bend(tmp_path):
     points = (curve.points[0], corner, curve.points[2])
     document = Document((type(curve)("Bent", curve.family, curve.parametrization, points),))
     path = tmp_path / "a.pathweaver.csv"
-    with pytest.raises(ExchangeError, match=r"“Bent” takes more than 10,000 waypoints\. Choose a larger"):
+    with pytest.raises(ExchangeError, match=r"“Bent” needs more than 10,000 waypoints\. Choose a larger"):
         export(document, path, Options(tolerance=1e-9))
     assert 0 < export(document, path, Options(tolerance=0.01)).deviation <= 0.01

@@ -66,12 +66,12 @@ def test_the_reason_names_the_file(tmp_path):
     with pytest.raises(ExchangeError) as refusal:
         import_file(path)
     said = str(refusal.value)
-    assert said == "“bad.svg” cannot be read: This is no SVG file: it begins with <html>."
+    assert said == "“bad.svg” cannot be read: This is not an SVG file: it begins with <html>."
 
 
 def test_what_takes_too_long_is_stopped(children):
     with pytest.raises(
-        ExchangeError, match=r"Reading takes more than 0.2 s of the processor; it was stopped"
+        ExchangeError, match=r"Reading needs more than 0.2 s of processor time and was stopped"
     ):
         read_in_process(read_svg, BUSY, None, seconds=0.2)
     assert all(each.returncode not in (None, 0) for each in children)
@@ -124,7 +124,7 @@ def test_neither_the_start_nor_other_programs_count(slow_reader, children):
 
 def test_what_sleeps_ends_some_day(slow_reader, children, monkeypatch):
     monkeypatch.setattr("app.exchange.reader_process.longest_wait", lambda _seconds: 0.1)
-    with pytest.raises(ExchangeError, match=r"Reading has not ended after 0.1 s; it was stopped"):
+    with pytest.raises(ExchangeError, match=r"Reading did not finish within 0.1 s and was stopped"):
         read_in_process(slow_reader.sleeping, LINE, None)
     assert [each.returncode in (None, 0) for each in children] == [False]
 
@@ -143,7 +143,7 @@ def test_one_process_reads_one_drawing_after_the_other(slow_reader, children):
 
 def test_a_drawing_that_is_stopped_or_not_waited_for_leaves_the_next_one_alone(children):
     with ReaderProcess() as process:
-        with pytest.raises(ExchangeError, match=r"takes more than 0.1 s"):
+        with pytest.raises(ExchangeError, match=r"needs more than 0.1 s"):
             process.read(read_svg, BUSY, None, seconds=0.1)
         assert len(process.read(read_svg, LINE, None).document.curves) == 1
         process.begin(read_svg, BUSY, None)
@@ -187,7 +187,7 @@ def test_a_large_file_may_take_longer_than_a_small_one():
 
 @pytest.mark.skipif("sys.platform != 'linux'", reason="only Linux limits the address space")
 def test_what_takes_too_much_memory_is_stopped():
-    with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed; it was stopped"):
+    with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed and was stopped"):
         read_in_process(read_svg, BUSY, None, memory=10 * 2**20, seconds=30)
 
 

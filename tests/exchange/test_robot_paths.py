@@ -107,8 +107,8 @@ def test_paths_of_2023_have_anchor_points_and_markers():
         (
             '"x": 3.0',
             '"x": 3e13',
-            "There is no curve in the file. "
-            "1 curve with coordinates or velocities beyond −1e12 to 1e12 left out: Path.",
+            "The file contains no curves. "
+            "1 curve with coordinates or velocities outside −1e12 to 1e12 left out: Path.",
         ),
         ('"version"', "version", "It is not JSON; line 1, column 2: object keys must be strings."),
         ("waypoints", "ways", "Waypoints is missing."),
@@ -203,10 +203,10 @@ SAMPLE = {"t": 0.0, "x": 0.0, "y": 0.0, "vx": 1.0, "vy": 0.0}
         (traj([{"t": 0.0, "x": 0.0}]), "Trajectory.samples[0].y is missing."),
         (traj([{"t": 0.5, "x": 0.0, "y": 0.0, "vx": 1.0}]), "Sample 1 has no velocity."),
         (traj([SAMPLE, {"x": 0.0, "y": 0.0, "vx": 1.0, "vy": 2.0}]), "Sample 2 has no time."),
-        (traj([]), "It holds no trajectory. Generate one in Choreo, and import its .traj file."),
+        (traj([]), "The file contains no trajectory. Generate one in Choreo and import its .traj file."),
         (
             '{"name": "swerve", "version": 2, "type": "Swerve", "config": {}}',
-            "It holds no trajectory. Generate",
+            "The file contains no trajectory. Generate",
         ),
         (traj([SAMPLE | {"x": 3e13}]), "Row 1, column 3 must lie between −1e12 and 1e12."),
         ("", "It is not JSON; the file ends too early."),

@@ -122,8 +122,8 @@ def test_rows_of_different_curves_may_be_mixed():
             "curve,family,x,y\na,spline,0,0\na,spline,1,0\n",
             "Row 2, column 2 must be one of lagrange, hermite",
         ),
-        ("curve,x,y\na,0,0\nb,1,1\na,3,4\n", "The table has one row of numbers"),
-        ("x,y,vx,vy\n0,0,1,\n1,1,1,1\n", "Row 2, column 4 is empty; it gives vy."),
+        ("curve,x,y\na,0,0\nb,1,1\na,3,4\n", "The table has only one row of numbers"),
+        ("x,y,vx,vy\n0,0,1,\n1,1,1,1\n", "Row 2, column 4 is empty, but vy is needed."),
     ],
 )
 def test_what_is_wrong_with_one_of_several_has_its_row(text, sentence):

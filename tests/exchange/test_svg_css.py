@@ -163,7 +163,7 @@ def test_a_stroke_of_unknown_width_is_told(width):
     found = read(line, "")
     (curve,) = found.document.curves
     assert curve.style.width == pytest.approx(3)
-    assert found.remarks == ("1 stroke of unknown width came with a width of 1: a.",)
+    assert found.remarks == ("1 stroke of unknown width imported with a width of 1: a.",)
 
 
 def test_places_that_are_not_computed_are_told():
@@ -172,9 +172,7 @@ def test_places_that_are_not_computed_are_told():
         line + '<use id="b" href="#a" x="2vw" y="5"/><svg style="x:calc(1px)" y="7">' + line + "</svg>"
     )
     assert [box(curve) for curve in found.document.curves] == [(0, 0, 2, 2), (0, 5, 2, 7), (0, 7, 2, 9)]
-    assert found.remarks == (
-        "2 elements with lengths of unknown size, which count as not given: b x and Svg 4 x.",
-    )
+    assert found.remarks == ("2 elements with lengths of unknown size, which were ignored: b x and Svg 4 x.",)
 
 
 @each_row(

@@ -125,7 +125,7 @@ def test_transforms_scale_strokes_and_dashes_stay_in_proportion():
 def test_an_uneven_transform_is_told():
     found = read(f'<path id="a" d="{LINE}" stroke="red" transform="scale(1 4)"/>')
     assert found.document.curves[0].style.width == pytest.approx(2.0)
-    assert found.remarks == ("1 stroke of uneven width came with the mean width: a.",)
+    assert found.remarks == ("1 stroke of uneven width imported with the mean width: a.",)
 
 
 @each_row(
@@ -214,29 +214,32 @@ MISSED = [
     ('<use href="other.svg#a"/>', "1 reference to elements outside the file left out."),
     ('<path d="M0 0h9" fill="none"/>', "1 shape without stroke and fill left out."),
     ('<path id="a" d="M2 2h9" transform="scale(0)" stroke="red"/>', "1 single point left out: a."),
-    ('<pattern id="p"/><rect width="2" height="2" fill="url(#p) lime"/>', "1 pattern came as one colour."),
+    (
+        '<pattern id="p"/><rect width="2" height="2" fill="url(#p) lime"/>',
+        "1 pattern imported as one colour.",
+    ),
     ('<rect width="2" height="2" fill="url(#q)" stroke="red"/>', "1 missing paint left out."),
     (CLIP.format("text"), "1 clip path not applied."),
     (CLIP.format('circle r="20"'), "1 clip path not applied."),
     (CLIP.format('rect width="5" height="20"'), "1 clip path not applied."),
     (
         '<svg viewBox="0 0 4 4" width="4" height="4"><path d="M0 0H9V9Z"/><path d="M0 0H8V8Z"/></svg>',
-        "1 element came whole, beyond the view box.",
+        "1 element imported whole, beyond the view box.",
     ),
     ('<path d="M0 0H9V9Z" style="mask:url(#m)"/>', "1 mask not applied."),
     ('<path d="M0 0H9V9Z" filter="url(#m)"/>', "1 filter not applied."),
-    ('<path d="M0 0H9V9Z" marker-end="url(#m)"/>', "1 shape came without markers."),
+    ('<path d="M0 0H9V9Z" marker-end="url(#m)"/>', "1 shape imported without markers."),
     ('<path d="M0 0H9V9Z" style="mix-blend-mode:multiply"/>', "1 blend mode not applied."),
     (
         '<g style="mix-blend-mode:multiply"><path d="M0 0H9V9Z"/><path d="M0 0H9V9Z"/></g>',
         "1 blend mode not applied.",
     ),
-    ("<style>@import url(http://localhost/a.css);</style>", "1 style rule not followed: @import."),
-    ("<style>a:::b{fill:red}</style>", "1 style rule not followed: a:::b."),
-    ("<style>g{fill:red;path{fill:blue}}</style>", "1 style rule not followed: path within another."),
+    ("<style>@import url(http://localhost/a.css);</style>", "1 style rule ignored: @import."),
+    ("<style>a:::b{fill:red}</style>", "1 style rule ignored: a:::b."),
+    ("<style>g{fill:red;path{fill:blue}}</style>", "1 style rule ignored: path within another."),
     (
         "<style>path{@media print{fill:blue}&amp;.a{x:2px}}</style>",
-        "2 style rules not followed: @media print within another and &.a within another.",
+        "2 style rules ignored: @media print within another and &.a within another.",
     ),
     ('<rect width="2vw" height="2"/>', "1 shape with lengths of unknown size left out: Rect 2."),
     ("<script>alert(1)</script>", "1 script not run: alert(1)."),
@@ -265,7 +268,7 @@ def test_what_does_not_come_in_is_told_by_kind_and_count():
     )
     use = '<use href="#sky"/>' * 4
     assert read(f'<linearGradient id="g">{stops}</linearGradient>{shapes}{use}').remarks == (
-        "5 gradients came as one colour: sky, sea, sand and 2 more.",
+        "5 gradients imported as one colour: sky, sea, sand and 2 more.",
         "5 texts left out: sky, sea, sand and 2 more.",
         "5 pictures left out.",
     )
@@ -291,7 +294,7 @@ def test_what_changes_nothing_is_not_told(body):
 def test_a_drawing_of_lines_that_nobody_painted_comes_in_as_lines():
     found = read(f'<path d="{LINE}" fill="none"/>')
     assert found.document.curves[0].style == Style()
-    assert found.remarks == ("1 shape without stroke and fill came with a plain stroke.",)
+    assert found.remarks == ("1 shape without stroke and fill imported with a plain stroke.",)
 
 
 # Out

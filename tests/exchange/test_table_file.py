@@ -60,11 +60,11 @@ def test_utf_16_as_spreadsheets_write_it():
     [
         ("", "The file is empty."),
         (" \n\n", "The file is empty."),
-        ("# only words\n", "The table has no rows of numbers."),
+        ("# only words\n", "The table contains no rows of numbers."),
         ("x,y\n", "Row 1, column 1: “x” is not a number."),
-        ("x,y\n1,2\n3,4,5\n", "Row 3 has 3 cells; the first has 2."),
+        ("x,y\n1,2\n3,4,5\n", "Row 3 has 3 cells; the first row has 2."),
         ("x,y\n1,2\n\n3,four\n", "Row 4, column 2: “four” is not a number."),
-        ("x,y\n1,2\n3\n", "Row 3 has 1 cells; the first has 2."),
+        ("x,y\n1,2\n3\n", "Row 3 has 1 cells; the first row has 2."),
         (
             "x,y\n1,2\n=cmd|' /C calc'!A0,4\n",
             "Row 3, column 1: “=cmd|' /C calc'!A0” is a formula; only numbers are read.",
@@ -79,7 +79,7 @@ def test_utf_16_as_spreadsheets_write_it():
         ("x,y\n1,2\n1e13,4\n", "Row 3, column 1 must lie between −1e12 and 1e12."),
         ("x,y\n1,2\n1_0,4\n", "Row 3, column 1: “1_0” is not a number."),
         ("x,y\n1,2\n0x10,4\n", "Row 3, column 1: “0x10” is not a number."),
-        ("x,y\n1,2\n1\0,4\n", "Row 3 holds a zero byte; this is no text."),
+        ("x,y\n1,2\n1\0,4\n", "Row 3 contains a zero byte; this is not text."),
     ],
 )
 def test_what_is_no_table_is_refused_with_the_row(text, sentence):
@@ -96,12 +96,12 @@ def test_bad_utf_8_is_refused_with_the_row():
 @each_row(
     ("text", "sentence"),
     [
-        ("x,y\n1,2\n", "The table has one row of numbers; a curve needs two points."),
-        ("x\n1\n2\n", "The table has one column only; a curve needs x and y."),
+        ("x,y\n1,2\n", "The table has only one row of numbers; a curve needs two points."),
+        ("x\n1\n2\n", "The table has only one column; a curve needs x and y."),
         ("t,x,y\n0,1,2\n1,1,2\n1,3,4\n", "Row 4: t must increase from row to row."),
         ("t,x,y\n0,1,2\n-1,1,2\n", "Row 3: t must increase from row to row."),
         ("t,x,y\n\n0,1,2\n# pause\n\n1,1,2\n\n1,3,4\n", "Row 8: t must increase from row to row."),
-        ("x\ty\n1\t2\n\n3\t\n", "Row 4, column 2 is empty; it gives y."),
+        ("x\ty\n1\t2\n\n3\t\n", "Row 4, column 2 is empty, but y is needed."),
     ],
 )
 def test_what_is_no_curve_is_refused(text, sentence):
@@ -258,19 +258,19 @@ def peak_of(work):
         (
             "x,y\n0,0\n1,1\n1,1\n2,0\n",
             [(0, 0), (1, 1), (2, 0)],
-            "Row 4 repeats the point of the row before; it was merged with that, for parameters by distance "
+            "Row 4 repeats the point of the previous row; they were merged, because parameters by distance "
             "need distinct points.",
         ),
         (
             "x,y\n0,0\n1,1\n1,1\n1,1\n2,0\n2,0\n0,0\n",
             [(0, 0), (1, 1), (2, 0), (0, 0)],
-            "3 rows repeat the point of the row before, row 4 first; they were merged with that, for "
+            "3 rows repeat the point of the previous row, first row 4; they were merged, because "
             "parameters by distance need distinct points.",
         ),
         (
             "t,x,y\n0,0,0\n1,1,1\n2,1,1\n3,2,0\n",
             [(0, 0), (1, 1), (1, 1), (2, 0)],
-            "Row 4 repeats the point of the row before; it is kept, with a t of its own.",
+            "Row 4 repeats the point of the previous row; it is kept, with its own t.",
         ),
         ("x,y\n0,0\n1,1\n0,0\n", [(0, 0), (1, 1), (0, 0)], ""),
     ],

@@ -50,7 +50,7 @@ FEATURES = {
         {"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]}},
     ],
 }
-DAMAGED = "no .npy file, or its head is damaged"
+DAMAGED = "not a .npy file, or its header is damaged"
 FIRST_TWO = ("Columns: x = column 1, y = column 2.",)
 PAIR = points((0, 1), (2, 3))
 
@@ -81,7 +81,7 @@ TABLES = [
         "units.csv",
         "time,x,y\ns,mm,mm\n0,1,2\n1,2,3\n",
         {"units": [(0.0, 1.0, 2.0), (1.0, 2.0, 3.0)]},
-        ("The row below the titles holds units.", "Columns: t = “time”, x = “x”, y = “y”."),
+        ("The row below the titles contains units.", "Columns: t = “time”, x = “x”, y = “y”."),
     ),
     (
         "empty.csv",
@@ -136,7 +136,7 @@ TABLES = [
             "Elbe (2)": points((1, 2), (3, 4)),
             "Line 2": points((5, 6), (7, 8)),
         },
-        ("Not read: 1 Point.", "Columns: x = “lon”, y = “lat”, curve = “curve”."),
+        ("Left out: 1 Point.", "Columns: x = “lon”, y = “lat”, curve = “curve”."),
     ),
 ]  # fmt: skip
 
@@ -157,7 +157,7 @@ def test_what_other_programs_write_is_read_and_said(name, content, curves, said,
 def test_rows_without_numbers_are_left_out_or_end_the_curve(missing, curves, gap, tmp_path):
     text = f"x,y\n0,1\n1,2\n{gap}\n3,4\n5,3\n"
     assert read(tmp_path, "a.csv", text, missing=missing)[0] == curves
-    with pytest.raises(ExchangeError, match=r"Row 4, column \d.* Leave such rows out"):
+    with pytest.raises(ExchangeError, match=r"Row 4, column \d.* Use --missing skip"):
         read(tmp_path, "a.csv", text)
     arrays = {"a.json": json.dumps([[0, 1], [1, 2], [None, 2], [3, 4], [5, 3]])}
     arrays["a.npy"] = npy(np.array([[0, 1], [1, 2], [np.nan, 2], [3, 4], [5, 3]]))
@@ -168,23 +168,23 @@ def test_rows_without_numbers_are_left_out_or_end_the_curve(missing, curves, gap
 @each_row(
     ("name", "content", "sentence"),
     [
-        ("a.npy", npy(np.array([{}], dtype=object), allow_pickle=True), "holds Python objects"),
-        ("a.npy", npy(np.zeros((4, 2)))[:-8], "cut off, or longer than its head says"),
+        ("a.npy", npy(np.array([{}], dtype=object), allow_pickle=True), "contains Python objects"),
+        ("a.npy", npy(np.zeros((4, 2)))[:-8], "size of the .npy file does not match its header"),
         ("a.npy", npy(np.zeros((4, 2))).replace(b"(4, 2), }   ", b"(9**9, 2), }"), DAMAGED),
-        ("a.npy", npy(np.zeros((4, 2))).replace(b"(4, 2), }   ", b"(9999, 2), }"), "cut off"),
+        ("a.npy", npy(np.zeros((4, 2))).replace(b"(4, 2), }   ", b"(9999, 2), }"), "not match its header"),
         ("a.npy", b"\x93NUMPY\x01\x00", DAMAGED),
-        ("a.npy", npy(np.array(["x", "y"])), "The array holds <U1 and no real numbers"),
+        ("a.npy", npy(np.array(["x", "y"])), "The array contains <U1, not real numbers"),
         ("a.npy", npy(np.zeros(4)), "it can be rows of 2 or more numbers"),
         ("a.npy", npy(np.array([[0, 1], [1, 1e13]])), "Row 2, column 2 must lie between"),
-        ("a.json", "[[0, 1], [2]]", "Row 2 has not 2 numbers, as the first has"),
+        ("a.json", "[[0, 1], [2]]", "Row 2 does not have 2 numbers like the first row"),
         ("a.json", '[[0, 1], [2, "3"]]', "Row 2, column 2: “3” is not a number"),
         ("a.json", "[[0, true], [2, 3]]", "Row 1, column 2: “True” is not a number"),
         ("a.json", "[[0, 1e999], [2, 3]]", "[0][1] must lie between -1e12 and 1e12"),
         ("a.json", '{"x": [1, 2], "y": [1]}', "The columns differ in length"),
         ("a.json", "[" * 10_000, "The file is nested too deeply"),
-        ("a.json", "[1, 2, 3]", "This JSON is no table; it can be a list of points"),
+        ("a.json", "[1, 2, 3]", "The JSON file is not a table; it can be a list of points"),
         ("a.json", '{"type": "LineString"}', "The GeoJSON is damaged: a LineString without coordinates"),
-        ("a.json", '{"type": "Point", "coordinates": [1, 2]}', "The GeoJSON has no lines. Not read: 1 Point"),
+        ("a.json", '{"type": "Point", "coordinates": [1, 2]}', "file contains no lines. Left out: 1 Point"),
         ("a.json", '{"format": "curvebench", "version": 3, "curves": []}', "curves must hold at least"),
     ],
 )  # fmt: skip
@@ -213,8 +213,8 @@ def test_where_it_would_be_a_guess_the_command_line_asks(tmp_path, capsys):
     out = tmp_path / "out.curve.json"
     assert main(["convert", str(path), str(out)]) == 1
     assert capsys.readouterr().err == (
-        "curvebench: “three.txt” cannot be read: Which of its columns are x and y? There are 1 (0, …); "
-        "2 (1, …); 3 (5, …). Say so: --columns x=1,y=2 or t=1,x=2,y=3, by title or number.\n"
+        "curvebench: “three.txt” cannot be read: Which columns are x and y? The table has 1 (0, …); "
+        "2 (1, …); 3 (5, …). Use --columns x=1,y=2 or t=1,x=2,y=3, by title or number.\n"
     )
     assert main(["convert", str(path), str(out), "--columns", "t=1,x=2,y=3"]) == 0
     output = capsys.readouterr()
@@ -225,14 +225,14 @@ def test_where_it_would_be_a_guess_the_command_line_asks(tmp_path, capsys):
 
 def test_columns_are_chosen_by_title_and_by_number(tmp_path):
     text = "when,a,b\n0,1,2\n1,3,4\n"
-    with pytest.raises(ExchangeError, match=r"There are 1 when \(0, …\); 2 a \(1, …\); 3 b \(2, …\)"):
+    with pytest.raises(ExchangeError, match=r"The table has 1 when \(0, …\); 2 a \(1, …\); 3 b \(2, …\)"):
         read(tmp_path, "a.csv", text)
     curves, said = read(tmp_path, "a.csv", text, columns="t=when, x=3,y=A")
     assert curves == {"a": [(0.0, 2.0, 1.0), (1.0, 4.0, 3.0)]}
     assert said == ("Columns: t = “when”, x = “b”, y = “a”.",)
     for columns, sentence in (
-        ("x=a,y=c", "There is no column “c”; there are “when”, “a”, “b”."),
-        ("x=a,z=b", "“z” is nothing that a column can be; use x, y, t, vx"),
+        ("x=a,y=c", "There is no column “c”; the columns are “when”, “a”, “b”."),
+        ("x=a,z=b", "“z” is not the role of a column; use x, y, t, vx"),
         ("x=a", "A curve needs x and y"),
         ("x=a,y=4", "There is no column “4”"),
     ):

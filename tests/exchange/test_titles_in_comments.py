@@ -44,7 +44,7 @@ def test_titles_in_a_comment_say_what_the_columns_are(tmp_path):
         ("# x,y\n1,2\n3,4\n# x,y\n5,6\n7,8\n", ()),
         (
             "# x,y\n1,2\n3,4\n# y,x\n5,6\n7,8\n",
-            ("“y, x” in a comment below the first row is not used.",),
+            ("The titles “y, x” in a comment below the first row are ignored.",),
         ),
         ("t,y,x\n0,1,2\n1,3,4\n", ("Columns: t = “t”, x = “x”, y = “y”.",)),
         ("x,y,z\n1,2,5\n3,4,6\n", ("Columns: x = “x”, y = “y”. Left out: “z”.",)),
@@ -112,9 +112,9 @@ def test_titles_that_name_no_coordinate_can_be_chosen_by_name(tmp_path):
 @each_row(
     ("text", "said"),
     [
-        ("# y,x,speed\n1,2\n3,4\n", "“y,x,speed” in a comment is not one title for each column. "),
+        ("# y,x,speed\n1,2\n3,4\n", "The comment “y,x,speed” does not have one title for each column. "),
         ("# measured in May\n1,2\n3,4\n", ""),
-        ("1,2\n3,4\n# y,x\n5,6\n", "“y, x” in a comment below the first row is not used. "),
+        ("1,2\n3,4\n# y,x\n5,6\n", "The titles “y, x” in a comment below the first row are ignored. "),
         ("1,2\n3,4\n# of x and y\n5,6\n", ""),
     ],
 )

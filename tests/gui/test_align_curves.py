@@ -1,4 +1,4 @@
-"""Chosen curves aligned and spaced evenly, by their extents; whole shapes as one."""
+"""Selected curves aligned and spaced evenly, by their extents; whole shapes as one."""
 
 from __future__ import annotations
 

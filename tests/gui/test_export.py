@@ -484,7 +484,7 @@ def test_of_chosen_curves_these_are_exported(waves, tmp_path, monkeypatch, endin
     editor.session.selected.set_curves({0, 2})
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
-    assert dialog.form.fields["extent"].widget.currentText() == "Chosen curves"
+    assert dialog.form.fields["extent"].widget.currentText() == "Selected curves"
     choose_format(dialog, ending)
     path = export(editor, dialog, tmp_path / f"a{ending}", monkeypatch)
     if ending == ".svg":
@@ -507,7 +507,7 @@ def test_all_curves_are_exported_where_none_is_chosen_or_all_are_asked_for(waves
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     assert dialog.form.fields["extent"].widget.currentText() == "All curves"
-    choose(dialog.form.fields["extent"].widget, "Chosen curves")
+    choose(dialog.form.fields["extent"].widget, "Selected curves")
     path = export(editor, dialog, tmp_path / "b.svg", monkeypatch)
     assert len(paths_in(path)) == 1, "the curve that is edited"
 
@@ -520,7 +520,7 @@ def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypa
     document = Document((icon, other), unit="mm")
     editor.session.commit(document, "Begin")
     editor.session.selected.choose({0})
-    for what, points in (("Chosen curves", icon.points),):
+    for what, points in (("Selected curves", icon.points),):
         editor.trigger("exportPicture")
         dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
         choose_format(dialog, ".svg")
@@ -554,12 +554,12 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     choose_format(dialog, ".svg")
     what = dialog.form.fields["extent"].widget
-    entry = what.model().item(what.findText("Chosen curves"))
+    entry = what.model().item(what.findText("Selected curves"))
     for chosen, text, stem in (
-        ({0}, "Chosen curves", "A"),
+        ({0}, "Selected curves", "A"),
         ((), "All curves", whole),
-        ({1, 2}, "Chosen curves", name),
-        ({0, 1}, "Chosen curves", whole),
+        ({1, 2}, "Selected curves", name),
+        ({0, 1}, "Selected curves", whole),
     ):
         selected.choose(chosen)
         settled(editor, dialog)
@@ -684,15 +684,15 @@ def test_a_document_whose_curves_were_all_exported_offers_that_again_though_some
         return settled(editor, editor.window.findChild(QDialog, "exportDialog"))
 
     what = dialog().form.fields["extent"].widget
-    assert what.currentText() == "Chosen curves"
+    assert what.currentText() == "Selected curves"
     choose(what, "All curves")
     export(editor, dialog(), tmp_path / "a.png", monkeypatch)
     again = dialog()
     assert again.form.fields["extent"].widget.currentText() == "All curves"
-    choose(again.form.fields["extent"].widget, "Chosen curves")
+    choose(again.form.fields["extent"].widget, "Selected curves")
     export(editor, again, tmp_path / "a.png", monkeypatch)
     last = dialog()
-    assert last.form.fields["extent"].widget.currentText() == "Chosen curves"
+    assert last.form.fields["extent"].widget.currentText() == "Selected curves"
     last.close()
 
 

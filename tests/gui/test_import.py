@@ -183,7 +183,7 @@ def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_pa
 def test_the_dialog_says_what_became_of_points_that_coincide(editor, tmp_path):
     """Of four points two were one; they came in as "exact", and no curve was drawn."""
     dialog = opened(editor, write(tmp_path / "twice.csv", "0,0\n1,1\n1,1\n2,0\n"))
-    said = "Row 3 repeats the point of the row before; it was merged with that"
+    said = "Row 3 repeats the point of the previous row; they were merged"
     assert dialog.problem.text().startswith(said)
     assert dialog.summary.text() == "4 rows → 3 points"
     press(dialog, "importTable")
@@ -355,9 +355,9 @@ def test_a_row_has_one_number_in_the_table_and_in_what_is_said_of_it(editor, tmp
     assert dialog.problem.text().startswith("⚠ Row 6, column 1: “nan”")
     assert row_numbers(table) == ["3", "5", "6", "7", "8"]
     assert marked(table) == ["6"]
-    choose(dialog.missing_box, "Leave them out")
+    choose(dialog.missing_box, "Skip them")
     settle(editor, dialog)
-    assert dialog.problem.text().startswith("Row 8 repeats the point of the row before")
+    assert dialog.problem.text().startswith("Row 8 repeats the point of the previous row")
     assert row_numbers(table) == ["3", "5", "6", "7", "8"]
     assert marked(table) == []
     dialog.close()
@@ -380,7 +380,9 @@ def test_a_lagrange_curve_through_thousands_of_rows_is_refused(editor, tmp_path)
     dialog = opened(editor, spiral(tmp_path / "spiral.csv", 900))
     choose(dialog.family_box, "Lagrange")
     settle(editor, dialog)
-    assert dialog.problem.text().startswith("⚠ A Lagrange curve can take 500 rows, not 900; choose Hermite")
+    assert dialog.problem.text().startswith(
+        "⚠ A Lagrange curve can have at most 500 rows, not 900. Choose Hermite"
+    )
     assert not dialog.ok.isEnabled()
     dialog.close()
 
@@ -450,7 +452,7 @@ def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monk
     edit.selectAll()
     QTest.keyClicks(edit, "0.0001")
     settle(editor, dialog)
-    assert "allow a larger distance than 0.0001" in dialog.problem.text(), "what was typed is not replaced"
+    assert "choose a larger distance than 0.0001" in dialog.problem.text(), "what was typed is not replaced"
     assert not dialog.ok.isEnabled()
     assert places[0] == dialog.thinning_box.pos()
     edit.selectAll()
@@ -574,13 +576,13 @@ def test_another_document_comes_in_too(editor, tmp_path):
 
 
 UNREADABLE = (
-    ("a.svg", "<!DOCTYPE svg [<!ENTITY a SYSTEM 'b'>]><svg/>", "delete all from “<!DOCTYPE” to “]>”"),
+    ("a.svg", "<!DOCTYPE svg [<!ENTITY a SYSTEM 'b'>]><svg/>", "delete everything from “<!DOCTYPE” to “]>”"),
     (
         "b.svg",
         '<?xml version="1.0"?>\n<!DOCTYPE svg [<!ENTITY % a "b">]>\n<svg/>',
-        "delete all from “<!DOCTYPE” to “]>” in a text editor",
+        "delete everything from “<!DOCTYPE” to “]>” in a text editor",
     ),
-    ("a.dxf", "  0\nSECTION\n", "cut off"),
+    ("a.dxf", "  0\nSECTION\n", "it is incomplete"),
     ("a.csv", "", "The file is empty"),
     ("a.json", "{", "a.json was not imported. It is not JSON; the file ends too early."),
     (
@@ -589,7 +591,7 @@ UNREADABLE = (
         "a.PDF was not imported. It is a PDF, which is not read here; open it in Inkscape",
     ),
     ("a.ai", "%PDF-1.5", "It is an Illustrator drawing, which is not read here; open it in Inkscape and"),
-    ("a.gif", "GIF89a", "does not end in a known format"),
+    ("a.gif", "GIF89a", "has no known file extension"),
 )
 """Names, contents and reasons."""
 

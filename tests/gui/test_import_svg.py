@@ -337,7 +337,7 @@ PAGE = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20" width="200" 
 
 
 def test_a_page_without_a_curve_opens_as_an_empty_document_of_its_size(editor, tmp_path):
-    """It was refused: “There is no curve in the file.”"""
+    """It was refused: “The file contains no curves.”"""
     path = tmp_path / "page.svg"
     path.write_text(PAGE.format('<g id="layer1"/>'), encoding="utf-8")
     open_as_document(editor, path)
@@ -360,7 +360,7 @@ def test_a_file_of_unreadable_things_alone_says_so_and_brings_nothing_into_anoth
     dialog = opened(editor, path)
     assert dialog.summary.text() == "No curves."
     assert dialog.remarks.text() == (
-        "1 text left out: hey.\n1 path drawn only up to an error in the data: a at character 1, “L5 5”."
+        "1 text left out: hey.\n1 path imported only up to an error in the data: a at character 1, “L5 5”."
     )
     assert (dialog.into.currentText(), dialog.into.isEnabled()) == ("A new document", False)
     QTest.mouseClick(dialog.ok, Qt.MouseButton.LeftButton)

@@ -216,4 +216,4 @@ def test_a_flag_that_the_command_line_has_already_is_an_error_that_names_it():
 
 def test_it_is_gone_afterwards(tmp_path, capsys):
     assert main(["convert", str(tmp_path / "a.corners"), str(tmp_path / "b.svg")]) == 1
-    assert "does not end in a known format" in capsys.readouterr().err
+    assert "has no known file extension" in capsys.readouterr().err

@@ -185,7 +185,7 @@ def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
     planted.wait_for_work()
     dialog = planted.window.findChild(QDialog, "importDrawingDialog")
     assert dialog.remarks.text().splitlines() == [
-        "1 style rule not followed: @media.",
+        "1 style rule ignored: @media.",
         "1 text left out.",
         "1 filter not applied: <b>x</b>.",
     ]

@@ -154,7 +154,7 @@ def test_a_faulty_drawing_leaves_the_document_and_says_why(three):
     paste(three)
     assert three.session.document is document
     assert "The drawing was not pasted." in three.message
-    assert "1 path drawn only up to an error in the data: Path 2 at the end." in three.message
+    assert "1 path imported only up to an error in the data: Path 2 at the end." in three.message
 
 
 def test_a_large_drawing_is_read_in_a_process_of_its_own(three, monkeypatch):

@@ -260,8 +260,8 @@ def refuse_wild(curve: Curve, samples: FloatArray) -> None:
     """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
-            f"“{curve.display_name}” swings beyond {LARGEST:g} between its points; no picture can hold that. "
-            "Chebyshev parameters or Hermite curves stay calm."
+            f"“{curve.display_name}” swings beyond {LARGEST:g} between its points, too far for a picture. "
+            "Try Chebyshev parameters or a Hermite curve."
         )
 
 

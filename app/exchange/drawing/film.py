@@ -77,7 +77,7 @@ class Film:
         """Return the ways of the dots."""
         view = view_of(document.curves[self.curve])
         if not view.is_current or view.curve is None:
-            raise ExchangeError(f"There is no curve to run along. {view.problem}")
+            raise ExchangeError(f"There is no curve to move along. {view.problem}")
         courses = {ACTIVE: Course(view.curve, self.pace)}
         for role, rival in rivals_of(view, self.compared).items():
             assert rival.curve is not None
@@ -121,7 +121,7 @@ def first_round(document: Document, repeat: Repeat) -> float:
 
 
 def _missing_for_video() -> str:
-    return "" if shutil.which("ffmpeg") else "MP4 is written by ffmpeg, which is not on the PATH"
+    return "" if shutil.which("ffmpeg") else "MP4 needs ffmpeg, which is not on the PATH"
 
 
 def write_film(
@@ -150,7 +150,9 @@ def write_film(
     with drawing.image.application():
         maker = drawing.motion_frames.FrameMaker(document, film)
         if film.frames * maker.width * maker.height > form.most_pixels or maker.height > 2 * LARGEST_WIDTH:
-            raise ExchangeError("The film would be too large; make it smaller, shorter or with fewer frames.")
+            raise ExchangeError(
+                "The film would be too large. Make it smaller or shorter, or use fewer frames."
+            )
         data = form.write(maker, film, report)
     report(FINAL, "Writing")
     write(path, data)
@@ -158,11 +160,13 @@ def write_film(
 
 def _refuse_size(film: Film) -> None:
     if not 16 <= film.width <= LARGEST_WIDTH:
-        raise ExchangeError(f"A film may be 16 to {LARGEST_WIDTH} pixels wide.")
+        raise ExchangeError(f"A film must be 16 to {LARGEST_WIDTH} pixels wide.")
     if not 1 <= film.fps <= FASTEST:
-        raise ExchangeError(f"A film may have 1 to {FASTEST} frames a second.")
+        raise ExchangeError(f"A film must have 1 to {FASTEST} frames per second.")
     if not film.seconds * film.fps <= MOST_FRAMES:
-        raise ExchangeError(f"A film may have {MOST_FRAMES} frames; make it shorter, or with fewer a second.")
+        raise ExchangeError(
+            f"A film can have at most {MOST_FRAMES} frames. Make it shorter, or use fewer per second."
+        )
 
 
 def _watched(maker: FrameMaker, count: int, report: Report) -> Iterator[bytes]:
@@ -188,7 +192,7 @@ def _images(maker: FrameMaker, film: Film, report: Report) -> Iterator[Image.Ima
         new = drawing.pillow.Image.frombytes
     except ImportError:
         raise ExchangeError(
-            "GIF and APNG are written by Pillow, which is not installed: pip install 'curvebench[animation]'."
+            "GIF and APNG need Pillow, which is not installed: pip install 'curvebench[animation]'."
         ) from None
     size = (maker.width, maker.height)
     frames = _watched(maker, film.frames, report)
@@ -214,7 +218,7 @@ def _in_one_palette(images: Iterator[Image.Image]) -> Iterator[Image.Image]:
 def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:
     program = shutil.which("ffmpeg")
     if program is None:
-        raise ExchangeError("MP4 is written by ffmpeg, which is not on the PATH. Choose GIF or APNG.")
+        raise ExchangeError("MP4 needs ffmpeg, which is not on the PATH. Choose GIF or APNG.")
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder) / "film.mp4"
         size = f"{maker.width}x{maker.height}"
@@ -229,7 +233,7 @@ def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:
         try:
             return target.read_bytes()
         except FileNotFoundError:
-            raise ExchangeError("ffmpeg left no film.") from None
+            raise ExchangeError("ffmpeg produced no film.") from None
 
 
 def _feed(command: list[str], frames: Iterator[bytes], count: int, report: Report) -> None:
@@ -257,7 +261,7 @@ def _feed(command: list[str], frames: Iterator[bytes], count: int, report: Repor
         if code:
             output.seek(0)
             words = output.read(2000).decode("utf-8", "replace").strip().splitlines()
-            raise ExchangeError(f"ffmpeg ended with code {code}. {words[-1] if words else ''}".strip())
+            raise ExchangeError(f"ffmpeg exited with code {code}. {words[-1] if words else ''}".strip())
 
 
 def _send(frame: bytes, pipe: IO[bytes], share: float, report: Report) -> None:

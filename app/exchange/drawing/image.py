@@ -148,7 +148,8 @@ def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
     height = round(width * drawing.frame.height / drawing.frame.width)
     if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
         raise ExchangeError(
-            f"A picture of {width} × {height} pixels is not possible; the sides may have 1 to {LARGEST_SIDE}."
+            f"A picture of {width} × {height} pixels is not possible; "
+            f"its sides can be 1 to {LARGEST_SIDE} pixels."
         )
     return width, height
 
@@ -158,7 +159,7 @@ def _wanted_width(drawing: Drawing, options: Options) -> float:
     if options.dpi is None or options.width is not None:
         return (DEFAULT_WIDTH if options.width is None else options.width) * options.scale
     if not options.is_to_scale:
-        raise ExchangeError("Dots per inch need a unit of length, and the document has none.")
+        raise ExchangeError("A resolution in dpi needs a unit of length, but the document has none.")
     return drawing.frame.width * MILLIMETRES[known_unit(options.unit)] / 25.4 * options.dpi * options.scale
 
 
@@ -209,7 +210,7 @@ def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: Pic
 def _png(image: QImage) -> bytes:
     buffer = _buffer()
     if not image.save(buffer, "png"):  # type: ignore[call-overload]  # its stub forgets devices
-        raise ExchangeError("The picture could not be made; there may be too little memory.")
+        raise ExchangeError("The picture could not be created. There may not be enough memory.")
     return bytes(buffer.data().data())
 
 
@@ -281,7 +282,7 @@ def _page_size(drawing: Drawing, options: Options) -> tuple[float, float]:
         longest = LARGEST_PAGE / POINTS_PER_MILLIMETRE
         raise ExchangeError(
             f"At true size the page would be {size_in_words(frame.width, frame.height, unit)}; "
-            f"a PDF has pages of 1 to {longest:.0f} mm."
+            f"a PDF page can be 1 to {longest:.0f} mm."
         )
     return frame.width * scale, frame.height * scale
 

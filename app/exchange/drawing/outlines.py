@@ -150,7 +150,7 @@ def frame_around(parts: list[FloatArray]) -> Frame:
         raise ExchangeError("There is nothing to draw: all points coincide.")
     if not SMALLEST <= size <= LARGEST:
         raise ExchangeError(
-            f"The drawing is {size:.2g} across; a picture can hold {SMALLEST:g} to {LARGEST:g}."
+            f"The drawing is {size:.2g} across; a picture can be {SMALLEST:g} to {LARGEST:g} across."
         )
     if size < _RESOLUTION * reach:
         raise ExchangeError(

@@ -266,7 +266,7 @@ def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
     if Path(path).is_dir():
         raise ExchangeError(f"“{os.fspath(path)}” is a folder. Choose a file.")
     known = enumerated(endings, "or")
-    raise ExchangeError(f"The name “{name}” does not end in a known format; use {known}.")
+    raise ExchangeError(f"The name “{name}” has no known file extension; use {known}.")
 
 
 def _longest(name: str, endings: Sequence[str]) -> str:

@@ -178,7 +178,7 @@ def _local_powers(t: FloatArray, piece: ParametricCurve) -> FloatArray:
 PYTHON = Format(
     endings=(".py",),
     title="Python with NumPy",
-    description="A program that computes the curves; it needs NumPy alone.",
+    description="A program that computes the curves and needs only NumPy.",
     rank=80,
     write=python_code,
 )

@@ -64,9 +64,9 @@ _LONGEST_LAYER = 200
 
 CUBIC = Check(
     name="cubic",
-    title="No spline above degree 3",
-    tip="Cubic pieces within the tolerance: LibreCAD, for one, draws no spline of higher degree",
-    help="of a DXF: no spline above degree 3, for programs that draw none, such as LibreCAD",
+    title="No splines above degree 3",
+    tip="Write cubic pieces within the tolerance, as some programs draw no splines of higher degree",
+    help="DXF: no splines above degree 3, for programs that draw none, such as LibreCAD",
     default=False,
 )
 
@@ -206,7 +206,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
         # What a damaged file makes a foreign parser raise has no end: StructureError, ValueError, …
         raise _damaged("The DXF file", problem) from problem
     if len(entities) > MAX_ENTITIES:
-        raise ExchangeError(f"The DXF file has {len(entities)} entities; {MAX_ENTITIES} can be read.")
+        raise ExchangeError(f"The DXF file has {len(entities)} entities; at most {MAX_ENTITIES} can be read.")
     reader = _Reader(drawing, tolerance)
     for number, entity in enumerate(entities, start=1):
         reader.take(entity, number)
@@ -224,9 +224,9 @@ def _text(data: bytes) -> str:
     if not data.strip():
         raise ExchangeError("The file is empty.")
     if data.startswith(b"AutoCAD Binary DXF"):
-        raise ExchangeError("This is binary DXF; save it as text.")
+        raise ExchangeError("This is a binary DXF file. Save it as text.")
     if b"\0" in data:
-        raise ExchangeError("The file holds zero bytes; this is no DXF text.")
+        raise ExchangeError("The file contains zero bytes, so it is not a DXF text file.")
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -235,7 +235,7 @@ def _text(data: bytes) -> str:
     text = text.replace("\r\n", "\n").replace("\r", "\n")
     if not _END.search(text):
         raise ExchangeError(
-            f"The DXF file ends at line {text.count(chr(10)) + 1} without EOF: it is cut off."
+            f"The DXF file ends at line {text.count(chr(10)) + 1} without EOF: it is incomplete."
         )
     return text
 
@@ -280,7 +280,7 @@ class _Reader:
         elif not 1 <= degree <= HIGHEST_DEGREE_READ:
             self._miss(spline, f"of degree {degree} left out")
         elif not _is_clamped(knots, degree, len(points)):
-            self._miss(spline, "with knots that are periodic or broken left out")
+            self._miss(spline, "with periodic or invalid knots left out")
         else:
             self._add(spline, _beziers(points, knots, degree), bool(spline.dxf.flags & CLOSED))
 
@@ -292,11 +292,13 @@ class _Reader:
             points.pop()
         distinct = [here for here, before in zip(points, [None, *points[:-1]], strict=True) if here != before]
         if len(distinct) < 2:
-            self._miss(spline, "with less than two points left out")
+            self._miss(spline, "with fewer than two points left out")
             return
         if not np.isfinite(distinct).all():
-            raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” is not finite.")
-        self._miss(spline, "with fit points alone came as the natural spline through them")
+            raise ExchangeError(
+                f"The SPLINE on layer “{spline.dxf.layer}” has coordinates that are not finite."
+            )
+        self._miss(spline, "with fit points only imported as the natural spline through them")
         self.paths.append(PathThroughPoints(self._name(spline), self._look(spline), tuple(distinct), closed))
 
     def _name(self, entity: DXFGraphic) -> str:
@@ -305,7 +307,9 @@ class _Reader:
 
     def _add(self, entity: DXFGraphic, pieces: FloatArray, closed: bool, deviation: float = 0.0) -> None:
         if not np.isfinite(pieces).all():
-            raise ExchangeError(f"The {entity.dxftype()} on layer “{entity.dxf.layer}” is not finite.")
+            raise ExchangeError(
+                f"The {entity.dxftype()} on layer “{entity.dxf.layer}” has coordinates that are not finite."
+            )
         if pieces.shape[1] > 4:
             pieces, deviation = self._as_cubics(pieces)
         meets = bool((pieces[0, 0] == pieces[-1, -1]).all())
@@ -346,7 +350,9 @@ class _Reader:
                 elif command.type == library.Command.LINE_TO:
                     pieces.append(lines(np.array([pen, _flat(command.end)])))
                 else:
-                    raise ExchangeError(f"Entity {number} ({entity.dxftype()}) has a curve of another kind.")
+                    raise ExchangeError(
+                        f"Entity {number} ({entity.dxftype()}) has an unsupported kind of curve."
+                    )
                 pen = _flat(command.end)
             if pieces:
                 deviation = radius * error_of_arc(math.tau / count)
@@ -447,7 +453,7 @@ def _largest_radius(entity: DXFGraphic) -> float:
 DXF = Format(
     endings=(".dxf",),
     title="DXF splines",
-    description="SPLINE entities of the true degree with their knots, a layer for each curve.",
+    description="SPLINE entities of the true degree with their knots, one layer per curve.",
     rank=40,
     options=(POINTS, TOLERANCE, CUBIC),
     write=dxf_text,

@@ -119,7 +119,7 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> ExportR
         "curves": written,
     }
     if not np.isfinite(worst):
-        raise ExchangeError("The coefficients are beyond all numbers; export code instead.")
+        raise ExchangeError("The coefficients are out of range. Export code instead.")
     return ExportResult(
         json.dumps(content, indent=1, ensure_ascii=False) + "\n", worst, curves.remarks, is_bound=False
     )
@@ -136,8 +136,8 @@ def _coefficients(piece: ParametricCurve) -> FloatArray:
         return _from_bernstein(bezier_segments(piece))
     if len(piece.points) > MOST_COEFFICIENTS:
         raise ExchangeError(
-            f"A polynomial through {len(piece.points)} points has no usable coefficients; "
-            f"{MOST_COEFFICIENTS} points are the most. Export code instead."
+            f"A polynomial through {len(piece.points)} points has no usable coefficients; at most "
+            f"{MOST_COEFFICIENTS} points are possible. Export code instead."
         )
     coefficients = power_coefficients(piece, *piece.domain)[None]
     return np.where(np.abs(coefficients) < LARGEST, coefficients, np.inf)
@@ -181,7 +181,7 @@ PATH_DATA = Format(
 COEFFICIENTS = Format(
     endings=(".coefficients.json",),
     title="Polynomial coefficients",
-    description="The coefficients of every polynomial piece, with the error that this form brings.",
+    description="The coefficients of every polynomial piece, with the error of this form.",
     rank=150,
     write=coefficients_json,
 )

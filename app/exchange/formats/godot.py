@@ -17,7 +17,7 @@ _SECTION = re.compile(r"^\[(\w+)(.*)\]\s*$", re.MULTILINE)
 _POINTS = re.compile(r'"points"\s*:\s*P(?:acked|ool)Vector2Array\(([^)]+)\)')
 _USED = re.compile(r'^curve = SubResource\(\s*"?(.*?)"?\s*\)', re.MULTILINE)
 _PLACED = re.compile(r"^(?:position|rotation|scale|skew|transform) = ", re.MULTILINE)
-_NOT_APPLIED = Loss("node", "with a position, rotation or scale of its own came without that")
+_NOT_APPLIED = Loss("node", "with a position, rotation or scale of its own imported without it")
 
 
 def read_curves(data: bytes, _tolerance: float | None = None) -> ImportResult:
@@ -44,7 +44,9 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> ImportResult:
             if _PLACED.search(body):
                 losses.note(_NOT_APPLIED, head.start(), name)
     if not curves:
-        raise ExchangeError("There is no Curve2D in it. Save it, or its scene, as text (.tres, .tscn).")
+        raise ExchangeError(
+            "The file contains no Curve2D. Save the curve or its scene as text (.tres, .tscn)."
+        )
     paths = [
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
         for number, (key, points) in enumerate(curves.items(), start=1)
@@ -62,7 +64,7 @@ def _points(text: str, line: int) -> FloatArray:
     try:
         values = np.asarray_chkfinite(text.split(","), dtype=float).reshape(-1, 3, 2)
     except ValueError:
-        raise ExchangeError(f"Line {line}: a curve has six numbers for each point.") from None
+        raise ExchangeError(f"Line {line}: a curve needs six numbers per point.") from None
     return values.swapaxes(0, 1) * (1.0, -1.0) + 0.0
 
 

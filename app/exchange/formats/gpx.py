@@ -43,7 +43,7 @@ def read_gpx(data: bytes) -> Table:
     segments = list(_tracks(root))
     tracks = [(name, points) for name, points in segments if len(points) > 1]
     if not tracks:
-        raise ExchangeError("The GPX file has no track or route of two points.")
+        raise ExchangeError("The GPX file contains no track or route of at least two points.")
     sizes = [len(points) for _name, points in tracks]
     starts = np.cumsum([0, *sizes[:-1]])
     words = np.repeat(np.array(numbered([name for name, _points in tracks]), dtype=object), sizes)
@@ -63,11 +63,13 @@ def read_gpx(data: bytes) -> Table:
         and np.add.reduceat(is_later, starts, dtype=int).min() > 1
     ):
         remark += f" t is in seconds since {datetime.fromtimestamp(t[0], UTC).isoformat()}."
-        remark += f" {count_of(skipped, 'point')} without a later time left out." if skipped else ""
+        remark += (
+            f" {count_of(skipped, 'point')} left out because their times do not increase." if skipped else ""
+        )
     else:
         del values["t"]
         is_later[:] = True
-        remark += " Times are left out, for not every point has a later one." * bool(np.isfinite(t).any())
+        remark += " Times are left out because they do not increase." * bool(np.isfinite(t).any())
     remark += " Elevations are left out." * any(_text(point, "ele") for point in points)
     waypoints = sum(tag_of(child) == "wpt" for child in root)
     single = sum(len(points) == 1 for _, points in segments)
@@ -121,8 +123,8 @@ def _projected(degrees: FloatArray) -> tuple[FloatArray, FloatArray, str]:
     x = EARTH * across[0] * np.radians(longitude - east)
     y = EARTH * np.radians(latitude - north)
     off = 100 * float(np.abs(across[1:] / across[0] - 1).max())
-    remark = f"Degrees became metres about latitude {north}, longitude {east} (equirectangular"
-    return x, y, f"{remark}; lengths from west to east are off by up to {off:.2g} %)."
+    remark = f"Degrees were converted to metres around latitude {north}, longitude {east} (equirectangular"
+    return x, y, f"{remark}; east–west lengths are off by up to {off:.2g} %)."
 
 
 GPX = Format(

@@ -49,7 +49,7 @@ def read_json(data: bytes) -> Table:
         rows = [point for curve in content for point in curve]
         blocks = tuple(accumulate(map(len, content[:-1])))
         return table_of(_numbers(rows), numbered_titles(len(rows[0])), blocks=blocks)
-    raise ExchangeError(f"This JSON is no table; it can be {_KINDS}.")
+    raise ExchangeError(f"The JSON file is not a table; it can be {_KINDS}.")
 
 
 def _is_points(content: object) -> bool:
@@ -74,7 +74,7 @@ def _records(content: list[dict[str, object]]) -> Table:
     """Return the numbers of records; what is text in the first of them is left out."""
     titles = [str(key) for key, value in content[0].items() if not isinstance(value, str | list | dict)]
     others = [f"“{str(key)[:40]}”" for key in content[0] if key not in titles]
-    remark = f"Not numbers, and left out: {', '.join(others[:8])}." if others else ""
+    remark = f"Columns that are not numbers were left out: {', '.join(others[:8])}." if others else ""
     return table_of(
         _numbers([[item.get(key) for key in titles] for item in content]), tuple(titles), remark=remark
     )
@@ -85,14 +85,14 @@ def _numbers(rows: Sequence[Sequence[object]]) -> FloatArray:
     width = len(rows[0]) if rows else 0
     for number, row in enumerate(rows, start=1):
         if not isinstance(row, list | tuple) or len(row) != width:
-            raise RowProblem(f" has not {width} numbers, as the first has.", number)
+            raise RowProblem(f" does not have {width} numbers like the first row.", number)
         for column, value in enumerate(row, start=1):
             if type(value) not in (int, float, type(None)):
                 raise RowProblem(f": “{str(value)[:20]}” is not a number.", number, column)
     try:
         return np.array(rows, dtype=float).reshape(len(rows), width)
     except OverflowError:
-        raise ExchangeError("A number is beyond −1e12 to 1e12.") from None
+        raise ExchangeError("A number is outside −1e12 to 1e12.") from None
 
 
 # GeoJSON
@@ -103,7 +103,7 @@ def _lines(content: dict[str, Any]) -> Table:
     lost: Counter[str] = Counter()
     lines = list(_lines_in(content, "Line", lost))
     if not lines:
-        raise ExchangeError(f"The GeoJSON has no lines. {_lost(lost)}".strip())
+        raise ExchangeError(f"The GeoJSON file contains no lines. {_lost(lost)}".strip())
     titles = zip(numbered([name for name, _ in lines]), lines, strict=True)
     names = [title for title, (_, line) in titles for _point in line]
     values = _numbers(
@@ -149,7 +149,7 @@ def _list(content: dict[str, Any], key: str) -> list[Any]:
 
 def _lost(lost: Counter[str]) -> str:
     words = ", ".join(f"{count} {kind}" for kind, count in sorted(lost.items()))
-    return f"Not read: {words}." if words else ""
+    return f"Left out: {words}." if words else ""
 
 
 MOST_BYTES = 32 * 2**20
@@ -167,11 +167,11 @@ def json_in(data: bytes, kind: type[Content]) -> Content:
         With the place, for what is no JSON, or not of that type; for more than `MOST_BYTES`.
     """
     if len(data) > MOST_BYTES:
-        raise ExchangeError(f"A JSON file may have {MOST_BYTES >> 20} MB; this one has more.")
+        raise ExchangeError(f"The JSON file is larger than {MOST_BYTES >> 20} MB.")
     try:
         return msgspec.json.decode(data.removeprefix(codecs.BOM_UTF8), type=kind)
     except UnicodeDecodeError:
-        raise ExchangeError("It is not UTF-8 text.") from None
+        raise ExchangeError("The file is not UTF-8 text.") from None
     except msgspec.ValidationError as problem:
         raise ExchangeError(_sentence(in_words(str(problem)))) from None
     except msgspec.DecodeError as problem:

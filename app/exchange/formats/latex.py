@@ -102,7 +102,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> ExportResult
     if not _LEAST_SIDE <= frame.side * scale <= _LARGEST_SIDE:
         raise ExchangeError(
             f"At true size the picture would be {size_in_words(frame.width, frame.height, known)}; "
-            f"TikZ draws pictures of {_LEAST_SIDE:g} to {_LARGEST_SIDE:g} cm."
+            f"a TikZ picture can be {_LEAST_SIDE:g} to {_LARGEST_SIDE:g} cm."
         )
     fitted = drawing.fitted(frame.width * scale, frame.height * scale)
     # Rounding moves every control point, and so the curve, by half a unit of the last digit in x and y.
@@ -231,8 +231,8 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
         )
         least = next(enough, 17)
         raise ExchangeError(
-            f"With {digits} digits two parameters would be equal. Write {least} or more: option “Digits” of "
-            f"the export, {DIGITS.flag} {least} of the command line."
+            f"With {digits} digits two parameters would be equal. Use {least} or more: the option “Digits” "
+            f"of the export, or {DIGITS.flag} {least} on the command line."
         )
     if piece.is_one_polynomial:
         try:

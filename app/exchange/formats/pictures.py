@@ -39,7 +39,7 @@ def read(data: bytes, tolerance: float | None) -> ImportResult:
 PNG = Format(
     endings=(".png",),
     title="PNG picture",
-    description="Pixels, for slides and pages.",
+    description="Pixels, for slides and web pages.",
     rank=10,
     options=_IN_PIXELS,
     hidden=lambda values: _IDLE_IN_PIXELS[values[BY_DPI.name]],

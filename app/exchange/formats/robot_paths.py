@@ -169,7 +169,7 @@ def path_table(document: Document, options: Options = DEFAULT) -> ExportResult:
         if curve is first:
             rows, deviation = _rows_of(curve, tolerance)
         else:
-            remarks = (*remarks, f"“{curve.name}” was left out: a file of PathWeaver has one path.")
+            remarks = (*remarks, f"“{curve.name}” was left out: a PathWeaver file has one path.")
     is_bound = not deviation or (first.core.degree or math.inf) <= _MOST_SAMPLED
     return ExportResult("\n".join([_WAYPOINT_TITLES, *rows]) + "\n", deviation, remarks, is_bound)
 
@@ -183,8 +183,8 @@ def _rows_of(curve: ExportedCurve, tolerance: float) -> tuple[list[str], float]:
             return path.rows, path.deviation if path.deviation > _ROUNDING * curve.size else 0.0
         count *= 2
     raise ExchangeError(
-        f"“{curve.name}” takes more than {MOST_WAYPOINTS:,} waypoints. Choose a larger tolerance, or make "
-        "it smoother: such a path has no corners."
+        f"“{curve.name}” needs more than {MOST_WAYPOINTS:,} waypoints. Choose a larger tolerance or a "
+        "smoother curve: such a path has no corners."
     )
 
 
@@ -228,7 +228,7 @@ class _WaypointPath:
 PATHWEAVER = Format(
     endings=(".pathweaver.csv",),
     title="PathWeaver path",
-    description="Waypoints with tangents for robots: one curve, between points of quintic pieces.",
+    description="Waypoints with tangents for robots: one curve of quintic pieces.",
     rank=75,
     options=(TOLERANCE,),
     write=path_table,
@@ -302,7 +302,9 @@ def read_trajectories(data: bytes) -> Table:
     paths |= {name: path.trajectory or [] for name, path in content.paths.items()}
     trajectories = [(" ".join(name.split())[:200], samples) for name, samples in paths.items() if samples]
     if not trajectories:
-        raise ExchangeError("It holds no trajectory. Generate one in Choreo, and import its .traj file.")
+        raise ExchangeError(
+            "The file contains no trajectory. Generate one in Choreo and import its .traj file."
+        )
     names = zip(numbered([name for name, _ in trajectories]), trajectories, strict=True)
     words = [name for name, (_, samples) in names for _sample in samples]
     rows = [

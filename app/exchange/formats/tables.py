@@ -50,7 +50,7 @@ def read_array(data: bytes) -> Table:
     elif array.dtype.kind == "c" and array.ndim == 1:
         array = np.column_stack([array.real, array.imag])
     if array.dtype.kind not in "fiub":
-        raise ExchangeError(f"The array holds {array.dtype} and no real numbers.")
+        raise ExchangeError(f"The array contains {array.dtype}, not real numbers.")
     blocks: tuple[int, ...] = ()
     if array.ndim == 3 and 0 not in array.shape:
         blocks = tuple(range(array.shape[1], array.shape[0] * array.shape[1], array.shape[1]))
@@ -59,7 +59,7 @@ def read_array(data: bytes) -> Table:
         raise ExchangeError(f"The array has the shape {array.shape}; it can be {_SHAPES}.")
     remark = ""
     if array.shape[0] in (2, 3) and array.shape[1] > array.shape[0] + 1 and not blocks:
-        array, remark = array.T, "The rows of the array are taken for columns."
+        array, remark = array.T, "The rows of the array were read as columns."
     return table_of(
         array.astype(float), titles or numbered_titles(array.shape[1]), blocks=blocks, remark=remark
     )
@@ -72,17 +72,19 @@ def _array(data: bytes) -> npt.NDArray[Any]:
         version = np.lib.format.read_magic(file)
         shape, is_fortran, dtype = _HEADERS[version](file)
     except KeyError:
-        raise ExchangeError("The .npy file is of a version that is not read; save it anew.") from None
+        raise ExchangeError("The version of the .npy file is not supported. Save the array again.") from None
     except Exception:
         # The head is Python's own syntax, and whatever its parser raises, this is no array.
-        raise ExchangeError("This is no .npy file, or its head is damaged.") from None
+        raise ExchangeError("This is not a .npy file, or its header is damaged.") from None
     if dtype.hasobject:
-        raise ExchangeError("The array holds Python objects, which are never loaded; save it as numbers.")
+        raise ExchangeError("The array contains Python objects, which are never loaded. Save it as numbers.")
     count = int(np.prod([int(part) for part in shape], dtype=object))
     if count > MAX_ROWS * MAX_COLUMNS:
-        raise ExchangeError(f"The array has {count:,} numbers; {MAX_ROWS * MAX_COLUMNS:,} can be read.")
+        raise ExchangeError(
+            f"The array has {count:,} numbers; at most {MAX_ROWS * MAX_COLUMNS:,} can be read."
+        )
     if count * dtype.itemsize != len(data) - file.tell():
-        raise ExchangeError("The .npy file is cut off, or longer than its head says.")
+        raise ExchangeError("The size of the .npy file does not match its header.")
     flat = np.frombuffer(data, dtype, count, file.tell())
     return flat.reshape(shape, order="F" if is_fortran else "C")
 
@@ -190,23 +192,23 @@ class Spacing(NamedEnum):
 
     T = "t", "equal steps of t"
     LENGTH = "length", "equal arc lengths"
-    TOLERANCE = "tolerance", "as the tolerance takes"
+    TOLERANCE = "tolerance", "as the tolerance requires"
 
 
 SPACING = OneOf(
     name="spacing",
     label="Samples",
-    tip="How the rows are spread along each curve",
+    tip="Spacing of the rows along each curve",
     default=Spacing.T,
     choices={spacing: spacing.label for spacing in Spacing},
     flag="--by",
-    help="equal steps of t or of the arc length, or as many rows as the tolerance takes",
+    help="equal steps of t or of the arc length, or as many rows as the tolerance requires",
 )
 SAMPLES = Whole(
     name="samples",
     label="Rows",
     title="Number of samples",
-    tip="Rows for each curve",
+    tip="Number of rows per curve",
     default=201,
     limits=(2, MOST_SAMPLES),
     help="rows of a table (default: %(default)s)",
@@ -346,7 +348,7 @@ def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
 def _by_length(core: ParametricCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
     """Return parameters at equal arc lengths."""
     if not lengths.total.error < lengths.total.value < np.finfo(float).max:
-        raise ExchangeError("The curve has no length to divide.")
+        raise ExchangeError("The curve has no length.")
     wanted = lengths.total.value * (np.arange(1, samples - 1) / (samples - 1))
     t = [core.parameters[:1]]
     for first in range(0, len(wanted), _ROWS_AT_ONCE):

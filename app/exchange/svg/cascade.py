@@ -84,7 +84,7 @@ _FONT_SIZE = re.compile(
 """The size that a `font` says: no other part of it has a unit."""
 
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
-_RULE = Loss("style rule", "not followed")
+_RULE = Loss("style rule", "ignored")
 _HARMLESS = ("font-face", "charset", "namespace", "keyframes")
 
 _Declared = tuple[str, str, bool]
@@ -112,7 +112,7 @@ class Cascade:
         self._wrapped: dict[ET.Element, Any] = {}
         if self._selectors:
             if self._selectors * sum(1 for _ in root.iter()) > MAX_MATCHES:
-                raise ExchangeError("The rules in its <style> are too many for its elements.")
+                raise ExchangeError("The <style> has too many rules for the number of elements.")
             wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
             self._wrapped = {wrapper.etree_element: wrapper for wrapper in wrapped}
         self._styles = {element: self._style_of(element) for element in root.iter()}

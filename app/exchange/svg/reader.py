@@ -62,15 +62,15 @@ _CONTAINERS = {"svg", "g", "a", "switch", "symbol"}
 _ONLY_WHEN_USED = {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}
 _NOT_APPLIED = "not applied"
 _CLIPPED = Loss("clip path", _NOT_APPLIED)
-_CUT = Loss("element", "came whole, beyond the view box")
-_TRANSPARENT = Loss("group", "came with the opacity on each shape separately")
-_UNEVEN = Loss("stroke", "of uneven width came with the mean width")
+_CUT = Loss("element", "imported whole, beyond the view box")
+_TRANSPARENT = Loss("group", "imported with the opacity on each shape separately")
+_UNEVEN = Loss("stroke", "of uneven width imported with the mean width")
 _NO_LENGTHS = Loss("shape", "with lengths of unknown size left out")
 _UNUSABLE = Loss("reference", "to elements outside the file left out")
 _CIRCULAR = Loss("circular reference")
-_UNKNOWN = Loss("element", "with lengths of unknown size, which count as not given")
-_INVALID = Loss("element", "with invalid lengths, which count as not given")
-_BEYOND = Loss("element", "beyond all numbers left out")
+_UNKNOWN = Loss("element", "with lengths of unknown size, which were ignored")
+_INVALID = Loss("element", "with invalid lengths, which were ignored")
+_BEYOND = Loss("element", "with coordinates out of range left out")
 _NO_TRANSFORM = Loss("transform", _NOT_APPLIED)
 _MAX_MEASURING = 20
 """Elements within each other whose transforms need to know what they hold."""
@@ -134,7 +134,7 @@ def read_svg_above(data: bytes, tolerance: float | None = None) -> ImportResult:
 def _read(data: bytes, tolerance: float | None) -> tuple[ImportResult, _Reader]:
     root = parsed(data)
     if tag_of(root) != "svg":
-        raise ExchangeError(f"This is no SVG file: it begins with <{tag_of(root)[:40]}>.")
+        raise ExchangeError(f"This is not an SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
     result = import_paths(reader.all_paths(), reader.losses)
     guides = () if result.has_curves else reader.page.edges
@@ -211,7 +211,7 @@ class _Reader:
         drawn = list(self._drawn(self._root, ElementContext(self.page.matrix, self.page.viewport), depth=0))
         painted = [path for path in drawn if is_painted(path)]
         loss = Loss(
-            "shape", "without stroke and fill " + ("left out" if painted else "came with a plain stroke")
+            "shape", "without stroke and fill " + ("left out" if painted else "imported with a plain stroke")
         )
         unpainted = [path for path in drawn if not is_painted(path) and path.path.look.visible]
         for number in dict.fromkeys(path.element for path in unpainted):
@@ -399,7 +399,7 @@ class _Reader:
             self.losses.note_at(element, _BEYOND)
             return
         if error:
-            self.losses.note_at(element, Loss(tag, "drawn only up to an error in the data"), error)
+            self.losses.note_at(element, Loss(tag, "imported only up to an error in the data"), error)
         drawn = [
             subpath
             for subpath in subpaths

@@ -30,9 +30,9 @@ _PAINTS = ("fill", "stroke")
 _LENGTHS = ("stroke-width", "stroke-dasharray", "stroke-dashoffset")
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 _COVERED = Loss("paint order", "not applied")
-_TRANSPARENT = Loss("shape", "came with the opacity on fill and stroke separately")
-_UNKNOWN_WIDTH = Loss("stroke", "of unknown width came with a width of 1")
-_MARKED = Loss("shape", "came without markers")
+_TRANSPARENT = Loss("shape", "imported with the opacity on fill and stroke separately")
+_UNKNOWN_WIDTH = Loss("stroke", "of unknown width imported with a width of 1")
+_MARKED = Loss("shape", "imported without markers")
 _Kind = TypeVar("_Kind", bound=Enum)
 
 
@@ -326,7 +326,7 @@ def share_of(text: str, default: float = 1.0) -> float:
 
 def _instead(paint: Paint, noun: str) -> Paint:
     """Return a paint that stands for one of another kind."""
-    outcome = "came as one colour" if paint.colour != "none" else LEFT_OUT
+    outcome = "imported as one colour" if paint.colour != "none" else LEFT_OUT
     return Paint(paint.colour, paint.opacity, Loss(noun, outcome))
 
 

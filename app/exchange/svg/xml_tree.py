@@ -30,8 +30,8 @@ MAX_NESTING = 4
 """Entities within each other."""
 
 _NOT_WITHIN = (
-    "Its DOCTYPE declares or uses {}, and that is not read. Save it as plain SVG; or, where no “&name;” "
-    "stands in the file, delete all from “<!DOCTYPE” to “]>” in a text editor."
+    "The DOCTYPE declares or uses {}, which is not supported. Save the file as plain SVG; or, if it contains "
+    "no “&name;”, delete everything from “<!DOCTYPE” to “]>” in a text editor."
 )
 _ENTITY = r"&([^#&;\s][^&;\s]*);"
 _PREDEFINED = ("amp", "lt", "gt", "quot", "apos")
@@ -104,7 +104,7 @@ def _tree(data: bytes, most_elements: int, *, may_point_outside: bool = True) ->
     except ET.ParseError as problem:
         line, column = problem.position
         undefined = problem.code == codes[XML_ERROR_UNDEFINED_ENTITY]
-        message = "An entity “&…;” is declared nowhere in the file" if undefined else "The file is not XML"
+        message = "An entity “&…;” is not declared in the file" if undefined else "The file is not XML"
         raise ExchangeError(f"{message}: line {line}, column {column + 1}.") from None
     except (ValueError, LookupError) as problem:
         if isinstance(problem, ExchangeError):
@@ -201,7 +201,7 @@ class _Declared:
         self._added += length
         if self._added > MAX_TEXT:
             raise ExchangeError(
-                f"The entities and default values of its DOCTYPE come to more than {MAX_TEXT // 1024} KB."
+                f"The entities and default values of the DOCTYPE exceed {MAX_TEXT // 1024} KB."
             )
 
 

@@ -63,7 +63,7 @@ def read_titled_block(
     cells = [_split(line, separator) for line in lines]
     if max(map(len, cells)) > MAX_COLUMNS:
         raise TableTextError(
-            f"These are {max(map(len, cells))} columns; {MAX_COLUMNS} can be pasted at once."
+            f"The clipboard contains {max(map(len, cells))} columns; at most {MAX_COLUMNS} can be pasted."
         )
     first = _titles(cells)
     skipped = 1 if len(cells) > 1 and set(first) <= {"#", *titles} else 0
@@ -88,7 +88,7 @@ def _lines_of(text: str) -> list[str]:
     while lines and not lines[-1].strip():
         lines.pop()
     if len(lines) > MAX_ROWS:
-        raise TableTextError(f"These are {len(lines)} rows; {MAX_ROWS} can be pasted at once.")
+        raise TableTextError(f"The clipboard contains {len(lines)} rows; at most {MAX_ROWS} can be pasted.")
     if not lines:
         raise TableTextError("There are no numbers on the clipboard.")
     return lines
@@ -149,4 +149,6 @@ def _refuse_ragged(numbers: list[list[float]], skipped: int) -> None:
     width = len(numbers[0])
     for row, line in enumerate(numbers, start=1 + skipped):
         if len(line) != width:
-            raise TableTextError(f"The rows differ in length: row {row} has {len(line)}, the first {width}.")
+            raise TableTextError(
+                f"The rows differ in length: row {row} has {len(line)} cells, the first has {width}."
+            )

@@ -174,7 +174,7 @@ def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
     for item in text.split(","):
         role, _, column = (part.strip() for part in item.partition("="))
         if role not in roles:
-            raise ExchangeError(f"“{role}” is nothing that a column can be; use {', '.join(roles)}.")
+            raise ExchangeError(f"“{role}” is not the role of a column; use {', '.join(roles)}.")
         columns[role] = _column(column, titles)
     if not {"x", "y"} <= set(columns):
         raise ExchangeError("A curve needs x and y: --columns x=…,y=…")
@@ -243,7 +243,7 @@ def _column(text: str, titles: Sequence[str]) -> int:
     if text.isdigit() and 1 <= int(text) <= len(titles):
         return int(text) - 1
     known = ", ".join(_quoted_title(titles, column) for column in range(min(len(titles), 12)))
-    raise ExchangeError(f"There is no column “{text[:40]}”; there are {known}.")
+    raise ExchangeError(f"There is no column “{text[:40]}”; the columns are {known}.")
 
 
 # Families in cells

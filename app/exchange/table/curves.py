@@ -34,8 +34,8 @@ Group = tuple[str, IntArray]
 class MissingRows(NamedEnum):
     """Treatment of rows without a number for t, x or y."""
 
-    REFUSE = "refuse", "Refuse them"
-    SKIP = "skip", "Leave them out"
+    REFUSE = "refuse", "Report an error"
+    SKIP = "skip", "Skip them"
     SPLIT = "split", "End the curve there"
 
 
@@ -155,14 +155,14 @@ def _without_missing(
         # What is left of a block may be a single row, which is no curve.
         result += [(title, rows[part]) for part in np.split(whole, ends) if len(part) > 1]
     if not result:
-        raise ExchangeError("No two rows that follow each other have numbers.")
+        raise ExchangeError("No two consecutive rows contain numbers.")
     return result
 
 
 def _numbered(groups: list[Group]) -> list[Group]:
     """Return the groups, of which those with one name are numbered."""
     if len(groups) > MOST_CURVES:
-        raise ExchangeError(f"The table holds {len(groups)} curves; {MOST_CURVES} can be read.")
+        raise ExchangeError(f"The table contains {len(groups)} curves; at most {MOST_CURVES} can be read.")
     titles = numbered([title for title, _ in groups])
     return [(title, rows) for title, (_, rows) in zip(titles, groups, strict=True)]
 
@@ -182,12 +182,12 @@ def _on_repeats(count: int, first: int, *, stay: bool) -> tuple[str, ...]:
     """Return what there is to say of rows that repeat the point before, from line `first` on."""
     if count == 0:
         return ()
-    merged = "merged with that, for parameters by distance need distinct points"
+    why = "because parameters by distance need distinct points"
     if count == 1:
-        became = "is kept, with a t of its own" if stay else f"was {merged}"
-        return (f"Row {first} repeats the point of the row before; it {became}.",)
-    became = "are kept, with a t of their own" if stay else f"were {merged}"
-    return (f"{count:,} rows repeat the point of the row before, row {first} first; they {became}.",)
+        became = "it is kept, with its own t" if stay else f"they were merged, {why}"
+        return (f"Row {first} repeats the point of the previous row; {became}.",)
+    became = "they are kept, with their own t" if stay else f"they were merged, {why}"
+    return (f"{count:,} rows repeat the point of the previous row, first row {first}; {became}.",)
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,13 +212,13 @@ class _Rows:
             if np.isnan(values).any():
                 self._refuse_empty(role, int(np.argmax(np.isnan(values))))
         if len(self.rows) < 2:
-            raise ExchangeError("The table has one row of numbers; a curve needs two points.")
+            raise ExchangeError("The table has only one row of numbers; a curve needs two points.")
         if self.t is not None and not (np.diff(self.t) > 0).all():
             row = int(np.argmin(np.diff(self.t) > 0)) + 1
             raise RowProblem(": t must increase from row to row.", self.line_of(row))
 
     def _refuse_empty(self, role: str, row: int) -> None:
-        raise MissingNumber(f" is empty; it gives {role}.", self.line_of(row), self.columns[role] + 1)
+        raise MissingNumber(f" is empty, but {role} is needed.", self.line_of(row), self.columns[role] + 1)
 
     def line_of(self, row: int) -> int:
         """Return the line of the file that holds a row."""
@@ -326,5 +326,5 @@ def _checked(curves: list[Curve]) -> Document:
     try:
         validate(document)
     except FormatError as problem:
-        raise ExchangeError(f"The table cannot become a curve: {problem}.") from problem
+        raise ExchangeError(f"The table cannot be converted to a curve: {problem}.") from problem
     return document

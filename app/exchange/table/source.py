@@ -120,7 +120,7 @@ def import_table(name: str, source: TableSource, options: ImportOptions, report:
         )
     except MissingNumber as problem:
         raise ExchangeError(
-            f"{problem} Leave such rows out with --missing skip, or end the curve there with --missing split."
+            f"{problem} Use --missing skip to skip such rows, or --missing split to end the curve there."
         ) from None
     remarks = (
         preview.remark,
@@ -226,10 +226,12 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
         table = source.table(choice.layout, choice.mapping, choice.missing, part(report, 0.0, 0.6))
         rows = len(table.values)
         if choice.thinning is None and rows > MOST_POINTS:
-            raise ExchangeError(f"{rows:,} rows are more points than {MOST_POINTS:,}; thin them out.")
+            raise ExchangeError(
+                f"The table has {rows:,} rows; a curve can have {MOST_POINTS:,} points. Thin them out."
+            )
         if choice.thinning is None and choice.family.curve_class.is_one_polynomial and rows > MOST_LAGRANGE:
             raise ExchangeError(
-                f"{choice.family.subject} can take {MOST_LAGRANGE:,} rows, not {rows:,}; choose "
+                f"{choice.family.subject} can have at most {MOST_LAGRANGE:,} rows, not {rows:,}. Choose "
                 f"{HERMITE.title}, or thin them out."
             )
         return _curves_of(table, choice, part(report, 0.6, 1.0))
@@ -245,7 +247,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
     except ExchangeError as problem:
         return PreparedTable(rows, problem=str(problem))
     except MemoryError:
-        return PreparedTable(rows, problem="The table takes more memory than there is.")
+        return PreparedTable(rows, problem="The table needs more memory than is available.")
 
 
 def _curves_of(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
@@ -280,7 +282,7 @@ def _curves_of(table: Table, choice: TableChoice, report: Report) -> PreparedTab
                 wider_than=is_wider * suggested,
                 remarks=result.remarks,
             )
-    raise ExchangeError("The rows are too far apart to be thinned out; choose a distance.")
+    raise ExchangeError("The rows are too far apart to be thinned out. Choose a distance.")
 
 
 def _suggested(table: Table, mapping: ColumnMapping) -> float:

@@ -114,7 +114,7 @@ class Preview:
             Where it would be a guess, with the columns that there are.
         """
         if self.mapping is None:
-            raise ExchangeError("The table has one column only; a curve needs x and y.")
+            raise ExchangeError("The table has only one column; a curve needs x and y.")
         if self.guess.is_certain:
             return self.mapping
         first = self.cells[0] if self.cells else ()
@@ -123,8 +123,8 @@ class Preview:
             for number, (title, cell) in enumerate(zip(self.titles, first, strict=False), start=1)
         ]
         raise ExchangeError(
-            f"Which of its columns are x and y? There are {'; '.join(columns[:8])}. "
-            "Say so: --columns x=1,y=2 or t=1,x=2,y=3, by title or number."
+            f"Which columns are x and y? The table has {'; '.join(columns[:8])}. "
+            "Use --columns x=1,y=2 or t=1,x=2,y=3, by title or number."
         )
 
 
@@ -189,11 +189,11 @@ def table_of(
         With the row and column, from 1, of the first number beyond what a document may hold.
     """
     if len(titles) > MAX_COLUMNS:
-        raise ExchangeError(f"The table has {len(titles)} columns; {MAX_COLUMNS} can be read.")
+        raise ExchangeError(f"The table has {len(titles)} columns; at most {MAX_COLUMNS} can be read.")
     if len(values) > MAX_ROWS:
         raise ExchangeError(f"The table has more than {MAX_ROWS} rows.")
     if len(values) == 0:
-        raise ExchangeError("The table has no rows of numbers.")
+        raise ExchangeError("The table contains no rows of numbers.")
     beyond = np.abs(values) > MAX_MAGNITUDE
     if beyond.any():
         row, column = np.argwhere(beyond)[0].tolist()

@@ -61,7 +61,8 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
         [comment for comment in head.comments.values() if comment not in comments], len(titles), layout
     )
     if {"x", "y"} <= set(map(role_of, later)) and tuple(later) != titles:
-        remark = f"{remark} “{', '.join(later)[:40]}” in a comment below the first row is not used.".strip()
+        ignored = f"The titles “{', '.join(later)[:40]}” in a comment below the first row are ignored."
+        remark = f"{remark} {ignored}".strip()
     return Preview(layout, titles, cells, numbers, roles, remark)
 
 
@@ -115,10 +116,10 @@ def _rows(lines: list[str], layout: TextLayout) -> list[list[str]]:
     """Return the cells of the lines from the titles, or the first row, on."""
     used = lines[layout.skipped :]
     if not used:
-        raise ExchangeError("The table has no rows of numbers.")
+        raise ExchangeError("The table contains no rows of numbers.")
     first = cells_of(used[0], layout)
     if len(first) > MAX_COLUMNS:
-        raise ExchangeError(f"The table has {len(first):,} columns; {MAX_COLUMNS} can be read.")
+        raise ExchangeError(f"The table has {len(first):,} columns; at most {MAX_COLUMNS} can be read.")
     return [first, *(cells_of(line, layout, len(first)) for line in used[1:])]
 
 
@@ -135,9 +136,9 @@ def _remark_on(lines: list[str], layout: TextLayout, comments: list[str]) -> str
     """Return what stands above the numbers and is none of them, in comments only what names a coordinate."""
     above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
     titles = f"Not read as numbers: {', '.join(above)}." if above else ""
-    units = "The row below the titles holds units." if layout.units else ""
+    units = "The row below the titles contains units." if layout.units else ""
     naming = [text for text in comments if {"x", "y"} & set(map(role_of, re.split(r"[\s,;]+", text)))]
-    unused = f"“{naming[-1][:40]}” in a comment is not one title for each column." if naming else ""
+    unused = f"The comment “{naming[-1][:40]}” does not have one title for each column." if naming else ""
     return " ".join(filter(None, (titles, units, unused)))
 
 
@@ -190,7 +191,7 @@ class _Collector:
             If there is no row.
         """
         if self._count == 0:
-            raise ExchangeError("The table has no rows of numbers.")
+            raise ExchangeError("The table contains no rows of numbers.")
         values = self._values[: self._count]
         gaps = tuple(self._gaps)
         plain = not self._layout.header and not self._wanted.words
@@ -308,7 +309,7 @@ def _careful(
             continue
         cells = cells_of(line, layout, wanted.width)
         if len(cells) != wanted.width:
-            raise RowProblem(f" has {len(cells)} cells; the first has {wanted.width}.", number)
+            raise RowProblem(f" has {len(cells)} cells; the first row has {wanted.width}.", number)
         rows.append(
             [
                 math.nan
@@ -569,7 +570,7 @@ def first_lines(data: bytes) -> FirstLines:
             numbers, lines = zip(*data_lines[:SNIFFED_LINES], strict=True)
             comments = {number: text for number, line in head if (text := comment_in(line))}
             return FirstLines(list(lines), list(numbers), comments)
-    raise ExchangeError("The table has no rows of numbers.")
+    raise ExchangeError("The table contains no rows of numbers.")
 
 
 def is_data(line: str) -> bool:
@@ -601,5 +602,5 @@ def _decoded(part: bytes, number: int, *, is_cut: bool = False) -> str:
         raise RowProblem(" is not UTF-8 text.", row) from None
     if "\0" in text:
         row = number + text.count("\n", 0, text.index("\0"))
-        raise RowProblem(" holds a zero byte; this is no text.", row)
+        raise RowProblem(" contains a zero byte; this is not text.", row)
     return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text

@@ -114,7 +114,7 @@ def _enough_points(
         if len(indices) > MAX_POINTS:
             break
     raise TooManyPointsError(
-        f"More than {MAX_POINTS} points would be left; allow a larger distance than {tolerance:g}."
+        f"More than {MAX_POINTS} points would be left; choose a larger distance than {tolerance:g}."
     )
 
 
