@@ -27,14 +27,8 @@ def compute_boxes(views: Sequence[CurveView]) -> None:
     missing = [view for view in views if "bounds" not in view.__dict__]
     if not missing:
         return
-    mapped = [
-        (view, view.curve_map)
-        for view in missing
-        if view.curve_map is not None and _keeps_axes(view.curve_map)
-    ]
-    alone = {id(view): view for view in missing} | {
-        id(curve_map.root): curve_map.root for _, curve_map in mapped
-    }
+    mapped = [(view, by) for view in missing if (by := view.curve_map) is not None and _keeps_axes(by)]
+    alone = {id(view): view for view in missing} | {id(by.root): by.root for _, by in mapped}
     for view, _ in mapped:
         del alone[id(view)]
     _compute(view for view in alone.values() if "bounds" not in view.__dict__)

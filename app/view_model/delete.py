@@ -58,9 +58,7 @@ def _has(view: CurveView, index: int, side: Derivatives, ahead: int) -> bool:
     """Whether a point has these derivatives on a side."""
     now = [view.derivative_of(index, order, ahead=bool(ahead)) for order in range(1, len(side) + 1)]
     within = SAME if any(derivatives_of(view.source.points[index])) else _UNSEEN
-    return all(
-        value is not None and _alike(value, wanted, within) for value, wanted in zip(now, side, strict=True)
-    )
+    return all(value is not None and _alike(value, aim, within) for value, aim in zip(now, side, strict=True))
 
 
 def _alike(one: Sequence[float], other: Sequence[float], within: float = SAME) -> bool:
@@ -222,11 +220,8 @@ def _fitted_jets(view: CurveView, segment: _Segment) -> FloatArray:
     """Return the jets of the segment that is nearest to several."""
     orders = view.source.family.derivatives + 1
     samples = _samples_along(view, segment)
-    lines = [
-        is_straight(view.source, segment_index % len(view.source.points))
-        for segment_index in range(segment.start, segment.end)
-    ]
-    if all(lines):
+    count = len(view.source.points)
+    if all(is_straight(view.source, knot % count) for knot in range(segment.start, segment.end)):
         jets = np.zeros((2, orders, 2))
         jets[:, 0], jets[:, 1] = samples[[0, -1]], samples[-1] - samples[0]
         return jets

@@ -79,9 +79,7 @@ def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined
         seams.add(0)
         points, seams = _met(points, waits[-1]), seams | ({len(points) - 1} if waits[-1] else set())
     if any(not (y.t or 0.0) > (x.t or 0.0) for x, y in pairwise(points)):
-        raise EditError(
-            "The parameters of the second curve are too close together to follow the first curve."
-        )
+        raise EditError("The parameters of the second curve are too close together to follow the first.")
     curve = part_of(parts[model], points, last, parts[model].name)
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
@@ -155,9 +153,7 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
             raise EditError(f"“{view.source.name}” is closed and has no ends. Open it first.")
     one, other = first.source.family, second.source.family
     if one.curve_class.is_one_polynomial or other.curve_class.is_one_polynomial:
-        raise EditError(
-            f"Two polynomials cannot become one; choose {titles_with_derivatives()} for both curves."
-        )
+        raise EditError(f"Two polynomials cannot be joined; choose {titles_with_derivatives()} for both.")
     if one != other:
         first_kind, second_kind = (member.full_title.partition(" ")[0] for member in (one, other))
         raise EditError(f"One curve is {first_kind}, the other {second_kind}; choose one family for both.")
@@ -184,9 +180,8 @@ def _merged(end: Point, start: Point) -> Point:
 
     It is a corner where they differ, and an ordinary point where all derivatives agree.
     """
-    before, after = (
-        [getattr(point, derivative.name) for derivative in DERIVATIVES] for point in (end, start)
-    )
+    names = [derivative.name for derivative in DERIVATIVES]
+    before, after = ([getattr(point, name) for name in names] for point in (end, start))
     if all(map(_alike, before, after)):
         return end
     return tie_if_parallel(end.as_corner().with_derivatives(before, after))
@@ -295,12 +290,10 @@ def joined_by(
     before, after = (list(_beyond(End(model, is_last), partners)) for is_last in (False, True))
     turned = [*((end, not end.is_last) for end in reversed(before)), (End(model, is_last=False), False)]
     turned += [(end, end.is_last) for end in after]
-    oriented = [
-        _turned(views[end.curve]) if is_turned else (views[end.curve], 0.0) for end, is_turned in turned
-    ]
-    chain = [view for view, _ in oriented]
+    runs = [_turned(views[end.curve]) if is_turned else (views[end.curve], 0.0) for end, is_turned in turned]
+    chain = [view for view, _ in runs]
     whole = joined(*chain, model=len(before), is_closed=is_ring and _meet(chain[-1], chain[0]))
-    residual = max(whole.residual, *(residual for _, residual in oriented))
+    residual = max(whole.residual, *(residual for _, residual in runs))
     _refuse_another_shape(chain, residual)
     return replace(whole, residual=residual)
 

@@ -132,7 +132,7 @@ def points_of_rows(rows: Sequence[Sequence[float]]) -> tuple[Point, ...]:
         return tuple(Point(x, y, t=t) for t, x, y in rows)
     columns = "this is one column" if width == 1 else f"these are {width} columns"
     raise EditError(
-        f"Points have two columns, x y, or three, t x y; {columns}. The point table accepts all of them."
+        f"Points have two columns, x y, or three, t x y; {columns}. Paste other columns into the point table."
     )
 
 

@@ -164,7 +164,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     The rule for the parameters stays where it gives this shape; else they become manual. Points that keep
     their positions keep their other values. `curve` is of the same family if none is given.
     """
-    source, points_before = view.source, {point.position: point for point in view.source.points}
+    source, known = view.source, {point.position: point for point in view.source.points}
     family = family or source.family
     is_closed = source.is_closed and family.curve_class.can_close
     count = len(curve.parameters) - is_closed
@@ -172,13 +172,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     rows = zip(curve.points.tolist(), curve.parameters.tolist(), strict=True)
     points = [
         replace(
-            points_before.get((x, y), Point(x, y)),
-            x=x,
-            y=y,
-            t=t,
-            corner=index in corners,
-            tied=False,
-            even=False,
+            known.get((x, y), Point(x, y)), x=x, y=y, t=t, corner=index in corners, tied=False, even=False
         )
         for index, ((x, y), t) in enumerate(rows)
     ]
@@ -188,9 +182,7 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
         source.with_family(family), points=tuple(points[:count]), parametrization=rule, closed=is_closed
     )
     result = with_jet_values(result, _given(curve, len(result.points), has_corner=0 in corners))
-    result = replace(
-        result, points=tuple(_tied_as(points_before.get(moved.position), moved) for moved in result.points)
-    )
+    result = replace(result, points=tuple(_tied_as(known.get(new.position), new) for new in result.points))
     if not source.is_manual and (after := view_of(result)).is_current:
         assert after.curve is not None
         t = dense(curve.parameters)

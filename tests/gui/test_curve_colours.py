@@ -125,7 +125,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     editor.show_dock("curvesDock")
     view = editor.window.commands[CurveListCommands].panel.view
     tip = view.parts.tip_at(spot_rect(view.parts.row_rect(1), Spot.SWATCH).center())
-    assert f"drawn {how} than its {dim}" in tip
+    assert f"drawn {how} than {dim}" in tip
     assert how not in view.parts.tip_at(spot_rect(view.parts.row_rect(0), Spot.SWATCH).center())
 
 

@@ -163,7 +163,7 @@ def test_polynomials_are_not_joined_at_their_ends_either(editor):
     editor.session.selected.set_curves({0, 1}, active=0)
     editor.drag((2.5, 2.6), (4.5, 1.5))
     editor.key(Key.Key_J, CTRL)
-    assert editor.status.startswith("Two polynomials cannot become one")
+    assert editor.status.startswith("Two polynomials cannot be joined")
     assert names(editor) == ["A", "B"]
 
 

@@ -506,7 +506,7 @@ def test_a_point_dragged_off_the_curve_goes_where_it_is_dragged(three):
     three.trigger("addTool")
     three.drag(at, (at[0], at[1] + 1))
     assert three.point(2) == pytest.approx((at[0], at[1] + 1), abs=2 * three.pixel)
-    assert "largest change" not in three.status
+    assert "Shape" not in three.status
 
 
 def test_escape_takes_back_an_insertion(three):

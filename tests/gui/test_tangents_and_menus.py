@@ -593,8 +593,8 @@ NO_POINTS = (
     ("t x y\n2 4 0\n2 5 1", "Row 3: t must be greater than 2, the t of the row before it, not 2."),
     ("4 0\n5 abc", "Row 2, column 2: “abc” is not a number."),
     ("4 0\n5", "The rows differ in length: row 2 has 1, the first 2."),
-    ("1 2 3 4", "Points are two columns, x y, or three, t x y; these are 4 columns."),
-    ("7", "Points are two columns, x y, or three, t x y; this is one column."),
+    ("1 2 3 4", "Points have two columns, x y, or three, t x y; these are 4 columns."),
+    ("7", "Points have two columns, x y, or three, t x y; this is one column."),
     ("", "There are no numbers on the clipboard."),
     ("1e13 0", "Row 1, column 1: Enter a number between −1e12 and 1e12."),
 )

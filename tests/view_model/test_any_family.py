@@ -268,7 +268,7 @@ def test_a_join_keeps_both_shapes_or_is_refused(name):
         family = FAMILIES.named(name)
         assert name not in ("hermite", "quintic_hermite", "tests_cosine_steps")
         assert (
-            "cannot become one" in made
+            "polynomials cannot be joined" in made
             if family.curve_class.is_one_polynomial
             else f"Two {family.title} curves" in made
         )

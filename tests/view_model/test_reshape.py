@@ -373,7 +373,7 @@ def test_between_curves_that_do_not_meet_a_straight_segment_leads_from_one_to_th
 @pytest.mark.parametrize(
     ("first", "second", "reason"),
     [
-        (view(LAGRANGE), view(), "Two polynomials cannot become one"),
+        (view(LAGRANGE), view(), "Two polynomials cannot be joined"),
         (view(), view(QUINTIC_HERMITE), "one family for both"),
         (view(closed=True), view(), "is closed and has no end"),
     ],

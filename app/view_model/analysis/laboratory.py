@@ -115,14 +115,7 @@ class Trial:
 
     def outcome(self, calculation: Calculation) -> Outcome | None:
         """Return the outcome of a method, None if it was not tried."""
-        return next(
-            (
-                outcome_of_method
-                for outcome_of_method in self.outcomes
-                if outcome_of_method.calculation is calculation
-            ),
-            None,
-        )
+        return next((tried for tried in self.outcomes if tried.calculation is calculation), None)
 
 
 @dataclass(frozen=True)
@@ -309,7 +302,7 @@ def _outcome(
         errors = np.nan_to_num(np.hypot(away[:, 0], away[:, 1]), nan=np.inf)
     lost = float(digits_lost(values, truth, digits).max())
     worst = int(np.argmax(errors))
-    pieces = tuple(part for part_values in computed for part in _finite_runs(part_values))
+    pieces = tuple(run for points in computed for run in _finite_runs(points))
     return Outcome(calculation, pieces, errors, lost, (float(errors[worst]), float(t[worst])))
 
 
@@ -347,19 +340,15 @@ def trial_words(trial: Trial) -> str:
             )
         case RoundedPart.EVERY_STEP if monomial is not None and trial.condition is not None:
             return _on_solving(trial, monomial, trial.condition)
-    best = min(trial.outcomes, key=lambda outcome_of_method: outcome_of_method.lost)
+    best = min(trial.outcomes, key=lambda outcome: outcome.lost)
     return f"{best.calculation.label} loses {best.lost:.1f} of {trial.settings.digits} digits."
 
 
 def growth_words(trial: Trial) -> str:
     """Return a remark on the Λ of the table where it is not that of the status line; else nothing."""
     is_of_data = trial.settings.rounding is RoundedPart.DATA
-    displayed = [
-        outcome_of_method
-        for outcome_of_method in trial.outcomes
-        if is_of_data or outcome_of_method.calculation is not Calculation.MONOMIAL
-    ]
-    if not (trial.view.source.family.derivatives and displayed):
+    has_growth = any(is_of_data or tried.calculation is not Calculation.MONOMIAL for tried in trial.outcomes)
+    if not (trial.view.source.family.derivatives and has_growth):
         return ""
     return (
         "This Λ is that of the data, with fixed estimates; the status line has that of the points, which the "

@@ -260,22 +260,19 @@ def core_curve(
     return CoreCurve(pieces[0] if len(pieces) == 1 else Chain(pieces), sides=sides)
 
 
-def core_after(curve: Curve, arrays: PointArrays, before: ParametricCurve) -> CoreCurve:
-    """Return the curve after its points have moved, given the one before; nothing else has changed."""
+def core_or_last(
+    curve: Curve, arrays: PointArrays, last: ParametricCurve | None, frozen: ParametricCurve | None = None
+) -> CoreCurve:
+    """Return the core curve of a curve, or the last one with the reason where there is none.
+
+    `frozen` is a core curve with the same functions and parameters, where only points have moved.
+    """
     knots = at_knots(arrays.positions, closed=curve.is_closed)
     try:
-        return core_curve(curve, knots, before.parameters, arrays, before)
+        parameters = frozen.parameters if frozen is not None else checked_parameters(curve, knots, arrays)
+        return core_curve(curve, knots, parameters, arrays, frozen)
     except CurveError as problem:
-        return CoreCurve(before, refusal_of(problem, curve))
-
-
-def core_anew(curve: Curve, arrays: PointArrays, before: ParametricCurve | None) -> CoreCurve:
-    """Return the curve that the points and rules give, the one before where they give none."""
-    knots = at_knots(arrays.positions, closed=curve.is_closed)
-    try:
-        return core_curve(curve, knots, checked_parameters(curve, knots, arrays), arrays)
-    except CurveError as problem:
-        return CoreCurve(before, refusal_of(problem, curve))
+        return CoreCurve(last, refusal_of(problem, curve))
 
 
 def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:

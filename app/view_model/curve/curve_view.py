@@ -25,9 +25,8 @@ from .core_curve import (
     CoreCurve,
     Sides,
     checked_parameters,
-    core_after,
-    core_anew,
     core_curve,
+    core_or_last,
     refusal_of,
 )
 from .moving import Box, Displacement, Flattener, FlatteningKey, MovingPoints, Polyline
@@ -126,9 +125,10 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         if self._ready is not None:
             return self._ready
         if self.curve_map is not None:
-            return core_anew(self.source, self.arrays, self.curve_map.root.curve)
+            return core_or_last(self.source, self.arrays, self.curve_map.root.curve)
         assert self.displacement is not None
-        return core_after(self.source, self.arrays, self.displacement.moving.curve)
+        before = self.displacement.moving.curve
+        return core_or_last(self.source, self.arrays, before, before)
 
     @property
     def is_followed(self) -> bool:

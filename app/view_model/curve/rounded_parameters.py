@@ -150,14 +150,12 @@ class ParameterRounding:
             group, other = moved[first::_GROUPS], t.copy()
             other[group] += changes[group]
             cases.append((other, 1.0 / steps))
-        disturbed_curves = []
+        results = []
         for other, weight in cases:
             # The functions of a file may refuse some parameters.
             with suppress(CurveError):
-                disturbed_curves.append(
-                    Disturbed(curve_through(self._view, self._view.at_knots, other), weight)
-                )
-        return disturbed_curves
+                results.append(Disturbed(curve_through(self._view, self._view.at_knots, other), weight))
+        return results
 
     def _mean_share(self) -> float:
         """Return the mean of the shares over the lengths of the polygon; each counts for its neighbours."""
