@@ -15,7 +15,7 @@ from app.document import point_edits
 from app.document.limits import EditError
 from app.document.model import Document, make_curve
 from app.families import HERMITE, LAGRANGE
-from app.features.point_table.edits import passed_over
+from app.features.point_table.edits import computed_note_of
 from app.features.point_table.view import CellEditor
 from app.view_model import point_columns as columns
 from app.view_model.point_columns import Column
@@ -220,14 +220,14 @@ def test_a_paste_passes_over_what_is_computed_and_says_so(monkeypatch, editor, t
     table.selectionModel().setCurrentIndex(table.model().index(0, 0), stay)
     QTest.keyClick(table, Key.Key_C, CTRL)
     QTest.keyClick(table, Key.Key_V, CTRL)
-    assert editor.status == f"Pasted 4 points{passed_over(columns.columns_of(0))}."
+    assert editor.status == f"Pasted 4 points{computed_note_of(columns.columns_of(0))}."
     place = [point.position for point in before.curves[0].points]
     assert np.array([point.position for point in editor.curve.points]) == pytest.approx(np.array(place))
     cell(table, 0, R)
     cell(table, 1, KAPPA, adds=True)
     paste(table, "1")
     assert editor.status == "Filled 1 cell; kappa is computed."
-    assert passed_over((CURVATURE, DISTANCE, replace(CURVATURE, name="k"))) == "; kappa and k are computed"
+    assert computed_note_of((CURVATURE, DISTANCE, replace(CURVATURE, name="k"))) == "; kappa and k are computed"
     assert data(table, 0, R) == pytest.approx(1.0)
     # A gap elsewhere is one.
     cell(table, 0, 1)

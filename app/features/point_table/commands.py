@@ -19,17 +19,17 @@ from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
-from .edits import fill_cells, keepers, passed_over, paste_block, reset_name
+from .edits import computed_note_of, fill_cells, paste_block, points_with_kept_derivatives, reset_name
 from .panel import PointTable
 
 
 class PointTableController:
-    """Turns what is typed and pasted into the table into changes of the active curve.
+    """Changes of the active curve by numbers that are typed or pasted into the table.
 
     Parameters
     ----------
     show_points
-        Called after numbers were pasted: the points may now lie anywhere.
+        Called after a paste, to fit points into the view that lie outside.
     """
 
     def __init__(self, session: Session, panel: PointTable, show_points: Callable[[], None]) -> None:
@@ -41,11 +41,11 @@ class PointTableController:
         panel.fill_requested.connect(self._fill)
         panel.paste_requested.connect(self._paste)
         panel.reset_requested.connect(self._reset)
-        session.history_changed.connect(self._show_now)
-        session.opened.connect(self._show_now)
-        self._show_now()
+        session.history_changed.connect(self._update_table)
+        session.opened.connect(self._update_table)
+        self._update_table()
 
-    def _show_now(self) -> None:
+    def _update_table(self) -> None:
         session = self._session
         self._panel.show_now(session.active_view, streaming=session.is_previewing)
 
@@ -60,50 +60,50 @@ class PointTableController:
                 text = str(reason)
                 raise EditError(text if label in text else f"{label}: {text}") from reason
 
-        self._is_refused(session.change(f"Set {label}", edit).refusal)
+        self._report_refusal(session.change(f"Set {label}", edit).refusal)
 
-    def _is_refused(self, refusal: str) -> bool:
+    def _report_refusal(self, refusal: str) -> bool:
         if refusal:
             self._panel.refuse(refusal)
         return bool(refusal)
 
     def _fill(self, cells: Mapping[Column, Sequence[int]], value: float) -> None:
-        """Put one number into cells, the rows of each column."""
+        """Set one number in all cells, given as the rows of each column."""
         session = self._session
-        passed, numbers = passed_over(cells), dict.fromkeys(cells, value)
+        computed_note, numbers = computed_note_of(cells), dict.fromkeys(cells, value)
         cells = {column: rows for column, rows in cells.items() if column.set is not None} or cells
-        what = count_of(sum(map(len, cells.values())), "cell")
+        amount = count_of(sum(map(len, cells.values())), "cell")
         change = session.change(
-            f"Fill {what}",
+            f"Fill {amount}",
             lambda document: fill_cells(document, session.active_index, session.active_view, cells, numbers),
         )
-        if not self._is_refused(change.refusal):
-            session.say(f"Filled {what}{passed}.")
+        if not self._report_refusal(change.refusal):
+            session.say(f"Filled {amount}{computed_note}.")
             self._show_points()
 
     def _paste(self, top: int, columns: Sequence[Column], numbers: np.ndarray) -> None:
-        """Put a block of numbers into the rows from `top` on."""
+        """Set a block of numbers in the rows from `top` on."""
         session, view = self._session, self._session.active_view
-        passed, can_be_set = passed_over(columns), [column.set is not None for column in columns]
+        computed_note, can_be_set = computed_note_of(columns), [column.set is not None for column in columns]
         if any(can_be_set):
             columns, numbers = list(compress(columns, can_be_set)), numbers[:, can_be_set]
         height, width = numbers.shape
-        whole = [column.order for column in columns].count(POSITION) == 2
-        what = count_of(height, "point") if whole else count_of(height * width, "value")
+        has_positions = [column.order for column in columns].count(POSITION) == 2
+        amount = count_of(height, "point") if has_positions else count_of(height * width, "value")
         change = session.change(
-            f"Paste {what}",
+            f"Paste {amount}",
             lambda document: paste_block(document, session.active_index, view, top, columns, numbers),
         )
-        if self._is_refused(change.refusal):
+        if self._report_refusal(change.refusal):
             return
-        session.say(f"Pasted {what}{passed}.")
+        session.say(f"Pasted {amount}{computed_note}.")
         overwritten = range(top, min(top + height, len(view.source.points)))
         session.selected.set_points(range(top, top + height))
-        self._panel.tell_who_kept(session.document, *keepers(view, overwritten, columns))
+        self._panel.show_kept(session.document, *points_with_kept_derivatives(view, overwritten, columns))
         self._show_points()
 
     def _reset(self, rows: Collection[int], columns: Sequence[Column]) -> None:
-        """Leave numbers to the rules again."""
+        """Reset numbers to the estimates of the rules."""
 
         def edit(document: Document) -> Document:
             for column in columns:
@@ -115,7 +115,7 @@ class PointTableController:
 
 
 class PointTableCommands:
-    """Keeps the point table in step with the active curve and its selection.
+    """The point table of the active curve and its selection.
 
     Attributes
     ----------
@@ -138,7 +138,7 @@ class PointTableCommands:
         return self.panel
 
     def follow_drag(self, view: CurveView) -> bool:
-        """Show the points of `view`, as soon as the table's pace allows."""
+        """Show the points of `view`, at most every 100 ms."""
         self.panel.render_view(view, streaming=self._session.is_previewing)
         return True
 
@@ -151,10 +151,10 @@ class PointTableCommands:
         keywords="exact coordinates position place numbers node",
     )
     @also(POINT_MENU(18))
-    def _type_place(self) -> None:
-        """Type where the selected point lies, in the table of points; Tab goes from x to y."""
+    def _enter_position(self) -> None:
+        """Enter the position of the selected point in the point table; Tab moves from x to y."""
         self._context.docks["pointsDock"].bring_up()
-        self.panel.type_place(min(self._session.selection))
+        self.panel.edit_position(min(self._session.selection))
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""

@@ -28,59 +28,59 @@ def fill_cells(
     cells: Mapping[Column, Sequence[int]],
     values: Mapping[Column, float],
 ) -> Document:
-    """Put one number of each column into all `cells`: its rows."""
+    """Set one number of each column in all its rows."""
     for column, rows in cells.items():
         if column.order == PARAMETER and len(rows) > 1:
-            raise EditError("Every point needs a t of its own.")
+            raise EditError("Each point needs its own t.")
         document = column.put(document, curve, view, dict.fromkeys(rows, values[column]))
     return document
 
 
-def columns_of_block(block: Block, shown: Sequence[Column], left: int) -> tuple[list[Column], FloatArray]:
-    """Return which of the columns shown a block covers, in their order, and its numbers.
+def columns_of_block(block: Block, columns: Sequence[Column], left: int) -> tuple[list[Column], FloatArray]:
+    """Return the columns of the table that a block covers, in their order, and its numbers.
 
-    Titles name them; without titles the block begins at the column `left`.
+    Titles name the columns; without titles the block begins at the column `left`.
     """
-    places = _places_by_title(block, shown) if block.titles else _places_from(left, block, shown)
-    needed = [place for column, place in places.items() if column.set is not None]
-    # Where a column is computed, there may have been nothing to copy.
+    indices = _indices_by_title(block, columns) if block.titles else _indices_from(left, block, columns)
+    needed = [index for column, index in indices.items() if column.set is not None]
+    # Cells of computed columns may be empty.
     for row, numbers in enumerate(block.rows, start=2 if block.titles else 1):
-        for place in needed:
-            if math.isnan(numbers[place]):
-                raise EditError(f"Row {row}, column {place + 1} is empty.")
-    return list(places), np.array(block.rows, dtype=float)[:, list(places.values())]
+        for index in needed:
+            if math.isnan(numbers[index]):
+                raise EditError(f"Row {row}, column {index + 1} is empty.")
+    return list(indices), np.array(block.rows, dtype=float)[:, list(indices.values())]
 
 
-def _places_from(left: int, block: Block, shown: Sequence[Column]) -> dict[Column, int]:
+def _indices_from(left: int, block: Block, columns: Sequence[Column]) -> dict[Column, int]:
     width = len(block.rows[0])
-    if len(shown) - left < width:
-        room = count_of(len(shown) - left, "column")
-        raise EditError(f"These are {width} columns; from {shown[left].name} on there is room for {room}.")
-    return {column: place for place, column in enumerate(shown[left : left + width])}
+    if len(columns) - left < width:
+        room = count_of(len(columns) - left, "column")
+        raise EditError(f"{width} columns do not fit: from {columns[left].name} on there is room for {room}.")
+    return {column: index for index, column in enumerate(columns[left : left + width])}
 
 
-def _places_by_title(block: Block, shown: Sequence[Column]) -> dict[Column, int]:
-    titled = {name: place for place, name in enumerate(block.titles) if name != "#"}
+def _indices_by_title(block: Block, columns: Sequence[Column]) -> dict[Column, int]:
+    titled = {name: index for index, name in enumerate(block.titles) if name != "#"}
     if len(titled) + block.titles.count("#") < len(block.rows[0]):
-        raise EditError("A title stands twice.")
-    places = {column: titled[column.title] for column in shown if column.title in titled}
-    missing = [name for name in titled if name not in {column.title for column in places}]
+        raise EditError("A column title appears twice.")
+    indices = {column: titled[column.title] for column in columns if column.title in titled}
+    missing = [name for name in titled if name not in {column.title for column in indices}]
     if missing:
         raise EditError(f"A curve of this family has no {missing[0]}.")
-    if not places:
-        raise EditError("There is no column of the table in what was copied.")
-    return places
+    if not indices:
+        raise EditError("The copied text has no column of this table.")
+    return indices
 
 
 def paste_block(
     document: Document, curve: int, view: CurveView, top: int, columns: Sequence[Column], block: FloatArray
 ) -> Document:
-    """Put a block of numbers into the rows from `top` on; rows beyond the last point append points.
+    """Set a block of numbers in the rows from `top` on; rows beyond the last point append points.
 
     Parameters
     ----------
     columns
-        The columns the block covers, from left to right.
+        The columns that the block covers, from left to right.
     block
         The numbers, (rows, len(columns)).
     """
@@ -88,26 +88,26 @@ def paste_block(
     old, new = block[: max(count - top, 0)], block[max(count - top, 0) :]
     if len(new):
         _refuse_incomplete_points(columns)
-    times = [place for place, column in enumerate(columns) if column.order == PARAMETER]
-    for place, column in enumerate(columns):
-        if len(old) and place not in times:
-            document = column.put(document, curve, view, _by_row(top, old[:, place]))
+    times = [index for index, column in enumerate(columns) if column.order == PARAMETER]
+    for index, column in enumerate(columns):
+        if len(old) and index not in times:
+            document = column.put(document, curve, view, _by_row(top, old[:, index]))
     points = [_new_point(columns, row) for row in new]
     if times:
         document = point_edits.insert_points(document, curve, count, points)
         document = columns[times[0]].put(document, curve, view, _by_row(top, block[:, times[0]]))
     elif points:
         document = _append(document, curve, view, points)
-    others = [place for place, column in enumerate(columns) if column.order is None]
+    others = [index for index, column in enumerate(columns) if column.order is None]
     if points and others:
         grown = view_of(document.curves[curve], view)
-        for place in others:
-            document = columns[place].put(document, curve, grown, _by_row(count, new[:, place]))
+        for index in others:
+            document = columns[index].put(document, curve, grown, _by_row(count, new[:, index]))
     return document
 
 
-def passed_over(columns: Iterable[Column]) -> str:
-    """Return what a paste says of the computed ones among columns: "; kappa is computed"."""
+def computed_note_of(columns: Iterable[Column]) -> str:
+    """Return the note on computed columns: "; kappa is computed"."""
     names = [column.name for column in columns if column.set is None]
     return f"; {' and '.join(names)} {'are' if len(names) > 1 else 'is'} computed" if names else ""
 
@@ -119,10 +119,10 @@ def _by_row(top: int, numbers: FloatArray) -> dict[int, float]:
 def _refuse_incomplete_points(columns: Sequence[Column]) -> None:
     covered = {(column.order, column.component) for column in columns}
     if not {(POSITION, 0), (POSITION, 1)} <= covered:
-        raise EditError("There are more rows than points; rows that make new points need x and y.")
+        raise EditError("There are more rows than points; new points need x and y.")
     for column in columns:
         if column.is_derivative and (column.order, 1 - column.component) not in covered:
-            raise EditError(f"New points need both components; {column.name} stands alone.")
+            raise EditError(f"New points need both components of a derivative, not {column.name} alone.")
 
 
 def _new_point(columns: Sequence[Column], row: FloatArray) -> Point:
@@ -130,12 +130,12 @@ def _new_point(columns: Sequence[Column], row: FloatArray) -> Point:
     for column, value in zip(columns, row.tolist(), strict=True):
         data.setdefault(-1 if column.order is None else column.order, []).append(value)
     vectors = {order: (pair[0], pair[1]) for order, pair in data.items() if order >= POSITION}
-    given = [vectors.get(each.order) for each in DERIVATIVES]
+    given = [vectors.get(derivative.order) for derivative in DERIVATIVES]
     return Point(*vectors[POSITION]).with_derivatives(given, given)
 
 
 def _append_to_closed(document: Document, curve: int, before: CurveView, new: Sequence[Point]) -> Document:
-    """Append points to a closed curve with manual parameters: what leads back now leads through them."""
+    """Append points to a closed curve with manual parameters: the closing segment runs through them."""
     times = knot_parameters(before)
     step = times[-1] - times[-2]
     document = point_edits.insert_points(document, curve, len(before.source.points), new)
@@ -144,7 +144,7 @@ def _append_to_closed(document: Document, curve: int, before: CurveView, new: Se
 
 
 def _append(document: Document, curve: int, view: CurveView, new: Sequence[Point]) -> Document:
-    """Append points; the handles that the person set stay where they are."""
+    """Append points; handles that were set stay where they are."""
     before = view_of(document.curves[curve], view)
     if before.source.is_manual and before.source.is_closed:
         return _append_to_closed(document, curve, before, new)
@@ -155,41 +155,45 @@ def _append(document: Document, curve: int, view: CurveView, new: Sequence[Point
     return with_points_appended(document, curve, before, new)
 
 
-# Back to the rules
+# Reset to estimates
 
-_ORDER_NAMES = {each.order: each.name for each in DERIVATIVES}
+_ORDER_NAMES = {derivative.order: derivative.name for derivative in DERIVATIVES}
 
 
 def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: Collection[int]) -> set[int]:
-    """Return which of the derivatives `orders` the person set at any of `indices`."""
-    found = set()
+    """Return those `orders` of derivatives that are set at any of `indices`."""
+    orders_found = set[int]()
     for index in indices:
         for order in orders:
             if any(points[index].explicit_sides(order)):
-                found.add(order)
-    return found
+                orders_found.add(order)
+    return orders_found
 
 
-def keepers(view: CurveView, rows: Collection[int], columns: Sequence[Column]) -> tuple[list[int], set[int]]:
-    """Return the points whose own derivatives a paste into `columns` left as they were, and which these are.
+def points_with_kept_derivatives(
+    view: CurveView, rows: Collection[int], columns: Sequence[Column]
+) -> tuple[list[int], set[int]]:
+    """Return the rows whose derivatives a paste into `columns` has kept, and the orders of these.
 
-    Moved points that keep a velocity set for another place make kinks that nobody asked for.
+    Moved points with a velocity that was set for another position make unwanted kinks.
     """
     if not any(column.order == POSITION for column in columns):
         return [], set()
-    shown = set(range(1, view.source.family.derivatives + 1)) - {column.order for column in columns}
+    orders = set(range(1, view.source.family.derivatives + 1)) - {column.order for column in columns}
     points = view.source.points
-    found = [row for row in rows if explicit_orders(points, [row], shown)]
-    return found, explicit_orders(points, found, shown)
+    kept_rows = [row for row in rows if explicit_orders(points, [row], orders)]
+    return kept_rows, explicit_orders(points, kept_rows, orders)
 
 
 def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
-    """Return "Point 8 keeps its own velocity"."""
+    """Return a sentence such as "Point 8 keeps its own velocity"."""
     many = len(indices) != 1
     kinds = [DERIVATIVES[order - 1] for order in sorted(orders)]
-    kept = enumerated([each.plural if many else each.name for each in kinds])
+    derivatives = enumerated([kind.plural if many else kind.name for kind in kinds])
     return (
-        f"{len(indices)} points keep their own {kept}" if many else f"Point {indices[0]} keeps its own {kept}"
+        f"{len(indices)} points keep their own {derivatives}"
+        if many
+        else f"Point {indices[0]} keeps its own {derivatives}"
     )
 
 
@@ -197,7 +201,7 @@ def reset_name(indices: Collection[int], columns: Sequence[Column]) -> str:
     """Return the name of a reset in the history."""
     names = dict.fromkeys(_ORDER_NAMES.get(column.order or 0, column.name) for column in columns)
     all_are = set(_ORDER_NAMES.values()) >= names.keys()
-    what = "derivatives" if all_are and len(names) > 1 else " and ".join(names)
+    reset = "derivatives" if all_are and len(names) > 1 else " and ".join(names)
     if len(indices) == 1:
-        return f"Reset {what} of point {next(iter(indices))}"
-    return f"Reset {what} of {len(indices)} points"
+        return f"Reset {reset} of point {next(iter(indices))}"
+    return f"Reset {reset} of {len(indices)} points"

@@ -29,9 +29,9 @@ _NO_INDEX = QModelIndex()
 _SWATCH = 9
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
-# Joined once: Python's flags are slow, and Qt asks for those of cells again and again.
-_SHOWN = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
-_EDITABLE = _SHOWN | Qt.ItemFlag.ItemIsEditable
+# Combined once: Python's flags are slow, and Qt asks for the flags of cells again and again.
+_SELECTABLE = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
+_EDITABLE = _SELECTABLE | Qt.ItemFlag.ItemIsEditable
 
 
 class TableValues(msgspec.Struct, frozen=True):
@@ -42,7 +42,7 @@ class TableValues(msgspec.Struct, frozen=True):
 
 
 def table_values(view: CurveView, columns: Sequence[Column]) -> TableValues:
-    """Return the numbers of `view`; where the rules give no curve, only what the person set."""
+    """Return the numbers of `view`; without a curve, only those that were set."""
     values = np.column_stack([column.get(view) for column in columns])
     return TableValues(values, np.column_stack([column.is_estimated(view) for column in columns]))
 
@@ -52,24 +52,24 @@ def _no_values(columns: Sequence[Column]) -> TableValues:
 
 
 class PointTableModel(SafeOverrides, QAbstractTableModel):
-    """Rows are points, columns what `columns_of` the family gives.
+    """Model of the point table: rows are points, columns are those of the family (`columns_of`).
 
     ``EditRole`` is the exact number, ``DisplayRole`` a rounded text. `setData` takes a number or the text of
-    an expression; what is refused changes nothing.
+    an expression, and changes nothing if that is refused.
 
     Signals
     -------
     number_entered
-        Another number was given: (row, column, number). Who cannot use it calls `refuse`.
+        Another number was entered: (row, column, number). A receiver that cannot use it calls `refuse`.
     refused
-        Why what was given is no number, as a sentence.
+        The reason why an entered text is no number, as a sentence.
 
     Attributes
     ----------
     values
-        The numbers shown, (n, columns).
+        The numbers of the table, (n, columns).
     estimated
-        Which of them a rule estimates.
+        Which of the numbers are estimated by a rule.
     """
 
     number_entered = Signal(int, object, float)
@@ -80,7 +80,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         self.setObjectName("pointTableModel")
         self._view: CurveView | None = None
         self.columns = columns_of(derivatives=0)
-        self._shown = _no_values(self.columns)
+        self._table_values = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
         # The points with two numbers in a cell, and the kinds of all.
         self._two_sided: frozenset[int] = frozenset()
@@ -97,28 +97,28 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
 
     @property
     def values(self) -> np.ndarray:
-        return self._shown.values
+        return self._table_values.values
 
     @property
     def estimated(self) -> np.ndarray:
-        return self._shown.estimated
+        return self._table_values.estimated
 
     @property
     def points(self) -> tuple[Point, ...]:
-        """The points that are shown."""
+        """The points of the table."""
         return () if self._view is None else self._view.source.points
 
     @property
     def numbers_of_columns(self) -> list[ColumnNumbers]:
-        """Magnitudes of the numbers in each column; found once for all that are shown."""
-        if self._numbers is None or self._numbers[0] is not self._shown:
-            self._numbers = self._shown, numbers_of_columns(self.values)
+        """Magnitudes of the numbers in each column, computed once for each set of values."""
+        if self._numbers is None or self._numbers[0] is not self._table_values:
+            self._numbers = self._table_values, numbers_of_columns(self.values)
         return self._numbers[1]
 
-    # What is shown
+    # Values
 
     def show_view(self, view: CurveView) -> None:
-        """Show the numbers of `view`; only what changed is announced."""
+        """Show the numbers of `view`; only changes are announced."""
         if view is self._view:
             return
         self._view = view
@@ -127,35 +127,35 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         if columns != self.columns:
             self.beginResetModel()
             self._two_sided, self._kinds = frozenset(view.two_sided), kinds_of(view)
-            self.columns, self._shown = columns, new
+            self.columns, self._table_values = columns, new
             self.endResetModel()
             return
         other_kinds = self._rows_of_other_kinds(view)
         self._announce_rows(new)
         changed = other_kinds | self._changed_rows(new)
         changed = np.flatnonzero(changed)
-        self._shown = new
+        self._table_values = new
         if len(changed):
             last = self.index(int(changed[-1]), len(columns) - 1)
             self.dataChanged.emit(self.index(int(changed[0]), 0), last)
 
     def _announce_rows(self, new: TableValues) -> None:
-        """Add or take rows at the end until there are as many as in `new`."""
+        """Add or remove rows at the end until there are as many as in `new`."""
         old_count, count = len(self.values), len(new.values)
         if count > old_count:
             self.beginInsertRows(QModelIndex(), old_count, count - 1)
             grown = np.vstack([self.values, new.values[old_count:]])
-            self._shown = TableValues(grown, np.vstack([self.estimated, new.estimated[old_count:]]))
+            self._table_values = TableValues(grown, np.vstack([self.estimated, new.estimated[old_count:]]))
             self.endInsertRows()
         elif count < old_count:
             self.beginRemoveRows(QModelIndex(), count, old_count - 1)
-            self._shown = TableValues(self.values[:count], self.estimated[:count])
+            self._table_values = TableValues(self.values[:count], self.estimated[:count])
             self.endRemoveRows()
         if count != old_count:
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, max(count - 1, 0))
 
     def _rows_of_other_kinds(self, view: CurveView) -> np.ndarray:
-        """Take over the kinds of the points, and return which rows that changes."""
+        """Store the kinds of the points, and return which rows have changed."""
         self._two_sided, old = frozenset(view.two_sided), self._kinds
         self._kinds = kinds_of(view)
         rows, both = np.zeros(len(self._kinds), dtype=bool), min(len(old), len(self._kinds))
@@ -165,7 +165,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         return rows
 
     def shows_one_side(self, row: int, column: int) -> bool:
-        """Whether the point has two of these numbers, of which the cell shows one."""
+        """Return whether the point has two of these numbers, of which the cell shows one."""
         return row in self._two_sided and self.columns[column].after is not None
 
     def _changed_rows(self, new: TableValues) -> np.ndarray:
@@ -173,12 +173,12 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         return np.asarray(~(same & (self.estimated == new.estimated)).all(axis=1))
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self._theme = theme
         if self.rowCount():
             self.headerDataChanged.emit(Qt.Orientation.Vertical, 0, self.rowCount() - 1)
 
-    # What Qt asks
+    # Qt's interface of a model
 
     def rowCount(self, parent: Index = _NO_INDEX) -> int:
         return 0 if parent.isValid() else len(self.values)
@@ -189,7 +189,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
     def flags(self, index: Index) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.NoItemFlags
-        return _SHOWN if self.columns[index.column()].set is None else _EDITABLE
+        return _SELECTABLE if self.columns[index.column()].set is None else _EDITABLE
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
@@ -218,7 +218,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
             case Qt.ItemDataRole.DisplayRole:
                 return str(section)
             case Qt.ItemDataRole.DecorationRole:
-                return self._swatch(section)
+                return self._mark(section)
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _RIGHT
             case Qt.ItemDataRole.ToolTipRole:
@@ -253,13 +253,13 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         return not self._is_refused
 
     def refuse(self) -> None:
-        """Say that the number entered last cannot be taken."""
+        """Record that the number entered last was refused."""
         self._is_refused = True
 
-    # Words and colours
+    # Texts and colours
 
     def label(self, row: int, column: int) -> str:
-        """Return what a cell holds, as "x of point 3"."""
+        """Return the label of a cell, such as "x of point 3"."""
         return self.columns[column].at(row)
 
     def _rounded(self, row: int, column: int) -> str:
@@ -273,38 +273,38 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
 
     def _describe(self, row: int, column: int) -> str:
         exact = with_minus(exact_text(float(self.values[row, column]), decimal_mark()))
-        text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: none now"
+        text = f"{self.label(row, column)} = {exact}" if exact else f"{self.label(row, column)}: no value"
         text += self._corner_note(row, column)
         return f"{text}\n{self._estimate(column)}" if self.estimated[row, column] else text
 
     def _corner_note(self, row: int, column: int) -> str:
-        """Return what the tooltip adds where a point has two numbers, of which the table shows one."""
+        """Return the addition to a tooltip where a point has two numbers, of which the table shows one."""
         after, view = self.columns[column].after, self._view
         if view is None or after is None or view.sides is None or row not in self._two_sided:
             return ""
         ahead = with_minus(exact_text(float(after(view, row)), decimal_mark()))
-        what = "corner" if self._kind(row) is CORNER else "point"
-        return f", before the {what}; {ahead} after it"
+        point = "corner" if self._kind(row) is CORNER else "point"
+        return f", before the {point}; {ahead} after it"
 
     def _estimate(self, column: int) -> str:
         estimate = self.columns[column].estimate
         return "estimated" if estimate is None or self._view is None else estimate(self._view.source)
 
-    def _swatch(self, row: int) -> QPixmap | None:
+    def _mark(self, row: int) -> QPixmap | None:
         if row >= len(self.values):
             return None
         colour = point_colours(len(self.values), self._theme)[row]
-        place = POINT_KINDS.index(self._kind(row))
-        return mark_picture(colour.name(), self._theme.paper.name(), _SWATCH, place)
+        kind = POINT_KINDS.index(self._kind(row))
+        return mark_picture(colour.name(), self._theme.paper.name(), _SWATCH, kind)
 
     def _kind(self, row: int) -> PointKind:
-        # Of rows that are being taken away there are no kinds any more.
+        # Rows that are being removed have no kinds any more.
         return POINT_KINDS[self._kinds[row]] if row < len(self._kinds) else POINT_KINDS[-1]
 
 
-def _number(given: object) -> float:
-    if isinstance(given, str):
-        return parse_number(given, decimal_mark())
-    if isinstance(given, int | float | np.floating | np.integer) and not isinstance(given, bool):
-        return checked(float(given), "It")
+def _number(value: object) -> float:
+    if isinstance(value, str):
+        return parse_number(value, decimal_mark())
+    if isinstance(value, int | float | np.floating | np.integer) and not isinstance(value, bool):
+        return checked(float(value), "It")
     raise ExpressionError("This is not a number.")

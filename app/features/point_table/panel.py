@@ -35,15 +35,15 @@ class PointTable(FollowsTheme, QWidget):
     Signals
     -------
     rows_selected
-        The person has selected other rows.
+        The user has selected other rows.
     fill_requested
-        One number is to be put into cells: (rows by column, number). Who cannot do it calls `refuse`.
+        One number shall be set in cells: (rows by column, number). A receiver that cannot calls `refuse`.
     paste_requested
-        A block of numbers is to be put into the table: (row, columns, numbers).
+        A block of numbers shall be set in the table: (row, columns, numbers).
     reset_requested
-        Numbers are to be estimated again: (rows, columns).
+        Numbers shall be estimated again: (rows, columns).
     said, refused
-        A sentence for the status line: what was done, or why something cannot be.
+        A sentence for the status line: a result, or the reason of a refusal.
 
     Attributes
     ----------
@@ -64,23 +64,23 @@ class PointTable(FollowsTheme, QWidget):
         super().__init__(parent)
         self.setObjectName("pointTablePanel")
         self._selection: frozenset[int] = frozenset()
-        # What is to be shown soon, and whether it is one of a gesture.
+        # The view to be shown soon, and whether it is a preview.
         self._pending: tuple[CurveView, bool] | None = None
         self._rendering = False
-        # The view shown last, and whether it was one of a gesture.
-        self._shown: tuple[CurveView, bool] | None = None
+        # The view shown last, and whether it was a preview.
+        self._rendered: tuple[CurveView, bool] | None = None
         self._to_reset: tuple[list[int], list[Column]] = ([], [])
         self.model = PointTableModel(self)
         self.view = PointTableView(self.model, self)
         self._message = Label(name="pointTableMessage", wordWrap=True, is_html=True)
         self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self._message.hide()
-        self._said = ""
+        self._message_text = ""
         self._legend = Label("<i>Italic</i>: estimated", name="pointTableLegend", is_html=True)
         self._reset_button = tool_button(
             "resetToEstimated",
             "Reset to estimated",
-            "Let the rules estimate the selected velocities and accelerations again (Del)",
+            "Reset the selected velocities and accelerations to estimates (Del)",
             text="Reset to estimated",
             icon_size=ICON,
             flat=True,
@@ -97,11 +97,11 @@ class PointTable(FollowsTheme, QWidget):
         self._copy = self._action("copyCells", "Copy", "Copy the selected cells", self.copy)
         self._copy.setShortcut(QKeySequence.StandardKey.Copy)
         self._paste = self._action(
-            "pasteCells", "Paste", "Paste numbers from the current cell on", self.paste
+            "pasteCells", "Paste", "Paste numbers, starting at the current cell", self.paste
         )
         self._paste.setShortcut(QKeySequence.StandardKey.Paste)
-        for each in (self._copy, self._paste):
-            set_full_name(each, f"{each.text()} Cells")
+        for action in (self._copy, self._paste):
+            set_full_name(action, f"{action.text()} Cells")
         tip = self._reset_button.toolTip()
         self._reset = self._action(
             "resetCellsToEstimated", "Reset to Estimated", tip, self.reset_to_estimated
@@ -112,7 +112,7 @@ class PointTable(FollowsTheme, QWidget):
         action.setObjectName(name)
         action.setToolTip(tip)
         action.setStatusTip(tip)
-        # The canvas and the fields of other panels copy and paste things of their own.
+        # The canvas and fields of other panels have the same keys for their own content.
         action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
         action.triggered.connect(lambda _checked=False: handler())
         self.view.addAction(action)
@@ -128,10 +128,10 @@ class PointTable(FollowsTheme, QWidget):
         column_of(*parts, margins=0, spacing=0, parent=self)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
-        """Put a small button for each action above the table, for points that have handles."""
+        """Add a small button for each action above the table, for points with handles."""
         for action in actions:
             button = action_button(action, name=f"{action.objectName()}Above", flat=True)
-            # The icons come with the theme, later; docks laid out anew by then would forget their widths.
+            # Icons are set later, with the theme; docks that are laid out anew then would lose their widths.
             button.setFixedSize(26, 26)
             self._kind_row.addWidget(button)
         self._kind_row.addStretch(1)
@@ -142,7 +142,7 @@ class PointTable(FollowsTheme, QWidget):
         self.model.refused.connect(self._report_refusal)
         self.view.cell_delegate.edit_began.connect(self._clear_message)
         self.view.cell_delegate.closeEditor.connect(self._clear_message)
-        self.view.cell_delegate.given_up.connect(self._report_given_up)
+        self.view.cell_delegate.edit_discarded.connect(self._report_discarded)
         self.view.reset_requested.connect(self.reset_to_estimated)
         self.view.copy_requested.connect(self.copy)
         self.view.paste_requested.connect(self.paste)
@@ -153,20 +153,20 @@ class PointTable(FollowsTheme, QWidget):
         assert isinstance(application, QApplication)
         application.focusChanged.connect(self._watch_focus)
 
-    # Rendering: nothing here writes back
+    # Rendering: nothing here changes the document
 
     def render_view(self, view: CurveView, *, streaming: bool = False) -> None:
-        """Show `view`: at once if nothing was shown for a while, else soon; or once it is shown.
+        """Show `view` at once, or after the delay of the last one, or when the panel becomes visible.
 
         While the previews of a gesture are `streaming`, the columns keep their widths.
         """
         self._pending = view, streaming
-        if self._said:
+        if self._message_text:
             self._clear_message()
         if self._timer.isActive() or not self.isVisible():
             return
         if streaming:
-            # The eye is on the curve: the table is filled once that has been painted.
+            # The curve is painted first, and the table after it.
             self._timer.start(0)
         else:
             self._show_pending()
@@ -178,16 +178,16 @@ class PointTable(FollowsTheme, QWidget):
             self.show_now(view, streaming=streaming)
 
     def show_now(self, view: CurveView, *, streaming: bool = False) -> None:
-        """Show `view` at once: who reads the table after a step of the history finds the present numbers."""
+        """Show `view` at once, so that the table is up to date after a step of the history."""
         self._pending = None
         self._clear_message()
-        shown = view, streaming
-        if shown == self._shown:
+        rendered = view, streaming
+        if rendered == self._rendered:
             return
-        self._shown = shown
+        self._rendered = rendered
         self._rendering = True
         self.model.show_view(view)
-        # Not later, after it has been painted: it would be painted twice.
+        # Not after the next paint, which would paint the table twice.
         self.view.executeDelayedItemsLayout()
         self.view.fit_columns(streaming=streaming)
         self.view.select_rows(self._selection)
@@ -202,13 +202,13 @@ class PointTable(FollowsTheme, QWidget):
         self._rendering = False
         self._render_footer()
 
-    def type_place(self, row: int) -> None:
-        """Have x of a point typed; Tab goes on to y."""
-        column = next(place for place, each in enumerate(self.model.columns) if each.order == POSITION)
-        self.view.edit_cell(self.model.index(row, column))
+    def edit_position(self, row: int) -> None:
+        """Edit x of a point; Tab moves on to y."""
+        index = next(k for k, column in enumerate(self.model.columns) if column.order == POSITION)
+        self.view.edit_cell(self.model.index(row, index))
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self.model.set_theme(theme)
         self.view.cell_delegate.set_theme(theme)
         self._copy.setIcon(icon("copy", theme))
@@ -228,9 +228,9 @@ class PointTable(FollowsTheme, QWidget):
         self._reset_button.setEnabled(can_reset)
         self._reset.setEnabled(can_reset)
 
-    def _tell(self, text: str) -> None:
-        if text != self._said:
-            self._said = text
+    def _show_message(self, text: str) -> None:
+        if text != self._message_text:
+            self._message_text = text
             self._message.setText(text)
             self._message.setVisible(bool(text))
 
@@ -238,7 +238,7 @@ class PointTable(FollowsTheme, QWidget):
         super().showEvent(event)
         self._show_pending()
 
-    # What the person did
+    # Actions of the user
 
     def _report_selection(self) -> None:
         if not self._rendering:
@@ -246,56 +246,58 @@ class PointTable(FollowsTheme, QWidget):
             self._render_footer()
 
     def _report_refusal(self, reason: str) -> None:
-        self._tell(f"⚠ {html_of(reason)}")
+        self._show_message(f"⚠ {html_of(reason)}")
         self.refused.emit(reason)
 
     def refuse(self, reason: str) -> None:
-        """Say why what was asked for cannot be done; a number that was typed stays to be mended."""
-        self._tell(f"⚠ {html_of(reason)}")
+        """Show why a change was refused; a typed number stays for correction."""
+        self._show_message(f"⚠ {html_of(reason)}")
         self.model.refuse()
 
     def _clear_message(self) -> None:
-        self._tell("")
+        self._show_message("")
 
-    def _report_given_up(self, label: str) -> None:
-        self.refused.emit(f"{label[0].upper()}{label[1:]} stays as it was: Enter or Tab sets what is typed.")
+    def _report_discarded(self, label: str) -> None:
+        self.refused.emit(
+            f"{label[0].upper()}{label[1:]} was not changed. Press Enter or Tab to set a typed number."
+        )
 
     def _watch_focus(self, old: QWidget | None, new: QWidget | None) -> None:
-        # Without a new one another window has the focus: the spreadsheet, perhaps, to mend the numbers there.
+        # Without a new widget another window has the focus, perhaps the spreadsheet with the numbers.
         if new is not None and not self.isAncestorOf(new):
             self._clear_message()
 
     def _columns_to_reset(self) -> list[Column]:
-        """Return which columns of the selected points a reset would change.
+        """Return the columns that a reset of the selected points would change.
 
-        Those whose cells are selected; all derivatives where none is.
+        These are the columns of selected cells; without any that can be reset, all derivatives.
         """
-        rows, shown = self.view.selected_rows(), self.model.columns
-        chosen = [shown[place] for place in sorted(self.view.selected_columns()) if shown[place].reset]
+        rows, columns = self.view.selected_rows(), self.model.columns
+        selected = [columns[index] for index in sorted(self.view.selected_columns()) if columns[index].reset]
         return [
             column
-            for column in chosen or [each for each in shown if each.is_derivative]
+            for column in selected or [column for column in columns if column.is_derivative]
             if self._is_set(column, rows)
         ]
 
     def _is_set(self, column: Column, rows: frozenset[int]) -> bool:
-        """Whether the person set a number of the column, on either side of a corner."""
+        """Return whether a number of the column was set, on either side of a corner."""
         if column.is_derivative and column.order is not None:
             return bool(explicit_orders(self.model.points, rows, (column.order,)))
         return not self.model.estimated[sorted(rows), self.model.columns.index(column)].all()
 
     def reset_to_estimated(self) -> None:
-        """Ask for the selected numbers to be left to the rules again."""
+        """Request a reset of the selected numbers to the estimates of the rules."""
         if columns := self._columns_to_reset():
             self.reset_requested.emit(self.view.selected_rows(), columns)
             return
-        chosen = [self.model.columns[place] for place in sorted(self.view.selected_columns())]
-        if not any(column.reset for column in chosen):
-            names = " and ".join(column.name for column in chosen)
+        selected = [self.model.columns[index] for index in sorted(self.view.selected_columns())]
+        if not any(column.reset for column in selected):
+            names = " and ".join(column.name for column in selected)
             self._report_refusal(f"No rule estimates {names}; Delete on t, x or y deletes the point.")
 
     def copy(self) -> None:
-        """Put the selected cells on the clipboard, whole numbers and tab-separated."""
+        """Copy the selected cells to the clipboard, exact and tab-separated."""
         cells = self.view.selected_cells()
         if not cells:
             return
@@ -309,7 +311,7 @@ class PointTable(FollowsTheme, QWidget):
         self.said.emit(f"Copied {count_of(len(rows), 'row')}.")
 
     def paste(self) -> None:
-        """Ask for the numbers on the clipboard in the cells from the current one on; all or none."""
+        """Request a paste of the numbers on the clipboard from the current cell on; all or none."""
         try:
             text = QGuiApplication.clipboard().text()
             block = read_titled_block(text, decimal_mark(), known_titles(), may_be_empty=True)
@@ -337,18 +339,18 @@ class PointTable(FollowsTheme, QWidget):
         current = self.view.currentIndex()
         if current.isValid():
             return current.column()
-        # Two columns of numbers are places.
+        # Two columns of numbers are positions.
         orders = [column.order for column in self.model.columns]
         return orders.index(POSITION) if width == 2 else 0
 
-    def tell_who_kept(self, document: Document, indices: list[int], orders: set[int]) -> None:
-        """Say whose velocities are still those of the old places, and offer to have them estimated."""
+    def show_kept(self, document: Document, indices: list[int], orders: set[int]) -> None:
+        """Show which points kept derivatives of their old positions, and offer a reset."""
         if not indices:
             return
         self._to_reset = indices, [column for column in self.model.columns if column.order in orders]
         sentence = keeping_sentence(indices, orders)
-        self._tell(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
-        self.said.emit(f"{sentence}; “Reset to estimated” has the rules estimate again.")
+        self._show_message(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
+        self.said.emit(f"{sentence}; click “Reset to estimated” to estimate again.")
 
     def _reset_kept(self) -> None:
         self.reset_requested.emit(*self._to_reset)

@@ -51,33 +51,33 @@ from ...widgets.number_text import (
 from .model import PointTableModel
 
 _MARK = 6
-"""Pixels along the sides of the mark that a number has a second one, after the corner."""
+"""Side in pixels of the mark of a number with a second value, after the corner."""
 
-# As plain numbers: Python's flags are slow, and all cells in sight are painted while points are dragged.
+# As plain numbers: Python's flags are slow, and all visible cells are painted during a drag.
 _SELECTED, _FOCUSED = QStyle.StateFlag.State_Selected.value, QStyle.StateFlag.State_HasFocus.value
 _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 PADDING, LEFT_PADDING = 3, 6
-"""Pixels right and left of a number: together the least gap between two columns."""
+"""Pixels right and left of a number: together the smallest gap between two columns."""
 
 COMPACT_DIGITS = ((4, 4), (4, 3), (3, 3))
-"""Digits that columns of places and those of derivatives hold in a narrow panel: the first that fit.
+"""Digits of positions and of derivatives in a narrow panel: the first pair that fits is used.
 
-Numbers that almost touch are read as one; before that a derivative is shown with a digit less.
+Numbers that almost touch are read as one; before that, derivatives lose a digit.
 """
 
 _DIGITS = (6, 5, 4, 3)
 _MOST_DIGITS = 15
-"""Digits that every float has."""
+"""Digits that every float can show exactly."""
 
-_MOST_KNOWN = 1000
-"""Widths that are kept: of the columns as they have been of late."""
+_MOST_CACHED = 1000
+"""Largest number of cached widths."""
 
-_LEAVING = (*ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
+_COMMIT_KEYS = (*ENTER, Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
 
 
 class ColumnFormat(msgspec.Struct, frozen=True):
-    """Format of the numbers of one column: all alike, so that they can be compared at a glance."""
+    """Format of the numbers of one column: the same for all, so that they can be compared at a glance."""
 
     digits: int
     decimals: int
@@ -85,9 +85,9 @@ class ColumnFormat(msgspec.Struct, frozen=True):
 
 
 def width_for(extent: Extent, digits: int, metrics: QFontMetrics) -> int:
-    """Return how wide a column is at least that writes such numbers with so many digits, gap included.
+    """Return the smallest width of a column for such numbers with `digits` digits, gap included.
 
-    Also of a number that takes more than a sign, a point and `digits`: −1043 or 0.001 with three.
+    It also fits numbers longer than a sign, a point and `digits`: −1043 or 0.001 with three.
     """
     sign = "−" if extent.is_signed else ""
     texts = {sign + "0" * digits + ".", *widest_texts(extent, digits)}
@@ -95,19 +95,19 @@ def width_for(extent: Extent, digits: int, metrics: QFontMetrics) -> int:
 
 
 class ColumnWidths:
-    """The widths of columns in one font: numbers of the same extent are measured once."""
+    """Widths of columns in one font: numbers of the same extent are measured once."""
 
     def __init__(self) -> None:
         self._metrics: QFontMetrics | None = None
-        self._known: dict[tuple[Extent, int], int] = {}
+        self._cache: dict[tuple[Extent, int], int] = {}
 
     def of(self, extent: Extent, digits: int, metrics: QFontMetrics) -> int:
-        """Return what `width_for` returns."""
-        if metrics != self._metrics or len(self._known) > _MOST_KNOWN:
-            self._metrics, self._known = metrics, {}
-        width = self._known.get((extent, digits))
+        """Return `width_for` these arguments."""
+        if metrics != self._metrics or len(self._cache) > _MOST_CACHED:
+            self._metrics, self._cache = metrics, {}
+        width = self._cache.get((extent, digits))
         if width is None:
-            width = self._known[extent, digits] = width_for(extent, digits, metrics)
+            width = self._cache[extent, digits] = width_for(extent, digits, metrics)
         return width
 
 
@@ -119,7 +119,7 @@ class CellEditor(QLineEdit):
     index
         The cell.
     opened_with
-        The text that stands for the value in the document; committing this text is no edit.
+        The text of the value in the document; committing it unchanged is no edit.
     """
 
     def __init__(self, index: QModelIndex | QPersistentModelIndex, parent: QWidget) -> None:
@@ -132,24 +132,24 @@ class CellEditor(QLineEdit):
 
 
 class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
-    """Draws numbers in columns and keeps an editor open until its text is a number or is given up.
+    """Delegate that draws numbers in columns, and keeps an editor open until its text is a number.
 
-    Only Enter and Tab set a number. An editor that is left by a click elsewhere gives up what was typed: a
-    digit meant for a shortcut must never become a coordinate.
+    Only Enter and Tab set a number. A click elsewhere discards the typed text: a digit that was meant as a
+    shortcut must never become a coordinate.
 
     Signals
     -------
     edit_began
-        Somebody types, or begins to: what was said about the last number is out of date.
+        Typing has begun: a message about the last number is out of date.
     entered
         A number was committed with Enter.
     given_up
-        An editor was left with a number typed but not set; with what it holds, as "x of point 3".
+        An editor was left with a number typed but not set; with its label, such as "x of point 3".
     """
 
     edit_began = Signal()
     entered = Signal()
-    given_up = Signal(str)
+    edit_discarded = Signal(str)
 
     def __init__(self, model: PointTableModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -161,7 +161,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         self._widths = ColumnWidths()
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self._theme = theme
 
     # Drawing
@@ -169,7 +169,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
     def paint(
         self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
-        # Drawn here rather than by the style, which asks the model for a dozen roles of every cell.
+        # Drawn here, not by the style, which asks the model for a dozen roles of every cell.
         rect, theme, row, column = option.rect, self._theme, index.row(), index.column()
         estimated = bool(self._model.estimated[row, column])
         state = option.state.value
@@ -188,38 +188,40 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
 
     def _italic_of(self, font: QFont) -> QFont:
-        """Return the font in italics: the last one again, for Qt seeks the glyphs of a new one anew."""
+        """Return the font in italics, cached: Qt looks up the glyphs of a new font anew."""
         if font != self._upright:
             self._upright, self._italic = QFont(font), QFont(font)
             self._italic.setItalic(True)
         return self._italic
 
     def text(self, row: int, column: int) -> str:
-        """Return a number as its column writes it."""
+        """Return a number in the format of its column."""
         style = self._formats[column] if column < len(self._formats) else ColumnFormat(_DIGITS[0], 3, 0.0)
         value = float(self._model.values[row, column])
         return column_text(value, style.decimals, style.digits, decimal_mark(), negligible=style.negligible)
 
     def needed_widths(self, digits: int, of_derivatives: int, metrics: QFontMetrics) -> list[int]:
-        """Return how wide the columns are at least that hold so many digits."""
+        """Return the smallest widths of the columns for these digits."""
         return [
             self._widths.of(numbers.extent, of_derivatives if column.derivatives else digits, metrics)
             for column, numbers in zip(self._model.columns, self._model.numbers_of_columns, strict=True)
         ]
 
-    def telling_widths(self, metrics: QFontMetrics) -> list[int]:
-        """Return how wide the columns are at least that tell numbers apart which are close together."""
+    def distinguishing_widths(self, metrics: QFontMetrics) -> list[int]:
+        """Return the smallest widths of columns that distinguish close numbers; 0 where any format does."""
         return [
-            self._widths.of(numbers.extent, digits, metrics) if (digits := _telling(numbers)) else 0
+            self._widths.of(numbers.extent, digits, metrics)
+            if (digits := _distinguishing_digits(numbers))
+            else 0
             for numbers in self._model.numbers_of_columns
         ]
 
     def update_formats(self, widths: Sequence[int], metrics: QFontMetrics, *, streaming: bool) -> bool:
-        """Fit the formats to columns of these widths; return whether any is another one now.
+        """Fit the formats to columns of these widths; return whether one has changed.
 
         At rest a column has as few decimals as show its numbers exactly, or as many as it has room for.
-        While previews are `streaming` it keeps the decimals it has room for, and only ever gives some up
-        to a number that outgrows it: digits that come and go with each move flicker.
+        While previews are `streaming` it keeps its decimals, and only loses some to a number that outgrows
+        the column: digits that appear and disappear at each move would flicker.
         """
         old, was_streaming = self._formats, self._streaming
         self._streaming = streaming
@@ -233,18 +235,20 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         numbers = self._model.numbers_of_columns[column]
-        telling = 0 if self._streaming else _telling(numbers)
-        tried = (telling, *_DIGITS) if telling else _DIGITS
-        fitting = (each for each in tried if self._widths.of(numbers.extent, each, metrics) <= width)
+        distinguishing = 0 if self._streaming else _distinguishing_digits(numbers)
+        candidates = (distinguishing, *_DIGITS) if distinguishing else _DIGITS
+        fitting = (count for count in candidates if self._widths.of(numbers.extent, count, metrics) <= width)
         digits = next(fitting, _DIGITS[-1])
         if not self._streaming:
             decimals = column_decimals(self._model.values[:, column], digits)
             return ColumnFormat(digits, decimals, numbers.negligible)
-        known = before[column] if column < len(before) else None
+        previous = before[column] if column < len(before) else None
         decimals, negligible = most_decimals(numbers.extent.whole_digits, digits), numbers.negligible
-        if known is None:
+        if previous is None:
             return ColumnFormat(digits, decimals, negligible)
-        return ColumnFormat(min(digits, known.digits), min(decimals, known.decimals), known.negligible)
+        return ColumnFormat(
+            min(digits, previous.digits), min(decimals, previous.decimals), previous.negligible
+        )
 
     # Editing
 
@@ -255,7 +259,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         label = self._model.label(index.row(), index.column())
         editor.setAccessibleName(label)
         editor.setToolTip(
-            f"{label}: a number or an expression such as 1/3 or sqrt(2)/2 (Enter to set, Esc to leave)"
+            f"{label}: a number or an expression such as 1/3 or sqrt(2)/2 (Enter sets it, Escape cancels)"
         )
         editor.textEdited.connect(self.edit_began)
         editor.textChanged.connect(lambda: self._fit(editor))
@@ -264,7 +268,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
 
     def setEditorData(self, editor: QWidget, index: QModelIndex | QPersistentModelIndex) -> None:
         assert isinstance(editor, CellEditor)
-        if not editor.isModified():  # what is being typed stays when the curve changes below it
+        if not editor.isModified():  # a text being typed stays when the curve changes
             value = float(self._model.values[index.row(), index.column()])
             editor.opened_with = exact_text(value, decimal_mark())
             editor.setText(editor.opened_with)
@@ -272,10 +276,10 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
     def setModelData(
         self, editor: QWidget, model: QAbstractItemModel, index: QModelIndex | QPersistentModelIndex
     ) -> None:
-        """Do nothing: Qt also calls this when an editor is merely left; `_set_typed` hears Enter and Tab."""
+        """Do nothing: Qt calls this for any loss of focus; `_set_typed` handles Enter and Tab."""
 
     def _set_typed(self, editor: CellEditor) -> bool:
-        """Set the number that was typed, if one was; return whether the editor may close."""
+        """Set the typed number, if any; return whether the editor may close."""
         text = editor.text()
         if text == editor.opened_with:
             return True
@@ -289,16 +293,16 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
             if event.reason() in PASSING:
                 return False
             if editor.text() != editor.opened_with:
-                self.given_up.emit(self._model.label(editor.index.row(), editor.index.column()))
+                self.edit_discarded.emit(self._model.label(editor.index.row(), editor.index.column()))
         if (
             isinstance(editor, CellEditor)
             and isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
-            and event.key() in _LEAVING
+            and event.key() in _COMMIT_KEYS
         ):
             if not self._set_typed(editor):
                 editor.selectAll()
-                return True  # it stays open, and the table says why
+                return True  # the editor stays open, and the table shows the reason
             if event.key() in ENTER:
                 self.closeEditor.emit(editor, QAbstractItemDelegate.EndEditHint.NoHint)
                 self.entered.emit()
@@ -314,23 +318,23 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
 
     @staticmethod
     def _fit(editor: CellEditor) -> None:
-        """Widen the editor to what is typed, to the left where there is no room at the right."""
+        """Widen the editor to its text, to the left where there is no room at the right."""
         cell = editor.geometry()
         viewport = editor.parentWidget()
         assert viewport is not None
-        wanted = editor.fontMetrics().horizontalAdvance(editor.text()) + 4 * PADDING + 4
-        width = min(max(wanted, cell.width()), viewport.width())
+        needed = editor.fontMetrics().horizontalAdvance(editor.text()) + 4 * PADDING + 4
+        width = min(max(needed, cell.width()), viewport.width())
         left = max(min(cell.right() + 1 - width, viewport.width() - width), 0)
         editor.setGeometry(QRect(left, cell.top(), width, cell.height()))
 
 
-def _telling(numbers: ColumnNumbers) -> int:
-    """Return the digits that it takes to tell numbers apart where the usual ones do not; else 0."""
+def _distinguishing_digits(numbers: ColumnNumbers) -> int:
+    """Return the digits that distinguish numbers where the usual ones do not; else 0."""
     return min(numbers.distinguishing, _MOST_DIGITS) if numbers.distinguishing > _DIGITS[0] else 0
 
 
 def _paint_corner_mark(painter: QPainter, rect: QRect, theme: Theme) -> None:
-    """Fill the upper left corner of a cell, as spreadsheets mark a note: the tooltip has the rest."""
+    """Fill the upper left corner of a cell, as spreadsheets mark a note, which is in the tooltip."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
@@ -347,14 +351,14 @@ _EDGE = 8
 
 
 class PointTableView(ClaimsKeys, QTableView):
-    """A table that is typed into like a spreadsheet.
+    """The table of points, edited like a spreadsheet.
 
     Signals
     -------
     reset_requested
-        Delete was pressed while nothing was selected that says where a point is.
+        Delete was pressed while no position was selected.
     copy_requested, paste_requested
-        The keys for it were pressed.
+        The keys to copy or paste were pressed.
     """
 
     reset_requested = Signal()
@@ -402,30 +406,30 @@ class PointTableView(ClaimsKeys, QTableView):
         if corner is not None:
             named(corner, "selectAllPoints", "Select all points", "Select all points")
 
-    # How the numbers are laid out
+    # Widths of columns
 
     def fit_columns(self, *, streaming: bool) -> None:
-        """Give the columns of the numbers shown now their widths and formats.
+        """Set widths and formats of the columns for the present numbers.
 
-        While previews are `streaming` the widths stay, for what changes is seen in every row at once; only a
-        number that would run into its neighbour, as one that gets a sign, has them shared anew.
+        While previews are `streaming` the widths stay, because a change would move every row; only a number
+        that would overlap its neighbour, such as one that gets a sign, has them computed anew.
         """
         self._streaming = streaming
-        if not streaming or self._outgrows():
+        if not streaming or self._is_outgrown():
             self._share_width()
         self._fit_formats()
 
     def _fit_formats(self) -> None:
-        """Write the numbers as the columns have room for them."""
+        """Fit the formats of numbers to the widths of the columns."""
         across, metrics = self.horizontalHeader(), self.fontMetrics()
         widths = [across.sectionSize(column) for column in range(across.count())]
         if self.cell_delegate.update_formats(widths, metrics, streaming=self._streaming):
             self.viewport().update()
 
     def _share_width(self) -> None:
-        """Share the width among the columns; none gets less than a few digits need."""
+        """Distribute the width among the columns, each wide enough for a few digits."""
         room, needed = self.viewport().width(), list[int]()
-        for needed in self._tried_widths():
+        for needed in self._candidate_widths():
             if sum(needed) + _EDGE // 2 <= room:
                 break
         spare = max(room - sum(needed), 0)
@@ -434,19 +438,19 @@ class PointTableView(ClaimsKeys, QTableView):
         for column, width in enumerate(needed):
             self.horizontalHeader().resizeSection(column, width + spare + (1 if column < rest else 0))
 
-    def _tried_widths(self) -> Iterator[list[int]]:
-        """Yield widths of all columns, the last of which are taken where none has room."""
-        telling = self.cell_delegate.telling_widths(self.fontMetrics())
-        if any(telling):
-            yield [max(both) for both in zip(telling, self._needed(*COMPACT_DIGITS[-1]), strict=True)]
+    def _candidate_widths(self) -> Iterator[list[int]]:
+        """Yield candidates for the widths of all columns; the last ones are used where none fits."""
+        distinguishing = self.cell_delegate.distinguishing_widths(self.fontMetrics())
+        if any(distinguishing):
+            yield [max(both) for both in zip(distinguishing, self._needed(*COMPACT_DIGITS[-1]), strict=True)]
         for digits in COMPACT_DIGITS:
             yield self._needed(*digits)
 
     def _needed(self, digits: int, of_derivatives: int) -> list[int]:
         return self.cell_delegate.needed_widths(digits, of_derivatives, self.fontMetrics())
 
-    def _outgrows(self) -> bool:
-        """Whether some number takes more than its column has, however few digits it is written with."""
+    def _is_outgrown(self) -> bool:
+        """Return whether a number outgrows its column even with the fewest digits."""
         across = self.horizontalHeader()
         return any(
             across.sectionSize(column) < width
@@ -459,7 +463,7 @@ class PointTableView(ClaimsKeys, QTableView):
             self._share_width()
             self._fit_formats()
 
-    # What is selected
+    # Selection
 
     def selected_cells(self) -> set[tuple[int, int]]:
         """Return the selected cells as (row, column)."""
@@ -471,12 +475,12 @@ class PointTableView(ClaimsKeys, QTableView):
 
     def selected_columns(self) -> frozenset[int]:
         """Return the columns that have a selected cell."""
-        return frozenset(place for span in self._spans() for place in range(span.left(), span.right() + 1))
+        return frozenset(column for span in self._spans() for column in range(span.left(), span.right() + 1))
 
     def _spans(self) -> list[QItemSelectionRange]:
         """Return the rectangles of cells that are selected: few, where the cells may be many."""
         ranges = self.selectionModel().selection()
-        return [ranges.at(each) for each in range(ranges.count())]
+        return [ranges.at(k) for k in range(ranges.count())]
 
     def select_rows(self, rows: Collection[int]) -> None:
         """Select these rows, and no others; cells selected by hand in just these rows stay."""
@@ -494,16 +498,16 @@ class PointTableView(ClaimsKeys, QTableView):
             self.selectionModel().setCurrentIndex(current, flags.NoUpdate)
             self.scrollTo(current)
 
-    def no_places_selected(self) -> bool:
-        """Whether the selected cells are velocities and whatever else does not say where a point is."""
+    def no_position_selected(self) -> bool:
+        """Return whether cells are selected, none of which belongs to a position."""
         columns = self.selected_columns()
         return bool(columns) and not any(self.numbers.columns[column].is_position for column in columns)
 
     # Keys
 
     def claims(self, event: QKeyEvent) -> bool:
-        # Digits and letters are shortcuts of the window; here they begin a number. So may the keys for copy
-        # and paste be, and Qt does nothing at all where a shortcut of the window is also one of the widget.
+        # Digits and letters are shortcuts of the window; here they begin a number. The keys to copy and paste
+        # may be shortcuts as well, and Qt triggers nothing where window and widget have the same shortcut.
         return self._is_typing(event) or self._is_reset(event) or self._exchange(event) is not None
 
     def _exchange(self, event: QKeyEvent) -> SignalInstance | None:
@@ -512,7 +516,7 @@ class PointTableView(ClaimsKeys, QTableView):
         return self.paste_requested if event.matches(QKeySequence.StandardKey.Paste) else None
 
     def _is_reset(self, event: QKeyEvent) -> bool:
-        return event.key() in DELETE and self.no_places_selected()
+        return event.key() in DELETE and self.no_position_selected()
 
     def _is_typing(self, event: QKeyEvent) -> bool:
         text = event.text()
@@ -531,7 +535,7 @@ class PointTableView(ClaimsKeys, QTableView):
             super().keyPressEvent(event)
 
     def edit_cell(self, index: QModelIndex) -> None:
-        """Let the person type in a cell; one that is being typed in already keeps what was typed."""
+        """Edit a cell; a cell that is being edited keeps its text."""
         field = self.viewport().findChild(CellEditor)
         if self.state() == QTableView.State.EditingState and field is not None and field.index == index:
             field.setFocus()
