@@ -683,7 +683,7 @@ BAD_PASTES = [
     (
         (0, X),
         "\t".join("1" * WIDTH),
-        f"These are {WIDTH} columns; from x on there is room for {WIDTH - 1} columns.",
+        f"{WIDTH} columns do not fit: from x on there is room for {WIDTH - 1} columns.",
     ),
     ((7, T), "5\n6", "rows that make new points need x and y"),
     ((0, T), "0\n0", "The t of point 1 must be greater than 0"),

@@ -227,7 +227,9 @@ def test_a_paste_passes_over_what_is_computed_and_says_so(monkeypatch, editor, t
     cell(table, 1, KAPPA, adds=True)
     paste(table, "1")
     assert editor.status == "Filled 1 cell; kappa is computed."
-    assert computed_note_of((CURVATURE, DISTANCE, replace(CURVATURE, name="k"))) == "; kappa and k are computed"
+    assert (
+        computed_note_of((CURVATURE, DISTANCE, replace(CURVATURE, name="k"))) == "; kappa and k are computed"
+    )
     assert data(table, 0, R) == pytest.approx(1.0)
     # A gap elsewhere is one.
     cell(table, 0, 1)
