@@ -17,8 +17,8 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import transparent
 from ..storage.files import StorageError, read
-from ..tools.move_image import CORNERS, corner_of
 from ..tools.pointer import Hit, Part
+from ..tools.reference_image import CORNERS, corner_of
 
 MAX_PIXELS = 64_000_000
 """Largest number of pixels that is decoded."""

@@ -12,8 +12,8 @@ In reading order:
 - ``drag_points``: the drag of points, from the press to the undo step.
 - ``toolbox``: the tools of one plot, the gesture in flight.
 - ``drag_handles``, ``bend``, ``select_curves``, ``transform``, ``move_pivot``, ``guides``, ``add_points``,
-  ``parameters``, ``move_image``: the other gestures, each in one file from the press to the undo step.
-- ``canvas``: the tools that a person chooses.  ``explain``: one that a feature chooses.
+  ``parameters``, ``reference_image``: the other gestures, each in one file from the press to the undo step.
+- ``canvas``: the tools that a person chooses.
 - ``nudge``: arrow keys and Tab.  ``typed_amount``: a number, or two, typed during a drag.
 - ``snapping``: what a point snaps to.  ``offsets``: offsets in the plane.
 - ``box``: the box around the selection, with grips and pivot.

@@ -69,7 +69,7 @@ class SwitchPreference(PreferenceField[bool]):
 
     def __init__(self, setting: Switch, change: Change) -> None:
         self._check = check_box(setting.widget, setting.label, setting.tip, setting.label)
-        self._check.clicked.connect(change)
+        self._check.clicked.connect(lambda checked: change(checked))  # noqa: PLW0108 - Qt hands a partial no argument
         self.rows = [("", self._check)]
 
     def show(self, value: bool) -> None:

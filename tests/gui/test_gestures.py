@@ -13,9 +13,9 @@ from app.tools.canvas.add import ADD
 from app.tools.canvas.box_curves import ELLIPSE, RECTANGLE
 from app.tools.canvas.select import SELECT
 from app.tools.guides import press_on_guide, press_on_ruler
-from app.tools.move_image import MOVE_IMAGE
 from app.tools.parameters import RAIL
 from app.tools.pointer import Hit, Part, Pointer
+from app.tools.reference_image import MOVE_IMAGE
 from app.tools.tool import CanvasQueries, Drag
 from app.tools.toolbox import Toolbox
 from app.tools.transform import press_on_grip, transform_by_key

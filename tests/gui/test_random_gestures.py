@@ -18,13 +18,13 @@ from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.document.selection import all_points
 from app.document.transforms import Edge, align_points, distribute_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.features.wiggle.explain_tool import EXPLAIN
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
 from app.storage.format import decode, encode
 from app.storage.validation import validate
 from app.tools.box import TransformKind
 from app.tools.canvas.select import SELECT
-from app.tools.explain import EXPLAIN
 from app.tools.parameters import RAIL
 from app.tools.pointer import Hit, Part, Pointer
 from app.tools.snapping import Snapping

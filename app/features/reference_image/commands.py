@@ -18,7 +18,7 @@ from ...document.plane_edits import set_image, set_image_file, set_image_opacity
 from ...document.words import names_with_verb
 from ...state.window_state import WindowState
 from ...storage.files import IMAGE_PATTERNS
-from ...tools.move_image import MOVE_IMAGE
+from ...tools.reference_image import MOVE_IMAGE
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel

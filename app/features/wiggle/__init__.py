@@ -1,6 +1,7 @@
 """A wiggle explained: which points pull the curve at the scrub line, and what would calm it.
 
 - ``commands``: explains the curve at the scrub line, and tries cures.
+- ``explain_tool``: the tool by which a click puts the scrub line.
 - ``panel``: the explanation, the weights of the points as bars, and the cures.
 """
 

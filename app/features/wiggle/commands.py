@@ -14,13 +14,13 @@ from ...canvas.figure_layer import Trace
 from ...document.model import Document
 from ...tasks.task import DebouncedTask
 from ...tools.canvas.select import SELECT
-from ...tools.explain import EXPLAIN
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import CURE_STYLE
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel, make_room
 from .. import wiggle
+from .explain_tool import EXPLAIN
 
 if TYPE_CHECKING:
     from ...view_model.analysis.wiggle import Cure, Cures

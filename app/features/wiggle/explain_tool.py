@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from .pointer import Hint, Part
-from .tool import GestureRow, Tool, ToolEvent, ToolRecord
+from ...tools.pointer import Hint, Part
+from ...tools.tool import GestureRow, Tool, ToolEvent, ToolRecord
 
 
 class ExplainTool(Tool):
