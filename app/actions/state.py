@@ -182,7 +182,7 @@ class ActionFacts:
             has_two_ends=link_of(session.views, group) is not None,
             can_undo=stack.canUndo() or session.is_previewing or window.in_flight,
             can_redo=stack.canRedo(),
-            can_go_back=session.files.beginning.before is not None,
+            can_go_back=session.files.origin.before is not None,
             has_scrub_line=session.scrub.t is not None,
             grips_turn=session.box.turns,
             has_copied_derivatives=(

@@ -140,10 +140,10 @@ class Lifecycle(QObject):
         # Who goes on working has called the end of the system off.
         window.session.history_changed.connect(window.ask_before_closing)
 
-    def _open_beside(self, document: Document, path: Path | None, beginning: DocumentOrigin) -> Autosave:
+    def _open_beside(self, document: Document, path: Path | None, origin: DocumentOrigin) -> Autosave:
         """Go on with unsaved work in another window, and return what keeps it."""
         session = Session()
-        session.files.restore(document, path, beginning)
+        session.files.restore(document, path, origin)
         return self._autosaves[self._show(session)]
 
     def _open_window(self, path: Path) -> None:

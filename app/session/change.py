@@ -1,8 +1,9 @@
-"""Result of a change of the document, and the reasons to refuse one."""
+"""Result of a change of the document, the reasons to refuse one, and messages to the person."""
 
 from __future__ import annotations
 
 import traceback
+from enum import Enum, auto
 
 import msgspec
 
@@ -54,3 +55,28 @@ def why_not_kept(before: Document, after: Document) -> str:
     except FormatError as reason:
         return f"This cannot be kept: {with_path_in_words(after, str(reason))}."
     return ""
+
+
+class MessageKind(Enum):
+    """Kind of a sentence."""
+
+    INFORMATION = auto()
+    """Something was done, or can be: for the status line."""
+    REFUSAL = auto()
+    """Something was not done, and why: for the status line, marked."""
+    OFFER = auto()
+    """An action that goes with what there is: it stays until the next step."""
+
+
+class Message(msgspec.Struct, frozen=True):
+    """A sentence for the person.
+
+    Attributes
+    ----------
+    actions
+        The names of the actions that are offered; none for any other kind.
+    """
+
+    kind: MessageKind
+    text: str
+    actions: tuple[str, ...] = ()

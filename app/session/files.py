@@ -37,7 +37,7 @@ class Files:
         The path; None as long as the document has no file.
     file
         The file at `path`, open with its lock; None without one.
-    beginning
+    origin
         Where the document began; the same for all states of it.
     blank
         Returns what a new document is.
@@ -47,7 +47,7 @@ class Files:
         self._session = session
         self.path: Path | None = None
         self.file: OpenFile | None = None
-        self.beginning = DocumentOrigin(gives_way=True)
+        self.origin = DocumentOrigin(gives_way=True)
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[DocumentOrigin, Export] = {}
         self.blank: Callable[[], Document] = empty_document
@@ -71,19 +71,19 @@ class Files:
     def is_untouched(self) -> bool:
         """Whether this is the first sketch or an empty document, as it came."""
         is_as_it_came = not self._session.undo_stack.canUndo() and not self.is_modified
-        return self.beginning.gives_way and self.path is None and is_as_it_came
+        return self.origin.gives_way and self.path is None and is_as_it_came
 
     @property
     def last_export(self) -> Export:
         """The last export of the document; saved with it, but no step of the history."""
-        return self._exports.get(self.beginning, NEVER_EXPORTED)
+        return self._exports.get(self.origin, NEVER_EXPORTED)
 
     def note_export(self, export: Export) -> None:
         """Take note of an export, also of one that a file tells of.
 
         It is saved with the next change, and nobody is asked about it alone.
         """
-        self._exports[self.beginning] = export
+        self._exports[self.origin] = export
 
     def close(self) -> None:
         """Go on without a file."""
@@ -102,7 +102,7 @@ class Files:
 
     def begin(self, document: Document) -> None:
         """Begin with the first sketch, or with an empty document."""
-        self.replace(with_plain_numbers(document), None, beginning=DocumentOrigin(gives_way=True))
+        self.replace(with_plain_numbers(document), None, origin=DocumentOrigin(gives_way=True))
 
     def begin_imported(
         self,
@@ -123,13 +123,13 @@ class Files:
         document = tidy_shapes(with_plain_numbers(document))
         if reason := why_not_kept(self.blank(), document):
             raise EditError(reason)
-        session, beginning = self._session, DocumentOrigin(title=name, file_stem=name)
+        session, origin = self._session, DocumentOrigin(title=name, file_stem=name)
         if not step:
-            self.replace(document, None, beginning=beginning, views=views)
+            self.replace(document, None, origin=origin, views=views)
             return
         session.cancel()
         session.expect(views)
-        session.history.push(session.state, HistoryState(document, 0, beginning), step)
+        session.history.push(session.state, HistoryState(document, 0, origin), step)
         self.note_export(document.export)
 
     def open(
@@ -158,9 +158,9 @@ class Files:
         title = template_title(path, document)
         session.cancel()
         if self.path is not None or not (session.undo_stack.count() or self.is_modified):
-            self.replace(document, None, beginning=DocumentOrigin(path, title))
+            self.replace(document, None, origin=DocumentOrigin(path, title))
             return
-        after = HistoryState(document, 0, DocumentOrigin(path, title, self.beginning))
+        after = HistoryState(document, 0, DocumentOrigin(path, title, self.origin))
         session.history.push(session.state, after, text)
         self.note_export(document.export)
         # What is in front now is as it came; the work that was left is told of by `left`.
@@ -168,9 +168,9 @@ class Files:
         session.file_changed.emit()
         session.opened.emit()
 
-    def restore(self, document: Document, path: Path | None, beginning: DocumentOrigin | None = None) -> None:
+    def restore(self, document: Document, path: Path | None, origin: DocumentOrigin | None = None) -> None:
         """Go on with unsaved work: `document`, with changes that are not in the file at `path`."""
-        self.replace(with_plain_numbers(document), path, beginning=beginning)
+        self.replace(with_plain_numbers(document), path, origin=origin)
         self._session.undo_stack.resetClean()
 
     def replace(
@@ -178,7 +178,7 @@ class Files:
         document: Document,
         path: Path | None,
         file: OpenFile | None = None,
-        beginning: DocumentOrigin | None = None,
+        origin: DocumentOrigin | None = None,
         views: Sequence[CurveView] = (),
     ) -> None:
         """Begin a history with `document`; its views may be given."""
@@ -186,9 +186,9 @@ class Files:
             file = OpenFile.adopt(path, self.file)
         # The path comes later: what is put away of the document before leaves this file alone.
         self._take(None, file)
-        beginning = beginning or DocumentOrigin()
-        self._exports = {beginning: document.export}
-        self._session.begin(HistoryState(document, 0, beginning), path, views)
+        origin = origin or DocumentOrigin()
+        self._exports = {origin: document.export}
+        self._session.begin(HistoryState(document, 0, origin), path, views)
 
     # The file of this one
 
@@ -217,7 +217,7 @@ class Files:
         session.cancel()
         if replace(document, export=session.committed.export) != session.committed:
             active = session.active_index if session.active_index < len(document.curves) else 0
-            session.history.push(session.state, HistoryState(document, active, self.beginning), "Reload")
+            session.history.push(session.state, HistoryState(document, active, self.origin), "Reload")
         self.note_export(document.export)
         session.undo_stack.setClean()
         session.file_changed.emit()

@@ -46,18 +46,18 @@ class DocumentOrigin(msgspec.Struct, frozen=True, eq=False):
 
 
 class HistoryState(msgspec.Struct, frozen=True):
-    """HistoryState of the session in the history: a document, the curve that was edited, and its beginning.
+    """State of the session in the history: a document, the curve that was edited, and its beginning.
 
     Attributes
     ----------
-    choice
+    selection
         Before a step, all that was selected; None after it.
     """
 
     document: Document
     active: int
-    beginning: DocumentOrigin
-    choice: SelectionState | None = None
+    origin: DocumentOrigin
+    selection: SelectionState | None = None
 
 
 class UndoStep(SafeOverrides, QUndoCommand):
@@ -88,7 +88,7 @@ class UndoStep(SafeOverrides, QUndoCommand):
             return False
         self._after = other._after
         # There and back again is no step.
-        self.setObsolete(self._after == replace(self._before, choice=None))
+        self.setObsolete(self._after == replace(self._before, selection=None))
         return True
 
     def redo(self) -> None:

@@ -1,18 +1,128 @@
-"""Ways to select points and curves."""
+"""What is selected: points, curves, the box around them, the scrub line; neither saved nor undone."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
+import msgspec
+
+from ..document.differences import reshaped_curves
 from ..document.groups import expand_to_shapes
-from ..document.point_group import NO_POINTS, PointGroup, group_points
-from ..document.selection import SelectionState, existing_points
+from ..document.model import Document
+from ..document.point_group import NO_POINTS, PointGroup, PointsEdit, group_points
+from ..document.selection import (
+    SelectionState,
+    existing_points,
+    followed_curves,
+    followed_selection,
+    returned_curves,
+    returned_points,
+)
+from ..document.several_curves import (
+    common_name,
+    locked_remark,
+    name_or_count,
+    remove_curves,
+    unlocked_curves,
+)
 from ..document.style import Style
-from .selected import Selected
+from ..view_model.curve.curve_view import CurveView
+from ..view_model.pivot import Pivot
+
+if TYPE_CHECKING:
+    from .session import Session
 
 
-class Selection(Selected):
-    """What is selected, and the ways to select something else, of which the session's signals tell."""
+class Selection:
+    """Selected points and curves, and the point under the pointer; each names something that exists.
+
+    One curve is edited, and with it those of its shape and those chosen beside it: their points are shown
+    and selected, some of the active one if any. Or none is, and curves are chosen as wholes; the active one
+    is then the last that was edited or chosen. The session's signals report each change.
+
+    Attributes
+    ----------
+    group
+        The selected points, of all curves that are edited.
+    curves
+        Indices of the curves that are worked on together; the active one is one of them.
+    last
+        The curve that was chosen last, of several at once the foremost.
+    is_editing
+        Whether the active curve is edited.
+    hovered
+        The point under the pointer, or -1.
+    is_lent
+        Whether a tool took up the active curve while nothing was selected: nobody chose it.
+    next_style
+        The style that was set, or used last, while nothing was selected, or before the chosen curves were
+        brought here: that of what is drawn next. None where that looks like the active curve.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self.group = NO_POINTS
+        self.curves = frozenset({0})
+        self.is_editing = True
+        self.last = 0
+        # While no curve is edited, those that are chosen: all of `curves`, or none at all.
+        self._chosen: frozenset[int] = frozenset()
+        self.hovered = -1
+        self.is_lent = False
+        self.next_style: Style | None = None
+
+    @property
+    def points(self) -> frozenset[int]:
+        """Indices of the selected points of the active curve."""
+        return self.group.of(self._session.active_index)
+
+    @property
+    def edited(self) -> frozenset[int]:
+        """The curves whose points can be selected: the active one, its shape, and those chosen with it."""
+        return self.whole if self.is_editing else frozenset()
+
+    @property
+    def chosen(self) -> frozenset[int]:
+        """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
+        if not self.is_editing:
+            return self._chosen
+        return self.curves if len(self.curves) > 1 else frozenset()
+
+    @property
+    def meant(self) -> frozenset[int]:
+        """The curves that an act on whole curves is for: chosen, of selected points, or the edited shape."""
+        active = self._session.active_index
+        return self.chosen or self.group.curves or expand_to_shapes(self._session.document, (active,))
+
+    @property
+    def marked(self) -> frozenset[int]:
+        """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
+        return self.curves if self.is_editing else self._chosen
+
+    def highlight(self, *, whole_curves: bool = False) -> ClipboardSelection:
+        """Return the selected points, or else the chosen curves, or the edited one with all of its shape.
+
+        `whole_curves` passes over the points, as where the list of curves has the focus.
+        """
+        if self.group.parts and not whole_curves:
+            return ClipboardSelection(self.group.curves, self.group)
+        # One curve of a shape can be chosen alone, in the list.
+        return ClipboardSelection(self.whole if self.is_editing else self._chosen)
+
+    @property
+    def whole(self) -> frozenset[int]:
+        """The selected curves, with all others of their shapes."""
+        return expand_to_shapes(self._session.document, self.curves)
+
+    @property
+    def state(self) -> SelectionState:
+        """All that is selected now."""
+        active = self._session.active_index
+        return SelectionState(active, self.group, self.curves, self.chosen, self.is_editing)
+
+    # Select
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select points of the active curve alone, those that exist; it is edited with any."""
@@ -129,7 +239,7 @@ class Selection(Selected):
         if session.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
-        before, places = self.choice, range(len(session.document.curves))
+        before, places = self.state, range(len(session.document.curves))
         wanted = active if active is not None and active in places else session.active_index
         existing = frozenset(index for index in indices if index in places)
         if wanted not in existing:
@@ -151,10 +261,10 @@ class Selection(Selected):
             self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
 
-    def restore(self, choice: SelectionState) -> None:
+    def restore(self, state: SelectionState) -> None:
         """Select what was selected before; the active curve is the one of then already."""
-        self._take(choice.curves if choice.is_editing else choice.chosen, is_editing=choice.is_editing)
-        self.set_group(choice.points)
+        self._take(state.curves if state.is_editing else state.chosen, is_editing=state.is_editing)
+        self.set_group(state.points)
 
     def enter(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""
@@ -166,3 +276,248 @@ class Selection(Selected):
         """Have these curves be the selected ones, and tell nobody; `chosen` of them where none is edited."""
         self.curves, self.is_editing = frozenset(curves), is_editing
         self._chosen = frozenset() if is_editing else frozenset(chosen)
+
+    # To another document
+
+    def clear(self) -> None:
+        """Put away what is selected of a document that goes."""
+        self.set_points([])
+        self.take_up()
+        self.next_style = None
+
+    def begin_opened(self) -> None:
+        """Begin with a document that was opened: nobody chose its curves.
+
+        None hidden or locked is edited.
+        """
+        self.is_lent = False
+        if not self._session.active_curve.is_selectable:
+            self.choose(())
+
+    def reset(self) -> None:
+        """Edit the active curve, with nothing of it selected, and tell nobody yet."""
+        active = self._session.active_index
+        self.hold((active,))
+        self.group, self.last = NO_POINTS, active
+
+    # Around a gesture
+
+    def begin_curve(self, index: int) -> None:
+        """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
+        self.enter(index)
+        self.hold((index,))
+        # It is not in the document yet.
+        self.is_lent = True
+
+    def settle(self) -> None:
+        """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
+        if not self.is_editing and self.chosen and self.chosen != self.curves:
+            self.set_curves(self.chosen)
+        self.keep_group(self.group)
+
+    # To another state
+
+    @contextmanager
+    def following(self, before: Document) -> Iterator[None]:
+        """Go along from a document to the one that is shown now, around what tells of it.
+
+        Nobody who is told of the document finds something named that it does not have. Whoever draws it has
+        to hear of the points first.
+        """
+        session, curves = self._session, self._session.document.curves
+        if session.active_index in self.curves and reshaped_curves(before, session.document) is not None:
+            # As under most drags: all that is selected, or pointed at, is where it was.
+            yield
+            session.scrub.keep()
+            return
+        marked = [each for place, each in enumerate(before.curves) if place in self.marked]
+        session.active_index = min(session.active_index, len(curves) - 1)
+        old = self.state
+        new = followed_selection(old, before.curves, curves)
+        session.active_index = new.active
+        self.last = max(followed_curves({self.last}, before.curves, curves), default=new.active)
+        self.hold(new.curves, new.chosen, is_editing=new.is_editing)
+        if marked and not self.marked:
+            # They were deleted: what is drawn next looks like the foremost of them, unless they were brought.
+            self.next_style = self.next_style or marked[-1].style
+        elif all(each is not curves[new.active] for each in before.curves):
+            # It was begun, or worked on.
+            self.is_lent, self.next_style = False, None
+        self.keep_group(self.group)
+        self.set_hovered(self.hovered)
+        yield
+        self.keep_group(new.points)
+        session.scrub.keep()
+        if (new.curves, new.chosen, new.is_editing) != (old.curves, old.chosen, old.is_editing):
+            session.selected_curves_changed.emit(self.curves)
+
+    def select_returned(self, document: Document, then: SelectionState | None) -> None:
+        """Select points, or curves, that undo or redo has brought back; edit or choose what was `then`.
+
+        That is so, too, where what was edited or chosen since goes with the step, as copies do.
+        """
+        now, before = self._session.committed, document.curves
+        curves = now.curves
+        returned = returned_curves(before, curves)
+        is_left = len(before) > len(curves)
+        if then is not None and _comes_back(then, returned, self, is_left=is_left):
+            self.restore(then)
+        elif len(returned) > 1 or (returned and not self.is_editing):
+            self.set_curves(returned)
+        elif self.is_editing and not self.group.parts and len(before) == len(curves):
+            self.keep_group(returned_points(self.edited, before, curves))
+
+
+def _comes_back(then: SelectionState, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
+    """Whether what was selected before a step is selected again, for undo has brought back some of it.
+
+    Likewise where nothing is selected any more, for what the step has made is gone: then points of what was
+    edited, or what was chosen as a whole.
+    """
+    has_gone = is_left and not now.marked
+    if then.is_editing:
+        has_gone = has_gone and bool(then.points.parts)
+        return not now.is_editing and (has_gone or not then.curves.isdisjoint(returned))
+    return not then.chosen.isdisjoint(returned) or (has_gone and bool(then.chosen))
+
+
+class ClipboardSelection(msgspec.Struct, frozen=True):
+    """Points or curves that Copy, Cut, Duplicate and Delete act on.
+
+    Attributes
+    ----------
+    curves
+        The curves, whole; those of the points where there are points.
+    points
+        The points; none where whole curves are meant.
+    stays
+        What was meant, too, but cannot be changed: "1 locked curve stays"; empty for nothing.
+    """
+
+    curves: frozenset[int]
+    points: PointGroup = NO_POINTS
+    stays: str = ""
+
+    def changeable(self, document: Document) -> ClipboardSelection:
+        """Return it without the curves that are locked, unless all are; points stay as they are."""
+        if self.points.parts:
+            return self
+        return ClipboardSelection(
+            unlocked_curves(document, self.curves), stays=locked_remark(document, self.curves)
+        )
+
+    def curves_of(self, document: Document) -> frozenset[int]:
+        """Return the curves that are meant as a whole: also those of which all points are.
+
+        The points of the only curve are not: without them the document is empty, and of the same family.
+        """
+        if not self.points.parts:
+            return self.curves
+        if len(document.curves) == 1:
+            return frozenset()
+        return frozenset(
+            curve
+            for curve, indices in self.points.parts
+            if len(indices) == len(document.curves[curve].points)
+        )
+
+    def words(self, document: Document) -> str:
+        """Return the words "point 3" or "4 points", the name of the curve, or "2 curves"."""
+        is_whole = self.curves_of(document) == self.curves
+        return name_or_count(document, self.curves) if is_whole else self.points.label
+
+    def said(self, document: Document) -> str:
+        """Return what it is within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
+        if self.points.parts:
+            return self.points.count_label
+        name = common_name(document, self.curves)
+        return name_or_count(document, self.curves) if name is None else f"“{name}”"
+
+    def told(self, document: Document) -> str:
+        """Return the same, and what of it stays: "2 curves; 1 locked curve stays"."""
+        return "; ".join(filter(None, (self.said(document), self.stays)))
+
+    def removed_from(self, document: Document, delete: PointsEdit) -> Document:
+        """Return the document without it; `delete` deletes points of one curve."""
+        whole = self.curves_of(document)
+        for curve, indices in self.points.parts:
+            if curve not in whole:
+                document = delete(document, curve, indices)
+        return remove_curves(document, whole)
+
+
+class BoxState:
+    """What a person has chosen of the box around what is selected; neither saved nor undone.
+
+    Parameters
+    ----------
+    pivot_changed, grips_changed
+        Told when a pivot is elsewhere, and when the grips do something else.
+
+    Attributes
+    ----------
+    pivot
+        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
+    turns
+        Whether its grips rotate and skew; until something else is selected.
+    """
+
+    def __init__(self, pivot_changed: Callable[[], None], grips_changed: Callable[[], None]) -> None:
+        self._pivot_changed, self._grips_changed = pivot_changed, grips_changed
+        self.pivot: Pivot | None = None
+        self.turns = False
+
+    def set_pivot(self, pivot: Pivot | None) -> None:
+        """Turn, scale and mirror about another place; None for the middle."""
+        before, self.pivot = self.pivot, pivot
+        if (before and before.position) != (pivot and pivot.position):
+            self._pivot_changed()
+
+    def set_turns(self, turns: bool) -> None:
+        """Have grips that rotate and skew, or such that scale."""
+        before, self.turns = self.turns, turns
+        if self.turns != before:
+            self._grips_changed()
+
+
+class ScrubLine:
+    """A place on the curve that is edited; neither saved nor undone.
+
+    Parameters
+    ----------
+    view
+        Returns the view of the curve that is edited.
+    changed
+        Told of another `t`.
+
+    Attributes
+    ----------
+    t
+        Where it stands, or None.
+    """
+
+    def __init__(self, view: Callable[[], CurveView], changed: Callable[[float | None], None]) -> None:
+        self._view, self._changed = view, changed
+        self.t: float | None = None
+        # The place that was asked for: the line stands there as far as the curve goes.
+        self._asked: float | None = None
+
+    def set(self, t: float | None) -> None:
+        """Move the line to `t`, or put it away (None).
+
+        It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
+        there is no curve, and at `t` again when there is one that goes as far.
+        """
+        self._asked, before = t, self.t
+        curve = None if t is None else self._view().curve
+        if t is None or curve is None:
+            self.t = None
+        else:
+            start, end = curve.domain
+            self.t = float(min(max(t, start), end))
+        if self.t != before:
+            self._changed(self.t)
+
+    def keep(self) -> None:
+        """Put the line where it was asked for, as far as the present curve goes."""
+        self.set(self._asked)

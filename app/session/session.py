@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Hashable, Sequence
 from pathlib import Path
 
 from msgspec.structs import replace
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from ..document.groups import tidy_shapes
@@ -20,17 +21,126 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import LoadedDocument
 from ..view_model.curve.curve_view import CurveView
-from .box import BoxState
-from .change import Change, raiser_of, why_not_kept, why_safe
+from .change import Change, Message, MessageKind, raiser_of, why_not_kept, why_safe
 from .files import Files
-from .following import Following
 from .history import DocumentOrigin, History, HistoryState
-from .scrub_line import ScrubLine
-from .selection import Selection
-from .signals import SessionSignals
+from .selection import BoxState, ScrubLine, Selection
 from .views import Views
 
 _log = logging.getLogger("curvebench.session")
+
+
+class Batch:
+    """Whether a session is about to tell more of what it does.
+
+    A step changes the document, what is selected and the history, and each has a signal of its own. Who shows
+    all of them together, at every one of these, would show the same several times, and what never was in
+    between: it waits for the end.
+    """
+
+    def __init__(self) -> None:
+        self._depth = 0
+        self._waiting: dict[Callable[[], object], None] = {}
+
+    def __bool__(self) -> bool:
+        return self._depth > 0
+
+    def __enter__(self) -> None:
+        self._depth += 1
+
+    def __exit__(self, *_raised: object) -> None:
+        self._depth -= 1
+        while self._waiting and not self:
+            show = next(iter(self._waiting))
+            # First: what it shows may change something once more.
+            del self._waiting[show]
+            show()
+
+    def then(self, show: Callable[[], object]) -> None:
+        """Call `show` when all is told, once; right now, where nothing is being told."""
+        if self:
+            self._waiting[show] = None
+        else:
+            show()
+
+
+class SessionSignals(QObject):
+    """What a session tells.
+
+    Signals
+    -------
+    document_changed
+        The document shown is another one: a preview, a change, undo, redo, open or new.
+    active_changed
+        Another curve is edited.
+    selection_changed
+        Another set of points is selected.
+    selected_curves_changed
+        Another set of curves is selected, to be worked on together.
+    hovered_changed
+        The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
+    scrub_changed
+        The scrub line was moved to another t, or put away (None).
+    pivot_changed
+        Another pivot was chosen, or it has gone along with what it was chosen for.
+    grips_changed
+        The grips of the box around what is selected do something else.
+    file_changed
+        The path or the modified mark is another one.
+    opened
+        Another document was opened or begun, or undo or redo has gone back to another one.
+    left
+        A document without a file was left with this work in it; undo or redo goes back to it.
+    saved
+        The document was written to its file.
+    history_changed
+        There is another step to undo or redo.
+    interrupted
+        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
+        is void, and what has been said about the old one is out of date.
+    message
+        A `Message` for the person.
+
+    Attributes
+    ----------
+    telling
+        Entered while several of these tell of one thing.
+    """
+
+    document_changed = Signal(object)
+    active_changed = Signal(int)
+    selection_changed = Signal(object)
+    selected_curves_changed = Signal(object)
+    hovered_changed = Signal(int)
+    scrub_changed = Signal(object)
+    pivot_changed = Signal()
+    grips_changed = Signal()
+    file_changed = Signal()
+    opened = Signal()
+    left = Signal(object)
+    saved = Signal()
+    history_changed = Signal()
+    interrupted = Signal()
+    message = Signal(object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.batch = Batch()
+
+    def say(self, text: str) -> None:
+        """Show a sentence in the status line."""
+        self.message.emit(Message(MessageKind.INFORMATION, text))
+
+    def refuse(self, text: str) -> None:
+        """Say that something was not done, and why: marked, so that it is not taken for a hint."""
+        self.message.emit(Message(MessageKind.REFUSAL, text))
+
+    def offer(self, text: str, *actions: str) -> None:
+        """Show a sentence above the canvas, and beside it a button for each action of these names.
+
+        Without a sentence, the one that was there goes: the action has done it.
+        """
+        self.message.emit(Message(MessageKind.OFFER, text, actions))
 
 
 class Session(SessionSignals):
@@ -60,7 +170,6 @@ class Session(SessionSignals):
         self.files = Files(self)
         self.active_index = 0
         self.selected = Selection(self)
-        self._following = Following(self)
         self.box = BoxState(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
@@ -91,9 +200,9 @@ class Session(SessionSignals):
         self._committed = self._shown = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
-        self._following.reset()
-        if state.beginning is not self.files.beginning:
-            self._turn_to(state.beginning)
+        self.selected.reset()
+        if state.origin is not self.files.origin:
+            self._turn_to(state.origin)
         self.interrupted.emit()
         self.document_changed.emit(state.document)
         self.selection_changed.emit(self.selection)
@@ -117,8 +226,8 @@ class Session(SessionSignals):
     @property
     def state(self) -> HistoryState:
         """HistoryState that the next step of the history begins with."""
-        choice = self.selected.choice if self._home is None else self._home
-        return HistoryState(self._committed, choice.active, self.files.beginning, choice)
+        selection = self.selected.state if self._home is None else self._home
+        return HistoryState(self._committed, selection.active, self.files.origin, selection)
 
     @property
     def is_previewing(self) -> bool:
@@ -219,13 +328,13 @@ class Session(SessionSignals):
             self.refuse(reason)
             return False
         if self._home is None:
-            self._home = self.selected.choice
+            self._home = self.selected.state
             self._views.leave()
         is_first = selects is not None and self._selects is None
         if selects is not None and selects.is_editing:
             active = selects.active
         if active is not None and active != self.active_index:
-            self._following.begin(active)
+            self.selected.begin_curve(active)
         self._asked = asked
         self._show(document)
         if selects is not None and is_first:
@@ -255,7 +364,7 @@ class Session(SessionSignals):
         self._home = self._asked = self._selects = None
         if active is None:
             active = self.active_index if selects is None else selects.active
-        after = HistoryState(document, active, self.files.beginning)
+        after = HistoryState(document, active, self.files.origin)
         self.history.push(before, after, text, run)
         if selects is not None and not selects.is_editing:
             self.selected.choose(selects.chosen)
@@ -280,7 +389,7 @@ class Session(SessionSignals):
         with self.batch:
             self.interrupted.emit()
             self.cancel()
-            self._following.settle()
+            self.selected.settle()
         return was_previewing
 
     def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
@@ -294,29 +403,29 @@ class Session(SessionSignals):
     # From state to state
 
     def _restore_step(self, state: HistoryState) -> None:
-        before, is_other = self._committed, state.beginning is not self.files.beginning
+        before, is_other = self._committed, state.origin is not self.files.origin
         if is_other and self.files.is_modified and self.files.path is None:
             self.left.emit(before)
         with self.batch:
             if is_other:
-                self._turn_to(state.beginning)
+                self._turn_to(state.origin)
             self._restore(state)
             if is_other:
-                self._following.begin_opened()
+                self.selected.begin_opened()
             elif not self.history.is_pushing:
-                self._following.select_returned(before, state.choice)
+                self.selected.select_returned(before, state.selection)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()
 
-    def _turn_to(self, beginning: DocumentOrigin) -> None:
+    def _turn_to(self, origin: DocumentOrigin) -> None:
         """Put away what belonged to the document before this one."""
-        self.files.beginning = beginning
+        self.files.origin = origin
         if self.files.path is not None:
             # Its file holds the other document: nothing of this one may go there unasked.
             self.files.close()
             self.undo_stack.resetClean()
-        self._following.leave()
+        self.selected.clear()
         self.scrub.set(None)
         self.box.set_pivot(None)
         # Another document's curves are nobody's last good shape.
@@ -338,7 +447,7 @@ class Session(SessionSignals):
 
     def _show(self, document: Document) -> None:
         shown, self._shown = self._shown, document
-        with self._following.going_on(shown):
+        with self.selected.following(shown):
             self.document_changed.emit(document)
 
     def renew(self, families: Collection[Family]) -> None:
@@ -366,10 +475,10 @@ class Session(SessionSignals):
     def begin(self, state: HistoryState, path: Path | None, views: Sequence[CurveView] = ()) -> None:
         """Go on with another document, whose history begins here; its views may be given."""
         with self.batch:
-            self._turn_to(state.beginning)
+            self._turn_to(state.origin)
             self.files.path = path
             self._restore(state, views)
-            self._following.begin_opened()
+            self.selected.begin_opened()
             self.undo_stack.clear()
             self.undo_stack.setClean()
             self.file_changed.emit()

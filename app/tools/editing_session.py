@@ -32,10 +32,10 @@ class EditingSelection(Protocol):
         """The curves that are acted on as wholes."""
 
     @property
-    def choice(self) -> SelectionState:
+    def state(self) -> SelectionState:
         """All that is selected now."""
 
-    def restore(self, choice: SelectionState) -> None:
+    def restore(self, state: SelectionState) -> None:
         """Select what was selected before."""
 
     def choose(self, indices: Collection[int]) -> None:

@@ -147,7 +147,7 @@ def _intended(event: ToolEvent, hit: Hit) -> frozenset[int]:
     session = event.session
     if event.pointer.ctrl:
         return expand_to_shapes(session.document, (hit.index,))
-    return pressed_curves(session.document, hit.index, session.selected.choice)
+    return pressed_curves(session.document, hit.index, session.selected.state)
 
 
 def _moved_group(event: ToolEvent, hit: Hit) -> PointGroup:
@@ -247,7 +247,7 @@ def press_with_band(event: ToolEvent, on_click: Click, *, is_on_curve: bool = Fa
     where the press is on a curve, it is `on_click`.
     """
     session = event.session
-    before, is_editing = session.selected.choice, session.selected.is_editing
+    before, is_editing = session.selected.state, session.selected.is_editing
 
     def click(release: ToolEvent) -> None:
         if is_on_curve or not (release.pointer.shift or (is_editing and before.points.parts)):

@@ -444,7 +444,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         Makes the tool of one plot.
     hint
         What the status line says when it has been selected.
-    beginning
+    empty_message
         What the canvas says while it is empty; empty where another tool has to be chosen first.
     doing, gestures
         What a person does who uses it, such as "measuring", and how: what the sheet of keys and mouse says.
@@ -465,7 +465,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     name: str
     make: Callable[[], Tool]
     hint: str
-    beginning: str = ""
+    empty_message: str = ""
     doing: str = ""
     gestures: tuple[GestureRow, ...] = ()
     rank: int = 1000

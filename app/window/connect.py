@@ -176,7 +176,7 @@ class Rendering(QObject):
         self._connect()
         self._render_document()
         self._render_file()
-        if self._session.files.path is None and not self._session.files.beginning.title:
+        if self._session.files.path is None and not self._session.files.origin.title:
             # Who opens a document came to work on it.
             commands.messages.greet()
         if context.preferences.complaint:

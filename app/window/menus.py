@@ -182,7 +182,7 @@ class ContextMenus:
             if session.selected.is_editing or hit.index in selected:
                 session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
             else:
-                session.selected.choose(pressed_curves(session.document, hit.index, session.selected.choice))
+                session.selected.choose(pressed_curves(session.document, hit.index, session.selected.state))
             self._open_on_edited(place)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(place)

@@ -15,7 +15,7 @@ from ..workbench.context import WindowContext
 
 _GREETING = "Drag a point and watch its basis functions below. {} adds points, {} shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points. Two points make a curve."
-_BEGINNINGS = frozenset(each.beginning or _EMPTY for each in TOOLS)
+_BEGINNINGS = frozenset(each.empty_message or _EMPTY for each in TOOLS)
 
 
 class Messages(QObject):
@@ -118,7 +118,7 @@ class Messages(QObject):
             # Put away with one tool it stays away with another.
             return self._dismissed, False
         state = self._store.state
-        return (state.uses(state.tool) and state.tool.beginning) or _EMPTY, False
+        return (state.uses(state.tool) and state.tool.empty_message) or _EMPTY, False
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent sentence, empty for none, and whether it is a warning."""

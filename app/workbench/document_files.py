@@ -67,7 +67,7 @@ def ask_about_changes(session: Session, window: QWidget) -> int:
 def _question_about(session: Session) -> tuple[str, str]:
     """Return what is asked before a document goes that is not in its file, and why."""
     files, file = session.files, session.files.file
-    is_named = files.path is not None or files.beginning.title
+    is_named = files.path is not None or files.origin.title
     name = short_name(title_of(session)) if is_named else "the sketch"
     why = f"{file.change.value} " if file is not None and file.has_lost_document else ""
     if files.has_changes:
@@ -143,7 +143,7 @@ class DocumentFiles:
         Those of the first sketch, of examples and of lessons were no choice of the person's.
         """
         files = self._session.files
-        if files.beginning.copied is None and not files.is_untouched:
+        if files.origin.copied is None and not files.is_untouched:
             self._preferences.new_curve = empty_curve_like(self._session.active_curve)
 
     def ask_and_open(self) -> None:
@@ -194,13 +194,13 @@ class DocumentFiles:
 
     def _open_large(self, path: Path, beside: StartWork) -> None:
         """Read a document, and compute its curves, beside the window, which shows how far that is."""
-        begun = self._session.files.beginning
+        begun = self._session.files.origin
 
         def done(found: tuple[LoadedDocument, list[CurveView]]) -> None:
             reading, views = found
             opener = partial(self._session.open, reading=reading, views=views)
             try:
-                if self._session.files.beginning is begun:
+                if self._session.files.origin is begun:
                     self._open(path, opener, remember=True, is_read=True)
                 else:
                     why = "because another document was opened in the meantime"
@@ -387,7 +387,7 @@ def short_name(name: str) -> str:
 def title_of(session: Session) -> str:
     """Return what the document is called: its file; a curve's name would change with the order of curves."""
     files = session.files
-    return files.path.name if files.path is not None else files.beginning.title or "Untitled"
+    return files.path.name if files.path is not None else files.origin.title or "Untitled"
 
 
 def file_stem(session: Session) -> str:
@@ -396,7 +396,7 @@ def file_stem(session: Session) -> str:
         return path.stem if is_misnamed(path) else path.name.removesuffix(SUFFIX)
     curves = session.document.curves
     drawn = "Sketch" if len(curves) > 1 else curves[0].name
-    return own_name(session.files.beginning.file_stem or drawn)
+    return own_name(session.files.origin.file_stem or drawn)
 
 
 def own_name(name: str) -> str:

@@ -12,7 +12,7 @@ from ..document.model import Document
 from ..document.several_curves import active_after_removal
 from ..document.words import number
 from ..session import Change
-from ..session.highlight import ClipboardSelection
+from ..session.selection import ClipboardSelection
 from ..view_model.curve.distances import keeps_shape
 from ..view_model.delete import Deletion, without_points, without_points_keeping_handles
 from .context import WindowContext

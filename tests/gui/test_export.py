@@ -542,7 +542,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
     selected, files = editor.session.selected, editor.session.files
     editor.session.change("Group", lambda document: group_curves(document, {1, 2}).document)
     (name,) = editor.session.document.curves[1].groups
-    whole = files.beginning.file_stem or "Sketch"
+    whole = files.origin.file_stem or "Sketch"
 
     def proposed(dialog):
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *given: asked.append(given[2]) or ("", ""))

@@ -268,12 +268,12 @@ def test_the_key_that_enters_a_place_chooses_nothing(drawing):
     with_guides(drawing, ("x", -1.0))
     for _ in range(2):
         drawing.key(Qt.Key.Key_Escape)
-    chosen = drawing.session.selected.choice
+    chosen = drawing.session.selected.state
     assert not chosen.chosen
     double_click(drawing, drawing.window.canvas.to_pixel(-1.0, 1.0))
     type_place(drawing, "-2.25")
     assert guides(drawing) == [("x", -2.25)]
-    assert drawing.session.selected.choice == chosen
+    assert drawing.session.selected.state == chosen
     assert drawing.window.canvas.hasFocus()
 
 

@@ -225,7 +225,7 @@ def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor,
     path = tmp_path / "badge.svg"
     path.write_text(INCH.replace("</svg>", "<foreignObject/></svg>"), encoding="utf-8")
     open_as_document(editor, path)
-    beginning, recent = editor.session.files.beginning, editor.window.menus.recent
+    beginning, recent = editor.session.files.origin, editor.window.menus.recent
     recent.aboutToShow.emit()
     first = recent.actions()[0]
     assert first.text().replace("&", "") == "badge.svg"
@@ -234,7 +234,7 @@ def test_an_opened_drawing_is_among_the_recent_ones_and_opens_from_there(editor,
     editor.wait_for_work()
     assert editor.window.findChild(QDialog, "importDrawingDialog") is None
     assert editor.status == "Opened badge.svg: 1 curve, 3 points, exact. 1 foreign object left out."
-    assert editor.session.files.beginning is not beginning
+    assert editor.session.files.origin is not beginning
     assert (title_of(editor.session), editor.session.files.is_modified) == ("badge", False)
 
 

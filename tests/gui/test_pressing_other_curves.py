@@ -179,17 +179,17 @@ def test_what_is_locked_with_nothing_below_says_so_and_is_not_taken(locked):
     )
     if not locked.session.selected.is_editing:
         locked.session.selected.choose(())
-    before, choice = locked.session.document, locked.session.selected.choice
+    before, choice = locked.session.document, locked.session.selected.state
     at = on_curve(locked, 2)
     locked.hover(at)
     assert locked.window.status_line.hint == LOCKED
     for keys in (Qt.KeyboardModifier.NoModifier, SHIFT, Qt.KeyboardModifier.AltModifier):
         locked.click(at, keys=keys)
         locked.drag(at, np.add(at, (0.1, 0.1)), keys=keys)
-        assert (locked.session.document, locked.session.selected.choice) == (before, choice)
+        assert (locked.session.document, locked.session.selected.state) == (before, choice)
     locked.click(at)
     assert (locked.status, locked.window.status_line.is_refusal) == (LOCKED, True)
-    assert locked.session.selected.choice == choice
+    assert locked.session.selected.state == choice
     # The list takes it, and a drag of it is refused.
     locked.click_in_list(2)
     assert locked.curve.name == "C"

@@ -114,7 +114,7 @@ class Gestures(RuleBasedStateMachine):
             assert selected.chosen in (set(), selected.curves)
             assert not selected.points
             # Tools that begin no curve and find no other ones have a curve that is edited.
-            assert Part.OTHER_CURVE in self.tool.tool.hits or self.tool.record.beginning
+            assert Part.OTHER_CURVE in self.tool.tool.hits or self.tool.record.empty_message
 
     @invariant()
     def the_document_can_be_saved(self):

@@ -640,7 +640,7 @@ def test_the_line_on_the_canvas_takes_no_press_from_it(editor):
 def test_what_is_typed_on_the_help_is_looked_for_and_acts_on_nothing_behind_it(editor):
     """The letters of "pivot" chose other tools, showed the scrub line and let go of what was selected."""
     editor.select([2])
-    before, state, choice = editor.session.document, editor.window.store.state, editor.session.selected.choice
+    before, state, choice = editor.session.document, editor.window.store.state, editor.session.selected.state
     sheet = open_sheet(editor)
     QTest.keyClicks(QApplication.focusWidget(), "pivot")
     for key, held in (
@@ -654,6 +654,6 @@ def test_what_is_typed_on_the_help_is_looked_for_and_acts_on_nothing_behind_it(e
     assert len(shown) < 20
     assert editor.session.document is before
     assert editor.window.store.state == state
-    assert editor.session.selected.choice == choice
+    assert editor.session.selected.state == choice
     QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_F1)
     assert not sheet.isVisible()

@@ -1,6 +1,6 @@
 """What several signals tell together is shown once, at the end of it."""
 
-from app.session.signals import Batch
+from app.session.session import Batch
 
 
 def test_it_is_shown_once_when_all_is_told():

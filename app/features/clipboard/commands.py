@@ -27,7 +27,7 @@ from ...document.model import Curve, Document, Point
 from ...document.selection import all_points
 from ...document.several_curves import name_or_count
 from ...exchange.table.clipboard import write_block
-from ...session.highlight import ClipboardSelection
+from ...session.selection import ClipboardSelection
 from ...view_model.paste import copied, parts_of, with_parts
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import CURVES, POINTS, clipboard_data, put_on_clipboard

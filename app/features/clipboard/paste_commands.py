@@ -127,7 +127,7 @@ class PasteCommands:
         self, read: Callable[[Report], ImportResult], position: Vector | None, points: int = _MANY_POINTS
     ) -> None:
         """Add what is read beside the window to the document that is open; few `points` at once."""
-        beginning, target = self._session.files.beginning, self._target(position)
+        origin, target = self._session.files.origin, self._target(position)
 
         def work(report: Report) -> tuple[ImportResult, AddedCurves]:
             result = read(part(report, 0.0, 0.5))
@@ -136,7 +136,7 @@ class PasteCommands:
         def done(work_result: tuple[ImportResult, AddedCurves]) -> None:
             result, arrival = work_result
             now = replace(self._target(position), pixel=target.pixel)
-            if self._session.files.beginning is not beginning:
+            if self._session.files.origin is not origin:
                 self._session.refuse("Not pasted because another document was opened in the meantime.")
             else:
                 self._add(arrival if now == target else _filled(now, result), result.remarks)

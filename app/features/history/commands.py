@@ -77,7 +77,7 @@ class HistoryCommands:
         if session.undo_stack.count():
             return  # a lesson or an example was opened as a step; it began with something else
         files, curve = session.files, session.active_curve
-        name = files.beginning.file_stem or (curve.name if curve.points else "")
+        name = files.origin.file_stem or (curve.name if curve.points else "")
         opened = files.path.name if files.path is not None else name
         self._beginning = f"Opened {opened}" if opened else "New document"
         if self.panel is not None:
@@ -121,8 +121,8 @@ class HistoryCommands:
     def _go_back(self) -> None:
         """Go back to what was there before this lesson or example; Redo comes here again."""
         files, stack = self._session.files, self._session.undo_stack
-        here = files.beginning
-        while files.beginning is here and here.before is not None and stack.canUndo():
+        here = files.origin
+        while files.origin is here and here.before is not None and stack.canUndo():
             stack.undo()
         self._session.say("This is as you left it; Redo goes on.")
 

@@ -73,7 +73,7 @@ class LessonCommands:
 
     @property
     def _visit(self) -> _Visit:
-        return self._visits.setdefault(self._context.session.files.beginning, _Visit())
+        return self._visits.setdefault(self._context.session.files.origin, _Visit())
 
     def open(self, name: str) -> None:
         """Start the lesson with this name."""
@@ -126,7 +126,7 @@ class LessonCommands:
 
     def _follow_document(self) -> None:
         """Show the lesson whose document is open, at the step where it was left; else the list of lessons."""
-        copied = self._context.session.files.beginning.copied
+        copied = self._context.session.files.origin.copied
         lesson = next((lesson for lesson in self._lessons if lesson.document == copied), None)
         if lesson is None:
             if self._lesson is not None:

@@ -171,12 +171,12 @@ def snapshot_folder() -> Path:
 
 def origin_of(session: Session) -> SnapshotOrigin:
     """Return where the document of a session came from, and what it is called."""
-    files, beginning = session.files, session.files.beginning
+    files, origin = session.files, session.files.origin
     stamp = files.file.stamp if files.file is not None else None
-    return SnapshotOrigin(files.path, stamp, beginning.title, beginning.file_stem)
+    return SnapshotOrigin(files.path, stamp, origin.title, origin.file_stem)
 
 
-def beginning_of(origin: SnapshotOrigin, path: Path | None) -> DocumentOrigin:
+def document_origin(origin: SnapshotOrigin, path: Path | None) -> DocumentOrigin:
     """Return the beginning of work that was recovered and has its file at `path`, if any.
 
     Where that is not to be written to any more, it keeps the name.

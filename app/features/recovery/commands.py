@@ -12,7 +12,7 @@ from ...session import DocumentOrigin
 from ...storage.recovery import Snapshot, SnapshotListing, list_snapshots
 from ...workbench.context import WindowContext
 from .. import recovery
-from .autosave import Autosave, SetAside, beginning_of, snapshot_folder
+from .autosave import Autosave, SetAside, document_origin, snapshot_folder
 
 OpenBeside = Callable[[Document, Path | None, DocumentOrigin], Autosave]
 """Opens another window on a document with changes that are not in its file."""
@@ -91,11 +91,11 @@ class RecoveryCommands:
         snapshot = self._take(index)
         origin, autosave = snapshot.origin, self._autosave
         path = origin.path if origin.is_unchanged else None
-        beginning = beginning_of(origin, path)
+        session_origin = document_origin(origin, path)
         if open_beside is not None:
-            autosave = open_beside(snapshot.document, path, beginning)
+            autosave = open_beside(snapshot.document, path, session_origin)
         else:
-            session.files.restore(snapshot.document, path, beginning)
+            session.files.restore(snapshot.document, path, session_origin)
         if autosave is not None and autosave.write_now():
             snapshot.discard()
         else:

@@ -369,7 +369,7 @@ ADD = ToolRecord(
     name="add",
     make=AddTool,
     hint="Click to add points; Enter or a double click ends the curve; V or Escape goes back to selecting.",
-    beginning="Click on the canvas to add points; two of them make a curve.",
+    empty_message="Click on the canvas to add points; two of them make a curve.",
     doing="adding points",
     gestures=(
         GestureRow("Click", "add a point"),

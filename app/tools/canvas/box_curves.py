@@ -223,7 +223,7 @@ def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> 
         name=drawn.name,
         make=partial(BoxCurveTool, drawn),
         hint=f"{drawn.hint}; V or Escape goes back to selecting.",
-        beginning=f"Drag on the canvas to draw {drawn.phrase}.",
+        empty_message=f"Drag on the canvas to draw {drawn.phrase}.",
         doing=f"drawing {drawn.plural}",
         gestures=(
             GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),

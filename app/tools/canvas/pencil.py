@@ -219,7 +219,7 @@ PENCIL = ToolRecord(
     name="pencil",
     make=PencilTool,
     hint="Drag to draw freehand; V or Escape goes back to selecting.",
-    beginning="Drag on the canvas to draw freehand; a curve of few points near the line comes out.",
+    empty_message="Drag on the canvas to draw freehand; a curve of few points near the line comes out.",
     doing="drawing freehand",
     gestures=(
         GestureRow("Drag", "draw a line; a curve of few points near it comes out"),
