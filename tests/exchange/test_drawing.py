@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.exchange.drawing.drawing import drawing_of
-from app.view_model.stroke_box import extent_of
+from app.view_model.extents import extent_of
 
 
 def cubic(pieces, s):

@@ -5,7 +5,7 @@ import pytest
 
 from app.exchange.svg.reader import read_svg
 from app.view_model.curve.curve_view import view_of
-from app.view_model.stroke_box import extent_of
+from app.view_model.extents import extent_of
 from curvecore import bezier_segments
 from tests.rows import each_row
 

@@ -26,7 +26,7 @@ from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
 from app.families import FAMILIES, HERMITE
 from app.storage.files import save
-from app.view_model.stroke_box import extent_of
+from app.view_model.extents import extent_of
 from tests.rows import each_row
 
 pytestmark = pytest.mark.usefixtures("qapp")
