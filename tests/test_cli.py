@@ -443,7 +443,7 @@ def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
         encoding="utf-8",
     )
     assert main(["convert", str(drawing), str(out)]) == 0
-    assert "These are 21 curves; --only NAME takes those of a group. There is axes (21), line2d_0, " in (
+    assert "The file contains 21 curves; --only NAME selects those of a group: axes (21), line2d_0, " in (
         capsys.readouterr().err
     )
     only = ["--only", "line2d_3", "--only", "line2d_1?"]
@@ -549,7 +549,7 @@ def test_a_family_that_is_none_is_refused_with_those_there_are(tmp_path, capsys)
     with pytest.raises(SystemExit):
         main(["convert", LETTER, str(tmp_path / "a.curve.json"), "--family", "splines"])
     said = " ".join(capsys.readouterr().err.split())
-    assert "argument --family: “splines” is no family; it can be lagrange, hermite, quintic_hermite" in said
+    assert "argument --family: “splines” is not a family; use lagrange, hermite, quintic_hermite" in said
     assert all(family.name in said for family in FAMILIES)
 
 
@@ -909,7 +909,7 @@ def test_a_sharper_png_without_paper(tmp_path):
 def test_the_basis_of_a_curve_that_is_not_there(capsys, tmp_path):
     out = str(tmp_path / "a.svg")
     said = refusal(capsys, "render", LETTER, "-o", out, "--basis", "7")
-    assert said == "There is no curve 7; the document has 1."
+    assert said == "There is no curve 7; the document has 1 curve."
     assert not Path(out).exists()
 
 

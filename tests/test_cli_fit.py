@@ -72,7 +72,7 @@ def test_documents_keep_their_families_and_times_where_asked(tmp_path, capsys):
     [
         (["--fit", "5000"], "too few"),
         (["--fit-tolerance", "1e-9", "--family", "lagrange"], "no Lagrange curve within 1e-09 was found"),
-        (["--keep-times"], "--keep-times goes with"),
+        (["--keep-times"], "--keep-times needs"),
     ],
 )
 def test_what_cannot_be_fitted_is_refused(table, tmp_path, capsys, words, said):

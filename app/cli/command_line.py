@@ -29,7 +29,7 @@ Sketch parametric polynomial curves and see why they go where they go.
   curvebench info FILE             print facts about the curves in FILE
   curvebench lesson [NAME]         open the editor with a lesson, or list the lessons
 """
-_EPILOG = "A file that is called “render”, “convert”, “info” or “lesson” opens as ./render and so on."
+_EPILOG = "To open a file named “render”, “convert”, “info” or “lesson”, write ./render and so on."
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -86,14 +86,14 @@ def common_options() -> argparse.ArgumentParser:
         choices=LEVELS,
         metavar="LEVEL",
         default="",
-        help=f"print what the program does ({', '.join(LEVELS)}); no names of files or curves, no points",
+        help=f"log what the program does ({', '.join(LEVELS)}), without names and points",
     )
     parser.add_argument(
         "--families",
         action="append",
         default=[],
         metavar="FILE.py",
-        help="run this file and have the curve families that it defines; may be given more than once",
+        help="run this file and use the curve families that it defines; can be repeated",
     )
     parser.add_argument(PROCESSOR_LIMIT, type=float, default=0.0, help=argparse.SUPPRESS)
     return parser

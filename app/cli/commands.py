@@ -57,7 +57,7 @@ def _command_parser(command: str) -> argparse.ArgumentParser:
     lesson = add(
         "lesson", help="open a lesson", description="Open the editor with a lesson, or list the lessons."
     )
-    lesson.add_argument("name", metavar="NAME", nargs="?", help="a lesson's name or number")
+    lesson.add_argument("name", metavar="NAME", nargs="?", help="name or number of a lesson")
     return parser
 
 

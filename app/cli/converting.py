@@ -89,7 +89,9 @@ def _convert_many(options: argparse.Namespace) -> int:
     try:
         Path(options.output).mkdir(parents=True, exist_ok=True)
     except OSError as problem:
-        raise RefusalError(f"The folder “{options.output}” cannot be made: {reason_of(problem)}.") from None
+        raise RefusalError(
+            f"The folder “{options.output}” cannot be created: {reason_of(problem)}."
+        ) from None
     count, jobs = len(conversions), _jobs(options)
     results = []
     with TerminalProgress() as progress, ExitStack() as stack:
@@ -156,7 +158,7 @@ def _planned(options: argparse.Namespace) -> list[_Conversion]:
     format_of(f"a{ending}", FORMATS.written)
     folder = Path(options.output)
     if folder.exists() and not folder.is_dir():
-        raise RefusalError(f"“{folder}” is no folder.")
+        raise RefusalError(f"“{folder}” is not a folder.")
     conversions = [_Conversion(file, str(folder / f"{_stem(file)}{ending}")) for file in options.files]
     sources = {identity: file for file in options.files if (identity := _identity(file))}
     targets: dict[str, str] = {}
@@ -170,7 +172,7 @@ def _planned(options: argparse.Namespace) -> list[_Conversion]:
         targets[key] = conversion.source
         if (identity := _identity(conversion.target)) in sources and identity is not None:
             raise RefusalError(
-                f"“{conversion.source}” would be written over “{sources[identity]}”, which is to be read. "
+                f"“{conversion.source}” would overwrite “{sources[identity]}”, which is also an input. "
                 "Choose another folder."
             )
     return conversions
@@ -205,7 +207,7 @@ def _jobs(options: argparse.Namespace) -> int:
 
 def _family_of(options: argparse.Namespace) -> FamilyCell:
     if options.keep_times and not _wants_fit(options):
-        raise RefusalError("--keep-times goes with --fit or --fit-tolerance.")
+        raise RefusalError("--keep-times needs --fit or --fit-tolerance.")
     try:
         return read_family_cell(" ".join([options.family or HERMITE.name, *options.setting]))
     except ValueError as problem:
@@ -310,4 +312,4 @@ def _on_groups(source: ImportResult, only: Sequence[str]) -> tuple[str, ...]:
     count = len(source.document.curves)
     if only or not source.has_groups or count <= _MANY_CURVES:
         return ()
-    return (f"These are {count} curves; --only NAME takes those of a group. There is {source.contents()}.",)
+    return (f"The file contains {count} curves; --only NAME selects those of a group: {source.contents()}.",)

@@ -9,7 +9,7 @@ from typing import Any
 
 from ..document.lengths import MILLIMETRES, known_unit
 from ..document.model import Document
-from ..document.words import enumerated
+from ..document.words import count_of, enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, Format, endings_of
@@ -29,7 +29,7 @@ def _family_name(text: str) -> str:
     """Return the name of the family that was typed, by its name or its title."""
     if (family := FAMILIES.called(text)) is None:
         known = enumerated([family.name for family in FAMILIES], "or")
-        raise argparse.ArgumentTypeError(f"“{text}” is no family; it can be {known}")
+        raise argparse.ArgumentTypeError(f"“{text}” is not a family; use {known}")
     return family.name
 
 
@@ -51,7 +51,7 @@ def _positive(text: str, kind: type[int] | type[float]) -> float:
 def _unit(text: str) -> str:
     """Return the unit of length that was typed."""
     if not (unit := known_unit(text)):
-        raise argparse.ArgumentTypeError(f"“{text}” is none of {', '.join(MILLIMETRES)}")
+        raise argparse.ArgumentTypeError(f"“{text}” is not one of {', '.join(MILLIMETRES)}")
     return unit
 
 
@@ -68,48 +68,47 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="take only the curves of this name, or those in the group of this name or id, such as axes_1 or "
-        "'line2d_*'; may be given more than once",
+        help="use only the curves with this name, or in a group with this name or id, such as axes_1 or "
+        "'line2d_*'; can be repeated",
     )
     sides = parser.add_mutually_exclusive_group()
     sides.add_argument(
         "--width",
         type=whole_number,
         metavar="N",
-        help="in pixels, which give a picture with a unit its resolution; in points of 1/72 inch for a PDF",
+        help="in pixels, which with a unit also set the resolution; for a PDF in points of 1/72 inch",
     )
     add(
         "--unit",
         type=_unit,
         metavar="U",
-        help=f"what a length of one is ({', '.join(MILLIMETRES)}), if the document does not say it: without "
-        "--width an SVG or PDF then has "
-        "true size; TikZ has, and a PNG by its pixels per inch; a DXF names it",
+        help=f"unit of length ({', '.join(MILLIMETRES)}) of a document without one: SVG and PDF without "
+        "--width, and TikZ, then have true size; PNG has it by its pixels per inch; DXF names the unit",
     )
     sides.add_argument(
         "--dpi",
         type=positive_number,
         metavar="X",
-        help="pixels of a PNG for each inch of its true size, for a document with a unit; not with --width",
+        help="pixels of a PNG per inch of its true size, for a document with a unit; not with --width",
     )
     add(
         "--scale",
         type=positive_number,
         default=1.0,
         metavar="X",
-        help="pixels of a PNG for each of the width, and for 1/96 inch (default: 1)",
+        help="pixels of a PNG per unit of its width, and per 1/96 inch (default: 1)",
     )
 
 
 def _add_look_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("--theme", choices=STYLES, help="colours, paper included (default: those for light paper, and none)")
-    add("--transparent", action="store_true", help="leave the paper of --theme out")
+    add("--theme", choices=STYLES, help="colours and paper (default: colours for light paper, without paper)")
+    add("--transparent", action="store_true", help="omit the paper of --theme")
     add(
         "--points",
         action=argparse.BooleanOptionalAction,
         default=False,
-        help="draw the points too; in a DXF as well",
+        help="draw the points, also in a DXF",
     )
     add("--handles", action="store_true", help="draw the Bézier control points")
     add("--grid", action="store_true", help="draw a grid")
@@ -127,23 +126,25 @@ def add_motion_options(render: argparse.ArgumentParser) -> None:
     """Let `render` make films."""
     add = render.add_argument_group(
         "motion",
-        "A dot that runs along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
+        "A dot that moves along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
     ).add_argument
-    add("--motion", choices=("once", "loop", "ping-pong"), help="what happens at the end (default: loop)")
-    add("--pace", choices=("t", "length"), default="t", help="what grows evenly with time (default: t)")
-    add("--fps", type=whole_number, default=25, metavar="N", help="frames a second (default: 25)")
+    add(
+        "--motion", choices=("once", "loop", "ping-pong"), help="what the dot does at the end (default: loop)"
+    )
+    add("--pace", choices=("t", "length"), default="t", help="what grows evenly in time (default: t)")
+    add("--fps", type=whole_number, default=25, metavar="N", help="frames per second (default: 25)")
     add(
         "--seconds",
         type=positive_number,
         metavar="S",
-        help="length of one round (default: that of the domain)",
+        help="duration of one round (default: the length of the domain)",
     )
 
 
 CONVERT = """\
 Read a file of one format and write another; print the largest deviation from the true curves. With --to,
-do so for many files: one that cannot be converted is told in one line, the others go on, and the exit
-code is 1."""
+convert many files: a file that cannot be converted is reported in one line, the others are converted, and
+the exit code is 1."""
 
 _CONVERT_USAGE = """\
 curvebench convert IN OUT [options]
@@ -160,16 +161,20 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         "files",
         nargs="+",
         metavar="IN OUT",
-        help=f"what to read, which ends in {read}, and what to write; with --to, all are read",
+        help=f"the file to read, whose name ends in {read}, and the file to write; with --to, all are read",
     )
-    add("-o", "--output", metavar="FOLDER", help="with --to: where the files are written; made if need be")
-    add("--to", metavar="ENDING", help=f"write a file for each one that is read; ends in {written}")
+    add("-o", "--output", metavar="FOLDER", help="with --to: the folder of the files; created if needed")
+    add(
+        "--to",
+        metavar="ENDING",
+        help=f"write a file for each file that is read, with a name that ends in {written}",
+    )
     add(
         "-j",
         "--jobs",
         type=whole_number,
         metavar="N",
-        help="with --to: read N drawings at a time (default: by their size, one for each processor at most)",
+        help="with --to: read N drawings at a time (default: by their size, at most one per processor)",
     )
     add(
         "--tolerance",
@@ -180,7 +185,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     add(
         "--json",
         action="store_true",
-        help="print what was done as JSON, with what was left out or is otherwise than drawn",
+        help="print the result as JSON, with everything that was left out or changed",
     )
     _add_table_options(convert)
     _add_fit_options(convert)
@@ -193,7 +198,7 @@ def convert_usage_problem(options: argparse.Namespace) -> str:
     if options.to is not None:
         return "" if options.output is not None else "--to needs a folder: -o FOLDER"
     if options.output is not None or options.jobs is not None:
-        return "-o and -j go with --to ENDING"
+        return "-o and -j need --to ENDING"
     match len(options.files):
         case 1:
             return "the following arguments are required: OUT"
@@ -246,7 +251,7 @@ def _within(option: Whole | Real, kind: Callable[[str], float], words: str) -> C
         except ValueError:
             value = math.nan
         if not least <= value <= greatest:
-            raise argparse.ArgumentTypeError(f"“{text}” is no {words} from {least:g} to {greatest:g}")
+            raise argparse.ArgumentTypeError(f"“{text}” is not a {words} from {least:g} to {greatest:g}")
         return value
 
     return read
@@ -258,7 +263,9 @@ def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
     def read(text: str) -> tuple[str, ...]:
         words = tuple(text.split(","))
         if not set(words) <= set(option.choices):
-            raise argparse.ArgumentTypeError(f"“{text}” has something else than {', '.join(option.choices)}")
+            raise argparse.ArgumentTypeError(
+                f"“{text}” contains something other than {', '.join(option.choices)}"
+            )
         return words
 
     return read
@@ -291,12 +298,12 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         "--thin",
         type=positive_number,
         metavar="X",
-        help="leave out the rows of a table that a curve comes this near",
+        help="keep only the rows of a table that a curve within X of all rows needs",
     )
     add(
         "--corners",
         action="store_true",
-        help="with --thin: the rows that a polyline this near turns at (Douglas-Peucker)",
+        help="with --thin: keep the corners of a polyline within X of all rows (Douglas-Peucker)",
     )
     _add_family_options(convert)
     add(
@@ -304,14 +311,14 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="A,B",
-        help="of a table to read, which column is what, by title or number: t=time,x=pos_x,y=3; of one of "
-        "samples to write, which columns: t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
+        help="of a table to read: the role of each column, by title or number, as in t=time,x=pos_x,y=3; of "
+        "a table of samples to write: the columns t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
     )
     add(
         "--missing",
         choices=("refuse", "skip", "split"),
         default="refuse",
-        help="of rows without numbers: leave them out, or end the curve there (default: %(default)s)",
+        help="rows without numbers: report an error, skip them or end the curve there (default: refuse)",
     )
 
 
@@ -321,8 +328,8 @@ def _add_family_options(convert: argparse.ArgumentParser) -> None:
         "--family",
         type=_family_name,
         metavar="NAME",
-        help=f"of a curve through the rows of a table (default: {HERMITE.name}), or of those that --fit and "
-        "--fit-tolerance make (default: that of each curve): "
+        help=f"family of a curve through the rows of a table (default: {HERMITE.name}), or of the curves of "
+        "--fit and --fit-tolerance (default: that of each curve): "
         f"{enumerated([family.name for family in FAMILIES], 'or')}",
     )
     add(
@@ -330,33 +337,33 @@ def _add_family_options(convert: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=VALUE",
-        help=f"of that family: {_settings_text()}",
+        help=f"setting of that family: {_settings_text()}",
     )
 
 
 def _add_fit_options(convert: argparse.ArgumentParser) -> None:
     group = convert.add_argument_group(
-        "fewer points", "Curves of few points near those that were read, by least squares."
+        "fewer points", "Fit curves of fewer points to those that were read, by least squares."
     )
     choice = group.add_mutually_exclusive_group()
-    choice.add_argument("--fit", type=_two_or_more, metavar="K", help="each curve of K points")
+    choice.add_argument("--fit", type=_two_or_more, metavar="K", help="K points for each curve")
     choice.add_argument(
         "--fit-tolerance",
         type=positive_number,
         metavar="X",
-        help="each curve of as few points as come within X of all that was read",
+        help="as few points for each curve as stay within X of the one that was read",
     )
     group.add_argument(
         "--keep-times",
         action="store_true",
-        help="with these: every place keeps its t, as of a motion; else only the shape counts",
+        help="with these: every position keeps its t, as in a motion; otherwise only the shape counts",
     )
 
 
 def _two_or_more(text: str) -> int:
     """Return the number of points that was typed."""
     if (count := whole_number(text)) < 2:
-        raise argparse.ArgumentTypeError("a curve has two points or more")
+        raise argparse.ArgumentTypeError("a curve has at least two points")
     return count
 
 
@@ -374,7 +381,9 @@ def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
 def picture_options(options: argparse.Namespace, document: Document) -> Options:
     """Return what was asked for of the file to write."""
     if options.basis and options.basis > len(document.curves):
-        raise ExchangeError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
+        raise ExchangeError(
+            f"There is no curve {options.basis}; the document has {count_of(len(document.curves), 'curve')}."
+        )
     return Options(
         width=options.width,
         tolerance=options.tolerance,

@@ -38,13 +38,13 @@ def add_options(render: argparse.ArgumentParser) -> None:
         "--output",
         required=True,
         metavar="OUT",
-        help=f"the picture; ends in {', '.join(_picture_endings())}",
+        help=f"the file to write; its name ends in {', '.join(_picture_endings())}",
     )
     render.add_argument(
         "--tolerance",
         type=positive_number,
         metavar="X",
-        help="largest deviation from the true curve, in the document's unit (default: 1e-5 of its size)",
+        help="largest deviation from the true curves, in the document's unit (default: 1e-5 of its size)",
     )
     add_picture_options(render)
     add_format_options(render, FORMATS.pictures)

@@ -154,7 +154,7 @@ def test_the_command_line_is_told_the_unit(tmp_path, capsys):
     assert millimetres_of_one((tmp_path / "a.svg").read_text()) == pytest.approx([1.0, 1.0])
     with pytest.raises(SystemExit):
         main(["render", str(path), "-o", str(tmp_path / "a.svg"), "--unit", "yard"])
-    assert "“yard” is none of" in capsys.readouterr().err
+    assert "“yard” is not one of" in capsys.readouterr().err
     assert Options().unit == ""
 
 

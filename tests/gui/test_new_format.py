@@ -173,10 +173,10 @@ def test_options_of_every_kind_are_arguments_within_their_limits(tmp_path, capsy
     assert written["corners"] == [[x - 1.5, y] for x, y in POINTS]
     assert written["own"] == [8, ["a", "c"], 0.25]
     for flag, text, reason in (
-        ("--pen", "99", "“99” is no whole number from 1 to 8"),
-        ("--shift", "nan", "“nan” is no number from -8 to 8"),
-        ("--marks", "a,d", "“a,d” has something else than a, b, c"),
-        ("--rough", "0", "“0” is no number from"),
+        ("--pen", "99", "“99” is not a whole number from 1 to 8"),
+        ("--shift", "nan", "“nan” is not a number from -8 to 8"),
+        ("--marks", "a,d", "“a,d” contains something other than a, b, c"),
+        ("--rough", "0", "“0” is not a number from"),
         ("--kind", "C", "invalid choice: 'C'"),
     ):
         with pytest.raises(SystemExit):

@@ -42,7 +42,7 @@ DIGITS = Whole(
     tip="Significant digits of the numbers in the formula; 17 hold every number exactly",
     default=6,
     limits=(1, 17),
-    help="of a LaTeX formula: significant digits of its numbers (default: %(default)s)",
+    help="LaTeX formula: significant digits of its numbers (default: %(default)s)",
 )
 
 PICTURE_SIDE = 12.0

@@ -202,7 +202,7 @@ SPACING = OneOf(
     default=Spacing.T,
     choices={spacing: spacing.label for spacing in Spacing},
     flag="--by",
-    help="equal steps of t or of the arc length, or as many rows as the tolerance requires",
+    help="table of samples: equal steps of t or of the arc length, or as many rows as the tolerance requires",
 )
 SAMPLES = Whole(
     name="samples",
@@ -211,7 +211,7 @@ SAMPLES = Whole(
     tip="Number of rows per curve",
     default=201,
     limits=(2, MOST_SAMPLES),
-    help="rows of a table (default: %(default)s)",
+    help="table of samples: rows per curve (default: %(default)s)",
 )
 COLUMNS = SomeOf(
     name="columns",
