@@ -252,11 +252,11 @@ class Annotations(QObject):
 
     Signals
     -------
-    ghost_chosen, ghost_hidden
+    ghost_adopted, ghost_hidden
         A variant shall replace the curve, or be removed; chosen in the legend.
     """
 
-    ghost_chosen = Signal(object)
+    ghost_adopted = Signal(object)
     ghost_hidden = Signal(object)
 
     def __init__(self, plot: PlotWidget, room: Room) -> None:
@@ -295,7 +295,7 @@ class Annotations(QObject):
             self.legend = canvas.legend.Legend(self._plot.viewport(), self._plot.layers, self._room)
             self._plot.camera.changed.connect(self.legend.move_away)
             self._plot.style_changed.connect(self.legend.render_style)
-            self.legend.chosen.connect(self.ghost_chosen)
+            self.legend.chosen.connect(self.ghost_adopted)
             self.legend.hidden.connect(self.ghost_hidden)
         self.legend.render_rows(group, rows)
         self.legend.move_away()

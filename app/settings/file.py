@@ -1,4 +1,4 @@
-"""The ini file of the settings: read without trusting it, and set aside where it is none."""
+"""Ini file of the settings: read with care, and set aside where it is damaged."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class SettingsFile:
             self.complaint = f"{self._settings.fileName()} cannot be read. Default settings are used."
 
     def value(self, key: str) -> object:
-        """Return what is stored, None where there is nothing, or nothing that Python knows."""
+        """Return the stored value; None without one, or for a type that Python does not know."""
         try:
             return self._settings.value(key)
         except Exception:
@@ -51,7 +51,7 @@ class SettingsFile:
             return None
 
     def text(self, key: str) -> str:
-        """Return the text that is stored; empty where there is none."""
+        """Return the stored text; empty where there is none."""
         stored = self.value(key)
         if stored is None or isinstance(stored, str):
             return stored or ""
@@ -59,7 +59,7 @@ class SettingsFile:
         return ""
 
     def layout(self, key: str) -> QByteArray:
-        """Return what Qt saved of a layout; empty where there is nothing."""
+        """Return a layout saved by Qt; empty where there is none."""
         stored = self.value(key)
         if stored is None or isinstance(stored, QByteArray):
             return stored or QByteArray()
@@ -71,7 +71,7 @@ class SettingsFile:
         self._settings.setValue(key, value)
 
     def complain(self, key: str, reason: str) -> None:
-        """Say that the value of `key` cannot be used."""
+        """Record that the value of `key` cannot be used."""
         self.complaint = f"The saved setting {key} cannot be used ({reason}). The default is used."
 
 
@@ -84,7 +84,7 @@ def _open(store: Path | QSettings | None) -> QSettings:
 
 
 def _set_aside_damaged(path: Path) -> bool:
-    """Rename the file of settings at `path` where it is none; return whether it was.
+    """Rename a damaged file of settings at `path`; return whether it was renamed.
 
     QSettings takes any bytes for settings, and writes what it made of them back for good.
     """
@@ -98,7 +98,7 @@ def _set_aside_damaged(path: Path) -> bool:
 
 
 def _is_damaged(data: bytes) -> bool:
-    """Whether this can be no ini file: no text, an open section, or nothing that is a section or setting."""
+    """Return whether this is no ini file: no text, an open section, or neither sections nor settings."""
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError:

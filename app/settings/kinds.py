@@ -1,4 +1,4 @@
-"""The kinds of settings: how the text in the file of settings becomes a value, and is made from one.
+"""Kinds of settings: conversion of the text in the file to a value, and back.
 
 A setting is an attribute of a class that has a `SettingsFile`::
 
@@ -42,19 +42,19 @@ _LEAST_SPACING, _GREATEST_SPACING = 1e-9, 1e9
 
 
 class Remembering(Protocol):
-    """Object that has settings."""
+    """Object with settings."""
 
     @property
     def file(self) -> SettingsFile:
-        """The file that keeps them."""
+        """The file of the settings."""
 
 
 class _UnusableError(ValueError):
-    """A text that is no value of a setting; its message says why."""
+    """Error for a text that is no value of a setting, with the reason."""
 
 
 class Setting(ABC, Generic[Value]):
-    """One setting, kept under `key`.
+    """Descriptor of one setting, saved under `key`.
 
     Attributes
     ----------
@@ -90,15 +90,15 @@ class Setting(ABC, Generic[Value]):
 
     @abstractmethod
     def _read(self, file: SettingsFile) -> Value:
-        """Return what the file holds, or the default."""
+        """Return the value of the file, or the default."""
 
     def _stored(self, value: Value) -> object:
-        """Return what the file shall hold."""
+        """Return the representation of a value in the file."""
         return value
 
 
 class TextSetting(Setting[Value]):
-    """A setting that is a text in the file; an empty one counts as none."""
+    """Setting that is text in the file; empty text counts as not set."""
 
     def __init__(self, key: str, default: Value, label: str = "", tip: str = "", widget: str = "") -> None:
         super().__init__(key, label, tip, widget)
@@ -120,7 +120,7 @@ class TextSetting(Setting[Value]):
 
 
 class Choice(TextSetting[Member]):
-    """One member of an enumeration whose values are words, with labels."""
+    """Member of an enumeration with words as values and labels."""
 
     def __init__(self, key: str, default: Member, label: str, tip: str, widget: str = "") -> None:
         super().__init__(key, default, label, tip, widget)
@@ -138,7 +138,7 @@ class Choice(TextSetting[Member]):
 
 
 class Switch(TextSetting[bool]):
-    """On or off, as an action or a check box switches it."""
+    """Boolean that an action or a check box turns on and off."""
 
     def __init__(self, key: str, *, default: bool, label: str = "", tip: str = "", widget: str = "") -> None:
         super().__init__(key, default, label, tip, widget)
@@ -153,7 +153,7 @@ class Switch(TextSetting[bool]):
 
 
 class Height(TextSetting[int]):
-    """Pixels; 0 when nothing is remembered."""
+    """Height in pixels; 0 when not set."""
 
     def __init__(self, key: str) -> None:
         super().__init__(key, 0)
@@ -168,7 +168,7 @@ class Height(TextSetting[int]):
 
 
 class Distance(TextSetting[float]):
-    """Units of the plane; 0 for none.
+    """Distance in units of the plane; 0 for none.
 
     Attributes
     ----------
@@ -194,7 +194,7 @@ class Distance(TextSetting[float]):
 
 
 class SavedText(TextSetting[str]):
-    """Any text that the program writes."""
+    """Text that the program writes."""
 
     def __init__(self, key: str) -> None:
         super().__init__(key, "")
@@ -204,7 +204,7 @@ class SavedText(TextSetting[str]):
 
 
 class SavedStyle(TextSetting[Style]):
-    """A style, as JSON; a plain line where nothing is remembered."""
+    """Style, as JSON; a plain line when not set."""
 
     def __init__(self, key: str) -> None:
         super().__init__(key, PLAIN_STYLE)
@@ -225,7 +225,7 @@ class SavedStyle(TextSetting[Style]):
 
 
 class SavedCurve(TextSetting[Curve]):
-    """A curve without points, as a document of ours; the usual one where nothing is remembered."""
+    """Curve without points, as a document; the default curve when not set."""
 
     def __init__(self, key: str) -> None:
         super().__init__(key, empty_document().curves[0])
@@ -243,7 +243,7 @@ class SavedCurve(TextSetting[Curve]):
 
 
 class Text(TextSetting[str]):
-    """A short text; of one that was made longer in the file, the beginning.
+    """Short text; longer text in the file is cut.
 
     Attributes
     ----------
@@ -276,15 +276,17 @@ class Text(TextSetting[str]):
 
 
 class Keys(Setting[dict[str, str]]):
-    """Keys of the keyboard by the names of actions."""
+    """Keys of actions, by the names of the actions."""
 
     def _read(self, file: SettingsFile) -> dict[str, str]:
         try:
-            found = json.loads(file.text(self.key) or "{}")
+            keys_by_action = json.loads(file.text(self.key) or "{}")
         except ValueError:
-            found = None
-        if isinstance(found, dict) and all(isinstance(keys, str) for keys in found.values()):
-            return found
+            keys_by_action = None
+        if isinstance(keys_by_action, dict) and all(
+            isinstance(keys, str) for keys in keys_by_action.values()
+        ):
+            return keys_by_action
         file.complain(self.key, "it is not a list of keys")
         return {}
 
@@ -296,7 +298,7 @@ class Keys(Setting[dict[str, str]]):
 
 
 class Several(Setting[frozenset[Member]]):
-    """Some members of an enumeration whose values are words; all when nothing is remembered.
+    """Set of members of an enumeration with words as values; all members when not set.
 
     Words beside known ones are skipped: older versions had more members.
     """
@@ -310,9 +312,9 @@ class Several(Setting[frozenset[Member]]):
         if stored is None:
             return frozenset(self.kind)
         words = str(stored).split()
-        found = frozenset(member for member in self.kind if member.value in words)
-        if found or not words:
-            return found
+        members = frozenset(member for member in self.kind if member.value in words)
+        if members or not words:
+            return members
         known = ", ".join(member.value for member in self.kind)
         file.complain(self.key, f"“{stored}” contains none of {known}")
         return frozenset(self.kind)
@@ -325,14 +327,14 @@ class Several(Setting[frozenset[Member]]):
 
 
 class SavedLayout(Setting[QByteArray]):
-    """A layout that Qt saved of a window; empty when nothing is remembered."""
+    """Layout saved by Qt; empty when not set."""
 
     def _read(self, file: SettingsFile) -> QByteArray:
         return file.layout(self.key)
 
 
 class Folder(Setting[Path]):
-    """A folder; the home folder when nothing is remembered, or it is no longer there."""
+    """Folder; the home folder when not set, or when it no longer exists."""
 
     def _read(self, file: SettingsFile) -> Path:
         # A drive that is gone, or a name with a NUL in it, is no folder either.
@@ -344,6 +346,6 @@ class Folder(Setting[Path]):
 
 
 def settings_with_labels(owner: type) -> dict[str, Setting[Any]]:
-    """Return the settings of a class that stand in the dialog of preferences, by name, in order."""
-    members = {name: member for each in reversed(owner.__mro__) for name, member in vars(each).items()}
-    return {name: each for name, each in members.items() if isinstance(each, Setting) and each.label}
+    """Return the settings of a class that the dialog of preferences shows, by name, in order."""
+    members = {name: member for kind in reversed(owner.__mro__) for name, member in vars(kind).items()}
+    return {name: kind for name, kind in members.items() if isinstance(kind, Setting) and kind.label}

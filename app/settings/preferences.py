@@ -1,4 +1,4 @@
-"""The preferences: settings that the editor remembers from one start to the next, outside any document."""
+"""Preferences: settings that are saved between starts, outside any document."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class Preferences:
     theme_mode = Choice(
         "theme", ThemeMode.SYSTEM, "Theme", "Light or dark colours of the window and the canvas", "themeBox"
     )
-    """Light, dark, or as the system has it."""
+    """Light theme, dark theme, or the theme of the system."""
 
     unit_name = Text(
         "grid/unit",
@@ -86,7 +86,7 @@ class Preferences:
         note=_note_of_unit,
         widget="unitBox",
     )
-    """The name of the unit that a new document has, such as "mm"; empty for none."""
+    """Unit of new documents, such as "mm"; empty for none."""
 
     grid_spacing = Distance(
         "grid/spacing",
@@ -96,10 +96,10 @@ class Preferences:
         refusal="Enter a grid spacing greater than 0, or “adaptive”.",
         widget="gridSpacing",
     )
-    """Distance of the lines of a new document's grid; 0 where it adapts to the zoom."""
+    """Grid spacing of new documents; 0 for a grid that adapts to the zoom."""
 
     snap_kinds = Several("snap/kinds", SnapKind, "Snap to", "Snap dragged points to: {}", "snap_{}")
-    """Targets that dragged and added points snap to."""
+    """Targets of snapping."""
 
     window_geometry = SavedLayout("window/geometry")
     """The result of ``QWidget.saveGeometry``."""
@@ -114,7 +114,7 @@ class Preferences:
     """Whether the basis functions are shown."""
 
     numbered = Switch("window/numbered", default=True)
-    """Whether points have numbers, and colours that say which is which."""
+    """Whether points have numbers and colours."""
 
     plot_height = Height("window/plots")
     """Height of the plots below the basis functions."""
@@ -123,34 +123,34 @@ class Preferences:
     """Whether dragged and added points snap."""
 
     transform_box = Switch("view/transform_box", default=True)
-    """Whether two or more selected points get a box with grips."""
+    """Whether two or more selected points have a box with grips."""
 
     rulers = Switch("view/rulers", default=True)
     """Whether the axes of the canvas are rulers."""
 
     recent_colours = SavedText("style/recent_colours")
-    """Colours that were chosen last, the latest first, "#rrggbb" with spaces between."""
+    """Recent colours, the latest first, "#rrggbb" separated by spaces."""
 
     new_style = SavedStyle("document/new_style")
-    """The style of the curve that a new document begins with."""
+    """Style of the first curve of a new document."""
 
     new_curve = SavedCurve("document/new_curve")
-    """The family and the rules of the curve that a new document begins with: those worked with last."""
+    """Family and rules of the first curve of a new document: the last ones in use."""
 
     keep_proportions = Switch("transform/keep_proportions", default=False)
-    """Whether the height follows where a width is typed, and the width a height."""
+    """Whether width and height are scaled together when one of them is typed."""
 
     with_estimates = Switch("basis/with_estimates", default=False)
-    """Whether the basis panel shows what each point does with its estimates, not the family's functions."""
+    """Whether the basis functions include the estimated derivatives."""
 
     shortcuts = Keys("shortcuts")
-    """The keys that differ from the defaults, by the action's name."""
+    """Keys that differ from the defaults, by the name of the action."""
 
     export_choice = SavedText("export/choice")
-    """The options of the last export, as JSON; what cannot be used counts as none."""
+    """Options of the last export, as JSON; unusable ones count as not set."""
 
     last_folder = Folder("files/folder")
-    """Folder that a file dialog starts in: the one last used, or the home folder."""
+    """Folder of file dialogs: the last one in use, or the home folder."""
 
     def __init__(self, store: Path | QSettings | None = None) -> None:
         self.file = SettingsFile(store)
@@ -168,27 +168,27 @@ class Preferences:
 
     @property
     def complaint(self) -> str:
-        """The flaw of the stored values, in one sentence; empty when there was none."""
+        """Sentence about an unusable stored value; empty where there is none."""
         return self.file.complaint
 
     def refuse(self, key: str, reason: str) -> None:
-        """Say that the value of `key` could be read but not used."""
+        """Record that the value of `key` could be read but not used."""
         self.file.complain(key, reason)
 
     @property
     def recent_files(self) -> list[Path]:
-        """At most ten files, the latest first; those that are no longer there are left out."""
+        """At most ten recent files that exist, the latest first."""
         # A drive that is gone, or a name with a NUL in it, is no file either.
         return [path for path in self._recent() if os.path.isfile(path)]  # noqa: PTH113
 
     def add_recent_file(self, path: Path) -> None:
-        """Put a file at the head of the recent ones."""
+        """Add a file at the head of the recent files."""
         path = path.absolute()
         others = [other for other in self._recent() if other != path]
         self._set_recent([path, *others])
 
     def clear_recent_files(self) -> None:
-        """Forget the recent files."""
+        """Clear the recent files."""
         self._set_recent([])
 
     def _recent(self) -> list[Path]:

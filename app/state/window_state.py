@@ -24,7 +24,7 @@ from ..view_model.settings import OwnedSetting, SettingValues
 
 
 class FileState(msgspec.Struct, frozen=True):
-    """Relation of the document to its file.
+    """State of the document's file.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class FileState(msgspec.Struct, frozen=True):
 
 
 class WindowState(msgspec.Struct, frozen=True):
-    """State of a window beside its document: what it shows and what the mouse does; neither saved nor undone.
+    """State of a window besides its document: visible parts, tool and settings; neither saved nor undone.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class WindowState(msgspec.Struct, frozen=True):
         are.
     grid, side_panel, lessons
         Whether the grid, the panels at the side and the lessons are shown.
-    rulers, guides_shown
+    rulers, guides_visible
         Whether the axes of the canvas are rulers; whether guides are shown.
     presentation
         Whether everything but canvas and basis functions is hidden.
@@ -74,7 +74,7 @@ class WindowState(msgspec.Struct, frozen=True):
         Overlays, plots, ghosts and laboratory.
     error_plot
         Whether the errors of the laboratory's methods are plotted.
-    motion, motion_shown, motion_plays
+    motion, motion_visible, motion_plays
         How the dot runs, whether there is one, and whether it runs now.
     file, compares_with_file
         How the document stands to its file, and whether what that holds is shown as a ghost.
@@ -96,7 +96,7 @@ class WindowState(msgspec.Struct, frozen=True):
     side_panel: bool = True
     lessons: bool = False
     rulers: bool = True
-    guides_shown: bool = True
+    guides_visible: bool = True
     presentation: bool = False
     scale: float = 1.0
     snap_on: bool = False
@@ -110,7 +110,7 @@ class WindowState(msgspec.Struct, frozen=True):
     analysis: AnalysisSettings = AnalysisSettings()
     error_plot: bool = False
     motion: MotionSettings = MotionSettings()
-    motion_shown: bool = False
+    motion_visible: bool = False
     motion_plays: bool = False
     compares_with_file: bool = False
     file: FileState = FileState()
@@ -122,21 +122,21 @@ class WindowState(msgspec.Struct, frozen=True):
 
     @property
     def shows_rulers(self) -> bool:
-        """Whether the axes of the canvas are rulers now: not in a presentation."""
+        """Whether rulers are visible: not in a presentation."""
         return self.rulers and not self.presentation
 
     @property
     def snapping(self) -> Snapping:
-        """What is snapped to."""
+        """The settings of snapping."""
         return Snapping(self.snap_on, self.snap_kinds)
 
     def uses(self, tool: ToolRecord) -> bool:
-        """Whether the mouse has this tool; while it moves the image, it has none for points."""
+        """Return whether this tool is in use; none is while the mouse moves the image."""
         return self.tool is tool and not self.moves_image
 
 
 class WindowStore(QObject):
-    """Owner of a window's state; what is remembered between starts goes to the preferences.
+    """Owner of the state of a window; fields with a preference of the same name are saved there.
 
     Attributes
     ----------
@@ -154,45 +154,45 @@ class WindowStore(QObject):
     def __init__(self, preferences: Preferences, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._preferences = preferences
-        self.state = self._told = replace(WindowState(), **self._remembered())
-        self._is_telling = False
+        self.state = self._announced = replace(WindowState(), **self._remembered())
+        self._is_announcing = False
 
     def _remembered(self) -> dict[str, object]:
-        """Return the fields that preferences of the same name remember."""
+        """Return the fields that have a preference of the same name."""
         names = WindowState.__struct_fields__
         return {
             name: getattr(self._preferences, name) for name in names if hasattr(type(self._preferences), name)
         }
 
     def change(self, **fields: object) -> None:
-        """Take other values for some fields."""
+        """Change some fields."""
         for name, value in fields.items():
             if hasattr(type(self._preferences), name) and value != getattr(self.state, name):
                 setattr(self._preferences, name, value)
         self._take(replace(self.state, **fields))
 
     def read_preferences(self) -> None:
-        """Take over what the preferences say now."""
+        """Read the fields that have a preference again."""
         self._take(replace(self.state, **self._remembered()))
 
     def _take(self, state: WindowState) -> None:
         if state == self.state:
             return
         self.state = state
-        if self._is_telling:
+        if self._is_announcing:
             # By one who has just heard of a change: all others hear of that first.
             return
-        self._is_telling = True
+        self._is_announcing = True
         try:
-            while self._told is not self.state:
-                before, self._told = self._told, self.state
-                self.changed.emit(before, self._told)
+            while self._announced is not self.state:
+                before, self._announced = self._announced, self.state
+                self.changed.emit(before, self._announced)
         finally:
-            self._is_telling = False
+            self._is_announcing = False
 
 
 class Analysis(QObject):
-    """The settings of overlays, plots and laboratory of one window.
+    """Settings of overlays, plots and laboratory of one window.
 
     Signals
     -------
@@ -200,7 +200,7 @@ class Analysis(QObject):
         The settings are other ones.
     noted
         Something else can be said about the overlays.
-    ghost_chosen
+    ghost_adopted
         A ghost shall become the curve.
     added
         A plot was added to those of the curve, replaced or taken away.
@@ -217,7 +217,7 @@ class Analysis(QObject):
 
     changed = Signal()
     noted = Signal()
-    ghost_chosen = Signal(object)
+    ghost_adopted = Signal(object)
     added = Signal()
 
     def __init__(self, store: WindowStore, parent: QObject | None = None) -> None:
@@ -238,44 +238,44 @@ class Analysis(QObject):
             self.changed.emit()
 
     def change(self, **fields: object) -> None:
-        """Take other values for some of the settings."""
+        """Change some settings."""
         self._store.change(analysis=replace(self.settings, **fields))
 
     def set_value(self, setting: OwnedSetting[float], value: float) -> None:
-        """Take another value for a setting of overlays."""
+        """Change a setting of an overlay."""
         self._store.change(analysis=self.settings.with_value(setting, value))
 
     def reset(self) -> None:
-        """Take all settings back to what they are at the start."""
+        """Reset all settings to their defaults."""
         self.change(**msgspec.structs.asdict(AnalysisSettings()))
 
-    def show(self, overlay: Overlay, shown: bool) -> None:
-        """Switch an overlay on or off."""
+    def show(self, overlay: Overlay, visible: bool) -> None:
+        """Show or hide an overlay."""
         others = self.settings.overlays - {overlay}
-        self.change(overlays=others | {overlay} if shown else others)
+        self.change(overlays=others | {overlay} if visible else others)
 
-    def show_plot(self, plot: Plot, shown: bool) -> None:
-        """Switch a plot over t on or off."""
+    def show_plot(self, plot: Plot, visible: bool) -> None:
+        """Show or hide a plot over t."""
         others = self.settings.plots - {plot}
-        self.change(plots=others | {plot} if shown else others)
+        self.change(plots=others | {plot} if visible else others)
 
     def add_plot(self, plot: PlotData) -> None:
-        """Plot something else over the visible part of t; one of the same title gives way to it."""
+        """Add a plot over the visible part of t, in place of one of the same title."""
         self.added_plots[plot.title] = plot
         self.added.emit()
 
     def remove_plot(self, title: str) -> None:
-        """Take the added plot with this title away, if there is one."""
+        """Remove the added plot with this title, if there is one."""
         if self.added_plots.pop(title, None) is not None:
             self.added.emit()
 
-    def show_ghost(self, ghost: Ghost, shown: bool) -> None:
-        """Switch a variant of the curve on or off."""
+    def show_ghost(self, ghost: Ghost, visible: bool) -> None:
+        """Show or hide a variant of the curve."""
         others = self.settings.ghosts - {ghost}
-        self.change(ghosts=others | {ghost} if shown else others)
+        self.change(ghosts=others | {ghost} if visible else others)
 
     def note(self, notes: Mapping[Overlay, str], problem: str = "") -> None:
-        """Say something about the overlays."""
+        """Set the notes about overlays."""
         if (notes, problem) != (self.notes, self.problem):
             self.notes, self.problem = notes, problem
             self.noted.emit()

@@ -201,9 +201,9 @@ class Editor(InputDriver):
         """Return a handle that is shown: kind 1 velocity, 2 acceleration; of a selected point, or of one."""
         canvas = self.window.canvas
         handles: VisibleHandles = canvas.drawing.points.visible_handles
-        shown = canvas.pixel_map
-        facing = handles.facing(shown) if index is not None else ()
-        for handle in chain(handles.of_selected(shown), facing):
+        pixel_map = canvas.pixel_map
+        facing = handles.facing(pixel_map) if index is not None else ()
+        for handle in chain(handles.of_selected(pixel_map), facing):
             if (handle.kind, handle.ahead) == (kind, ahead) and index in (None, handle.index):
                 return handle
         raise LookupError("No such handle is shown.")
@@ -223,10 +223,10 @@ class Editor(InputDriver):
         canvas = self.window.canvas
         if canvas.marks.box is None:
             raise LookupError("No box is shown; it takes two selected points.")
-        for each, place in canvas.marks.box.grips(canvas.pixel_map.sx):
-            is_above = not canvas.marks.box.turns and each.does is TransformKind.ROTATE
-            if is_above if (x, y) == (0, 0) else (each.x, each.y, is_above) == (x, y, False):
-                return place
+        for grip, position in canvas.marks.box.grips(canvas.pixel_map.sx):
+            is_above = not canvas.marks.box.turns and grip.does is TransformKind.ROTATE
+            if is_above if (x, y) == (0, 0) else (grip.x, grip.y, is_above) == (x, y, False):
+                return position
         raise LookupError("The box has no such grip.")
 
     def type_amount(self, text: str) -> None:
@@ -269,9 +269,9 @@ class Editor(InputDriver):
         """Click a part of a row in the list of curves; `row` is the curve's place in the document."""
         self.show_dock("curvesDock")
         view = self.window.commands[CurveListCommands].panel.view
-        place = spot_rect(view.parts.row_rect(row), spot).center()
-        require_under_mouse(view.viewport(), place)
-        QTest.mouseClick(view.viewport(), _LEFT, pos=place)
+        position = spot_rect(view.parts.row_rect(row), spot).center()
+        require_under_mouse(view.viewport(), position)
+        QTest.mouseClick(view.viewport(), _LEFT, pos=position)
         self.settle()
 
     def show_dock(self, name: str) -> None:

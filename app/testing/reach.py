@@ -44,14 +44,14 @@ def require_reachable(widget: QWidget) -> None:
 def require_under_mouse(widget: QWidget, pixel: QPoint | QPointF) -> None:
     """Raise `ImpossibleError` unless the mouse can be put on this pixel of `widget`, with nothing over it."""
     require_reachable(widget)
-    place, name = QPointF(pixel).toPoint(), named(widget.parentWidget() or widget)
-    where = f"({place.x()}, {place.y()})"
-    if not widget.rect().contains(place):
+    position, name = QPointF(pixel).toPoint(), named(widget.parentWidget() or widget)
+    where = f"({position.x()}, {position.y()})"
+    if not widget.rect().contains(position):
         size = f"{widget.width()} × {widget.height()}"
         raise ImpossibleError(f"The pixel {where} lies outside {name}, which has {size}.{_BRING_IT_IN}")
-    if not widget.visibleRegion().contains(place):
+    if not widget.visibleRegion().contains(position):
         raise ImpossibleError(f"The pixel {where} of {name} is covered, or cut off.")
-    there = widget.childAt(place)
+    there = widget.childAt(position)
     if there is not None:
         raise ImpossibleError(f"At the pixel {where} of {name} lies {named(there)}.")
 

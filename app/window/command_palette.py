@@ -1,4 +1,4 @@
-"""The command palette: type a few letters of what you want, Enter does it."""
+"""Command palette: search for a command by a few letters, and run it with Enter."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _ROOT = QModelIndex()
 
 
 class Command(msgspec.Struct, frozen=True):
-    """Something that can be found: an action, and the menu path that leads to it.
+    """Entry of the palette: an action and its path in the menus.
 
     Attributes
     ----------
@@ -58,17 +58,17 @@ class Command(msgspec.Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """Name in words that stand alone."""
+        """Name of the action where its menu is not visible."""
         return full_name_of(self.action)
 
     @property
     def entry(self) -> SearchEntry:
-        """The words that it is found by."""
+        """The texts by which the search finds the command."""
         return SearchEntry(self.name, self.path, self.action.statusTip(), keywords_of(self.action))
 
 
 class CommandPalette(OverlayFrame):
-    """A search field over a list of commands, on top of another widget.
+    """Search field over a list of commands, on top of another widget.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ class CommandPalette(OverlayFrame):
     # Opening and closing
 
     def open(self) -> None:
-        """Show everything that can be done, and wait for letters."""
+        """Show all commands, with the focus in the search field."""
         self._focus_before = QApplication.focusWidget()
         self._commands = [(command, command.entry) for command in self._commands_now()]
         self._hear_of_ends()
@@ -113,7 +113,7 @@ class CommandPalette(OverlayFrame):
         self.search.setFocus(Qt.FocusReason.PopupFocusReason)
 
     def _hear_of_ends(self) -> None:
-        """Hear of each action that goes while it is listed: a menu that opens may fill itself anew."""
+        """Drop each action that is deleted while it is listed: a menu that opens may be filled again."""
         for action in (command.action for command, _ in self._commands):
             if id(action) not in self._heard:
                 self._heard.add(id(action))
@@ -129,7 +129,7 @@ class CommandPalette(OverlayFrame):
             self._model.show(left)
 
     def close_and_return(self) -> None:
-        """Close and give the focus back to where it was."""
+        """Close, and restore the focus."""
         before, self._focus_before = self._focus_before, None
         # A cell's editor is gone by now: it closes when it loses the focus.
         target = before if before is not None and isValid(before) and before.isVisible() else self.below
@@ -140,7 +140,7 @@ class CommandPalette(OverlayFrame):
 
     @property
     def found(self) -> list[str]:
-        """The names of the commands listed now, best first."""
+        """Names of the listed commands, best first."""
         return [command.name for command in self._model.commands]
 
     def _look_up(self, typed: str) -> None:
@@ -153,7 +153,7 @@ class CommandPalette(OverlayFrame):
         self.place()
 
     def step(self, rows: int) -> None:
-        """Go up or down in the list; at its ends to the other end."""
+        """Move the selection up or down; single steps wrap around at the ends."""
         count = self._model.rowCount()
         if not count:
             return
@@ -162,7 +162,7 @@ class CommandPalette(OverlayFrame):
         self.list.setCurrentIndex(self._model.index(row, 0))
 
     def run_current(self) -> None:
-        """Do what is marked in the list."""
+        """Run the selected command."""
         self._run(self.list.currentIndex())
 
     def _run(self, index: QModelIndex) -> None:
@@ -179,7 +179,7 @@ class CommandPalette(OverlayFrame):
         command.action.trigger()
 
     def place(self) -> None:
-        """Lie at the top, in the middle, as high as the list needs and there is room."""
+        """Move to the top centre of the widget, as high as the list needs and the room allows."""
         below = self.below
         width = min(_WIDEST, below.width() - 2 * _TOP)
         rows = min(self._model.rowCount(), _ROWS, max((below.height() - 90) // _ROW_HEIGHT, 3))
@@ -196,21 +196,21 @@ class CommandPalette(OverlayFrame):
 
 
 def _ranked(commands: Sequence[tuple[Command, SearchEntry]], typed: str) -> list[Command]:
-    """Return the commands that fit, the best first, those of no use now behind the others."""
-    places = ranked(typed, [entry for _, entry in commands]) if typed.strip() else range(len(commands))
-    found = [commands[place][0] for place in places]
-    return sorted(found, key=lambda command: not command.action.isEnabled())
+    """Return the matching commands, best first, disabled ones last."""
+    order = ranked(typed, [entry for _, entry in commands]) if typed.strip() else range(len(commands))
+    matching = [commands[index][0] for index in order]
+    return sorted(matching, key=lambda command: not command.action.isEnabled())
 
 
 class _CommandModel(SafeOverrides, QAbstractListModel):
-    """The commands found; made anew at every letter, so it holds nothing but a list."""
+    """List model of the matching commands."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.commands: Sequence[Command] = ()
 
     def show(self, commands: Sequence[Command]) -> None:
-        """List these commands."""
+        """Show these commands."""
         self.beginResetModel()
         self.commands = commands
         self.endResetModel()
@@ -228,7 +228,7 @@ class _CommandModel(SafeOverrides, QAbstractListModel):
 
 
 class _SearchField(SafeOverrides, QLineEdit):
-    """The field; the keys that walk a list are the list's."""
+    """Search field that passes arrow keys, Enter and Escape on to the palette."""
 
     def __init__(self, palette: CommandPalette) -> None:
         super().__init__(palette)
@@ -271,7 +271,7 @@ def _command_list() -> QListView:
 
 
 class _CommandDelegate(SafeOverrides, QStyledItemDelegate):
-    """Draws icon, name, menu path and keys of a command; muted where it is of no use now."""
+    """Delegate that paints icon, name, menu path and keys of a command, muted where it is disabled."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
         return QSize(200, _ROW_HEIGHT)
@@ -305,16 +305,16 @@ class _CommandDelegate(SafeOverrides, QStyledItemDelegate):
 
     @staticmethod
     def _write(painter: QPainter, room: QRect, text: str, *, right: bool = False) -> int:
-        """Write on one line, keep what was taken at the right free, and return the width."""
+        """Write text on one line and return its width; text at the right reduces the room."""
         width = painter.fontMetrics().horizontalAdvance(text)
         side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
-        shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room.width())
-        painter.drawText(room, int(side | Qt.AlignmentFlag.AlignVCenter), shown)
+        elided = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room.width())
+        painter.drawText(room, int(side | Qt.AlignmentFlag.AlignVCenter), elided)
         if right and text:
             room.setRight(room.right() - width - 12)
         return width
 
 
 def _checked_name(command: Command) -> str:
-    """Return the name, with a tick where the action is a switch that is on."""
+    """Return the name, with a check mark for a switch that is on."""
     return f"{command.name}  ✓" if command.is_on else command.name

@@ -28,18 +28,18 @@ from .messages import Messages
 from .window_commands import FocusCommands, ProgramCommands
 
 COMMAND_SETS: tuple[type, ...] = (FocusCommands, *command_sets(), ProgramCommands)
-"""All command sets. Actions in a section of a menu, and tabs, stand in the order of their sets here."""
+"""All command sets, in the order of their actions in menu sections, and of their tabs."""
 
 _Set = TypeVar("_Set")
 
 
 def all_actions() -> tuple[Action, ...]:
     """Return all actions of a window, in the order of the menus."""
-    return tuple(each.action for each in all_declared(COMMAND_SETS))
+    return tuple(declared.action for declared in all_declared(COMMAND_SETS))
 
 
 class Commands:
-    """All commands of one window.
+    """Command sets of one window, connected to its actions and hooks.
 
     Attributes
     ----------
@@ -66,8 +66,8 @@ class Commands:
         context.analysis.added.connect(self.wake)
         for dock in context.docks.all:
             dock.visibilityChanged.connect(self.wake)
-        for each in self._sets.values():
-            context.actions.bind(each, self._run)
+        for commands in self._sets.values():
+            context.actions.bind(commands, self._run)
 
     def _hooks(self, name: str) -> list[Callable[..., object]]:
         return hooks(self._sets.values(), name)
@@ -78,7 +78,7 @@ class Commands:
         return commands
 
     def _run(self, action: Action, handler: Callable[[], object], _checked: bool = False) -> None:
-        """Carry out an action; one that could change the document does not find a gesture's preview there."""
+        """Run an action, after cancelling a gesture in flight where the action may change the document."""
         if action.interrupts:
             self._context.cancel_gesture()
         if action.field:
@@ -89,32 +89,34 @@ class Commands:
         self.wake()
 
     def widgets(self) -> dict[BarPosition, ToolbarWidget]:
-        """Return what stands in the toolbar besides actions."""
-        return dict(pair for kind, each in self._sets.items() for pair in declared_widgets(kind, each))
+        """Return the widgets of the toolbar by position."""
+        return dict(
+            pair for kind, commands in self._sets.items() for pair in declared_widgets(kind, commands)
+        )
 
     def follow_scrub(self, t: float | None) -> None:
-        """Show whether there is a scrub line; where it stands is no matter of actions."""
+        """Update panels, and actions where the scrub line has appeared or disappeared."""
         self.wake()
         if (t is not None) != self._had_scrub:
             self._had_scrub = t is not None
             self._context.actions.render()
 
     def attempt(self, handler: Callable[[], object]) -> None:
-        """Do something; where it is refused, say why."""
+        """Call `handler`, and show the reason of an `EditError` in the status line."""
         try:
             handler()
         except EditError as reason:
             self._context.session.refuse(str(reason))
 
     def escape(self) -> None:
-        """Take a gesture back, or go to the canvas from a panel, or else step back."""
+        """Cancel a gesture, or else return from a panel to the canvas, or else step back."""
         if self._context.cancel_gesture() or self[FocusCommands].back_to_canvas():
             return
         # Those of features that stand further down come first; one that returns true has taken the key.
         any(escape() for escape in reversed(self._hooks("escape")))
 
     def build_dock(self, name: str, *parent: QWidget) -> QWidget:
-        """Return what stands in a dock; called when the window is built, or when it is first shown."""
+        """Build the panel of a dock, when the window is built or when the dock is first shown."""
         return next(
             build(commands, *parent)
             for kind, commands in self._sets.items()
@@ -123,45 +125,45 @@ class Commands:
         )
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         for set_theme in self._hooks("set_theme"):
             set_theme(theme)
 
     def close(self) -> None:
-        """Let what runs beside the window end; called before the window goes."""
+        """End background work, before the window is destroyed."""
         for close in self._hooks("close"):
             close()
         close_all(self._context.window.findChildren(TaskOwner))
 
     def follow_drag(self, view: CurveView) -> None:
-        """Show what follows a drag frame by frame."""
+        """Call the hooks `follow_drag`, and remember those that have something to show."""
         asked = self._following
         following = [follow for follow in asked if follow(view)]
         if self._following is asked:
             self._following = following
 
     def wake(self, *_changed: object) -> None:
-        """Ask all again who show what follows a drag: they may have something to show by now."""
+        """Call all hooks `follow_drag` again: they may have something to show now."""
         self._following = [*self._follow]
 
     def show_document(self) -> None:
-        """Show what a document has beside its curves."""
+        """Call the hooks `show_document`."""
         for show in self._show_document:
             show()
 
     def render_panels(self, view: CurveView) -> None:
-        """Show in panels, and in the line on the canvas, what there is with `view`."""
+        """Call the hooks `render_panel`, and update the message on the canvas."""
         for render in self._render:
             render(view)
         self.messages.render(view)
 
 
 _PANELS_MS = 100
-"""Lag of the panels behind a drag, in milliseconds; the canvas and the functions have none."""
+"""Delay of the panels during a drag, in milliseconds; canvas and basis functions have none."""
 
 
 class Rendering(QObject):
-    """Shows what a session has, now and whenever it tells of a change."""
+    """Rendering of a session in the parts of its window, at each change."""
 
     def __init__(self, context: WindowContext, commands: Commands) -> None:
         super().__init__(context.window)
@@ -201,7 +203,7 @@ class Rendering(QObject):
         if not session.is_previewing:
             view.settle()
         self._canvas.drawing.render_view(view)
-        if self._rests_but_for_edited():
+        if self._differs_in_active_points():
             self._canvas.drawing.follow_drag(views)
         else:
             self._render_others()
@@ -217,8 +219,8 @@ class Rendering(QObject):
         if not self._panels_due.isActive():
             self._panels_due.start()
 
-    def _rests_but_for_edited(self) -> bool:
-        """Whether only points of the curve that is edited are others than are drawn, as under a drag."""
+    def _differs_in_active_points(self) -> bool:
+        """Return whether only points of the active curve differ from the drawn document, as during a drag."""
         document, active = self._session.document, self._session.active_index
         drawn, self._drawn = self._drawn, (document, active)
         if drawn is None or drawn[1] != active:
@@ -226,7 +228,7 @@ class Rendering(QObject):
         return reshaped_curves(drawn[0], document) in ([], [active])
 
     def _render_rest(self) -> None:
-        """Render what need not follow a drag frame by frame, when all is told of which there is news."""
+        """Render actions and panels at the end of the current batch of changes."""
         self._context.actions.follow()
         self._session.batch.then(self._render_panels)
 
@@ -239,7 +241,7 @@ class Rendering(QObject):
         self._render_commands()
 
     def _render_others(self) -> None:
-        """Draw all curves but the edited one, at the end of a step: it may choose others more than once."""
+        """Draw all curves but the edited one, once at the end of a batch of changes."""
         self._session.batch.then(self._draw_others)
 
     def _draw_others(self) -> None:
@@ -255,7 +257,7 @@ class Rendering(QObject):
         self._render_commands()
 
     def _render_commands(self) -> None:
-        """Check and enable actions; those of a document that the panels do not show yet, together with it."""
+        """Render actions and panels, unless the document is about to be rendered anyway."""
         if self._session.batch or self._session.active_view is self._rendered:
             self._render_rest()
 

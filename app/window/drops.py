@@ -16,20 +16,20 @@ from ..workbench.context import WindowContext, hooks
 from .given_files import GivenFiles, given_files
 
 MOST_WINDOWS = 12
-"""Documents that one drop opens; whoever drops a whole folder's content did not mean a hundred windows."""
+"""Largest number of documents that one drop opens: not a hundred windows for the content of a folder."""
 
 OpenWindow = Callable[[Path], None]
 
 
 def dropped(event: QDropEvent) -> GivenFiles:
-    """Return what is dragged."""
+    """Return the dragged files."""
     urls = event.mimeData().urls()
     paths = (Path(url.toLocalFile()) for url in urls if url.isLocalFile())
     return given_files(paths, elsewhere=sum(not url.isLocalFile() for url in urls))
 
 
 def accepted(event: QDropEvent) -> GivenFiles | None:
-    """Accept a drag of files as a copy and return them; None where there are none or they must be moved.
+    """Accept a drag of files as a copy and return them; None without files, or where only a move is possible.
 
     Whoever answers "move" makes the file manager delete what was dragged.
     """
@@ -44,7 +44,7 @@ def accepted(event: QDropEvent) -> GivenFiles | None:
 
 
 class Drops:
-    """Takes all files of a drop, and says which it did not take.
+    """Handler of dropped files and drawings; it reports files that are not used.
 
     Attributes
     ----------
@@ -63,7 +63,7 @@ class Drops:
         self.open_window: OpenWindow | None = None
 
     def take(self, files: GivenFiles, problems: Iterable[str] = ()) -> None:
-        """Open the documents, import what is to be imported, one after the other, and trace a picture.
+        """Open documents, import files one after the other, and trace a picture.
 
         What was wrong with other files, `problems`, is said together with what is left out.
         """
@@ -82,13 +82,13 @@ class Drops:
         event.accept()
         return True
 
-    def take_drawing(self, event: QDropEvent, place: Vector) -> None:
+    def take_drawing(self, event: QDropEvent, position: Vector) -> None:
         """Add the curves of an accepted drag at a place."""
         for paste in self._paste:
-            paste(event.mimeData(), place)
+            paste(event.mimeData(), position)
 
     def _add(self, files: GivenFiles, left: list[str]) -> None:
-        """Import and trace what was given, and say what was `left` out, and why."""
+        """Import and trace files, and report those `left` out with the reasons."""
         if others := self._context.files.trace(files.pictures):
             left.append(others)
         if files.elsewhere:
@@ -99,7 +99,7 @@ class Drops:
             self._context.central.message_bar.warn(" ".join(left))
 
     def _open(self, documents: tuple[Path, ...]) -> list[str]:
-        """Open the first document here and the others beside it; return what was left out, and why."""
+        """Open the first document here and the others in new windows; return reports of those left out."""
         files = self._context.files
         if len(documents) < 2:
             for path in documents:

@@ -33,14 +33,16 @@ def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
 
     Letters that are only scattered over a name count where no name has them in one piece.
     """
-    rated = [(fit, place) for place, each in enumerate(things) if (fit := fitness(typed, *each)) is not None]
-    if any(_is_whole(typed, things[place]._replace(tip="")) for _, place in rated):
-        rated = [(fit, place) for fit, place in rated if _is_whole(typed, things[place])]
-    return [place for _, place in sorted(rated, key=lambda pair: -pair[0])]
+    rated = [
+        (fit, index) for index, thing in enumerate(things) if (fit := fitness(typed, *thing)) is not None
+    ]
+    if any(_is_whole(typed, things[index]._replace(tip="")) for _, index in rated):
+        rated = [(fit, index) for fit, index in rated if _is_whole(typed, things[index])]
+    return [index for _, index in sorted(rated, key=lambda pair: -pair[0])]
 
 
 def fitness(typed: str, name: str, path: str = "", tip: str = "", keywords: str = "") -> float | None:
-    """Return how well `typed` fits; None where it does not.
+    """Return the score of `typed` for an entry; None for no match.
 
     Every word typed must be found: in the name, or where a word of the path, the tip or the keywords begins.
     """
@@ -64,7 +66,7 @@ def _is_whole(typed: str, thing: SearchEntry) -> bool:
 
 
 def _fitness_of(word: str, name: str, path: str, tip: str, keywords: str) -> float:
-    """Return how well a word fits in one piece, by one of its names; 0 where it does not."""
+    """Return the score of a word as a substring; 0 for no match."""
     others = [_word_fitness(other, name.casefold()) for other in _ALSO_CALLED.get(word, ())]
     return max(
         _word_fitness(word, name.casefold()),
@@ -94,15 +96,15 @@ def _scattered_in(word: str, text: str) -> float:
 
 def _scattered(word: str, text: str, start: int) -> float:
     """Rate the letters of `word` found in order from `start` on; gaps cost, beginnings of words are free."""
-    score, place = _SCATTERED, start
+    score, index = _SCATTERED, start
     for letter in word[1:]:
-        following = text.find(letter, place + 1)
+        following = text.find(letter, index + 1)
         if following < 0:
             return 0.0
-        initial = text.find(f" {letter}", place) + 1
-        if initial > 0 and following != place + 1:
+        initial = text.find(f" {letter}", index) + 1
+        if initial > 0 and following != index + 1:
             following = initial
-        elif following != place + 1:
-            score -= 3.0 + (following - place)
-        place = following
+        elif following != index + 1:
+            score -= 3.0 + (following - index)
+        index = following
     return score if score >= _LEAST_SCATTERED else 0.0

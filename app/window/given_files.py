@@ -1,4 +1,4 @@
-"""Files that somebody hands over, dropped or on the command line, by what is done with them. No Qt."""
+"""Files dropped on a window or given on the command line, sorted by their use. No Qt."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..storage.files import IMAGE_SUFFIXES
 
 @dataclass(frozen=True)
 class GivenFiles:
-    """Files, by what is done with them.
+    """Files sorted by their use: opened, imported or traced.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class GivenFiles:
 
     @property
     def invitation(self) -> str:
-        """A sentence about the effect of a drop; of several pictures the first is traced."""
+        """Sentence about the effect of a drop; only the first of several pictures is traced."""
         kinds = (
             ("open", "document", self.documents),
             ("import", "file", self.imports),
@@ -43,7 +43,7 @@ class GivenFiles:
 
 
 def given_files(paths: Iterable[Path], *, elsewhere: int = 0) -> GivenFiles:
-    """Return files by what is done with them; what is neither imported nor traced is to be a document."""
+    """Return files sorted by their use; files of unknown formats are opened as documents."""
     paths = list(dict.fromkeys(paths))
     pictures = tuple(path for path in paths if path.suffix.lower() in IMAGE_SUFFIXES)
     imports = tuple(path for path in paths if can_import(path))

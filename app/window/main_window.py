@@ -44,7 +44,7 @@ from .window_commands import FocusCommands
 
 
 class MainWindow(SafeOverrides, QMainWindow):
-    """One document in one window.
+    """Window of one document.
 
     Attributes
     ----------
@@ -119,7 +119,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         self.setCentralWidget(central.splitter)
         self.splitter, self.canvas, self.message_bar = central.splitter, central.canvas, central.message_bar
         self.central = central
-        panels = [panel for each in self._command_sets for panel, _build in declared_panels(each)]
+        panels = [panel for commands in self._command_sets for panel, _build in declared_panels(commands)]
         docks = Docks(self, panels, self._build_dock)
         self.status_line = StatusLine(self)
         self.setStatusBar(self.status_line)
@@ -142,7 +142,7 @@ class MainWindow(SafeOverrides, QMainWindow):
 
     @property
     def point_table(self) -> QTableView:
-        """The numbers of the points."""
+        """The table of points."""
         table = self.findChild(QTableView, "pointTable")
         assert table is not None
         return table
@@ -155,7 +155,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         session.interrupted.connect(self.status_line.reset)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
-        self.canvas.pointed_at.connect(self.status_line.readouts.show_place)
+        self.canvas.pointed_at.connect(self.status_line.readouts.show_position)
         FieldShortcuts(self)
         self.menus.fill_with_files(self.preferences, files.open_beside, files.open_example)
         ends = (files.remember_rules, files.release, self.commands.close)
@@ -170,7 +170,7 @@ class MainWindow(SafeOverrides, QMainWindow):
             self._render_theme()
 
     def open_file(self, path: Path) -> None:
-        """Open a document, or say why not."""
+        """Open a document, or show the reason why not."""
         self.context.files.open(path)
 
     def ask_before_closing(self) -> None:
@@ -241,9 +241,9 @@ class MainWindow(SafeOverrides, QMainWindow):
         if files is not None:
             self.commands.drops.take(files)
         elif self.commands.drops.accepts_drawing(event):
-            self.commands.drops.take_drawing(event, self._place_of(event))
+            self.commands.drops.take_drawing(event, self._position_of(event))
 
-    def _place_of(self, event: QDropEvent) -> Vector:
+    def _position_of(self, event: QDropEvent) -> Vector:
         return self.canvas.to_plane(self.canvas.viewport().mapFrom(self, event.position().toPoint()))
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -261,11 +261,11 @@ class MainWindow(SafeOverrides, QMainWindow):
 
 _SIZE = QSize(1280, 860)
 _LEAST = QSize(200, 150)
-"""Smaller than any window that a person would have left."""
+"""Smallest plausible size of a saved window."""
 
 
 def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Preferences) -> None:
-    """Lay the window out as the preferences remember it; what is no layout is refused, and said so.
+    """Restore the layout from the preferences; an invalid one is refused with a message.
 
     A place that is on no screen (any more) is not worth a word: the window opens at its usual size.
     """
@@ -289,28 +289,28 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
 
 
 def first_size(screen: QScreen) -> QSize:
-    """Return how large the first window is: with its frame it fits the screen."""
+    """Return the size of the first window, which fits the screen with its frame."""
     return _SIZE.boundedTo(room_on(screen)).expandedTo(_LEAST)
 
 
 def floating_docks(window: QMainWindow) -> list[QDockWidget]:
-    """Return the docks that are windows of their own and not put away."""
+    """Return the floating docks that are not hidden."""
     return [dock for dock in window.findChildren(QDockWidget) if dock.isFloating() and not dock.isHidden()]
 
 
 def hide_floating(window: QMainWindow) -> None:
-    """Let undocked docks go with their window; Qt leaves them on the screen while another one is open."""
+    """Hide floating docks with their window; Qt leaves them on the screen while another window is open."""
     for dock in floating_docks(window):
         dock.hide()
 
 
 def when_first_shown(window: QMainWindow, act: Callable[[], None]) -> None:
-    """Do something when the window stands on the screen for the first time and has its size."""
+    """Call `act` when the window is shown for the first time and has its size."""
     _FirstShow(window, act)
 
 
 class _FirstShow(SafeOverrides, QObject):
-    """Waits for a window to be shown."""
+    """Event filter that waits until a window is first shown."""
 
     def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:
         super().__init__(window)
@@ -331,7 +331,7 @@ class _FirstShow(SafeOverrides, QObject):
 
 
 def _lift(window: QMainWindow) -> None:
-    """Lift undocked docks over the window.
+    """Raise floating docks above the window.
 
     Restored before the window is there, they come to lie behind it, where nobody finds them. Raising is not
     enough: only a dock that is shown after the window belongs to it.

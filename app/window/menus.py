@@ -50,14 +50,14 @@ class Menus:
         self._actions = actions
         self._window = window
         self._submenus: dict[tuple[Menu, str], QMenu] = {}
-        self._places: dict[MenuSection, QMenu] = {}
+        self._menu_of_section: dict[MenuSection, QMenu] = {}
         titles = with_mnemonics([menu.title for menu in MENUS])
         for menu, marked in zip(MENUS, titles, strict=True):
             self._fill(window.menuBar().addMenu(marked), menu)
         self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
         # A tooltip tells why an entry cannot be used.
         for section in (POINTS_KINDS, CURVE_CONVERT):
-            self._places[section].setToolTipsVisible(True)
+            self._menu_of_section[section].setToolTipsVisible(True)
         self._submenu(CURVE_CONVERT).aboutToShow.connect(lambda: actions.open_section(CURVE_CONVERT))
         actions.redeclared.connect(self._follow_actions)
 
@@ -66,19 +66,19 @@ class Menus:
 
     def _fill(self, bar_menu: QMenu, menu: Menu) -> None:
         for section in menu.sections:
-            place, actions = self._place_of(section, bar_menu), self._actions.in_section(section)
-            self._places[section] = place
-            if actions and section.is_separated and not place.isEmpty():
-                place.addSeparator()
-            place.addActions(actions)
+            target, actions = self._menu_for(section, bar_menu), self._actions.in_section(section)
+            self._menu_of_section[section] = target
+            if actions and section.is_separated and not target.isEmpty():
+                target.addSeparator()
+            target.addActions(actions)
 
     def _follow_actions(self) -> None:
-        """Put in what has come; what is gone has left by itself."""
-        for section, place in self._places.items():
-            put_in(place, self._actions.in_section(section))
+        """Insert the new actions; removed ones have left their menus already."""
+        for section, menu in self._menu_of_section.items():
+            put_in(menu, self._actions.in_section(section))
 
-    def _place_of(self, section: MenuSection, menu: QMenu) -> QMenu:
-        """Return the menu of a section; a submenu is made with its first one."""
+    def _menu_for(self, section: MenuSection, menu: QMenu) -> QMenu:
+        """Return the menu of a section; a submenu is created with its first section."""
         title, key = section.submenu, (section.menu, section.submenu)
         if title and key not in self._submenus:
             if section.is_separated:
@@ -88,7 +88,7 @@ class Menus:
         return self._submenus[key] if title else menu
 
     def fill_with_panels(self, docks: Sequence[QDockWidget]) -> None:
-        """Offer every dock to be shown or dismissed."""
+        """Add an entry for each dock, to show or hide it."""
         for dock in docks:
             action = dock.toggleViewAction()
             action.setObjectName(f"{dock.objectName()}Shown")
@@ -102,7 +102,7 @@ class Menus:
         open_file: Callable[[Path], object],
         open_example: Callable[[Path], object],
     ) -> None:
-        """Offer the files that were open lately, and the examples."""
+        """Fill the menus of recent files and of examples."""
         self.recent.aboutToShow.connect(lambda: self._fill_recent(preferences, open_file))
         for path in example_paths():
             name = path.name.removesuffix(".curve.json")
@@ -136,13 +136,13 @@ class Menus:
             action.setText(menu_text(example_name(path)))
 
 
-def put_in(place: QWidget, actions: Sequence[QAction]) -> None:
+def put_in(widget: QWidget, actions: Sequence[QAction]) -> None:
     """Put those of some actions that a menu or a toolbar does not have behind the ones before them."""
     for before, action in pairwise(actions):
-        there = place.actions()
-        if action not in there:
-            at = there.index(before) + 1
-            place.insertAction(there[at] if at < len(there) else None, action)  # type: ignore[arg-type]
+        present = widget.actions()
+        if action not in present:
+            at = present.index(before) + 1
+            widget.insertAction(present[at] if at < len(present) else None, action)  # type: ignore[arg-type]
 
 
 def _add_file(menu: QMenu, path: Path, title: str, name: str) -> QAction:
@@ -158,7 +158,7 @@ def _name_panel(action: QAction, title: str) -> None:
 
 
 class ContextMenus:
-    """Menus of a point, of a curve, of what is chosen and of the canvas."""
+    """Context menus of a point, of a curve, of selected curves and of the canvas."""
 
     def __init__(
         self,
@@ -167,15 +167,15 @@ class ContextMenus:
         attempt: Callable[[Callable[[], object]], None],
     ) -> None:
         self._context, self._attempt = context, attempt
-        self._at_place = [
-            pair for kind, each in command_sets.items() for pair in position_actions(kind, each)
+        self._at_position = [
+            pair for kind, commands in command_sets.items() for pair in position_actions(kind, commands)
         ]
         context.central.canvas.menu_requested.connect(self._open_on_canvas)
 
-    def _open_on_canvas(self, hit: Hit | None, place: QPoint) -> None:
+    def _open_on_canvas(self, hit: Hit | None, position: QPoint) -> None:
         session = self._context.session
         if hit is not None and hit.curve >= 0:
-            hit = self._as_own(hit)
+            hit = self._on_active_curve(hit)
         if hit is not None and hit.part is Part.OTHER_CURVE:
             # One of those that are selected leaves them selected: the menu is about all.
             selected = session.selected.marked
@@ -183,43 +183,43 @@ class ContextMenus:
                 session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
             else:
                 session.selected.choose(pressed_curves(session.document, hit.index, session.selected.state))
-            self._open_on_edited(place)
+            self._open_on_edited(position)
         elif hit is not None and hit.part is Part.CURVE:
-            self._curve_menu(hit.t).popup(place)
+            self._curve_menu(hit.t).popup(position)
         elif hit is not None and hit.part is not Part.GUIDE:
             if hit.index not in session.selection:
                 session.selected.set_points([hit.index])
-            bar_menu(self._context, POINT_MENU).popup(place)
+            bar_menu(self._context, POINT_MENU).popup(position)
         else:
-            bar_menu(self._context, CANVAS_MENU).popup(place)
+            bar_menu(self._context, CANVAS_MENU).popup(position)
 
-    def _as_own(self, hit: Hit) -> Hit:
-        """Make the curve of a point or handle the active one; one that was chosen whole is meant whole."""
+    def _on_active_curve(self, hit: Hit) -> Hit:
+        """Activate the curve of a point or handle; a curve that is selected as a whole stays so."""
         selected = self._context.session.selected
         if hit.curve in selected.chosen and hit.index not in selected.group.of(hit.curve):
             return replace(hit, part=Part.OTHER_CURVE, index=hit.curve)
         selected.go_to(hit.curve)
         return hit.as_own
 
-    def _open_on_edited(self, place: QPoint) -> None:
-        """Open the menu for a place on the curve that the right button has made the one edited."""
-        hit = self._context.central.canvas.hit_at(place)
+    def _open_on_edited(self, position: QPoint) -> None:
+        """Open the menu at a position on the curve that the right button has activated."""
+        hit = self._context.central.canvas.hit_at(position)
         is_alone = len(self._context.session.selected.curves) == 1
         if hit is not None and hit.part is not Part.OTHER_CURVE and (is_alone or hit.part is Part.CURVE):
-            self._open_on_canvas(hit, place)
+            self._open_on_canvas(hit, position)
         else:
-            self._open_on_curves(place)
+            self._open_on_curves(position)
 
-    def _open_on_curves(self, place: QPoint) -> None:
-        """Open the menu of what is chosen as a whole; of a curve that is edited, its own."""
+    def _open_on_curves(self, position: QPoint) -> None:
+        """Open the menu of the selected curves, or of the edited curve."""
         is_whole = bool(self._context.session.selected.chosen)
-        bar_menu(self._context, WHOLES_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(place)
+        bar_menu(self._context, WHOLES_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(position)
 
     def _curve_menu(self, t: float) -> QMenu:
-        """Return the menu for a place on the active curve."""
+        """Return the menu for a position on the active curve."""
         menu = bar_menu(self._context, CURVE_MENU)
         top = menu.actions()[0]
-        for entry, act in self._at_place:
+        for entry, act in self._at_position:
             known = self._context.actions[entry.like]
             here = menu.addAction(known.icon(), entry.text)
             here.setObjectName(entry.name)

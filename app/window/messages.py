@@ -1,4 +1,4 @@
-"""The line on the canvas: what is wrong, what can be done about it, what to do first, or a greeting."""
+"""Message on the canvas: a problem with its remedy, an offer, a first step, or a greeting."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ..workbench.context import WindowContext
 
 _GREETING = "Drag a point and watch its basis functions below. {} adds points, {} shows all keys."
 _EMPTY = "Press P, then click on the canvas to add points. Two points make a curve."
-_BEGINNINGS = frozenset(each.empty_message or _EMPTY for each in TOOLS)
+_BEGINNINGS = frozenset(tool.empty_message or _EMPTY for tool in TOOLS)
 
 
 class Messages(QObject):
-    """Keeps the line in step with the active curve.
+    """Messages of the bar on the canvas, in step with the active curve.
 
     A sentence that was dismissed stays away as long as there is nothing else to say.
     """
@@ -41,7 +41,7 @@ class Messages(QObject):
         self._session.history_changed.connect(self._reset_greeting)
 
     def _dismiss(self, text: str) -> None:
-        """Say it once: the panel of the image goes on saying it, and the greeting is for the first start."""
+        """Remember a dismissed message."""
         self._dismissed = text
         if text == self._image_problem:
             self._image_problem = ""
@@ -60,7 +60,7 @@ class Messages(QObject):
         self.render(self._session.active_view)
 
     def offer(self, text: str, actions: Sequence[QAction]) -> None:
-        """Say what has happened, with a button for each action, until the document is another one.
+        """Show a message with a button for each action, until another document is opened.
 
         Without a text, what was said so has been done.
         """
@@ -68,7 +68,7 @@ class Messages(QObject):
         self.render(self._session.active_view)
 
     def greet(self) -> None:
-        """Show the hint of the first start, until it is put away or something has been done."""
+        """Show the hint of the first start, until it is dismissed or something has been done."""
         self._greeting = _GREETING.format(*map(key_or_name, self._first_actions))
         self.render(self._session.active_view)
 
@@ -85,7 +85,7 @@ class Messages(QObject):
             self.render(self._session.active_view)
 
     def render(self, view: CurveView) -> None:
-        """Show what `view` needs said."""
+        """Show the most urgent message about `view`."""
         text, warns = self._sentence(view)
         if text != self._dismissed:
             self._dismissed = ""
@@ -94,12 +94,12 @@ class Messages(QObject):
         elif self._offered is not None and text == self._offered[0]:
             self._bar.offer(*self._offered)
         elif warns:
-            self._bar.warn(text, self._way_out(view, text))
+            self._bar.warn(text, self._remedy(view, text))
         else:
             self._bar.tell(text)
 
-    def _way_out(self, view: CurveView, text: str) -> QAction | None:
-        """Return what would help against what is wrong."""
+    def _remedy(self, view: CurveView, text: str) -> QAction | None:
+        """Return the action that solves a problem; None where there is none."""
         if text == self._image_problem:
             return self._find_image
         kind = view.source.parametrization.kind
@@ -108,7 +108,7 @@ class Messages(QObject):
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
-        """Return the sentence while there is no curve, and whether it is a warning."""
+        """Return the message while there is no curve, and whether it is a warning."""
         if len(view.points):
             # After the first point the status line says what comes next; here it would cover the drawing.
             return "", False
@@ -121,7 +121,7 @@ class Messages(QObject):
         return (state.uses(state.tool) and state.tool.empty_message) or _EMPTY, False
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
-        """Return the most urgent sentence, empty for none, and whether it is a warning."""
+        """Return the most urgent message, empty for none, and whether it is a warning."""
         if len(view.points) < 2:
             return self._before_a_curve(view)
         if view.problem:

@@ -34,7 +34,7 @@ from .fuzzy import SearchEntry, ranked
 
 
 class PreferencesDialog(FittedDialog):
-    """A window with the settings that have a label.
+    """Dialog with the settings that have a label, and the editor of shortcuts.
 
     Signals
     -------
@@ -81,7 +81,7 @@ class PreferencesDialog(FittedDialog):
         return page
 
     def show_values(self) -> None:
-        """Show what the preferences hold."""
+        """Show the values of the preferences."""
         for name, field in self._fields.items():
             field.show(getattr(self._preferences, name))
         values = self._preferences.tool_settings
@@ -90,7 +90,7 @@ class PreferencesDialog(FittedDialog):
         self.shortcuts.show_all()
 
     def show_shortcuts(self) -> None:
-        """Turn to the keys."""
+        """Show the tab of shortcuts."""
         self.tabs.setCurrentWidget(self.shortcuts)
         self.shortcuts.search.setFocus()
 
@@ -112,7 +112,7 @@ _HEADERS = ("Action", "Keys", "Menu")
 
 
 class ShortcutEditor(SafeOverrides, QWidget):
-    """A table of actions and keys; what is recorded there is in force at once.
+    """Table of actions and keys; recorded keys are in effect at once.
 
     Keys that another action has are not taken from it until the person says so.
     """
@@ -189,7 +189,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
         return str(self._item(row, 0).data(_NAME))
 
     def show_all(self) -> None:
-        """Show all actions, whatever was looked for the last time."""
+        """Show all actions, without a search."""
         if self.search.text():
             self.search.clear()
             self._filter()
@@ -198,32 +198,32 @@ class ShortcutEditor(SafeOverrides, QWidget):
         typed, rows = self.search.text(), range(self.table.rowCount())
         things = [SearchEntry(self._item(row, 0).text(), self._item(row, 2).text()) for row in rows]
         keys = [row for row in rows if typed.casefold() in self._item(row, 1).text().casefold()]
-        found = list(dict.fromkeys([*ranked(typed, things), *keys])) if typed.strip() else list(rows)
+        matching = list(dict.fromkeys([*ranked(typed, things), *keys])) if typed.strip() else list(rows)
         header = self.table.verticalHeader()
-        for place, row in enumerate([*found, *sorted(set(rows) - set(found))]):
-            header.moveSection(header.visualIndex(row), place)
-            self.table.setRowHidden(row, place >= len(found))
+        for position, row in enumerate([*matching, *sorted(set(rows) - set(matching))]):
+            header.moveSection(header.visualIndex(row), position)
+            self.table.setRowHidden(row, position >= len(matching))
         if typed.strip() or self.table.isRowHidden(self.table.currentRow()):
             self._select_first()
 
     def _select_first(self) -> None:
-        rows = [row for row in self.shown if not self.table.isRowHidden(row)]
+        rows = [row for row in self.displayed_rows if not self.table.isRowHidden(row)]
         if rows:
             self.table.setCurrentCell(rows[0], 1)
 
     @property
-    def shown(self) -> list[int]:
-        """The rows of the table in the order in which they stand, the hidden ones last."""
+    def displayed_rows(self) -> list[int]:
+        """Rows of the table in displayed order, hidden ones last."""
         header = self.table.verticalHeader()
-        return [header.logicalIndex(place) for place in range(self.table.rowCount())]
+        return [header.logicalIndex(position) for position in range(self.table.rowCount())]
 
     @property
     def current(self) -> str:
-        """The name of the action whose keys can be recorded now."""
+        """Name of the selected action."""
         return self._name_at(max(self.table.currentRow(), 0))
 
     def choose(self, name: str) -> None:
-        """Go to an action."""
+        """Select an action."""
         for row in range(self.table.rowCount()):
             if self._name_at(row) == name:
                 self.table.setCurrentCell(row, 1)
@@ -282,8 +282,8 @@ class ShortcutEditor(SafeOverrides, QWidget):
 
     def _reset(self) -> None:
         name = self.current
-        taken = {self._keymap.owner_of(key) for key in self._keymap.default_keys(name)} - {None, name}
-        names = " and ".join(self._keymap.bindings[owner].text for owner in taken if owner is not None)
+        owners = {self._keymap.owner_of(key) for key in self._keymap.default_keys(name)} - {None, name}
+        names = " and ".join(self._keymap.bindings[owner].text for owner in owners if owner is not None)
         self._keymap.reset(name)
         if names:
             self._warn(f"Keys were removed from {names}.")

@@ -17,20 +17,20 @@ from .menus import put_in
 
 
 class ChoicesMenu(SafeOverrides, QMenu):
-    """Menu of switches: a click or Space on one leaves it open; Escape closes it."""
+    """Menu of switches that stays open after a click or Space on a switch."""
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if not self._switch(self.actionAt(event.position().toPoint())):
             super().mouseReleaseEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        is_meant = event.key() == Qt.Key.Key_Space or event.key() in ENTER
-        if not (is_meant and self._switch(self.activeAction())):
+        activates = event.key() == Qt.Key.Key_Space or event.key() in ENTER
+        if not (activates and self._switch(self.activeAction())):
             super().keyPressEvent(event)
 
     @staticmethod
     def _switch(action: QAction | None) -> bool:
-        """Switch an action, if it is one to switch; return whether it is."""
+        """Trigger a switch; return whether the action is one."""
         if action is None or not action.isCheckable():
             return False
         action.trigger()
@@ -41,7 +41,7 @@ _Style = Qt.ToolButtonStyle
 
 
 class _Step(NamedTuple):
-    """Words on the buttons of families."""
+    """Style of the toolbar buttons with text, at one width of the window."""
 
     short: bool
     others: _Style
@@ -55,14 +55,14 @@ _STEPS = (
     _Step(short=True, others=_Style.ToolButtonIconOnly, in_use=_Style.ToolButtonTextBesideIcon),
     _Step(short=True, others=_Style.ToolButtonIconOnly, in_use=_Style.ToolButtonIconOnly),
 )
-"""From the widest to the narrowest."""
+"""Styles from the widest to the narrowest."""
 
 
 _ICON_SIZE = QSize(20, 20)
 
 
 class Toolbar(SafeOverrides, QToolBar):
-    """Says less in a narrow window, so that as much as can be is not behind its arrow."""
+    """Toolbar that shortens its texts in a narrow window, to keep as many buttons visible as possible."""
 
     def __init__(self, actions: Actions, parent: QWidget) -> None:
         super().__init__("Toolbar", parent)
@@ -80,7 +80,7 @@ class Toolbar(SafeOverrides, QToolBar):
         actions.switched.connect(self._fit)
 
     def fill(self, widgets: Mapping[BarPosition, ToolbarWidget]) -> None:
-        """Add the actions of the bar, and `widgets` at their places."""
+        """Add the actions of the bar, and `widgets` at their positions."""
         self._widgets = list(widgets.values())
         for _, group in sorted(self._groups(widgets).items()):
             self.addActions([_separator(self), *group] if self.actions() else group)
@@ -89,7 +89,7 @@ class Toolbar(SafeOverrides, QToolBar):
         self._show_step(_STEPS[0])
 
     def _add_choices(self) -> None:
-        """Give an arrow to each button whose action comes with choices."""
+        """Add a menu to each button whose action has choices."""
         for action in self.actions():
             button, bar = self.widgetForAction(action), self._actions.choices_of(action)
             if bar is not None and isinstance(button, QToolButton):
@@ -101,33 +101,35 @@ class Toolbar(SafeOverrides, QToolBar):
                 button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
 
     def _groups(self, widgets: Mapping[BarPosition, ToolbarWidget]) -> dict[int, list[QAction]]:
-        """Return what stands in the bar by the tens of its places; of each ten, the widgets come last."""
+        """Return the entries of the bar grouped by the tens of their positions, widgets last."""
         groups = self._actions.in_bar(TOOLBAR)
-        for place, widget in widgets.items():
+        for position, widget in widgets.items():
             holder = QWidgetAction(self)
             holder.setDefaultWidget(widget)
-            groups.setdefault(place.number // 10, []).append(holder)
+            groups.setdefault(position.number // 10, []).append(holder)
         return groups
 
     def _follow(self, actions: Iterable[QAction]) -> None:
         self._in_words += [
-            each for each in actions if each.objectName() and self._actions.button_text(each, short=True)
+            action
+            for action in actions
+            if action.objectName() and self._actions.button_text(action, short=True)
         ]
 
     def _follow_actions(self) -> None:
-        """Put in what has come, and leave out what is gone."""
-        self._in_words = [each for each in self._in_words if each.objectName()]
+        """Insert the buttons of new actions, and forget removed ones."""
+        self._in_words = [action for action in self._in_words if action.objectName()]
         known = set(self.actions())
         for entries in self._actions.in_bar(TOOLBAR).values():
             put_in(self, entries)
-            self._follow(each for each in entries if each not in known)
+            self._follow(action for action in entries if action not in known)
         self._widths.clear()
         self._shown = None
         self._hold_sizes()
         self._fit()
 
     def _hold_sizes(self) -> None:
-        """Fix the sizes of buttons without words: Qt asks for other room whenever their actions change."""
+        """Fix the sizes of buttons without text, because Qt lays out anew whenever their actions change."""
         for action in self.actions():
             button = self.widgetForAction(action)
             if isinstance(button, QToolButton) and action not in self._in_words:
@@ -153,7 +155,7 @@ class Toolbar(SafeOverrides, QToolBar):
         self._fit()
 
     def _fit(self) -> None:
-        """Take the first step that has room, or the narrowest."""
+        """Use the first style that fits, or else the narrowest."""
         if self._has_style:
             self._show_step(next((step for step in _STEPS[:-1] if self._has_room(step)), _STEPS[-1]))
 
@@ -168,7 +170,7 @@ class Toolbar(SafeOverrides, QToolBar):
 
     @property
     def _in_use(self) -> tuple[str, ...]:
-        return tuple(filter(self._actions.is_on, (each.objectName() for each in self._in_words)))
+        return tuple(filter(self._actions.is_on, (action.objectName() for action in self._in_words)))
 
     def _show_step(self, step: _Step) -> None:
         in_use = self._in_use

@@ -47,23 +47,23 @@ class ProgramCommands:
             self._palette.open()
 
     def _commands(self) -> list[window.command_palette.Command]:
-        """Return everything with a name: what the menus hold, then what only other places offer."""
-        host, found = self._context.window, dict[QAction, str]()
+        """Return all commands: those of the menus, then those of other widgets."""
+        host, paths = self._context.window, dict[QAction, str]()
         for entry in host.menuBar().actions():
             menu = _menu_of(entry)
             if menu is not None:
-                found.update(_entries(menu, plain(menu.title())))
-        for each in host.findChildren(QAction):
-            if each.objectName() and each.isVisible() and _menu_of(each) is None and _is_named(each):
-                found.setdefault(each, "")
-        own = self._context.actions["commandPalette"]
+                paths.update(_entries(menu, plain(menu.title())))
+        for entry in host.findChildren(QAction):
+            if entry.objectName() and entry.isVisible() and _menu_of(entry) is None and _is_named(entry):
+                paths.setdefault(entry, "")
+        palette = self._context.actions["commandPalette"]
         docks = {dock.toggleViewAction() for dock in self._context.docks.all if not dock.isHidden()}
         return [
             window.command_palette.Command(
                 action, path, action in docks or self._context.actions.is_on(action.objectName())
             )
-            for action, path in found.items()
-            if action is not own
+            for action, path in paths.items()
+            if action is not palette
         ]
 
     # Preferences
@@ -98,12 +98,12 @@ def _entries(menu: QMenu, path: str) -> Iterator[tuple[QAction, str]]:
     # Some menus are filled when they are about to be shown.
     menu.aboutToShow.emit()
     menu.aboutToHide.emit()
-    for each in menu.actions():
-        inner = _menu_of(each)
+    for entry in menu.actions():
+        inner = _menu_of(entry)
         if inner is not None:
             yield from _entries(inner, f"{path} › {plain(inner.title())}")
-        elif _is_named(each) and each.isVisible():
-            yield each, path
+        elif _is_named(entry) and entry.isVisible():
+            yield entry, path
 
 
 def _menu_of(action: QAction) -> QMenu | None:
@@ -154,15 +154,15 @@ class FocusCommands:
     def _walk(self, step: int) -> None:
         stops = list(self._stops())
         here = QApplication.focusWidget()
-        places = [place for place, (panel, _) in enumerate(stops) if _holds(panel, here)]
-        start = places[0] if places else -1 if step > 0 else 0
+        indices = [index for index, (panel, _) in enumerate(stops) if _holds(panel, here)]
+        start = indices[0] if indices else -1 if step > 0 else 0
         panel, target = stops[(start + step) % len(stops)]
         target.setFocus(Qt.FocusReason.TabFocusReason if step > 0 else Qt.FocusReason.BacktabFocusReason)
         self._named = f"{_title_of(panel)}."
         self._context.session.say(self._named)
 
     def _stops(self) -> Iterator[tuple[QWidget, QWidget]]:
-        """Yield every panel in sight and what in it takes the focus."""
+        """Yield the visible panels with the widget of each that gets the focus."""
         context = self._context
         docks = sorted(context.docks.all, key=lambda dock: (dock.x(), dock.y()))
         panels: list[QWidget] = [
@@ -195,7 +195,7 @@ def _is_in_sight(panel: QWidget) -> bool:
 
 
 def first_in(panel: QWidget) -> QWidget | None:
-    """Return what had the focus in a panel last, else the first that takes it by Tab."""
+    """Return the widget of a panel that had the focus last, or else its first tab stop."""
     if isinstance(panel, QDockWidget) and panel.widget() is not None:
         # Not the buttons of its title.
         return first_in(panel.widget())

@@ -23,7 +23,7 @@ _DECLARED = "central_pane"
 
 
 class CentralPane(QWidget):
-    """A pane below the canvas.
+    """Pane below the canvas.
 
     Attributes
     ----------
@@ -35,18 +35,18 @@ class CentralPane(QWidget):
 
     @property
     def stop(self) -> QWidget:
-        """Stop of F6 on its way through the window."""
+        """Widget that gets the focus by F6."""
         return self
 
     def fit(self, *, whole: bool) -> None:
-        """Show what a person usually sees, or the whole, however far it reaches."""
+        """Show the usual range of values, or all of them."""
 
 
 _Builder = TypeVar("_Builder", bound=Callable[..., CentralPane])
 
 
 class Pane(msgspec.Struct, frozen=True):
-    """A pane below the canvas; the method builds it in the parent that it gets.
+    """Declaration of a pane below the canvas; the decorated method builds it in the parent that it gets.
 
     Attributes
     ----------
@@ -61,13 +61,13 @@ class Pane(msgspec.Struct, frozen=True):
     height: int = 0
 
     def __call__(self, build: _Builder) -> _Builder:
-        """Declare the decorated method of a command set as what builds the pane."""
+        """Declare the decorated method as the one that builds the pane."""
         setattr(build, _DECLARED, self)
         return build
 
 
 def declared_panes(commands: type) -> Iterator[tuple[Callable[..., CentralPane], Pane]]:
-    """Yield what builds the panes that a command set declares, and how they stand."""
+    """Yield the building methods and declarations of the panes of a command set."""
     yield from marked(commands, _DECLARED)
 
 
@@ -75,11 +75,11 @@ _STRETCH, _HEIGHT = 9, 600
 """Of the canvas, in a new window."""
 
 _CANVAS_SHARE, _LEAST_PANE = 0.4, 130
-"""Share of the height that stays to the canvas, and pixels that stay to a pane, where another needs room."""
+"""Share of the height that the canvas keeps, and pixels that a pane keeps, when another pane grows."""
 
 
 class CentralArea:
-    """The plots of a window and what lies over them.
+    """Plots of a window, with the message bar over the canvas.
 
     Attributes
     ----------
@@ -121,11 +121,11 @@ class CentralArea:
         self.splitter.setAutoFillBackground(True)
 
     def _covered_top(self) -> float:
-        """Return how many pixels of the drawing the message covers at the top."""
+        """Return the height in pixels that the message covers at the top of the canvas."""
         return max(self.message_bar.covered - self.canvas.rulers.thickness, 0.0)
 
     def fill(self, command_sets: Mapping[type, object]) -> None:
-        """Build the panes that command sets declare, in their order."""
+        """Build the panes that the command sets declare, in order."""
         heights = [_HEIGHT]
         for kind, commands in command_sets.items():
             for build, declared in declared_panes(kind):
@@ -140,7 +140,7 @@ class CentralArea:
         self._order_tabs()
 
     def _order_tabs(self) -> None:
-        """Let Tab go from the canvas down, though toolbar and docks were there before the panes."""
+        """Let Tab visit the panes after the canvas, although they are built after toolbar and docks."""
         last: QWidget = self.message_bar.findChildren(QToolButton)[-1]
         for pane in self.panes:
             for widget in pane.findChildren(QWidget):
@@ -153,16 +153,16 @@ class CentralArea:
 
     @property
     def plots(self) -> list[ToolPlot]:
-        """The canvas and the plots below it, as far as they are made."""
+        """The canvas and the plots below it that are built."""
         return [self.canvas, *(pane.plot for pane in self.panes if pane.plot is not None)]
 
     @property
     def stops(self) -> list[QWidget]:
-        """Stops of F6, from the top down."""
+        """Widgets that get the focus by F6, from the top down."""
         return [self.canvas, *(pane.stop for pane in self.panes)]
 
     def cancel_gesture(self) -> bool:
-        """Drop the gesture in flight; return whether there was one."""
+        """Cancel the gesture in flight; return whether there was one."""
         return any(plot.cancel_gesture() for plot in self.plots)
 
     def set_scale(self, scale: float) -> None:
@@ -171,31 +171,31 @@ class CentralArea:
             plot.set_scale(scale)
 
     def fit(self) -> None:
-        """Show all curves, and what the panes usually show."""
+        """Fit all curves, and the usual ranges of the panes."""
         self.canvas.framing.fit()
         self.fit_panes(whole=False)
 
     def fit_panes(self, *, whole: bool) -> None:
-        """Show in the panes what they usually show, or the whole, however far it reaches."""
+        """Fit the panes to their usual ranges, or to all values."""
         self._fits_whole = whole
         for pane in self.panes:
             pane.fit(whole=whole)
 
     def fit_again(self) -> None:
-        """Fit everything as it was fitted last: the window has another size."""
+        """Fit everything as before, after the window was resized."""
         self.canvas.framing.fit()
         self.fit_panes(whole=self._fits_whole)
 
     def make_room(self, pane: CentralPane, height: int) -> None:
-        """Give a pane that height at least, first of the canvas, then of the other panes."""
-        heights, place = self.splitter.sizes(), self.splitter.indexOf(pane)
-        missing, least = height - heights[place], int(_CANVAS_SHARE * sum(heights))
+        """Give a pane at least this height, at the expense of the canvas first, then of the other panes."""
+        heights, index = self.splitter.sizes(), self.splitter.indexOf(pane)
+        missing, least = height - heights[index], int(_CANVAS_SHARE * sum(heights))
         if missing <= 0:
             return
         for other in range(len(heights)):
-            if other != place:
+            if other != index:
                 given = max(min(missing, heights[other] - (_LEAST_PANE if other else least)), 0)
                 heights[other] -= given
-                heights[place] += given
+                heights[index] += given
                 missing -= given
         self.splitter.setSizes(heights)

@@ -1,4 +1,4 @@
-"""The clipboard: SVG of other programs, and offers of this one, which end before the interpreter does."""
+"""Content of the clipboard: curves and points of this program, SVG and pictures of others."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ POINTS = "application/x-curvebench-points"
 
 
 def clipboard_data() -> QMimeData:
-    """Return what the clipboard holds; nothing where nothing was ever copied."""
+    """Return the content of the clipboard; empty where nothing was copied."""
     return QGuiApplication.clipboard().mimeData() or QMimeData()
 
 
-def own_in(data: QMimeData) -> Document | None:
-    """Return the curves that were copied in this program, or the points as one of them; None for neither.
+def copied_curves_in(data: QMimeData) -> Document | None:
+    """Return the curves that this program copied, or its points as one curve; None for neither.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def own_in(data: QMimeData) -> Document | None:
 
 
 def drawing_in(data: QMimeData) -> Fragment | None:
-    """Return the SVG from another program, or in text; that of our own points is for others."""
+    """Return the SVG from another program or in text; None for points of this program."""
     if data.hasFormat(POINTS):
         return None
     if data.hasFormat(SVG):
@@ -55,19 +55,19 @@ def drawing_in(data: QMimeData) -> Fragment | None:
 
 
 def holds_picture(data: QMimeData) -> bool:
-    """Whether there is a picture from another program."""
+    """Return whether the data contain a picture."""
     return data.hasImage() or any(map(data.hasFormat, _PICTURES))
 
 
 def put_on_clipboard(data: QMimeData) -> None:
-    """Let other programs, and this one, paste `data`."""
+    """Put data on the clipboard."""
     QGuiApplication.clipboard().setMimeData(data)
     _take_away_at_exit()
 
 
 @cache
 def _take_away_at_exit() -> None:
-    """See that what Qt itself keeps, having no clipboard of a system, goes before the interpreter does.
+    """Clear the clipboard at exit on platforms without one, where Qt keeps the data itself.
 
     Qt would destroy it with the process: with nobody there to hear of it, that ends in a segmentation fault.
     """

@@ -23,7 +23,7 @@ from .status_line import StatusLine
 
 
 class WindowContext(msgspec.Struct, frozen=True):
-    """Parts of a window that its commands act on.
+    """Parts of a window that its commands act on; each command set gets one.
 
     Attributes
     ----------
@@ -53,11 +53,11 @@ class WindowContext(msgspec.Struct, frozen=True):
     status_line: StatusLine
 
     def cancel_gesture(self) -> bool:
-        """Drop the gesture in flight; return whether there was one."""
+        """Cancel the gesture in flight; return whether there was one."""
         return self.central.cancel_gesture() or (self.session.is_previewing and self.session.interrupt())
 
     def connect_plot(self, plot: ToolPlot) -> None:
-        """Let the status line say what the mouse does on a plot, and keep that true.
+        """Show the hints and progress of a plot in the status line, and keep the hint up to date.
 
         What a press would do changes with every step, also under a pointer that rests.
         """
@@ -100,7 +100,7 @@ def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., objec
 def bar_menu(
     context: WindowContext, bar: ActionBar, name: str = "contextMenu", *, is_short: bool = False
 ) -> QMenu:
-    """Return a menu with the actions of `bar`, which goes when it is closed.
+    """Return a context menu with the actions of `bar`; it is deleted when it is closed.
 
     One that `is_short` has those alone that can be done now; so do its submenus.
     """
@@ -124,4 +124,4 @@ def bar_menu(
 
 
 def _offered(actions: Sequence[QAction], *, is_short: bool) -> list[QAction]:
-    return [each for each in actions if each.isEnabled() or not is_short]
+    return [action for action in actions if action.isEnabled() or not is_short]

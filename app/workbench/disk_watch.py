@@ -1,4 +1,4 @@
-"""Notices when a file, or what lies beside it, may have changed."""
+"""Watch over a file and its folder."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from PySide6.QtGui import QGuiApplication, QWindow
 from PySide6.QtWidgets import QWidget
 
 _SETTLE_MS = 100
-"""Milliseconds after the first sign: one writing of a file gives many."""
+"""Delay after the first notification in milliseconds: writing a file causes several."""
 
 
 class DiskWatch(QObject):
-    """Watches one file and its folder.
+    """Watcher of one file and its folder.
 
     The folder too, because a file that is replaced by another one of its name is watched no longer, and
     because locks come and go there. Some file systems of a network tell nothing: a check is due also whenever
@@ -43,7 +43,7 @@ class DiskWatch(QObject):
         self._regularly.timeout.connect(self.triggered)
 
     def watch(self, path: Path | None) -> None:
-        """Watch the file at `path` instead of the one before; None: nothing."""
+        """Watch the file at `path` instead of the previous one; None watches nothing."""
         if path is not None and self._path is None:
             _application().focusWindowChanged.connect(self._look_up)
         elif path is None and self._path is not None:
@@ -56,23 +56,23 @@ class DiskWatch(QObject):
         self._add()
 
     def check_every(self, milliseconds: int) -> None:
-        """Ask for a look at this interval; 0: only when there is a sign."""
+        """Trigger also at this interval; 0 for notifications only."""
         if milliseconds == 0:
             self._regularly.stop()
         elif not self._regularly.isActive():
             self._regularly.start(milliseconds)
 
     def _add(self) -> None:
-        """Watch what is there of the file and its folder."""
+        """Watch the file and its folder, where they exist."""
         if self._path is None:
             return
         watcher = self._watcher or self._make_watcher()
         known = {*watcher.files(), *watcher.directories()}
         # The file itself where the path is a link: the link's folder does not change with it.
         real = Path(os.path.realpath(self._path))
-        for each in {self._path.absolute().parent, real.parent, real}:
-            if str(each) not in known and each.exists():
-                watcher.addPath(str(each))
+        for path in {self._path.absolute().parent, real.parent, real}:
+            if str(path) not in known and path.exists():
+                watcher.addPath(str(path))
 
     def _make_watcher(self) -> QFileSystemWatcher:
         self._watcher = QFileSystemWatcher(self)
@@ -89,7 +89,7 @@ class DiskWatch(QObject):
         self.triggered.emit()
 
     def _look_up(self, window: QWindow | None) -> None:
-        """Check when the window comes to the front."""
+        """Trigger when the window comes to the front."""
         parent = self.parent()
         if window is not None and isinstance(parent, QWidget) and window is parent.windowHandle():
             self._wait("")

@@ -29,7 +29,7 @@ _Builder = TypeVar("_Builder", bound=Callable[..., QWidget])
 
 
 class Stack(msgspec.Struct, frozen=True):
-    """Docks that are tabs of one place; the first that is declared is in front.
+    """Docks that are tabs of one area; the first declared one is in front.
 
     Attributes
     ----------
@@ -74,19 +74,19 @@ class Panel(msgspec.Struct, frozen=True):
     built_at_start: bool = False
 
     def __call__(self, build: _Builder) -> _Builder:
-        """Declare the decorated method of a command set as what builds the panel."""
+        """Declare the decorated method as the one that builds the panel."""
         setattr(build, _DECLARED, self)
         return build
 
 
 def declared_panels(commands: type) -> Iterator[tuple[Panel, Callable[..., QWidget]]]:
-    """Yield the panels that a command set declares, and what builds them."""
+    """Yield the declarations and building methods of the panels of a command set."""
     for build, panel in marked(commands, _DECLARED):
         yield panel, build
 
 
 class Docks:
-    """Builds and places the docks of a window.
+    """Docks of a window, built and arranged by their declarations.
 
     Parameters
     ----------
@@ -103,29 +103,29 @@ class Docks:
 
     def __init__(self, window: QMainWindow, panels: Sequence[Panel], build: Callable[..., QWidget]) -> None:
         self._window = window
-        panels = [each for stack in _STACKS for each in panels if each.stack is stack]
+        panels = [panel for stack in _STACKS for panel in panels if panel.stack is stack]
         self._docks = {
             panel.name: (Dock if panel.built_at_start else LateDock)(
                 panel.title, partial(build, panel.name), window
             )
             for panel in panels
         }
-        for each in panels:
-            self._docks[each.name].is_steady = each.is_steady
+        for panel in panels:
+            self._docks[panel.name].is_steady = panel.is_steady
         fronts: dict[Stack, QDockWidget] = {}
-        for each in panels:
-            self._place(self[each.name], each, fronts)
+        for panel in panels:
+            self._add_dock(self[panel.name], panel, fronts)
         for front in fronts.values():
             front.raise_()
-        for each in panels:
-            if each.on_demand:
-                self[each.name].hide()
+        for panel in panels:
+            if panel.on_demand:
+                self[panel.name].hide()
         self._fronts = [(fronts[stack], stack.height) for stack in (UPPER, LOWER)]
         self.all = tuple(self._docks.values())
-        self.side = tuple(self[each.name] for each in panels if each.stack is not LEFT)
+        self.side = tuple(self[panel.name] for panel in panels if panel.stack is not LEFT)
 
-    def _place(self, dock: QDockWidget, panel: Panel, fronts: dict[Stack, QDockWidget]) -> None:
-        """Put a dock behind the one in `fronts`; the first of a stack becomes that."""
+    def _add_dock(self, dock: QDockWidget, panel: Panel, fronts: dict[Stack, QDockWidget]) -> None:
+        """Add a dock as a tab behind the front one of its stack, or as the front one."""
         dock.setObjectName(panel.name)
         dock.setAllowedAreas(_LEFT | _RIGHT)
         front = fronts.setdefault(panel.stack, dock)
@@ -137,7 +137,7 @@ class Docks:
         return self._docks[name]
 
     def fill(self) -> None:
-        """Build the panels that are not late, and give each stack its share of the side."""
+        """Build the panels of the start, and give each stack its share of the side."""
         for dock in self.all:
             if not isinstance(dock, LateDock):
                 dock.fill()
@@ -151,7 +151,7 @@ _IN_DOCK = QSize(350, 96)
 
 
 class Dock(SafeOverrides, QDockWidget):
-    """A dock that is empty until it is filled; `build` makes its content in the parent that it gets.
+    """Dock that is empty until it is filled; `build` makes its content in the parent that it gets.
 
     Attributes
     ----------
@@ -173,7 +173,7 @@ class Dock(SafeOverrides, QDockWidget):
         self.is_steady = False
         # What it covered when it was brought up; that comes back when it goes.
         self._covered: list[QDockWidget] = []
-        self.topLevelChanged.connect(self._follow_place)
+        self.topLevelChanged.connect(self._raise_when_docked)
         # Qt's own slot hides a dock that nobody sees behind another tab.
         self.toggleViewAction().triggered.disconnect()
         self.toggleViewAction().triggered.connect(self._toggle)
@@ -187,24 +187,24 @@ class Dock(SafeOverrides, QDockWidget):
             self.setWidget(Scrolled(build, _IN_DOCK, self, is_steady=self.is_steady))
 
     def bring_up(self) -> None:
-        """Show it, in front of the other tabs."""
+        """Show the dock in front of the other tabs."""
         if self.visibleRegion().isEmpty():
             docks = self._window.findChildren(QDockWidget)
-            self._covered = [each for each in docks if not each.visibleRegion().isEmpty()]
+            self._covered = [dock for dock in docks if not dock.visibleRegion().isEmpty()]
         self.show()
         self.raise_()
 
-    def _toggle(self, shown: bool) -> None:
-        """Bring it to the front of the tabs, or put it away where it is there already."""
+    def _toggle(self, checked: bool) -> None:
+        """Bring the dock to the front of its tabs, or hide it where it is in front already."""
         is_behind = not self.isHidden() and self._window.isVisible() and self.visibleRegion().isEmpty()
-        if shown or is_behind:
+        if checked or is_behind:
             self.toggleViewAction().setChecked(True)
             self.bring_up()
         else:
             self.close()
 
-    def _follow_place(self, floats: bool) -> None:
-        """Come to the front of the tabs that it has been put among."""
+    def _raise_when_docked(self, floats: bool) -> None:
+        """Come to the front of the tabs after being docked."""
         if not floats and not self.isHidden():
             # Only when it has its place is there a tab.
             QTimer.singleShot(0, self, self.raise_)
@@ -212,15 +212,15 @@ class Dock(SafeOverrides, QDockWidget):
     def closeEvent(self, event: QCloseEvent) -> None:
         beside = [] if self.visibleRegion().isEmpty() else self._window.tabifiedDockWidgets(self)
         super().closeEvent(event)
-        for each in beside:
-            if each in self._covered and not each.isHidden():
-                each.raise_()
+        for dock in beside:
+            if dock in self._covered and not dock.isHidden():
+                dock.raise_()
         self._covered = []
         self.closed.emit()
 
 
 class LateDock(Dock):
-    """A dock that costs nothing until somebody looks at it."""
+    """Dock whose content is built when it is first visible."""
 
     def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
         super().__init__(title, build, window)
@@ -233,7 +233,7 @@ class LateDock(Dock):
             self.fill()
 
     def fill(self) -> None:
-        """Build the content, if there is none, as large as it shall be."""
+        """Build the content, if there is none, in the current scale."""
         super().fill()
         self.set_scale(self._scale)
 
@@ -252,7 +252,7 @@ _FLOAT_TIP, _DOCK_TIP = "Float as a separate window", "Dock in the window"
 
 
 class DockTitle(FollowsTheme, QWidget):
-    """The words and the buttons; dragged anywhere else, the dock comes along.
+    """Title bar with the buttons Float and Close; a drag elsewhere moves the dock.
 
     Attributes
     ----------
@@ -274,7 +274,7 @@ class DockTitle(FollowsTheme, QWidget):
         self.float_button.setCheckable(True)
         self.float_button.clicked.connect(lambda: dock.setFloating(not dock.isFloating()))
         self.close_button.clicked.connect(dock.close)
-        dock.topLevelChanged.connect(self._show_place)
+        dock.topLevelChanged.connect(self._show_floating)
         # Text is the last to give way where there is little room. It is 80 wide then: its layout says so,
         # for Qt asks hundreds of times whenever docks are laid out.
         self._words = words = Label(title)
@@ -283,7 +283,7 @@ class DockTitle(FollowsTheme, QWidget):
         buttons = self.float_button, self.close_button
         row_of((words, 1), *buttons, margins=(10, 1, 3, 1), spacing=2, parent=self)
         self.follow_theme()
-        self._show_place(dock.isFloating())
+        self._show_floating(dock.isFloating())
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
@@ -295,7 +295,7 @@ class DockTitle(FollowsTheme, QWidget):
         for button in (self.float_button, self.close_button):
             button.setAccessibleName(f"{button.accessibleName().partition(' ')[0]} {title}")
 
-    def _show_place(self, floats: bool) -> None:
+    def _show_floating(self, floats: bool) -> None:
         button, (verb, tip) = self.float_button, ("Dock", _DOCK_TIP) if floats else ("Float", _FLOAT_TIP)
         button.setChecked(floats)
         button.setToolTip(tip)
@@ -307,20 +307,20 @@ class DockTitle(FollowsTheme, QWidget):
 
 
 _HAS_ROOM = "hasRoom"
-"""Property of a dock that room was made for."""
+"""Property of a dock that was enlarged."""
 
 _DIRECT = Qt.FindChildOption.FindDirectChildrenOnly
 
 _MOVED = 2
-"""Pixels up to which a border is where it was put."""
+"""Tolerance in pixels for a border that was not moved."""
 
 _LEAST_ABOVE = 150
 _LEAST_BESIDE = 480
-"""Pixels that are left of the drawing; beside less of it a dock is scrolled."""
+"""Height of the upper dock and width of the drawing that remain, in pixels."""
 
 
 def make_room(window: QMainWindow, dock: Dock, height: int) -> None:
-    """Let a dock that is opened be as high and wide as its content needs, up to `height`, until it is closed.
+    """Enlarge an opened dock to the size of its content, up to `height`, until it is closed.
 
     As far as the upper one and the drawing can spare it. Where a person has moved the border since, it stays.
     """
@@ -333,14 +333,14 @@ def make_room(window: QMainWindow, dock: Dock, height: int) -> None:
 
 
 def hide_idle_docks(window: QMainWindow) -> None:
-    """Hide the docks that have nothing to show (they are disabled) after a layout was restored."""
+    """Hide the docks without content, which are disabled, after a layout was restored."""
     for dock in window.findChildren(QDockWidget):
         if not dock.isEnabled():
             dock.hide()
 
 
 def _make_room(window: QMainWindow, dock: Dock, height: int) -> None:
-    above = next((each for each in _in_front(window) if _is_above(each, dock)), None)
+    above = next((other for other in _in_front(window) if _is_above(other, dock)), None)
     missing = _needed(dock, height) - dock.height()
     given = min(missing, above.height() - _LEAST_ABOVE) if above is not None else 0
     if above is None or given <= 0:
@@ -351,7 +351,7 @@ def _make_room(window: QMainWindow, dock: Dock, height: int) -> None:
     def give_back() -> None:
         dock.setProperty(_HAS_ROOM, False)
         # What it has covered is there again, and has its size.
-        left = next((each for each in _in_front(window) if _is_above(above, each)), None)
+        left = next((other for other in _in_front(window) if _is_above(above, other)), None)
         if left is not None and abs(above.height() - border) <= _MOVED:
             _divide(window, (above, above.height() + given), (left, left.height() - given))
 
@@ -359,7 +359,7 @@ def _make_room(window: QMainWindow, dock: Dock, height: int) -> None:
 
 
 def _divide(window: QMainWindow, *heights: tuple[QDockWidget, int]) -> None:
-    """Give docks at one side these heights, all of them together."""
+    """Give the docks of one side these heights."""
     # Qt divides the side in this proportion, the tabs of each dock included.
     tabs = max(
         (bar.height() for bar in window.findChildren(QTabBar, options=_DIRECT) if bar.isVisible()), default=0
@@ -370,7 +370,7 @@ def _divide(window: QMainWindow, *heights: tuple[QDockWidget, int]) -> None:
 
 
 def _needed(dock: Dock, height: int) -> int:
-    """Return the height with which nothing in a dock has to be scrolled, `height` at most."""
+    """Return the height at which a dock needs no scroll bar, at most `height`."""
     area = dock.widget()
     if not isinstance(area, Scrolled):
         return height
@@ -379,9 +379,9 @@ def _needed(dock: Dock, height: int) -> int:
 
 
 def _in_front(window: QMainWindow) -> list[QDockWidget]:
-    """Return the docks at the sides that are in sight."""
+    """Return the visible docks at the sides."""
     docks = window.findChildren(QDockWidget)
-    return [each for each in docks if not each.isFloating() and not each.visibleRegion().isEmpty()]
+    return [dock for dock in docks if not dock.isFloating() and not dock.visibleRegion().isEmpty()]
 
 
 def _make_width(window: QMainWindow, dock: QDockWidget) -> None:
@@ -394,5 +394,5 @@ def _make_width(window: QMainWindow, dock: QDockWidget) -> None:
 
 
 def _is_above(other: QDockWidget, dock: QDockWidget) -> bool:
-    """Whether `other` shares the side with `dock`, higher up."""
+    """Return whether `other` is above `dock` at the same side."""
     return other.x() == dock.x() and other.y() < dock.y()

@@ -34,27 +34,27 @@ NEW_NAME = empty_document().curves[0].name
 
 
 def as_usual(document: Document, preferences: Preferences) -> Document:
-    """Return a document with the unit and the grid of new ones."""
+    """Return a document with the unit and the grid of new documents."""
     return replace(document, unit=preferences.unit_name, grid_spacing=preferences.grid_spacing)
 
 
 def blank_document(preferences: Preferences) -> Document:
-    """Return what a new document is."""
+    """Return a new document with the settings of the preferences."""
     curve = preferences.new_curve
     document = as_usual(Document((curve,)), preferences)
     return document.with_curve(0, replace(curve, style=preferences.new_style))
 
 
 def ask_about_changes(session: Session, window: QWidget) -> int:
-    """Ask what to do with changes that are not saved; return the button that answers."""
-    asked, told = _question_about(session)
+    """Ask whether to save, discard or keep unsaved changes; return the button."""
+    text, explanation = _question_about(session)
     question = QMessageBox(window)
     question.setObjectName("saveChanges")
     question.setWindowTitle("Curvebench")
     question.setTextFormat(Qt.TextFormat.PlainText)
     question.setIcon(QMessageBox.Icon.Question)
-    question.setText(breakable(asked))
-    question.setInformativeText(told)
+    question.setText(breakable(text))
+    question.setInformativeText(explanation)
     buttons = QMessageBox.StandardButton
     question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
     question.setDefaultButton(buttons.Save)
@@ -65,7 +65,7 @@ def ask_about_changes(session: Session, window: QWidget) -> int:
 
 
 def _question_about(session: Session) -> tuple[str, str]:
-    """Return what is asked before a document goes that is not in its file, and why."""
+    """Return the question about unsaved changes, and its explanation."""
     files, file = session.files, session.files.file
     is_named = files.path is not None or files.origin.title
     name = short_name(title_of(session)) if is_named else "the sketch"
@@ -76,13 +76,13 @@ def _question_about(session: Session) -> tuple[str, str]:
 
 
 StartWork = Callable[[str, Work, Callable[[Any], object], Path, str, Callable[[str], object]], bool]
-"""Takes a title, work, who gets its result, the file, what is done with it, and who hears why it was not.
+"""Function that starts work: title, work, receiver of the result, file, participle, receiver of a failure.
 
 Returns whether the work has begun.
 """
 
 _READ = 0.1
-"""Share of opening that is reading the file."""
+"""Share of the progress for reading the file."""
 
 
 class DocumentFiles:
@@ -122,7 +122,7 @@ class DocumentFiles:
         self._prepare_sketch()
 
     def _prepare_sketch(self) -> None:
-        """Give the sketch that a session begins with unit and grid of new documents."""
+        """Give the first sketch of a session the unit and the grid of new documents."""
         session, sketch = self._session, with_plain_numbers(first_sketch())
         is_begun, usual = session.files.path is not None or session.undo_stack.count(), self._preferences
         if is_begun or session.document != sketch:
@@ -138,7 +138,7 @@ class DocumentFiles:
         self._session.files.begin(blank_document(self._preferences))
 
     def remember_rules(self) -> None:
-        """Let new documents begin with the family and the rules of the curve that is edited.
+        """Use the family and the rules of the active curve for new documents.
 
         Those of the first sketch, of examples and of lessons were no choice of the person's.
         """
@@ -147,14 +147,14 @@ class DocumentFiles:
             self._preferences.new_curve = empty_curve_like(self._session.active_curve)
 
     def ask_and_open(self) -> None:
-        """Let the person choose a document, or a file of another format, and open it."""
+        """Show a dialog and open a document, or a file of another format."""
         folder = str(self._preferences.last_folder)
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", folder, file_filters())
         if name:
             self.open_beside(Path(name))
 
     def elsewhere(self, action: str = "") -> DocumentFiles | None:
-        """Return the files of another window, where an action begins; None where there is room in this one.
+        """Open a new window for an action and return its files; None where this window is unused.
 
         That is where nothing was done yet: a document that somebody works in stays.
         """
@@ -164,7 +164,7 @@ class DocumentFiles:
         return self.open_window(action)
 
     def open_beside(self, path: Path) -> None:
-        """Open a file in a window of its own, but in this one where nothing was done here yet.
+        """Open a file in a new window, or in this one while it is unused.
 
         One that is open in another window is shown there.
         """
@@ -181,7 +181,7 @@ class DocumentFiles:
             (self.elsewhere() or self).open(path)
 
     def open(self, path: Path) -> None:
-        """Open the document at `path`, after asking about unsaved changes; a large one beside the window.
+        """Open the document at `path` after asking about unsaved changes; a large one in the background.
 
         A file of another format becomes a new document.
         """
@@ -193,11 +193,11 @@ class DocumentFiles:
             self._open(path, self._session.open, remember=not is_resource(path))
 
     def _open_large(self, path: Path, beside: StartWork) -> None:
-        """Read a document, and compute its curves, beside the window, which shows how far that is."""
+        """Read a document and compute its curves in the background, with progress."""
         begun = self._session.files.origin
 
-        def done(found: tuple[LoadedDocument, list[CurveView]]) -> None:
-            reading, views = found
+        def done(loaded: tuple[LoadedDocument, list[CurveView]]) -> None:
+            reading, views = loaded
             opener = partial(self._session.open, reading=reading, views=views)
             try:
                 if self._session.files.origin is begun:
@@ -219,7 +219,7 @@ class DocumentFiles:
             then(problem)
 
     def after_opening(self, then: Callable[[str], object]) -> None:
-        """Do what is meant for the document that is on its way in when it is there; at once where none is.
+        """Call `then` when the document that is being opened is there; at once where none is.
 
         `then` hears why it was not opened.
         """
@@ -229,7 +229,7 @@ class DocumentFiles:
             self._after_opening.append(then)
 
     def why_not(self, path: Path) -> str:
-        """Return why a document cannot be opened, as a sentence; empty where it can."""
+        """Return the sentence why a document cannot be opened; empty where it can."""
         try:
             load(path)
         except (FormatError, StorageError) as problem:
@@ -237,7 +237,7 @@ class DocumentFiles:
         return ""
 
     def open_example(self, path: Path, text: str = "Open Example") -> bool:
-        """Open a copy of an example or a lesson; saving it asks for a name. Return whether it is open now.
+        """Open a copy of an example or a lesson, without a file; return whether it is open.
 
         Work without a file stays in the history, below a step called `text`: nobody is asked about it.
         """
@@ -273,25 +273,25 @@ class DocumentFiles:
         return True
 
     def save(self) -> bool:
-        """Save to the document's file, or ask for one; return whether it was saved."""
+        """Save to the file of the document, or ask for one; return whether it was saved."""
         file = self._session.files.file
         path = self._session.files.path
-        is_taken = self._session.files.is_read_only and file and not file.take_if_free()
-        if path is None or is_taken or is_misnamed(path):
+        is_locked = self._session.files.is_read_only and file and not file.take_if_free()
+        if path is None or is_locked or is_misnamed(path):
             return self.ask_and_save()
         return self._save(path)
 
     def overwrite(self) -> bool:
-        """Save to the document's file although it was changed meanwhile; return whether it was saved."""
+        """Save to the file of the document although it was changed elsewhere; return whether it was saved."""
         return self._session.files.path is not None and self._save(self._session.files.path, overwrite=True)
 
     def ask_and_save(self) -> bool:
-        """Let the person choose a file and save there; return whether it was saved."""
+        """Ask for a file and save there; return whether it was saved."""
         path = self._ask_where()
         return path is not None and self._save(path)
 
     def _ask_where(self) -> Path | None:
-        """Let the person choose a file for the document; None where none may be that."""
+        """Ask for a file for the document; None where none was chosen or the name is refused."""
         start = self._proposed_path()
         name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(start), SAVED_KINDS)
         if not name:
@@ -327,8 +327,8 @@ class DocumentFiles:
             self.refused(path, _sentence(f"{path.name} was not saved", problem), problem)
             return False
         self._remember(path)
-        kept = " The old version is kept in the same folder." if was_older else ""
-        self._session.say(f"Saved {path.name}.{kept}")
+        remark = " The old version is kept in the same folder." if was_older else ""
+        self._session.say(f"Saved {path.name}.{remark}")
         return True
 
     def _remember(self, path: Path) -> None:
@@ -336,7 +336,7 @@ class DocumentFiles:
         self._preferences.last_folder = path.parent
 
     def may_discard(self) -> bool:
-        """Ask what to do with unsaved changes; return whether the document may be replaced."""
+        """Ask about unsaved changes; return whether the document may be replaced."""
         self._session.cancel()
         # The watch may be waiting whether another program goes on writing.
         self._session.files.check()
@@ -351,7 +351,7 @@ class DocumentFiles:
         return ask_about_changes(self._session, self._window)
 
     def release(self) -> None:
-        """Tell others that the document is open here no longer."""
+        """Release the lock of the file."""
         if self._session.files.file is not None:
             self._session.files.file.close()
 
@@ -360,12 +360,12 @@ def _read(path: Path, report: Report) -> tuple[LoadedDocument, list[CurveView]]:
     """Return a document and the views of its curves."""
     report(0.0, "Reading")
     reading = LoadedDocument.of(path)
-    told = part(report, _READ, 1.0)
-    return reading, views_ahead(reading.document.curves, lambda share: told(share, "Computing curves"))
+    report_part = part(report, _READ, 1.0)
+    return reading, views_ahead(reading.document.curves, lambda share: report_part(share, "Computing curves"))
 
 
 def _sentence(what: str, problem: Exception) -> str:
-    """Return why a file was not opened or written; a FormatError is a clause, the others are sentences."""
+    """Return the message of a failure; a FormatError is a clause, other errors are sentences."""
     if isinstance(problem, FormatError):
         return f"{what}: {problem}."
     return f"{what}. {problem}"
@@ -373,19 +373,19 @@ def _sentence(what: str, problem: Exception) -> str:
 
 SUFFIX = DOCUMENT_ENDING
 SAVED_KINDS = f"Curvebench documents (*{SUFFIX});;All files (*)"
-"""The kinds of files that a document is saved as, for the dialog that asks for a name."""
+"""File filters of the Save As dialog."""
 
 _LONGEST_STEM = 80
 
 
 def short_name(name: str) -> str:
-    """Return a name without its middle where it is long; the title of the window has it whole."""
+    """Return a name, shortened in the middle where it is long."""
     half = _LONGEST_STEM // 2
     return name if len(name) <= _LONGEST_STEM else f"{name[:half]}…{name[-half:]}"
 
 
 def title_of(session: Session) -> str:
-    """Return what the document is called: its file; a curve's name would change with the order of curves."""
+    """Return the title of the document: the name of its file, of the example, or “Untitled”."""
     files = session.files
     return files.path.name if files.path is not None else files.origin.title or "Untitled"
 
@@ -396,23 +396,23 @@ def file_stem(session: Session) -> str:
         return path.stem if is_misnamed(path) else path.name.removesuffix(SUFFIX)
     curves = session.document.curves
     drawn = "Sketch" if len(curves) > 1 else curves[0].name
-    return own_name(session.files.origin.file_stem or drawn)
+    return valid_stem(session.files.origin.file_stem or drawn)
 
 
-def own_name(name: str) -> str:
-    """Return a file name without ending for what has a name."""
+def valid_stem(name: str) -> str:
+    """Return a valid file name without ending from any name."""
     name = "".join(character for character in name if character.isprintable())
     # What some system does not allow in a file's name.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
 
 
 def is_misnamed(path: Path) -> bool:
-    """Whether a document of ours has the name of another format's file, where nothing would look for one."""
+    """Return whether a document has the ending of another format."""
     return bool(why_not_saved_as(path.name))
 
 
 def path_to_save(typed: Path) -> Path:
-    """Return where a document is saved for a typed name.
+    """Return the path of a document for a typed name.
 
     What is neither JSON nor a file of a known format by its name gets the suffix of documents.
     """
@@ -421,12 +421,12 @@ def path_to_save(typed: Path) -> Path:
 
 
 def why_not_saved_as(name: str) -> str:
-    """Return why no document may have such a name, as sentences; empty where it may.
+    """Return the reason why no document may have such a name; empty where it may.
 
     Under the ending of another format no program, this one among them, would open it.
     """
     name = name.lower()
-    others = tuple(each for each in endings_of(FORMATS.written) if each != SUFFIX)
+    others = tuple(ending for ending in endings_of(FORMATS.written) if ending != SUFFIX)
     if not name.endswith(others):
         return ""
     title = format_of(name, FORMATS.written).title

@@ -1,4 +1,4 @@
-"""Reading and writing of files, and long computations, beside the window."""
+"""Background work of a window: reading and writing of files, and long computations."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _EXPECTED = (ExchangeError, StorageError, FormatError)
 
 
 class FileWork:
-    """One thing at a time for one window.
+    """Background work for one window, one task at a time.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class FileWork:
         what: str,
         left: Callable[[str], object] | None = None,
     ) -> bool:
-        """Do work for a file; what it raises is said as “file was not `what`”.
+        """Start work for a file; errors are reported as “file was not `what`”.
 
         Where nothing comes of it, `left` is called with that sentence, or with an empty one where the person
         has stopped the work; by default the sentence is shown. Returns False, and does nothing but to say so,
@@ -68,7 +68,7 @@ class FileWork:
         return self.jobs.start(title, work, done, failed)
 
     def compute(self, title: str, work: Work, done: Callable[[Any], object]) -> bool:
-        """Compute something for the document; the sentence of an `EditError` is said, and nothing changes.
+        """Start a computation for the document; an `EditError` is shown, and nothing changes.
 
         Returns False, and does nothing but to say so, while there is other work.
         """
@@ -84,17 +84,17 @@ class FileWork:
         return self.jobs.start(title, work, done, failed)
 
     def refuse_second(self) -> bool:
-        """Say that one thing is done at a time, and return True, while something is being done."""
+        """Return whether a task is running, and say so."""
         if self.jobs.is_busy:
             self._session.refuse(f"{self.jobs.title} is still running. Stop it first.")
         return self.jobs.is_busy
 
     def refuse(self, path: Path, what: str, problem: Exception) -> None:
-        """Say why something was not done with a file."""
+        """Show why something was not done with a file."""
         self._warn(why_not(path, what, problem))
 
     def warn_of(self, remarks: Sequence[str]) -> None:
-        """Say what was left out; of much, the beginning."""
+        """Show remarks about omissions, at most three of them."""
         more = [f"And {len(remarks) - _MOST_REMARKS} more."] if len(remarks) > _MOST_REMARKS else []
         self._warn(" ".join([*remarks[:_MOST_REMARKS], *more]))
 
@@ -103,7 +103,7 @@ class FileWork:
             self._warning(sentence)
 
     def cancel(self) -> None:
-        """Stop what is being done, and say so."""
+        """Stop the running task, and say so."""
         if self.jobs.is_busy:
             # Other work may begin as soon as this has ended.
             title, leave = self.jobs.title, self._stopped
@@ -115,7 +115,7 @@ class FileWork:
 
 
 def why_not(path: Path, what: str, problem: Exception) -> str:
-    """Return why something was not done with a file, as a sentence."""
+    """Return the sentence why something was not done with a file."""
     # Some are clauses; what readers say names the file, and it need not be named twice.
     reason = f"{str(problem).removesuffix('.')}."
     named = what == "imported" and path.name in reason

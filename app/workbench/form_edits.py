@@ -12,7 +12,7 @@ from ..widgets.sliders import LiveSlider
 
 
 class FormEdits:
-    """Makes the changes that a form asks for; what is refused stays in the form, which says why."""
+    """Edits of a form; a refused input stays in the form, with the reason."""
 
     def __init__(self, session: Session, form: FieldForm) -> None:
         self._session, self._form = session, form
@@ -26,7 +26,7 @@ class FormEdits:
 
 
 class SliderGesture:
-    """Changes the document by a slider: live in a drag, which is one step; at once by key, wheel or click.
+    """Edits by a slider: a live preview in a drag, which is one step; one step for key, wheel or click.
 
     Parameters
     ----------

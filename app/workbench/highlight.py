@@ -1,4 +1,4 @@
-"""The highlight that Copy, Cut, Duplicate and Delete act on, and its removal."""
+"""The curves or points that Copy, Cut, Duplicate and Delete act on, and their removal."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from .context import WindowContext
 
 @runtime_checkable
 class ListsCurves(Protocol):
-    """A list that tells which curves its keys are about."""
+    """List of curves that keys act on while it has the focus."""
 
     meant: frozenset[int]
 
 
 def is_in_list(context: WindowContext) -> bool:
-    """Whether the list of curves has the focus: its keys are about whole curves."""
+    """Return whether the list of curves has the focus, so that keys act on whole curves."""
     focus = QApplication.focusWidget()
     return focus is not None and context.docks["curvesDock"].isAncestorOf(focus)
 
 
 def highlighted(context: WindowContext) -> ClipboardSelection:
-    """Return the highlight: with the focus in the list of curves, the curves of its highlighted rows."""
+    """Return the selection for the clipboard: the curves of the focused list, or else that of the session."""
     focus, in_list = QApplication.focusWidget(), is_in_list(context)
     if in_list and isinstance(focus, ListsCurves):
         return ClipboardSelection(focus.meant)
@@ -40,7 +40,7 @@ def highlighted(context: WindowContext) -> ClipboardSelection:
 
 
 def highlighted_curves(context: WindowContext) -> frozenset[int]:
-    """Return what commands on curves are about: rows of the list that has the focus, or the highlight."""
+    """Return the curves that commands act on: those of the focused list, or else the selected ones."""
     focus, selected = QApplication.focusWidget(), context.session.selected
     if isinstance(focus, ListsCurves):
         return focus.meant
@@ -50,12 +50,12 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
 def remove(
     context: WindowContext, what: ClipboardSelection, verb: str, *, keeps_shape: bool = True
 ) -> Change:
-    """Remove what was highlighted as one step, such as "Delete 3 points".
+    """Remove points or curves as one step, such as "Delete 3 points".
 
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
     session = context.session
-    document, active, edited = session.document, session.active_index, session.selected.edited
+    document, active, edited_curves = session.document, session.active_index, session.selected.edited
     gone, deleted = what.curves_of(document), list[Deletion]()
 
     def without(document: Document, curve: int, indices: Collection[int]) -> Document:
@@ -69,7 +69,7 @@ def remove(
     change = session.change(
         f"{verb} {what.words(document)}",
         lambda document: what.removed_from(document, delete),
-        active=active_after_removal(document, gone, active, edited) if gone else None,
+        active=active_after_removal(document, gone, active, edited_curves) if gone else None,
     )
     if change:
         session.selected.set_points([])
@@ -78,13 +78,13 @@ def remove(
 
 
 def _say_change(context: WindowContext, what: ClipboardSelection, deleted: Sequence[Deletion]) -> None:
-    """Say by how much curves changed that were to keep their shape."""
-    fitted = [each for each in deleted if each.residual is not None]
+    """Show the largest change of the curves whose shape was kept as far as possible."""
+    fitted = [deletion for deletion in deleted if deletion.residual is not None]
     if not fitted:
         return
     session = context.session
-    words, most = what.points.count_label, max(each.residual or 0.0 for each in fitted)
-    if keeps_shape(most, [each.curve for each in fitted]):
+    words, most = what.points.count_label, max(deletion.residual or 0.0 for deletion in fitted)
+    if keeps_shape(most, [deletion.curve for deletion in fitted]):
         session.say(f"Deleted {words}. The shape is unchanged.")
     else:
         length = f"{number(most, 2)} {session.document.unit}".rstrip()

@@ -19,14 +19,14 @@ from ..widgets.frames import OverlayFrame
 _TOP, _SIDE, _NARROWEST, _WIDEST = 10, 56, 120, 720
 _OFFERS = ("offeredAction", "secondOffer")
 _AROUND_SENTENCE = 90
-"""Pixels for the sign, the button that closes, and the gaps."""
+"""Pixels for the icon, the close button and the gaps."""
 
 GAP = 8
 """Pixels between the parts of a bar."""
 
 
 class SentenceBar(OverlayFrame):
-    """A sentence with a sign and a button that puts it away; hidden while there is nothing to say.
+    """Bar with an icon, a sentence and a close button; hidden without a sentence.
 
     Attributes
     ----------
@@ -56,11 +56,11 @@ class SentenceBar(OverlayFrame):
 
     @property
     def text(self) -> str:
-        """The sentence on screen, empty while the bar is hidden."""
+        """The displayed sentence; empty while the bar is hidden."""
         return "" if self.isHidden() else self.sentence.text()
 
     def show_sentence(self, text: str, *, warns: bool) -> None:
-        """Show what is wrong, or a hint."""
+        """Show a warning or a hint."""
         self.sentence.setText(text)
         if warns != self._is_warning:
             self._is_warning = warns
@@ -75,15 +75,15 @@ class SentenceBar(OverlayFrame):
 
     @property
     def sentence_width(self) -> int:
-        """The width of the sentence on one line, with sign and gaps."""
+        """Width of the sentence on one line, with icon and gaps."""
         return self.sentence.fontMetrics().horizontalAdvance(self.sentence.text()) + _AROUND_SENTENCE
 
     def wanted_width(self, sentence: int, room: int) -> int:
-        """Return how wide the bar wants to be, of `room` pixels, with a sentence of this width."""
+        """Return the preferred width of the bar, at most `room`, for a sentence of this width."""
         return sentence
 
     def place(self) -> None:
-        """Lie at the top, in the middle, as wide as the sentence needs."""
+        """Move to the top centre, as wide as the sentence needs."""
         room = min(self.below.width() - 2 * _SIDE, _WIDEST)
         width = max(min(self.wanted_width(self.sentence_width, room), room), _NARROWEST)
         if (layout := self.layout()) is not None:
@@ -106,12 +106,12 @@ class SentenceBar(OverlayFrame):
 
 
 def keep_pointer(button: QToolButton) -> None:
-    """Let a pointer that moves on a button move over nothing below it."""
+    """Keep mouse moves over a button from the widget below."""
     button.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
 
 
 class MessageBar(SentenceBar):
-    """The line of the window, with a button for what can be done.
+    """Message bar of the window, with up to two actions.
 
     It takes no room from the canvas: a drawing that moved when a message appears would move under the hand.
     What is pressed on it, but for its buttons, is pressed on the parent.
@@ -141,11 +141,11 @@ class MessageBar(SentenceBar):
 
     @property
     def covered(self) -> int:
-        """Pixels of its parent's height that it takes at the top."""
+        """Height that the bar covers at the top of its parent, in pixels."""
         return 0 if self.isHidden() else self.geometry().bottom() + 1
 
     def warn(self, text: str, action: QAction | None = None) -> None:
-        """Show what is wrong and what to do, with a button where one thing does it."""
+        """Show a problem, with a button for the action that solves it."""
         self._show(text, [action] if action is not None else [], warns=True)
 
     def tell(self, text: str) -> None:
@@ -153,7 +153,7 @@ class MessageBar(SentenceBar):
         self._show(text, [], warns=False)
 
     def offer(self, text: str, actions: Sequence[QAction]) -> None:
-        """Show a sentence, and a button for each thing that can be done about it."""
+        """Show a sentence with a button for each action."""
         self._show(text, actions, warns=False)
 
     @property
@@ -171,12 +171,12 @@ class MessageBar(SentenceBar):
         self.show_sentence(text, warns=warns)
 
     def wanted_width(self, sentence: int, room: int) -> int:
-        """Return how wide the bar is with its buttons beside the sentence."""
+        """Return the width with the buttons beside the sentence."""
         return sentence + sum(button.sizeHint().width() + GAP for button in self._offered)
 
 
 class NoticeBar(SentenceBar):
-    """A sentence with buttons, below the bar `above` where that is shown; its parts are named by `kind`."""
+    """Sentence with buttons, below a visible bar `above`; its parts are named after `kind`."""
 
     def __init__(self, kind: str, parent: QWidget, above: QWidget | None = None) -> None:
         super().__init__(kind, f"close{kind.capitalize()}Bar", parent, above)
@@ -189,15 +189,15 @@ class NoticeBar(SentenceBar):
 
     @property
     def offered(self) -> list[str]:
-        """The names of the actions that the buttons stand for."""
+        """Names of the actions of the buttons."""
         return [] if self.isHidden() else [button.defaultAction().objectName() for button in self._buttons]
 
     def button(self, name: str) -> QToolButton:
-        """Return the button that stands for the action of this name."""
+        """Return the button of an action."""
         return next(button for button in self._buttons if button.defaultAction().objectName() == name)
 
     def show_notice(self, text: str, actions: Sequence[QAction], *, warns: bool) -> None:
-        """Show a sentence, and a button for each of the actions."""
+        """Show a sentence with a button for each action."""
         if self.text == text and self.offered == [action.objectName() for action in actions]:
             return
         for button in self._buttons:
@@ -205,14 +205,14 @@ class NoticeBar(SentenceBar):
             button.hide()
             button.deleteLater()
         self._buttons = [action_button(action, self, icon_size=14, beside=True) for action in actions]
-        for place, button in enumerate(self._buttons):
+        for index, button in enumerate(self._buttons):
             keep_pointer(button)
-            self._row.insertWidget(place, button)
+            self._row.insertWidget(index, button)
             button.show()
         self.show_sentence(text, warns=warns)
 
     def wanted_width(self, sentence: int, room: int) -> int:
-        """Return how wide the bar is; the buttons stand beside the sentence if they fit, else below."""
+        """Return the width; buttons are beside the sentence where they fit, and else below."""
         buttons = sum(button.sizeHint().width() + GAP for button in self._buttons)
         is_one_row = sentence + buttons <= room
         across, down = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom

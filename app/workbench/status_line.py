@@ -16,16 +16,16 @@ from ..qt.overrides import SafeOverrides
 from ..widgets.controls import named
 from ..widgets.elided_label import ElidedLabel, SteadyLabel
 
-_SAID_MS = 6000
+_MESSAGE_MS = 6000
 _READ_MS = 1500
-"""Least time that a sentence stays before a new hint may take its place."""
+"""Least time of a message before a new hint may replace it, in milliseconds."""
 
 _SOON_MS = 33
-"""Milliseconds after which words are written that change with every move: nobody reads faster."""
+"""Delay of texts that change with every move, in milliseconds."""
 
 
 class StatusLine(SafeOverrides, QStatusBar):
-    """Shows a sentence at the left, numbers at the right.
+    """Status line with a sentence at the left and numbers at the right.
 
     The sentence is one of four, the first that there is: how far a gesture has come; the tip of the menu
     entry or button under the pointer; what has been said; what a press would do.
@@ -49,31 +49,31 @@ class StatusLine(SafeOverrides, QStatusBar):
         self.addPermanentWidget(self._label, 1)
         self.messageChanged.connect(self._follow_tip)
         self.readouts = Readouts(self)
-        self._progress = self._tip = self._said = self._hint = self._refusal = ""
+        self._progress = self._tip = self._message = self._hint = self._refusal = ""
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render)
-        self._timer = QTimer(self, singleShot=True, interval=_SAID_MS)
+        self._timer = QTimer(self, singleShot=True, interval=_MESSAGE_MS)
         self._timer.timeout.connect(self.clear_message)
         # It runs until the event is over in which the sentence was said.
-        self._just_said = QTimer(self, singleShot=True, interval=0)
+        self._just_shown = QTimer(self, singleShot=True, interval=0)
 
     def put_after(self, widget: QWidget) -> None:
-        """Put a widget behind the sentence, before all numbers."""
+        """Insert a widget between the sentence and the numbers."""
         self.insertPermanentWidget(1, widget)
 
     @property
     def text(self) -> str:
         """The sentence at the left."""
-        return self._progress or self._tip or self._said or self._hint
+        return self._progress or self._tip or self._message or self._hint
 
     @property
     def is_refusal(self) -> bool:
-        """Whether that sentence tells that something was not done; a sign and a colour mark it."""
+        """Whether the sentence is a refusal, which has an icon and a colour."""
         return bool(self._refusal) and self.text == self._refusal
 
     @property
     def hint(self) -> str:
-        """Hint about a press at the pointer, whatever has been said since."""
+        """Hint about a press at the pointer, whether or not it is displayed."""
         return self._hint
 
     def _render(self) -> None:
@@ -83,28 +83,28 @@ class StatusLine(SafeOverrides, QStatusBar):
         self.readouts.catch_up()
 
     def show_hint(self, text: str) -> None:
-        """Show what a press would do; a sentence just said stays in front."""
+        """Show the hint about a press; a recent message stays in front."""
         is_new, self._hint = text != self._hint, text
-        could_be_read = self._timer.remainingTime() < _SAID_MS - _READ_MS
+        could_be_read = self._timer.remainingTime() < _MESSAGE_MS - _READ_MS
         if is_new and text:
             self.clearMessage()
             if could_be_read:
-                self._said = self._refusal = ""
+                self._message = self._refusal = ""
         self._render()
 
     def show_progress(self, text: str) -> None:
-        """Show how far a gesture has come, in place of what was said before it; empty when it has ended."""
+        """Show the progress of a gesture in place of earlier messages; empty at its end."""
         self._progress = text
         if not text:
             self._render()
             return
-        self._said = ""
+        self._message = ""
         self.clearMessage()
         if not self._soon.isActive():
             self._soon.start()
 
     def show_tip(self, text: str) -> None:
-        """Show what the entry under the pointer does; empty when the pointer has left it."""
+        """Show the tip of the entry under the pointer; empty when the pointer has left it."""
         self.showMessage(text)
 
     def _follow_tip(self, text: str) -> None:
@@ -120,37 +120,37 @@ class StatusLine(SafeOverrides, QStatusBar):
             self.style().drawPrimitive(QStyle.PrimitiveElement.PE_PanelStatusBar, option, painter, self)
 
     def say(self, text: str) -> None:
-        """Show a sentence for some seconds."""
-        self._said = text
+        """Show a message for some seconds."""
+        self._message = text
         self.clearMessage()
         self._timer.start()
-        self._just_said.start()
+        self._just_shown.start()
         self._render()
 
     def refuse(self, text: str) -> None:
-        """Show for some seconds that something was not done, and why, until a gesture in flight goes on."""
+        """Show a refusal for some seconds, or until a gesture in flight goes on."""
         self._refusal, self._progress = text, ""
         self.say(text)
 
     def begin_gesture(self) -> None:
-        """Put away what was said before this press, not what it made a field say that lost the focus."""
+        """Remove earlier messages at a press, but not one that the press itself has caused."""
         self.clearMessage()
-        if not self._just_said.isActive():
+        if not self._just_shown.isActive():
             self.clear_message()
 
     def clear_message(self) -> None:
-        """Put away what was said: it has stood long enough."""
-        self._said = self._refusal = ""
+        """Remove the message."""
+        self._message = self._refusal = ""
         self._timer.stop()
         self._render()
 
     def unsay(self, text: str) -> None:
-        """Put a sentence away before its time, if it still stands: it is true no longer."""
-        if text and self._said == text:
+        """Remove a message that is no longer true, if it is still displayed."""
+        if text and self._message == text:
             self.clear_message()
 
     def reset(self) -> None:
-        """Put away all sentences: they were about a document that is another one now."""
+        """Remove all texts, after another document was opened."""
         self._progress = self._hint = ""
         self.clearMessage()
         self.readouts.show_t(None)
@@ -167,7 +167,7 @@ _HOLDS_TIP = "; it holds for small errors in x or y, whichever grow more, and de
 
 
 class Readouts:
-    """The numbers of a status line.
+    """Numbers of a status line: position, t and Lebesgue constant.
 
     Attributes
     ----------
@@ -176,12 +176,12 @@ class Readouts:
     """
 
     def __init__(self, line: QStatusBar) -> None:
-        self._place_label = named(SteadyLabel(), "pointerPlace")
+        self._position_label = named(SteadyLabel(), "pointerPlace")
         self._t_label = named(SteadyLabel(), "pointerT")
         self._lebesgue_label = named(SteadyLabel(), "lebesgueConstant", tip=_LEBESGUE_TIP)
-        for label in (self._place_label, self._t_label, self._lebesgue_label):
+        for label in (self._position_label, self._t_label, self._lebesgue_label):
             line.addPermanentWidget(label)
-        self._place_now: Vector | None = None
+        self._position: Vector | None = None
         self._t_here: float | None = None
         self._t_scrub: float | None = None
         self._lebesgue: float | None = math.nan
@@ -191,13 +191,13 @@ class Readouts:
         self._soon.timeout.connect(self.render)
 
     def show_unit(self, unit: str) -> None:
-        """Show the place in this unit from now on."""
+        """Set the unit of the position."""
         self.unit = unit
         self._render_soon()
 
-    def show_place(self, place: Vector | None) -> None:
-        """Show where the pointer is on the canvas."""
-        self._place_now = place
+    def show_position(self, position: Vector | None) -> None:
+        """Show the position of the pointer on the canvas."""
+        self._position = position
         self._render_soon()
 
     def show_t(self, t: float | None) -> None:
@@ -226,22 +226,22 @@ class Readouts:
             self._soon.start()
 
     def catch_up(self) -> None:
-        """Write the numbers that wait, together with the words beside them."""
+        """Write delayed numbers now, together with the text beside them."""
         if self._soon.isActive():
             self.render()
 
     def render(self) -> None:
         """Write the numbers now."""
         self._soon.stop()
-        self._place_label.setText(self._place_text())
+        self._position_label.setText(self._position_text())
         t = self._t_scrub if self._t_here is None else self._t_here
         self._t_label.setText("" if t is None else f"t {number(t)}")
         self._lebesgue_label.setText(self._lebesgue_text())
 
-    def _place_text(self) -> str:
-        if self._place_now is None:
+    def _position_text(self) -> str:
+        if self._position is None:
             return ""
-        x, y = self._place_now
+        x, y = self._position
         unit = f" {self.unit}" if self.unit else ""
         return f"x {number(x)}{unit}   y {number(y)}{unit}"
 

@@ -316,7 +316,7 @@ def test_hidden_guides_catch_nothing_and_are_not_hit(drawing):
     assert not drawing.window.canvas.drawing.guides.is_visible
     # A new one shows them again.
     draw(drawing, above(drawing), (1.0, 4.0))
-    assert drawing.window.store.state.guides_shown
+    assert drawing.window.store.state.guides_visible
 
 
 def test_snapping_to_guides_is_a_choice_of_its_own(drawing):

@@ -46,7 +46,9 @@ def test_the_shortcut_search_ranks_alike(editor, qtbot):
     def search(text):
         keys.search.clear()
         qtbot.keyClicks(keys.search, text)
-        return [keys.table.item(row, 0).text() for row in keys.shown if not keys.table.isRowHidden(row)]
+        return [
+            keys.table.item(row, 0).text() for row in keys.displayed_rows if not keys.table.isRowHidden(row)
+        ]
 
     everything = search("")
     assert search("Reverse") == ["Reverse Curve"]  # "Recover Unsaved Work" stood before it
@@ -55,4 +57,4 @@ def test_the_shortcut_search_ranks_alike(editor, qtbot):
     assert "Undo" in search("Ctrl+Z")
     keys.search.clear()
     qtbot.keyClicks(keys.search, " ")
-    assert [keys.table.item(row, 0).text() for row in keys.shown] == everything
+    assert [keys.table.item(row, 0).text() for row in keys.displayed_rows] == everything

@@ -102,9 +102,9 @@ def test_the_place_is_never_cut_off(arch):
     label = arch.window.statusBar().findChild(QLabel, "pointerPlace")
     for thousandths in range(10, 10_000, 111):
         # Each from no room at all, so that it gets as much as it needs and no more.
-        arch.window.status_line.readouts.show_place(None)
+        arch.window.status_line.readouts.show_position(None)
         arch.window.status_line.readouts.render()
-        arch.window.status_line.readouts.show_place((-7.265, -thousandths / 1000))
+        arch.window.status_line.readouts.show_position((-7.265, -thousandths / 1000))
         arch.window.status_line.readouts.render()
         arch.settle()
         room = label.contentsRect().width()

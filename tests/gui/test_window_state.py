@@ -15,7 +15,7 @@ from app.tools.canvas.add import ADD
 from app.tools.canvas.select import SELECT
 
 APP = Path(__file__).resolve().parent.parent.parent / "app"
-SHOWN = {"tool_buttons"}
+SHOWN = {"controls"}
 """Modules with what shows an action: buttons that mirror one."""
 
 

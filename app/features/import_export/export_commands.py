@@ -21,7 +21,7 @@ from ...storage.files import StorageError
 from ...tasks.progress import Report, part
 from ...workbench.clipboard import SVG, put_on_clipboard
 from ...workbench.context import WindowContext
-from ...workbench.document_files import file_stem, own_name
+from ...workbench.document_files import file_stem, valid_stem
 from .. import import_export
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ class ExportCommands:
         session, last = self._session, self._session.files.last_export
         self._preferences.export_choice = exchange.export_choice.text_of(choice)
         known = exchange.export_choice.known_name(choice, session.document, session.selected.marked, last)
-        usual = own_name(known or file_stem(session)) + choice.ending
+        usual = valid_stem(known or file_stem(session)) + choice.ending
         kind = f"{choice.format.title} (*{choice.ending})"
         start = str(self._preferences.last_folder / usual)
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)

@@ -99,7 +99,7 @@ class MotionCommands:
         "K",
         "play",
         full_name="Play Motion",
-        needs=Need(CURVE_THROUGH_TWO.words, lambda state: state.is_current or state.window.motion_shown),
+        needs=Need(CURVE_THROUGH_TWO.words, lambda state: state.is_current or state.window.motion_visible),
         checked=lambda state: state.window.motion_plays,
     )
     @also(TOOLBAR(64))
@@ -113,7 +113,7 @@ class MotionCommands:
         MOTION_RUN,
         icon="stop",
         full_name="Stop Motion",
-        needs=Need("", lambda state: state.window.motion_shown, "No motion is shown."),
+        needs=Need("", lambda state: state.window.motion_visible, "No motion is shown."),
     )
     def _stop(self) -> None:
         """End the motion (Escape)."""

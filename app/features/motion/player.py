@@ -66,7 +66,7 @@ class Player(QObject):
     @property
     def is_open(self) -> bool:
         """Whether there is a motion, playing or paused."""
-        return self._store.state.motion_shown
+        return self._store.state.motion_visible
 
     @property
     def is_playing(self) -> bool:
@@ -96,7 +96,7 @@ class Player(QObject):
             self.seconds = 0.0
         self._last = self.clock()
         self._timer.start()
-        self._store.change(motion_shown=True, motion_plays=True)
+        self._store.change(motion_visible=True, motion_plays=True)
         self._show()
         self.changed.emit()
 
@@ -127,7 +127,7 @@ class Player(QObject):
         """End the motion; the scrub line returns to its position before."""
         if self.is_open:
             self._timer.stop()
-            self._store.change(motion_shown=False, motion_plays=False)
+            self._store.change(motion_visible=False, motion_plays=False)
             self._move_scrub(self._scrub_before)
             self.changed.emit()
 

@@ -41,8 +41,8 @@ class OverlayCommands:
         self._settled: Picture | None = None
         self._is_drawn = False
         context.analysis.changed.connect(self._render_settings)
-        context.analysis.ghost_chosen.connect(self._make_real)
-        context.central.canvas.drawing.annotations.ghost_chosen.connect(self._make_real)
+        context.analysis.ghost_adopted.connect(self._make_real)
+        context.central.canvas.drawing.annotations.ghost_adopted.connect(self._make_real)
         context.central.canvas.drawing.annotations.ghost_hidden.connect(
             lambda ghost: context.analysis.show_ghost(ghost, False)
         )

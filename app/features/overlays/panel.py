@@ -120,7 +120,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         use = self._use_buttons[ghost] = tool_button(
             f"use_{ghost.name}", f"Use {words}", f"Apply to the curve: {words}", text="Use"
         )
-        use.clicked.connect(lambda: self._analysis.ghost_chosen.emit(ghost))
+        use.clicked.connect(lambda: self._analysis.ghost_adopted.emit(ghost))
         self._rows.addWidget(box, row, 0)
         self._rows.addWidget(use, row, 1, Qt.AlignmentFlag.AlignRight)
 

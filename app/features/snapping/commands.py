@@ -40,7 +40,7 @@ class GuideCommands:
         self._typed: int | None = None
         self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
-        self._canvas.guide_drawn.connect(lambda: context.store.change(guides_shown=True))
+        self._canvas.guide_drawn.connect(lambda: context.store.change(guides_visible=True))
         self._canvas.guide_opened.connect(self._open)
 
     def show_document(self) -> None:
@@ -55,7 +55,7 @@ class GuideCommands:
         if state.shows_rulers != self._canvas.rulers.are_visible:
             self._canvas.show_rulers(state.shows_rulers)
             self._context.central.message_bar.place()
-        self._guides.set_visible(state.guides_shown)
+        self._guides.set_visible(state.guides_visible)
 
     # The field
 
@@ -95,7 +95,7 @@ class GuideCommands:
     def _take(self, guide: Guide) -> None:
         place, where = self._typed, guide_label(guide)
         if place is None:
-            self._context.store.change(guides_shown=True)
+            self._context.store.change(guides_visible=True)
             self._session.change(
                 f"Guide at {where}", lambda document: add_guide(document, guide.axis, guide.position)
             )
@@ -119,7 +119,7 @@ class GuideCommands:
         """Show rulers above and at the left of the canvas, or plain axes."""
 
     @switch(
-        "guides_shown",
+        "guides_visible",
         "toggleGuides",
         "Show Guides",
         VIEW_GUIDES,
@@ -146,7 +146,7 @@ class SnapCommands:
 
     def _show_state(self, before: WindowState | None, state: WindowState) -> None:
         # Nobody would understand a snap to what is not seen.
-        shown = {SnapKind.GRID: state.grid, SnapKind.GUIDES: state.guides_shown}
+        shown = {SnapKind.GRID: state.grid, SnapKind.GUIDES: state.guides_visible}
         hidden = {kind for kind, is_shown in shown.items() if not is_shown}
         effective = replace(state.snapping, kinds=state.snapping.kinds - hidden)
         canvas = self._context.central.canvas

@@ -31,7 +31,7 @@ from ...storage.validation import check_fields
 from ...tools.tool import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of
-from ...workbench.clipboard import CURVES, clipboard_data, drawing_in, own_in, put_on_clipboard
+from ...workbench.clipboard import CURVES, clipboard_data, copied_curves_in, drawing_in, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.form_edits import SliderGesture
@@ -329,7 +329,7 @@ def _style_in(data: QMimeData) -> Style | None:
             found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
             check_fields(found, "style")
             return found
-        if copied := own_in(data):
+        if copied := copied_curves_in(data):
             return copied.curves[0].style
     except (msgspec.DecodeError, UnicodeDecodeError, FormatError):
         pass

@@ -102,7 +102,7 @@ class ViewCommands:
             self._context.actions["moveImage"].trigger()
         elif state.tool is not SELECT:
             self._context.actions[SELECT.action].trigger()
-        elif state.motion_shown:
+        elif state.motion_visible:
             self._context.actions["stopMotion"].trigger()
         elif state.presentation:
             self._store.change(presentation=False)
