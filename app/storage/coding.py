@@ -1,4 +1,4 @@
-"""Hooks for msgspec: how the document's values are written that are no plain JSON values."""
+"""Hooks for msgspec: encoding and decoding of families, their settings, and numbers of NumPy."""
 
 from __future__ import annotations
 
@@ -7,24 +7,24 @@ from types import NoneType
 from ..families import FAMILIES, ChosenSettings, Family, SettingValue, may_be_name
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
-"""The names that msgspec has for the values of JSON in its own refusals."""
+"""Names of JSON types as in the messages of msgspec."""
 
 
 def encode_hook(value: object) -> str | float | dict[str, SettingValue]:
-    """Return what stands for a value: the name of a family, a number of NumPy's as one of Python's."""
+    """Return the JSON value of a family (its name), of settings, or of a number of NumPy."""
     if isinstance(value, ChosenSettings):
         return dict(value)
     return value.name if isinstance(value, Family) else float(value)  # type: ignore[arg-type]
 
 
 def decode_hook(kind: type, value: object) -> Family | ChosenSettings:
-    """Return the family of a name, which may be there elsewhere if not here, or the settings of one.
+    """Return the family of a name, installed or not, or the settings of a family.
 
     Raises
     ------
     ValueError
-        In the words of msgspec, which adds the place, where no family can be called that, or settings are no
-        object; `validate` looks at what they hold.
+        With a message like those of msgspec, which adds the field, if no family can have that name or the
+        settings are not an object; `validate` checks their content.
     """
     if kind is ChosenSettings:
         if not isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""SHA-256, whose library takes milliseconds that a start without a file does without."""
+"""SHA-256; apart because its library takes milliseconds that a start without a file saves."""
 
 from __future__ import annotations
 

@@ -16,21 +16,21 @@ _S_SKETCH = (
     (3.03, 3.34), (2.65, 3.81), (1.39, 3.83), (1.14, 2.38),
     (2.95, 1.62), (2.67, 0.17), (1.29, 0.19), (0.86, 0.66),
 )  # fmt: skip
-"""Denser towards the ends, as a polynomial likes it: the curve is calm, its basis functions stay low."""
+"""Points that are denser towards the ends, as polynomials need them: the basis functions stay small."""
 
 
 def first_sketch() -> Document:
-    """Return the document that a window without a file starts with: an S-shaped sketch."""
+    """Return the document of a window without a file: an S-shaped sketch."""
     return Document((make_curve(_S_SKETCH, name="Sketch"),))
 
 
 def example_paths() -> list[Path]:
-    """Return the documents of File > Examples."""
+    """Return the paths of the documents in File > Examples."""
     return sorted(resource("examples").glob("*.curve.json"))
 
 
 def example_name(path: Path) -> str:
-    """Return what the document at `path` calls itself; the file's name if it cannot be read."""
+    """Return the name of the first curve of the document at `path`; the file name if it cannot be read."""
     try:
         return load(path).curves[0].name
     except (FormatError, StorageError):
@@ -38,7 +38,7 @@ def example_name(path: Path) -> str:
 
 
 def template_title(path: Path, document: Document) -> str:
-    """Return what a copy of the example or of the lesson at `path` is called, until it is saved."""
+    """Return the title of an unsaved copy of the example or lesson at `path`."""
     if path.parent.parent.name == "lessons":
         number, _, words = path.parent.name.partition("_")
         return f"Lesson {int(number)} ({words.replace('_', ' ')})" if number.isdecimal() else "Lesson"

@@ -33,13 +33,13 @@ from .system import folder_lock, is_number_alive, machine
 _log = logging.getLogger("curvebench.storage")
 
 MAX_BYTES = 256 * 2**20
-"""Largest file that is read: some four million points; beyond it a file is hardly a drawing."""
+"""Largest file that is read: about four million points."""
 
 _FOLDER_SYNC_UNSUPPORTED = frozenset({errno.EINVAL, errno.ENOTSUP, errno.EACCES})
 
 
 class Stamp(msgspec.Struct, frozen=True):
-    """Fingerprint of a file when it was read or written: enough to notice that it is another one now."""
+    """Fingerprint of a file when it was read or written, to detect that it has changed since."""
 
     size: int
     modified: int
@@ -48,36 +48,40 @@ class Stamp(msgspec.Struct, frozen=True):
     digest: bytes
 
     def is_of(self, status: os.stat_result) -> bool:
-        """Whether a file with this status is in all likelihood the same, without reading it."""
-        own = (self.size, self.modified, self.inode, self.device)
-        return own == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
+        """Return whether a file with this status is most likely the same, without reading it."""
+        return (self.size, self.modified, self.inode, self.device) == (
+            status.st_size,
+            status.st_mtime_ns,
+            status.st_ino,
+            status.st_dev,
+        )
 
 
 class Content(msgspec.Struct, frozen=True):
-    """The content of a file, and its stamp at that moment."""
+    """Content of a file, and its stamp at that moment."""
 
     data: bytes
     stamp: Stamp
 
 
 class StorageError(OSError):
-    """A file cannot be read or written; the message says which, why, and what to do."""
+    """A file cannot be read or written; the message says why, and what to do."""
 
 
 class MissingError(StorageError):
-    """There is no such file."""
+    """The file does not exist."""
 
 
 class ChangedOnDiskError(StorageError):
-    """The file is another one than was seen last; nothing was written."""
+    """The file has changed since it was last read; nothing was written."""
 
 
 class NewerVersionError(StorageError):
-    """The file was written by a newer version of the program, and stays as it is."""
+    """The file was written by a newer version of the program; it was not replaced."""
 
 
 class UnconfirmedError(StorageError):
-    """The file was written, but the disk did not confirm it; `stamp` is that of what was written."""
+    """The file was written, but the disk did not confirm it; `stamp` is that of the new content."""
 
     def __init__(self, message: str, stamp: Stamp) -> None:
         super().__init__(message)
@@ -85,89 +89,89 @@ class UnconfirmedError(StorageError):
 
 
 def load(path: str | os.PathLike[str]) -> Document:
-    """Return the document in the file at `path`, with the absolute path of its image.
+    """Return the document in the file at `path`, with the absolute path of its reference image.
 
     Raises
     ------
     StorageError
         If the file cannot be read.
     FormatError
-        If it holds no valid document.
+        If its content is not a valid document.
     """
     return load_counting(path).document
 
 
 def load_counting(path: str | os.PathLike[str]) -> Decoded:
-    """Return what `load` does, and what of a file of an older version is left out."""
+    """Return the document in the file at `path`, and the features of an older version that were left out."""
     return document_in(read(path), path)
 
 
 def document_in(data: bytes, path: str | os.PathLike[str]) -> Decoded:
     """Return the document in `data`, the content of the file at `path`; see `load_counting`."""
-    found = decode_counting(data)
-    return Decoded(with_absolute_image_path(found.document, folder_of(path)), found.left_out)
+    decoded = decode_counting(data)
+    return Decoded(with_absolute_image_path(decoded.document, folder_of(path)), decoded.left_out)
 
 
 def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None = None) -> Stamp:
-    """Write `document` to `path`, whole or not at all; its image is found again relative to `path`.
+    """Write a document to `path`, completely or not at all, with the path of its image relative to `path`.
 
-    A file of an older version of the format is kept under another name (``name.v0.bak``) before it is
-    replaced; one of a newer version is not replaced.
+    A file of an older version of the format is first copied to a backup (``name.v0.bak``); a file of a newer
+    version is not replaced.
 
     Parameters
     ----------
     seen
-        What the file was when it was last looked at: if it is another one by now, it is not replaced. By
-        default any file is.
+        Stamp of the file when it was last read: a file that has changed since is not replaced. By default any
+        file is replaced.
 
     Raises
     ------
     FormatError
         If the document is not valid; nothing is written.
     StorageError
-        If the file cannot be written; the old one is still there.
+        If the file cannot be written; the old file is unchanged.
     """
     data = encode(with_relative_image_path(document, folder_of(path)))
-    return write(path, data, before_replacing=lambda target: _look_once_more(path, target, seen))
+    return write(path, data, before_replacing=lambda target: _check_replaceable(path, target, seen))
 
 
-def _look_once_more(path: str | os.PathLike[str], target: Path, seen: Stamp | None) -> None:
-    """Refuse to replace what must not be replaced, and keep a copy of what would be lost."""
+def _check_replaceable(path: str | os.PathLike[str], target: Path, seen: Stamp | None) -> None:
+    """Raise StorageError if the file must not be replaced; back up a file of an older version."""
     try:
-        found = read_content(target)
+        present = read_content(target)
     except MissingError:
         return
     except StorageError:
-        # May be written but not read: then what the folder says of it has to do.
+        # The file may be written but not read: compare its status in the folder instead.
         if seen is not None and not seen.is_of(target.stat()):
             raise _changed(path) from None
         return
-    if seen is not None and found.stamp.digest != seen.digest:
+    if seen is not None and present.stamp.digest != seen.digest:
         raise _changed(path)
-    version = version_of(found.data)
+    version = version_of(present.data)
     if version is not None and version > VERSION:
         raise NewerVersionError(
-            f"{quoted_path(path)} was written by a newer version of Curvebench and stays as it is. "
+            f"{quoted_path(path)} was written by a newer version of Curvebench and was not replaced. "
             "Save under another name."
         )
     if version is not None and version < VERSION:
-        keep_backup(target, found.data, f"v{version}")
+        keep_backup(target, present.data, f"v{version}")
 
 
 def _changed(path: str | os.PathLike[str]) -> ChangedOnDiskError:
     return ChangedOnDiskError(
         f"{quoted_path(path)} was changed by another program since it was opened. "
-        "Save under another name, or look at what changed first."
+        "Save under another name, or compare with the file first."
     )
 
 
 def keep_backup(target: Path, data: bytes, mark: str) -> Path:
-    """Keep the old content beside the file, under a name that no other backup has; return that.
+    """Write the old content to a backup beside the file, under an unused name, and return its path.
 
     Raises
     ------
     OSError
-        If it cannot be written.
+        If the backup cannot be written.
     """
     temporary, _ = _write_temporary(target.parent, data, target)
     try:
@@ -177,21 +181,19 @@ def keep_backup(target: Path, data: bytes, mark: str) -> Path:
                 return backup
             if _placed(temporary, backup):
                 return backup
-        raise StorageError(
-            f"There are {number} backups of {quoted_path(target)} already; remove some of them."
-        )
+        raise StorageError(f"There are already {number} backups of {quoted_path(target)}. Remove some.")
     finally:
         temporary.unlink(missing_ok=True)
 
 
 def _placed(temporary: Path, name: Path) -> bool:
-    """Give the file the name `name` unless another one has it."""
+    """Rename a temporary file to `name` unless that exists; return whether it was renamed."""
     try:
         os.link(temporary, name)
     except FileExistsError:
         return False
     except OSError:
-        # No hard links here, as on a memory stick.
+        # The file system has no hard links, as on a memory stick.
         if name.exists():
             return False
         temporary.rename(name)
@@ -199,8 +201,8 @@ def _placed(temporary: Path, name: Path) -> bool:
 
 
 def folder_of(path: str | os.PathLike[str]) -> str:
-    """Return the folder that a path leads to."""
-    return os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are kept as they are
+    """Return the absolute folder of a path, links not resolved."""
+    return os.path.dirname(os.path.abspath(path))  # noqa: PTH100, PTH120 - links are not resolved
 
 
 def read(path: str | os.PathLike[str]) -> bytes:
@@ -215,7 +217,7 @@ def read(path: str | os.PathLike[str]) -> bytes:
 
 
 def read_content(path: str | os.PathLike[str]) -> Content:
-    """Return what the file at `path` holds, and what it is now; see `read`."""
+    """Return the content of the file at `path` with its stamp; see `read`."""
     with _logged("read") as size:
         content = _content(path)
         size.append(len(content.data))
@@ -242,22 +244,22 @@ def _content(path: str | os.PathLike[str]) -> Content:
         raise StorageError(unreadable_message(path, problem)) from problem
     if len(data) > MAX_BYTES:
         raise StorageError(
-            f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB; open a smaller file."
+            f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB. Open a smaller file."
         )
     return Content(data, _stamp(status, data))
 
 
 @contextmanager
-def _logged(what: str) -> Iterator[list[int]]:
-    """Log how many bytes were read or written, and how long that took, or the code of the error."""
+def _logged(verb: str) -> Iterator[list[int]]:
+    """Log the number of bytes that were read or written and the time, or the code of the error."""
     began, size = perf_counter(), list[int]()
     try:
         yield size
     except StorageError as problem:
         code = getattr(problem.__cause__, "errno", None)
-        _log.info("not %s: %s", what, errno.errorcode.get(code or 0, type(problem).__name__))
+        _log.info("not %s: %s", verb, errno.errorcode.get(code or 0, type(problem).__name__))
         raise
-    _log.debug("%s %d bytes in %.0f ms", what, *size, 1e3 * (perf_counter() - began))
+    _log.debug("%s %d bytes in %.0f ms", verb, *size, 1e3 * (perf_counter() - began))
 
 
 def _stamp(status: os.stat_result, data: bytes) -> Stamp:
@@ -268,7 +270,7 @@ def _stamp(status: os.stat_result, data: bytes) -> Stamp:
 def write(
     path: str | os.PathLike[str], data: bytes, *, before_replacing: Callable[[Path], None] | None = None
 ) -> Stamp:
-    """Put `data` into the file at `path`, whole or not at all, and return what the file is then.
+    """Write `data` to the file at `path`, completely or not at all, and return the stamp of the file.
 
     The permissions of an existing file are kept, symbolic links are followed, and no temporary file is
     left behind. When this returns, the data is on the disk.
@@ -276,14 +278,13 @@ def write(
     Parameters
     ----------
     before_replacing
-        Looks at the file that is about to be replaced, while no other Curvebench works in its folder; what
-        it raises leaves the old file as it is.
+        Called with the file that is about to be replaced, while no other Curvebench works in its folder; an
+        exception leaves the old file unchanged.
 
     Raises
     ------
     StorageError
-        If any step fails; the old file is then untouched, except where the disk failed to confirm the
-        very last step, which is then said.
+        If any step fails; the old file is then unchanged, except for `UnconfirmedError`.
     """
     with _logged("written") as size:
         stamp = _write(path, data, before_replacing)
@@ -322,15 +323,15 @@ def _refuse_unwritable(path: str | os.PathLike[str], target: Path) -> None:
     except FileNotFoundError:
         return
     _refuse_irregular(path, status)
-    # Replacing a file needs no permission on the file itself, so that a write-protected one would go too.
+    # Replacing a file needs no permission for the file itself: a write-protected file would be replaced.
     if not os.access(target, os.W_OK):
         raise StorageError(f"{quoted_path(path)} is write-protected. Save under another name.")
 
 
 def _write_temporary(folder: Path, data: bytes, like: Path) -> tuple[Path, os.stat_result]:
-    """Write `data` to a new file in `folder`, down to the disk; it may be read by whom `like` may be."""
+    """Write `data` to a new file in `folder`, flushed to the disk, with the access rights of `like`."""
     path = folder / temporary_name()
-    # O_EXCL: a file or link that someone put there first is never followed. The umask gives the mode.
+    # O_EXCL: an existing file or link is never followed. The umask determines the mode.
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
     replaces = like.exists()
     descriptor = os.open(path, flags, 0o600 if replaces else 0o666)
@@ -352,7 +353,7 @@ def _write_temporary(folder: Path, data: bytes, like: Path) -> tuple[Path, os.st
 
 
 def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
-    """Bring the folder's new entry to the disk, where the system can."""
+    """Flush the new entry of the folder to the disk, where the system can."""
     if os.name == "nt":  # Windows opens no folders.
         return
     try:
@@ -362,7 +363,7 @@ def _confirm(path: str | os.PathLike[str], folder: Path, stamp: Stamp) -> None:
         finally:
             os.close(descriptor)
     except OSError as problem:
-        # Some network file systems cannot do it, and some folders may be written but not read.
+        # Some network file systems cannot flush folders, and some folders may be written but not read.
         if problem.errno in _FOLDER_SYNC_UNSUPPORTED:
             return
         raise UnconfirmedError(
@@ -376,7 +377,7 @@ def _refuse_irregular(path: str | os.PathLike[str], status: os.stat_result) -> N
     if stat.S_ISDIR(status.st_mode):
         raise StorageError(f"{quoted_path(path)} is a folder. Choose a file.")
     if not stat.S_ISREG(status.st_mode):
-        raise StorageError(f"{quoted_path(path)} is a pipe or a device. Choose an ordinary file.")
+        raise StorageError(f"{quoted_path(path)} is a pipe or a device. Choose a regular file.")
     if status.st_size > MAX_BYTES:
         raise StorageError(
             f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file."
@@ -387,16 +388,16 @@ def _refuse_irregular(path: str | os.PathLike[str], status: os.stat_result) -> N
 
 
 def keep_access(path: Path, like: Path) -> None:
-    """Give the file at `path` owner, group, permissions and attributes of `like`, as far as one may."""
-    wanted, own = like.stat(), path.stat()
+    """Give the file at `path` owner, group, permissions and attributes of `like`, as far as permitted."""
+    wanted, present = like.stat(), path.stat()
     mode = stat.S_IMODE(wanted.st_mode)
-    if hasattr(os, "chown") and (wanted.st_uid, wanted.st_gid) != (own.st_uid, own.st_gid):
+    if hasattr(os, "chown") and (wanted.st_uid, wanted.st_gid) != (present.st_uid, present.st_gid):
         try:
             os.chown(path, wanted.st_uid, wanted.st_gid)
         except OSError:
             mode = _mode_for_other_owner(path, wanted)
     if hasattr(os, "listxattr"):
-        # Access lists among them; not every file system has them, and some are the system's own.
+        # They include access lists; not every file system has them, and some belong to the system.
         with suppress(OSError):
             for name in os.listxattr(like):
                 with suppress(OSError):
@@ -405,12 +406,12 @@ def keep_access(path: Path, like: Path) -> None:
 
 
 def _mode_for_other_owner(path: Path, wanted: os.stat_result) -> int:
-    """Return the permissions where only the group can be kept, or not even that."""
+    """Return the permissions for a file whose owner, and perhaps group, cannot be kept."""
     mode = stat.S_IMODE(wanted.st_mode) & 0o777
     try:
         os.chown(path, -1, wanted.st_gid)
     except OSError:
-        # Another group than the old one may do no more than everybody.
+        # Another group than the old one gets the permissions of everybody.
         mode = mode & ~0o070 | (mode & 0o007) << 3
     return mode
 
@@ -418,7 +419,7 @@ def _mode_for_other_owner(path: Path, wanted: os.stat_result) -> int:
 # Temporary files
 
 TEMPORARY_PREFIX = ".curvebench-"
-"""Begins the name of every temporary file, so that what a power cut left behind can be recognised."""
+"""Prefix of the names of temporary files, to recognise those that a power cut left behind."""
 
 LEFT_BEHIND = 600.0
 """Seconds after which a temporary file of a process that has ended is removed."""
@@ -430,15 +431,15 @@ _COMPUTER_DIGITS = 8
 
 
 def temporary_name() -> str:
-    """Return a new name for a temporary file, which tells whose it is."""
+    """Return a new name for a temporary file, with the computer and the process that own it."""
     return f"{TEMPORARY_PREFIX}{machine()[:_COMPUTER_DIGITS]}-{os.getpid()}-{os.urandom(8).hex()}.tmp"
 
 
 def remove_stale_files(folder: Path, older_than: float = LEFT_BEHIND) -> int:
-    """Remove the temporary files in `folder` whose process has ended; return how many there were.
+    """Remove the temporary files in `folder` whose process has ended, and return their number.
 
-    Only ordinary files with a name of ours, of this person, made on this computer, and not touched for
-    `older_than` seconds. What cannot be removed stays: nobody is waiting for the room.
+    Only regular files of this program, this person and this computer are removed, if they were not touched
+    for `older_than` seconds. Files that cannot be removed stay.
     """
     removed = 0
     with suppress(OSError), os.scandir(folder) as entries:
@@ -458,21 +459,21 @@ def _is_left_behind(entry: os.DirEntry[str], older_than: float) -> bool:
         status = entry.stat(follow_symlinks=False)
     except OSError:
         return False
-    is_own = not hasattr(os, "geteuid") or status.st_uid == os.geteuid()
+    is_ours = not hasattr(os, "geteuid") or status.st_uid == os.geteuid()
     is_old = time.time() - status.st_mtime > older_than
-    return stat.S_ISREG(status.st_mode) and is_own and is_old and is_number_alive(int(match[2])) is False
+    return stat.S_ISREG(status.st_mode) and is_ours and is_old and is_number_alive(int(match[2])) is False
 
 
 # Path of the reference image: absolute in an open document, relative in its file
 
 IMAGE_SUFFIXES = (".png", ".jpg", ".jpeg")
-"""Endings of the files that are pictures to trace."""
+"""Endings of image files that can be a reference image."""
 IMAGE_PATTERNS = " ".join(f"*{suffix}" for suffix in IMAGE_SUFFIXES)
-"""They, for a dialog that asks for a file."""
+"""The same as patterns for a file dialog."""
 
 
 def with_absolute_image_path(document: Document, folder: str) -> Document:
-    """Return `document`, read from a file in `folder`, with the absolute path of its image."""
+    """Return a document that was read from a file in `folder`, with the absolute path of its image."""
     if document.image is None:
         return document
     path = os.path.normpath(Path(folder) / document.image.path)
@@ -480,12 +481,12 @@ def with_absolute_image_path(document: Document, folder: str) -> Document:
 
 
 def with_relative_image_path(document: Document, folder: str) -> Document:
-    """Return `document` as it is written to a file in `folder`."""
+    """Return a document as it is written to a file in `folder`, with the relative path of its image."""
     if document.image is None:
         return document
     path = document.image.path
     if Path(path).is_absolute():
-        with suppress(ValueError):  # another drive of Windows: only the absolute path leads there
+        with suppress(ValueError):  # another drive of Windows has no relative path
             path = os.path.relpath(path, folder)
     if os.sep != "/":
         path = path.replace(os.sep, "/")
@@ -498,19 +499,19 @@ _DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 
 
 def unreadable_message(path: str | os.PathLike[str], problem: Exception) -> str:
-    """Return why a file cannot be read, and what to do."""
+    """Return the message that a file cannot be read: why, and what to do."""
     code = getattr(problem, "errno", None)
     if code in (errno.ENOENT, errno.ENOTDIR):
         return f"There is no file {quoted_path(path)}. Check its name and folder."
     if code in (errno.EACCES, errno.EPERM):
-        return f"{quoted_path(path)} may not be read. Ask its owner for permission, or choose another file."
+        return f"You have no permission to read {quoted_path(path)}. Ask its owner, or choose another file."
     if code == errno.ELOOP:
-        return f"{quoted_path(path)} is a link that leads back to itself. Choose another file."
+        return f"{quoted_path(path)} is a link to itself. Choose another file."
     return f"{quoted_path(path)} cannot be read ({reason_of(problem)}). Choose another file."
 
 
 def unwritable_message(path: str | os.PathLike[str], problem: Exception) -> str:
-    """Return why a file was not written, and what to do."""
+    """Return the message that a file was not written: why, and what to do."""
     code = getattr(problem, "errno", None)
     if code in (errno.ENOENT, errno.ENOTDIR):
         return f"The folder of {quoted_path(path)} does not exist. Choose another folder."
@@ -519,27 +520,27 @@ def unwritable_message(path: str | os.PathLike[str], problem: Exception) -> str:
             f"The disk is full; {quoted_path(path)} was not written. Free some space or choose another disk."
         )
     if code in (errno.EACCES, errno.EPERM, errno.EROFS):
-        return f"{quoted_path(path)} may not be written in that folder. Choose another folder."
+        return f"{quoted_path(path)} cannot be written in that folder. Choose another folder."
     if code == errno.ELOOP:
-        return f"{quoted_path(path)} is a link that leads back to itself. Choose another name."
+        return f"{quoted_path(path)} is a link to itself. Choose another name."
     if code == errno.ENAMETOOLONG:
-        return f"The name of {quoted_path(path)} is too long. Choose a shorter one."
+        return f"The name {quoted_path(path)} is too long. Choose a shorter one."
     return f"{quoted_path(path)} was not written ({reason_of(problem)}). Choose another folder or disk."
 
 
 def reason_of(problem: Exception) -> str:
-    """Return what the system says of an error."""
+    """Return the operating system's description of an error."""
     return getattr(problem, "strerror", None) or str(problem)
 
 
 def quoted_path(path: str | os.PathLike[str]) -> str:
-    """Return the path in quotation marks, as it may stand in a sentence, whatever bytes it holds."""
+    """Return a path in quotation marks for a sentence, whatever bytes it contains."""
     return f"“{_decodable(path)}”"
 
 
 def printable_path(path: str | os.PathLike[str]) -> str:
-    """Return the path as it may stand in a line, whatever bytes it holds."""
-    return "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in _decodable(path))
+    """Return a path as one printable line, whatever bytes it contains."""
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in _decodable(path))
 
 
 def _decodable(path: str | os.PathLike[str]) -> str:

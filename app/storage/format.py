@@ -38,26 +38,26 @@ _LONG_INTEGER = 20
 
 
 class _Header(msgspec.Struct):
-    """The head that every version of the format has; everything else in the file is skipped."""
+    """Header of every version of the format; everything else in the file is skipped."""
 
     format: str
     version: int
 
 
 class _File(Document, frozen=True, kw_only=True):
-    """A whole file of this version."""
+    """Complete file of this version."""
 
     format: Literal["curvebench"]
     version: Literal[3]
 
     @property
     def document(self) -> Document:
-        """The document in it."""
+        """The document in the file."""
         return Document(**{name: getattr(self, name) for name in Document.__struct_fields__})
 
 
 class Decoded(msgspec.Struct, frozen=True):
-    """A document, and what its file of an older version held besides."""
+    """Document of a file, and the features of an older version that were left out."""
 
     document: Document
     left_out: LeftOut = NOTHING
@@ -65,7 +65,7 @@ class Decoded(msgspec.Struct, frozen=True):
 
 @cache
 def _file_decoder() -> msgspec.json.Decoder[_File]:
-    """Return what reads files, made when there is one: it looks at every type in a document."""
+    """Return the decoder of files, made for the first file: it inspects every type of a document."""
     return msgspec.json.Decoder(_File, dec_hook=decode_hook)
 
 
@@ -89,7 +89,7 @@ def encode(document: Document) -> bytes:
     Raises
     ------
     FormatError
-        Where `decode` would not read the result; msgspec alone would write NaN as null.
+        If `decode` would not read the result: msgspec alone would write NaN as null.
     """
     validate(document)
     pieces = [f'{{\n  "format": "{FORMAT}",\n  "version": {VERSION},\n'.encode()]
@@ -104,7 +104,7 @@ def encode(document: Document) -> bytes:
 
 
 def _curve_pieces(curve: Curve) -> Iterator[bytes]:
-    """Yield the curve as JSON, indented, with one line per member and per point."""
+    """Yield a curve as indented JSON, one line per member and per point."""
     style = _without_defaults(curve.style)
     rest = replace(curve, points=(), style=PLAIN_STYLE if style == PLAIN_STYLE else style)
     yield b"    {\n"
@@ -118,20 +118,20 @@ def _curve_pieces(curve: Curve) -> Iterator[bytes]:
 
 
 def _without_defaults(value: Values) -> Values:
-    """Return a value that has the very default where it has an equal one: msgspec leaves out no other."""
-    given = {name: (getattr(value, name), default) for name, default in _defaults_of(type(value))}
-    return type(value)(**{name: here for name, (here, default) in given.items() if here != default})
+    """Return a value with the default objects in place of equal ones: msgspec omits only these."""
+    fields = {name: (getattr(value, name), default) for name, default in _defaults_of(type(value))}
+    return type(value)(**{name: held for name, (held, default) in fields.items() if held != default})
 
 
 @cache
 def _defaults_of(kind: type[msgspec.Struct]) -> list[tuple[str, object]]:
-    """Return the names and the defaults of what a kind of value holds; msgspec reads its annotations anew."""
-    return [(each.name, each.default) for each in msgspec.structs.fields(kind)]
+    """Return the names and defaults of fields; cached, because msgspec parses the annotations each time."""
+    return [(field.name, field.default) for field in msgspec.structs.fields(kind)]
 
 
 def _members(value: Value) -> Iterable[tuple[str, msgspec.Raw]]:
-    """Return the names and the JSON of what a value holds."""
-    # Through Raw, the members keep the order and the omitted defaults that msgspec gives them.
+    """Return the names and the JSON of the fields of a value."""
+    # Raw keeps the order and the omitted defaults of msgspec.
     return msgspec.json.decode(_ENCODER.encode(value), type=dict[str, msgspec.Raw]).items()
 
 
@@ -140,8 +140,8 @@ def _points_pieces(points: tuple[Point, ...]) -> Iterator[bytes]:
     if not points:
         yield b"[]"
         return
-    # Many at once: point by point a million of them take longer than all else that is done with them. Of
-    # what a point holds only the point itself stands in braces.
+    # Many at once: one by one, a million points would take longer than everything else. Braces occur only
+    # around the points themselves.
     for start in range(0, len(points), _POINTS_AT_ONCE):
         text = _one_line(_ENCODER.encode(points[start : start + _POINTS_AT_ONCE]))
         yield b",\n        " if start else b"[\n        "
@@ -155,7 +155,7 @@ def _one_line(text: bytes | msgspec.Raw) -> bytes:
 
 
 def decode(data: bytes) -> Document:
-    """Return the document that the content of a file holds.
+    """Return the document in the content of a file.
 
     Parameters
     ----------
@@ -165,13 +165,13 @@ def decode(data: bytes) -> Document:
     Raises
     ------
     FormatError
-        With the place and the requirement, for anything that is not a valid document of this version.
+        With the field and its requirement, if the content is not a valid document.
     """
     return decode_counting(data).document
 
 
 def decode_counting(data: bytes) -> Decoded:
-    """Return what `decode` does, and what of a file of an older version is left out."""
+    """Return the document in the content of a file, and the older features that were left out."""
     _refuse_other_text(data)
     try:
         header = _HEADER_DECODER.decode(data)
@@ -180,7 +180,7 @@ def decode_counting(data: bytes) -> Decoded:
         if header.version == VERSION:
             file = _file_decoder().decode(data)
         else:
-            file, left_out = _raised(data, header.version)
+            file, left_out = _migrated(data, header.version)
     except msgspec.ValidationError as problem:
         raise FormatError(in_words(str(problem))) from None
     except msgspec.DecodeError as problem:
@@ -196,14 +196,14 @@ def decode_counting(data: bytes) -> Decoded:
 
 
 def _with_settings_checked(index: int, curve: Curve) -> Curve:
-    """Return a curve without defaults among its settings; raise FormatError unless its family has them."""
+    """Return a curve without default settings; raise FormatError if its family does not allow a setting."""
     if problem := settings_problem(curve):
         raise FormatError(f"curves[{index}].{problem}")
     return without_default_settings(curve)
 
 
 def version_of(data: bytes) -> int | None:
-    """Return the version that the content of a file claims; None where it is no document of ours."""
+    """Return the version that the content of a file claims, or None if it is not a document of Curvebench."""
     try:
         header = _HEADER_DECODER.decode(data)
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError):
@@ -211,25 +211,25 @@ def version_of(data: bytes) -> int | None:
     return header.version if header.format == FORMAT else None
 
 
-def _raised(data: bytes, version: int) -> tuple[_File, LeftOut]:
-    """Return the content of a file of an older version as one of this, and what is left out of it."""
+def _migrated(data: bytes, version: int) -> tuple[_File, LeftOut]:
+    """Return the content of a file of an older version as one of this version, and what was left out."""
     values = _values_in(data)
     try:
-        found = migrated(values, version, VERSION)
+        migration = migrated(values, version, VERSION)
     except (LookupError, TypeError, ValueError, AttributeError) as problem:
-        # A migration takes a file for what it claims to be.
+        # A migration relies on the version that the file claims.
         raise FormatError(
-            f"it claims version {version}, but does not hold what that version has"
+            f"it claims to be of version {version}, but its content is not valid in that version"
         ) from problem
-    return msgspec.convert(found.values, _File, dec_hook=decode_hook), found.left_out
+    return msgspec.convert(migration.values, _File, dec_hook=decode_hook), migration.left_out
 
 
 def _values_in(data: bytes) -> dict[str, Any]:
-    """Return the values of a file; numbers beyond all bounds are infinite, for `validate` to refuse them."""
+    """Return the values in a file; too large numbers become infinite, so that `validate` refuses them."""
     try:
         return msgspec.json.decode(data, type=dict[str, Any])
     except msgspec.ValidationError:
-        # Without types msgspec has no names for the place of such a number.
+        # Without types msgspec cannot name the field of such a number.
         with suppress(ValueError):
             return dict(json.loads(data, parse_int=_bounded))
         raise
@@ -240,7 +240,7 @@ def _bounded(text: str) -> int | float:
 
 
 def _refuse_other_text(data: bytes) -> None:
-    """Raise FormatError unless `data` is non-empty UTF-8 without a byte order mark."""
+    """Raise FormatError unless the content is non-empty UTF-8 text without a byte order mark."""
     if not data.strip():
         raise FormatError("the file is empty")
     if data.startswith(_BYTE_ORDER_MARK):
@@ -254,7 +254,7 @@ def _refuse_other_text(data: bytes) -> None:
 
 
 def _check_header(header: _Header) -> None:
-    """Raise FormatError unless the file is ours and of the version that this program reads."""
+    """Raise FormatError unless the file is a document of Curvebench in a version that can be read."""
     if header.format != FORMAT:
         raise FormatError(
             f'it is not a Curvebench document; format must be "{FORMAT}", not {quoted(header.format)}'
@@ -271,27 +271,27 @@ def _check_header(header: _Header) -> None:
 
 
 def _refuse_repeated_keys(data: bytes, curves: tuple[Curve, ...]) -> None:
-    """Raise FormatError where an object has a key twice; msgspec would silently take the last."""
-    place = repeated_key(data, [curve.points for curve in curves], _ENCODER.encode)
-    if place is not None:
-        raise FormatError(f"{place} appears twice; each key may appear only once")
+    """Raise FormatError if an object has a key twice; msgspec would silently use the last one."""
+    path = repeated_key(data, [curve.points for curve in curves], _ENCODER.encode)
+    if path is not None:
+        raise FormatError(f"{path} appears twice; each key may appear only once")
 
 
 # Keys that appear twice: typed decoding silently uses the last one
 
 
-class _Place(str):
-    """Place in an object of a key that is repeated, such as ``.points[3].x``."""
+class _KeyPath(str):
+    """Path of a repeated key, such as ``.points[3].x``."""
 
 
 class _Points(msgspec.Struct):
-    """The points of a curve as they are written."""
+    """Points of a curve as they are written."""
 
     points: msgspec.Raw = msgspec.Raw(b"[]")
 
 
 class _Curves(msgspec.Struct):
-    """The curves of a file of this version; everything else is skipped."""
+    """Curves of a file of this version; everything else is skipped."""
 
     curves: list[_Points]
 
@@ -302,37 +302,37 @@ _POINTS_DECODER = msgspec.json.Decoder(_Curves)
 def repeated_key(
     data: bytes, points: Sequence[tuple[Point, ...]], encode: Callable[[object], bytes]
 ) -> str | None:
-    """Return the place of a key that an object has twice, such as ``curves[0].points[3].x``, or None.
+    """Return the path of a key that an object has twice, such as ``curves[0].points[3].x``, or None.
 
     Parameters
     ----------
     data
-        JSON that has been decoded as a document: nothing in it is deep.
+        JSON that was decoded as a document, so that its depth is limited.
     points
-        The points of every curve that it was decoded to; empty for a file of an older version.
+        The decoded points of every curve; empty for a file of an older version.
     encode
-        Encodes points, and leaves out what has its default.
+        Function that encodes points without fields at their defaults.
     """
     short = _without_plain_points(data, points, encode) if points else data
-    place = _place_in(short)
-    # Where it is only the whole file tells.
-    return place if place is None or short is data else _place_in(data)
+    path = _path_in(short)
+    # Only the complete file has the right indices.
+    return path if path is None or short is data else _path_in(data)
 
 
-def _place_in(data: bytes) -> str | None:
-    # Numbers become floats because Python refuses to make an int of many digits.
-    place = json.loads(data, object_pairs_hook=_repeated, parse_int=float)
-    return None if place is None else str(place.removeprefix("."))
+def _path_in(data: bytes) -> str | None:
+    # Numbers become floats, because Python refuses integers of many digits.
+    path = json.loads(data, object_pairs_hook=_repeated, parse_int=float)
+    return None if path is None else str(path.removeprefix("."))
 
 
 def _without_plain_points(
     data: bytes, points: Sequence[tuple[Point, ...]], encode: Callable[[object], bytes]
 ) -> bytes:
-    """Return the file without points of which the number of quotation marks tells that no key is repeated.
+    """Return the file without points whose number of quotation marks proves that no key is repeated.
 
-    Points hold no text but their keys. Written anew they have each key once, and none that need not be there:
-    whatever the file has besides, a key twice or a default, adds quotation marks. One point after the other,
-    a million would take longer than all else that is done with them.
+    Points contain no text but their keys. Encoded again they have each key once and no defaults: a key that
+    the file has twice adds quotation marks. Parsing a million points one by one would take longer than
+    everything else.
     """
     pieces, end = [], 0
     for curve, plain in zip(_POINTS_DECODER.decode(data).curves, points, strict=True):
@@ -344,15 +344,15 @@ def _without_plain_points(
     return b"".join([*pieces, data[end:]])
 
 
-def _repeated(members: list[tuple[str, object]]) -> _Place | None:
-    """Return where in this object a key is repeated, or None; nested objects come as their answers."""
-    seen: set[str] = set()
+def _repeated(members: list[tuple[str, object]]) -> _KeyPath | None:
+    """Return the path of a repeated key in an object, or None; nested objects are already such results."""
+    keys: set[str] = set()
     for key, value in members:
-        if key in seen:
-            return _Place(f".{key}")
-        seen.add(key)
+        if key in keys:
+            return _KeyPath(f".{key}")
+        keys.add(key)
         items = enumerate(value) if isinstance(value, list) else [(None, value)]
         for index, item in items:
-            if isinstance(item, _Place):
-                return _Place(f".{key}{'' if index is None else f'[{index}]'}{item}")
+            if isinstance(item, _KeyPath):
+                return _KeyPath(f".{key}{'' if index is None else f'[{index}]'}{item}")
     return None

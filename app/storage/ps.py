@@ -1,4 +1,4 @@
-"""Start time of a process, as ``ps`` tells it: on systems without ``/proc``."""
+"""Start time of a process from ``ps``, on systems without ``/proc``."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import subprocess
 
 
 def started(pid: int) -> str | None:
-    """Return when process `pid` began; None if there is none, empty if the system does not say."""
+    """Return the start time of process `pid`; None if there is no such process, empty if it is unknown."""
     try:
         done = subprocess.run(["ps", "-o", "lstart=", "-p", str(pid)], capture_output=True, check=False)
     except OSError:
         return ""
     if done.stderr:
-        return ""  # A ps that does not know what it was asked.
+        return ""  # This ps does not know the options.
     return " ".join(done.stdout.decode("ascii", "replace").split()) or None

@@ -1,11 +1,11 @@
-"""The one place that knows where the files of ``resources/`` lie."""
+"""Files and folders in ``resources/``, which ship with the program."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_PLACES = (_PACKAGE / "resources", _PACKAGE.parent / "resources")
+_FOLDERS = (_PACKAGE / "resources", _PACKAGE.parent / "resources")
 
 
 def resource(*parts: str) -> Path:
@@ -28,26 +28,26 @@ def resource(*parts: str) -> Path:
     Raises
     ------
     FileNotFoundError
-        When the installation lacks it; the message names what was looked for and where.
+        If the installation lacks it; the message names the file and the folders.
     """
-    for place in _PLACES:
-        path = place.joinpath(*parts)
+    for folder in _FOLDERS:
+        path = folder.joinpath(*parts)
         if path.exists():
             return path
     wanted = "/".join(("resources", *parts))
-    places = " and ".join(str(place) for place in _PLACES)
-    raise FileNotFoundError(f"{wanted} is missing from this installation (looked in {places})")
+    folders = " and ".join(str(folder) for folder in _FOLDERS)
+    raise FileNotFoundError(f"{wanted} is missing from this installation (looked in {folders})")
 
 
 def has_resource(*parts: str) -> bool:
-    """Whether there is a file or folder that ships with the program, named as for `resource`."""
-    return any(place.joinpath(*parts).exists() for place in _PLACES)
+    """Return whether a file or folder exists in ``resources``; the arguments are those of `resource`."""
+    return any(folder.joinpath(*parts).exists() for folder in _FOLDERS)
 
 
 def is_resource(path: Path) -> bool:
-    """Whether `path` leads to a file that ships with the program; a link to one counts."""
+    """Return whether `path` leads to a file that ships with the program, also through a link."""
     try:
         real = path.resolve()
-    except (OSError, RuntimeError, ValueError):  # a link that leads back to itself, a name that cannot be
+    except (OSError, RuntimeError, ValueError):  # a link to itself, or an impossible name
         return False
-    return any(real.is_relative_to(place) for place in _PLACES)
+    return any(real.is_relative_to(folder) for folder in _FOLDERS)

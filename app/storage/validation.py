@@ -23,13 +23,13 @@ from .format_error import RANGE, FormatError, quoted, shortened
 
 
 def validate(document: Document) -> None:
-    """Raise FormatError, with the place, unless `document` may be saved.
+    """Raise FormatError, with the path of the field, unless a document may be saved.
 
-    A document has at least one curve, and its fields hold what `fields` says of them. Every number is finite,
-    its magnitude at most `MAX_MAGNITUDE`. A parametrization has start < end. The parameters that the points
-    carry increase strictly in the order of the points, also where a rule is in force and they are only
-    remembered; under the manual parametrization every point carries one. Tied velocities are both there, and
-    parallel. A curve may have one point or none. The curves of a shape follow each other and look the same.
+    A document has at least one curve, and its fields meet their requirements. Every number is finite, its
+    magnitude at most `MAX_MAGNITUDE`. A parametrization has start < end. The parameters that the points carry
+    increase strictly, also where a rule gives the parameters and they are only stored; under the manual rule
+    every point carries one. Tied velocities are explicit and parallel. A curve may have one point or none.
+    The curves of a shape are neighbours in one style.
     """
     if not document.curves:
         raise FormatError("curves must hold at least one curve")
@@ -38,31 +38,31 @@ def validate(document: Document) -> None:
         raise FormatError(problem)
 
 
-_foreseen: tuple[Document, Document] | None = None
-"""What was found to be fit beside the window: documents before and after the step that is to come."""
+_prevalidated: tuple[Document, Document] | None = None
+"""The documents before and after a coming step that was validated in the background."""
 
 
 def prevalidate(before: Document, after: Document) -> None:
-    """Validate beside the window what is to become of a document; `validate_changes` then need not."""
-    global _foreseen  # noqa: PLW0603
-    # What is wrong is told by whoever makes the step.
+    """Validate a coming step in the background, so that `validate_changes` need not do it again."""
+    global _prevalidated  # noqa: PLW0603
+    # A problem is reported when the step is made.
     with suppress(FormatError):
         validate_changes(before, after)
-        _foreseen = (before, after)
+        _prevalidated = (before, after)
 
 
-def _is_foreseen(before: Document | None, after: Document) -> bool:
-    """Whether a step was found to be fit before; that is forgotten then, for it is asked once."""
-    global _foreseen  # noqa: PLW0603
-    if _foreseen is None or _foreseen[0] is not before or _foreseen[1] is not after:
+def _is_prevalidated(before: Document | None, after: Document) -> bool:
+    """Return whether a step was validated before; the record is dropped, because each step asks once."""
+    global _prevalidated  # noqa: PLW0603
+    if _prevalidated is None or _prevalidated[0] is not before or _prevalidated[1] is not after:
         return False
-    _foreseen = None
+    _prevalidated = None
     return True
 
 
 def validate_changes(before: Document | None, after: Document) -> None:
-    """Raise FormatError, as `validate` does, for what in `after` is not the same object as in `before`."""
-    if _is_foreseen(before, after):
+    """Raise FormatError, as `validate` does, for objects of `after` that are not in `before`."""
+    if _is_prevalidated(before, after):
         return
     if (
         before is not None
@@ -71,157 +71,156 @@ def validate_changes(before: Document | None, after: Document) -> None:
     ):
         return
     known, by_points = known_curves(before)
-    same_places = before is not None and len(before.curves) == len(after.curves)
-    old = before.curves if before is not None and same_places else repeat(None, len(after.curves))
+    same_count = before is not None and len(before.curves) == len(after.curves)
+    old = before.curves if before is not None and same_count else repeat(None, len(after.curves))
     for index, (curve, was) in enumerate(zip(after.curves, old, strict=True)):
         if id(curve) not in known:
             _validate_curve(curve, f"curves[{index}]", by_points.get(id(curve.points), was))
     check_fields(after, before=before)
 
 
-def _validate_curve(curve: Curve, place: str, before: Curve | None) -> None:
-    """Raise FormatError for what is not the same object as in the curve that was there `before`."""
-    check_fields(curve, place, before)
+def _validate_curve(curve: Curve, path: str, before: Curve | None) -> None:
+    """Raise FormatError for objects that are not in the curve `before`."""
+    check_fields(curve, path, before)
     if before is not None and all(map(is_, _what_runs(curve), _what_runs(before))):
         return
     rule = curve.parametrization
     if not rule.start < rule.end:
         raise FormatError(
-            f"{place}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
+            f"{path}.parametrization.end must be greater than {rule.start!r}, the start, not {rule.end!r}"
         )
-    _validate_ties(curve, place)
+    _validate_ties(curve, path)
     if not _all_within(curve.points):
         for index, point in enumerate(curve.points):
-            check_fields(point, f"{place}.points[{index}]")
-    _validate_parameters(curve, place)
+            check_fields(point, f"{path}.points[{index}]")
+    _validate_parameters(curve, path)
 
 
 _what_runs = attrgetter("points", "parametrization", "closed")
 
 
-def _validate_ties(curve: Curve, place: str) -> None:
-    """Raise FormatError unless tied velocities are both there, in one direction; those of even points are."""
+def _validate_ties(curve: Curve, path: str) -> None:
+    """Raise FormatError unless tied velocities are explicit and parallel, and even points tied."""
     if not any(map(any, map(attrgetter("tied", "even"), curve.points))):
         return
     for index, point in enumerate(curve.points):
         if point.tied and not (type(point.tied) is bool and has_parallel_velocities(point)):
             raise FormatError(
-                f"{place}.points[{index}].tied needs a corner, velocity and velocity_after in one direction"
+                f"{path}.points[{index}].tied needs a corner with parallel velocity and velocity_after"
             )
         if point.even and not (type(point.even) is bool and point.tied):
-            raise FormatError(f"{place}.points[{index}].even needs a point that is tied")
+            raise FormatError(f"{path}.points[{index}].even needs a tied point")
 
 
-def _validate_parameters(curve: Curve, place: str) -> None:
+def _validate_parameters(curve: Curve, path: str) -> None:
     """Raise FormatError unless the parameters that the points carry increase strictly."""
-    # No list of pairs: of a million points it would take half of what these take themselves.
+    # No list of pairs: for a million points it would take half the memory of the points.
     times = [point.t for point in curve.points]
     if curve.is_manual and None in times:
         raise FormatError(
-            f"{place}.points[{times.index(None)}].t is missing; "
-            f'under "{ParametrizationKind.MANUAL}" every point carries its parameter'
+            f"{path}.points[{times.index(None)}].t is missing; "
+            f'under "{ParametrizationKind.MANUAL}" every point needs a parameter'
         )
     before, low = -1, None
     for index, high in enumerate(times):
         if high is None:
             continue
         if low is not None and not low < high:
-            whose = "the point before it" if before == index - 1 else f"points[{before}]"
+            neighbour = "the point before it" if before == index - 1 else f"points[{before}]"
             raise FormatError(
-                f"{place}.points[{index}].t must be greater than {low!r}, the t of {whose}, not {high!r}"
+                f"{path}.points[{index}].t must be greater than {low!r}, the t of {neighbour}, not {high!r}"
             )
         before, low = index, high
     if curve.closed and curve.is_manual and low is not None and not low < curve.parametrization.end:
         raise FormatError(
-            f"{place}.parametrization.end must be greater than {low!r}, the t of the last point: "
+            f"{path}.parametrization.end must be greater than {low!r}, the t of the last point: "
             "there the closed curve returns to its first point"
         )
 
 
 def _all_within(points: tuple[Point, ...]) -> bool:
-    """Whether all numbers of points are floats that may be saved, at one look: one by one takes too long.
-
-    Where it is not so, somebody must look which is not.
-    """
+    """Return whether all numbers of points are floats that may be saved; fast for many points."""
     return all(map(are_within, _columns(points)))
 
 
 def _are_positions_within(points: Sequence[Point]) -> bool:
-    """Whether points may be at their places."""
-    return all(map(are_within, _places(points)))
+    """Return whether the positions of points may be saved."""
+    return all(map(are_within, _position_columns(points)))
 
 
-def _places(points: Sequence[Point]) -> Iterator[list[float]]:
+def _position_columns(points: Sequence[Point]) -> Iterator[list[float]]:
     yield list(map(attrgetter("x"), points))
     yield list(map(attrgetter("y"), points))
 
 
 def _columns(points: Sequence[Point]) -> Iterator[list[float]]:
-    yield from _places(points)
+    yield from _position_columns(points)
     yield [t for t in map(attrgetter("t"), points) if t is not None]
     for _, name in VECTORS:
-        # A vector of two numbers is true, whatever they are.
+        # A vector is a tuple of two numbers, and therefore true.
         yield list(chain.from_iterable(filter(None, map(attrgetter(name), points))))
 
 
-# Fields: the annotations of `document.fields` say what each may hold
+# Fields, by the requirements in their annotations
 
 
-def check_fields(values: Value, place: str = "", before: Value | None = None) -> None:
-    """Raise FormatError, with the place, unless a document may hold what a value holds.
+def check_fields(values: Value, path: str = "", before: Value | None = None) -> None:
+    """Raise FormatError, with the path of the field, unless the fields of a value meet their requirements.
 
-    Curves and points are looked at elsewhere, and nothing that is the same object as in `before`.
+    Curves and points are checked elsewhere; objects of `before` are not checked again.
     """
     for field in _checked_fields(type(values)):
         content = getattr(values, field.name)
-        # Most hold what they do from the start: of thousands of curves all styles are looked at.
+        # Most fields are at their defaults: the styles of thousands of curves are checked.
         if content is field.default or (content is None and field.is_optional):
             continue
         if content is getattr(before, field.name, field):
             continue
-        where = f"{place}.{field.name}" if place else field.name
+        where = f"{path}.{field.name}" if path else field.name
         if not field.is_many:
             _check_item(field, content, where)
             continue
-        for index, each in enumerate(content):
-            _check_item(field, each, f"{where}[{index}]")
+        for index, item in enumerate(content):
+            _check_item(field, item, f"{where}[{index}]")
         _require(field, content, where, of_all=True)
 
 
-def check_number(value: object, place: str) -> None:
-    """Raise FormatError, with the place, unless a document may hold a number."""
+def check_number(value: object, path: str) -> None:
+    """Raise FormatError, with the path of the field, unless a document may hold a number."""
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise FormatError(f"{place} must be a number, not {value!r}")
+        raise FormatError(f"{path} must be a number, not {value!r}")
     # Written so that NaN fails.
     if not -MAX_MAGNITUDE <= value <= MAX_MAGNITUDE:
-        raise FormatError(f"{place} {RANGE}, not {_short_number(value)}")
+        raise FormatError(f"{path} {RANGE}, not {_short_number(value)}")
 
 
 @cache
 def _checked_fields(kind: type[Value]) -> tuple[Field, ...]:
-    found = (field for field in fields_of(kind) if field.kind not in (Curve, Point))
     return tuple(
-        field for field in found if field.requirements or field.kind in (float, str) or field.holds_values
+        field
+        for field in fields_of(kind)
+        if field.kind not in (Curve, Point)
+        and (field.requirements or field.kind in (float, str) or field.holds_values)
     )
 
 
-def _check_item(field: Field, value: object, place: str) -> None:
+def _check_item(field: Field, value: object, path: str) -> None:
     if isinstance(value, Value):
-        check_fields(value, place)
+        check_fields(value, path)
         return
     if field.kind is float:
-        check_number(value, place)
-    _require(field, value, place, of_all=False)
+        check_number(value, path)
+    _require(field, value, path, of_all=False)
     if isinstance(value, str) and not _is_utf8(value):
-        raise FormatError(f"{place} holds a character that UTF-8 cannot carry")
+        raise FormatError(f"{path} contains a character that UTF-8 cannot encode")
 
 
-def _require(field: Field, value: object, place: str, *, of_all: bool) -> None:
-    for each in field.requirements:
-        if each.of_all == of_all and not each.is_met(value):
-            shown = each.displayed(value)
-            text = quoted(shown) if isinstance(shown, str) else shortened(repr(shown))
-            raise FormatError(f"{place} must {each.text}, not {text}")
+def _require(field: Field, value: object, path: str, *, of_all: bool) -> None:
+    for requirement in field.requirements:
+        if requirement.of_all == of_all and not requirement.is_met(value):
+            part = requirement.displayed(value)
+            text = quoted(part) if isinstance(part, str) else shortened(repr(part))
+            raise FormatError(f"{path} must {requirement.text}, not {text}")
 
 
 def _is_utf8(text: str) -> bool:
@@ -233,7 +232,7 @@ def _is_utf8(text: str) -> bool:
 
 
 def _short_number(value: object) -> str:
-    """Return a number that may be an int of a million digits."""
+    """Return the text of a number, or "a larger one" for an integer, which may have a million digits."""
     return repr(value) if isinstance(value, float) else "a larger one"
 
 
@@ -241,36 +240,36 @@ def _short_number(value: object) -> str:
 
 
 def settings_problem(curve: Curve) -> str:
-    """Return what is wrong with the settings of a curve, with their place; empty where nothing is."""
+    """Return the problem of the settings of a curve, with its field; empty for none."""
     if problem := _settings_problem(curve.family, curve.settings):
         return f"settings{problem}"
-    seen = {curve.family}
+    families = {curve.family}
     for index, (family, settings) in enumerate(curve.other_settings):
-        place = f"other_settings[{index}]"
-        if family in seen:
-            return f"{place} must be of a family that has none before it, not {family}"
-        seen.add(family)
+        path = f"other_settings[{index}]"
+        if family in families:
+            return f"{path} must be of another family than those before it, not {family}"
+        families.add(family)
         if problem := _settings_problem(family, settings):
-            return f"{place}[1]{problem}"
+            return f"{path}[1]{problem}"
     return ""
 
 
 def without_default_settings(curve: Curve) -> Curve:
-    """Return the curve with those settings alone that are not their families' defaults."""
+    """Return the curve without settings at their defaults."""
     others = (
         (family, family.settings.without_defaults(settings)) for family, settings in curve.other_settings
     )
     return replace(
         curve,
         settings=curve.family.settings.without_defaults(curve.settings),
-        other_settings=tuple(each for each in others if each[1]),
+        other_settings=tuple(entry for entry in others if entry[1]),
     )
 
 
 def _settings_problem(family: Family, settings: Mapping[str, object]) -> str:
-    """Return what is wrong with settings, to follow their place in the file; empty where nothing is.
+    """Return the problem of the settings of a family, to follow the name of the field; empty for none.
 
-    Of a family that is missing nobody knows which it has: names and values that one might are kept.
+    The settings of a missing family are unknown: all possible names and values are accepted.
     """
     for name, value in settings.items():
         if setting := family.settings.named(name):
@@ -289,7 +288,7 @@ def _may_be_setting(value: object) -> bool:
 
 
 def _shortened_json(value: object) -> str:
-    """Return a value of JSON as it stands in a file, where that is short."""
+    """Return a value as JSON, shortened."""
     if isinstance(value, list | dict):
         return "a list" if isinstance(value, list) else "an object {…}"
     if isinstance(value, int) and abs(value) > MAX_MAGNITUDE:

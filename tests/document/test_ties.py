@@ -276,6 +276,6 @@ def test_a_tie_that_does_not_hold_is_refused_in_a_file_and_ends_at_the_door(poin
 def test_an_even_point_that_is_not_tied_is_refused_in_a_file_and_ends_at_the_door():
     made, point = curve(), Point(0.0, 0.0, even=True)
     wrong = Document((replace(made, points=(point, *made.points[1:])),))
-    with pytest.raises(FormatError, match=r"points\[0\]\.even needs a point that is tied"):
+    with pytest.raises(FormatError, match=r"points\[0\]\.even needs a tied point"):
         encode(wrong)
     assert with_plain_numbers(wrong).curves[0].points[0] == Point(0.0, 0.0)

@@ -286,7 +286,7 @@ def test_files_are_strict(document, text, words):
         ('[["hermite", {"x": 1}]]', '[0][1] has a key that hermite does not know: "x"'),
         (
             '[["tests_swaying", {"amount": 1}]]',
-            "[0] must be of a family that has none before it, not tests_swaying",
+            "[0] must be of another family than those before it, not tests_swaying",
         ),
         ("[1]", "[0] must be a list, not a whole number"),
         ('[["hermite"]]', "[0] must be a list of 2 numbers"),

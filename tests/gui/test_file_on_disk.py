@@ -705,7 +705,7 @@ FAULTS = {
     "disk full": (files.os, "fsync", errno.ENOSPC, "The disk is full"),
     "broken disk": (files.os, "fsync", errno.EIO, "was not written ({reason})"),
     "no replacing": (files.Path, "replace", errno.EIO, "was not written ({reason})"),
-    "read-only": (files, "_write_temporary", errno.EROFS, "may not be written in that folder"),
+    "read-only": (files, "_write_temporary", errno.EROFS, "cannot be written in that folder"),
 }
 
 
@@ -760,7 +760,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     path.write_bytes(newer)
     saved.trigger("saveDocument")
     saved.file_bar.answer("overwriteFile")
-    assert "was written by a newer version of Curvebench and stays as it is" in saved.file_bar.text
+    assert "was written by a newer version of Curvebench and was not replaced" in saved.file_bar.text
     assert "saveDocumentAs" in offered(saved)
     assert path.read_bytes() == newer
     assert saved.session.document is document

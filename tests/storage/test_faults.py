@@ -275,7 +275,7 @@ def test_a_read_only_folder(as_nobody):
         OpenFile.saved(path, LARGE, opened.file)
 
     said = run(work)
-    assert said.endswith("may not be written in that folder. Choose another folder.")
+    assert said.endswith("cannot be written in that folder. Choose another folder.")
     assert holds_old_alone(path)
 
 

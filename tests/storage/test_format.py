@@ -177,7 +177,7 @@ def test_encode_refuses_what_decode_would_not_read(point, message):
 
 
 def test_a_name_that_is_no_text_is_refused():
-    with pytest.raises(FormatError, match=r"curves\[0\]\.name holds a character"):
+    with pytest.raises(FormatError, match=r"curves\[0\]\.name contains a character"):
         validate(Document((make_curve((), name="\ud800"),)))
 
 
@@ -232,12 +232,12 @@ REFUSED_VALUES = [
     (
         ("curves", 0, "family"),
         "Bézier curve",
-        'curves[0].family is not a choice that this version knows: "Bézier curve"',
+        'curves[0].family is not a value that this version knows: "Bézier curve"',
     ),
     (
         ("curves", 0, "family"),
         "x" * 41,
-        f'curves[0].family is not a choice that this version knows: "{"x" * 40}…"',
+        f'curves[0].family is not a value that this version knows: "{"x" * 40}…"',
     ),
     (("curves", 0, "family"), 3, "curves[0].family must be text, not a whole number"),
     (("curves", 0, "family"), None, "curves[0].family must be text, not null"),
@@ -270,7 +270,7 @@ REFUSED_VALUES = [
     (
         ("curves", 0, "jerk_rule"),
         "bessel",
-        'curves[0].jerk_rule is not a choice that this version knows: "bessel"',
+        'curves[0].jerk_rule is not a value that this version knows: "bessel"',
     ),
     (
         (*POINT, "t"),
@@ -280,7 +280,7 @@ REFUSED_VALUES = [
     (
         (*POINT, "t"),
         ...,
-        'curves[0].points[3].t is missing; under "manual" every point carries its parameter',
+        'curves[0].points[3].t is missing; under "manual" every point needs a parameter',
     ),
 ]
 
@@ -315,7 +315,10 @@ REFUSED_TEXTS = [
     (b" \n", "the file is empty"),
     (b"\x00" * 8, "it is not JSON; line 1, column 1: invalid character"),
     (b"\xef\xbb\xbf{}", "the file starts with a byte order mark; save it as UTF-8 without one"),
-    (b"%PDF-1.5\n%\xb5\xed", "it is a PDF, which is not read here; open it in Inkscape and save it as SVG"),
+    (
+        b"%PDF-1.5\n%\xb5\xed",
+        "it is a PDF, which Curvebench cannot read; open it in Inkscape and save it as SVG",
+    ),
     (b"%!PS-Adobe-3.0 EPSF-3.0\n", "it is PostScript, which is not read here; open it in Inkscape"),
     (b'{"format":\n "\xc3\xa4\xff"}', "it is not UTF-8 text; line 2, column 4"),
     (b'{\n  "format": xx\n}', "it is not JSON; line 2, column 13: invalid character"),

@@ -303,8 +303,8 @@ def test_migrations_go_step_by_step(monkeypatch):
     [
         (old_content().replace(b"[0, 0]", b'["0", 0]'), r"curves\[0\]\.points\[0\]\.x must be a number"),
         (old_content(1e13), r"points\[1\]\.x must lie between"),
-        (b'{"format": "curvebench", "version": 0}', "does not hold what that version has"),
-        (old_content().replace(b"[[[0, 0], [1.0, 1]]]", b"7"), "does not hold what that version has"),
+        (b'{"format": "curvebench", "version": 0}', "its content is not valid in that version"),
+        (old_content().replace(b"[[[0, 0], [1.0, 1]]]", b"7"), "its content is not valid in that version"),
         (b'{"version": 0, ' + old_content()[1:], "version appears twice"),
     ],
 )
@@ -372,7 +372,7 @@ def test_a_newer_version_is_neither_opened_nor_replaced(path, file):
     for overwrite in (False, True):
         with pytest.raises((NewerVersionError, ChangedOnDiskError)):
             OpenFile.saved(path, THEIRS, file, overwrite=overwrite)
-    with pytest.raises(NewerVersionError, match=r"stays as it is\. Save under another name"):
+    with pytest.raises(NewerVersionError, match=r"was not replaced\. Save under another name"):
         save(path, THEIRS)
     assert path.read_bytes() == newer
 

@@ -122,8 +122,11 @@ def test_a_shape_that_is_none_is_refused():
 @each_row(
     ("values", "complaint"),
     [
-        ({"shape": "\ud800"}, "curves[0].shape holds a character that UTF-8 cannot carry"),
-        ({"groups": ("Letters", "\ud800")}, "curves[0].groups[1] holds a character that UTF-8 cannot carry"),
+        ({"shape": "\ud800"}, "curves[0].shape contains a character that UTF-8 cannot encode"),
+        (
+            {"groups": ("Letters", "\ud800")},
+            "curves[0].groups[1] contains a character that UTF-8 cannot encode",
+        ),
         ({"groups": ("",)}, "curves[0].groups must name 50 groups at most"),
         ({"groups": tuple(map(str, range(51)))}, "curves[0].groups must name 50 groups at most"),
     ],
