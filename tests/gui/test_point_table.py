@@ -675,7 +675,7 @@ def test_paste_velocities(hermite):
 BAD_PASTES = [
     ((0, X), "1\t2\n3\t4\n5\tabc", "Row 3, column 2: “abc” is not a number."),
     ((0, X), "1\t2\n3\t", "Row 2, column 2 is empty."),
-    ((0, X), "1\t2\n3", "The rows differ in length: row 2 has 1, the first 2."),
+    ((0, X), "1\t2\n3", "The rows differ in length: row 2 has 1 cells, the first has 2."),
     ((0, X), "1\t1/0", "Row 1, column 2: Division by zero."),
     ((0, X), "1\t2e12", "Row 1, column 2: Enter a number between"),
     ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is ambiguous"),
@@ -685,7 +685,7 @@ BAD_PASTES = [
         "\t".join("1" * WIDTH),
         f"{WIDTH} columns do not fit: from x on there is room for {WIDTH - 1} columns.",
     ),
-    ((7, T), "5\n6", "rows that make new points need x and y"),
+    ((7, T), "5\n6", "new points need x and y"),
     ((0, T), "0\n0", "The t of point 1 must be greater than 0"),
     ((0, X), "", "no numbers on the clipboard"),
     ((0, X), "hello", "“hello” is not a number"),

@@ -73,7 +73,7 @@ def test_two_neighbours_and_the_key(drawn):
             "To keep the shape, the estimates of points 0, 3 and 4 are set now."
         )
         bow.trigger("straightSegment")
-        assert bow.status == "That is straight already.", family
+        assert bow.status == "The segment is straight already.", family
         assert bow.session.undo_stack.count() == steps + 1, family
         bow.trigger("undo")
         assert bow.session.document.curves[0] == before.source, family

@@ -24,18 +24,22 @@ from .panel import CurveSettings, NumberField, choice_of, step_of
 _RULES = tuple((of, rule) for of in DERIVATIVES for rule in of.rules)
 
 
-def _rule_action(each: tuple[Derivative, EstimateRule]) -> Action:
-    """Return the action that lets a rule estimate the derivatives that nobody set."""
-    of, rule = each
+def _rule_action(record: tuple[Derivative, EstimateRule]) -> Action:
+    """Return the action that chooses a rule to estimate derivatives."""
+    derivative, rule = record
     return Action(
-        action_name(f"{of.name}Rule", rule),
-        f"{of.plural.capitalize()}: {rule.label}",
+        action_name(f"{derivative.name}Rule", rule),
+        f"{derivative.plural.capitalize()}: {rule.label}",
         CURVE_ESTIMATES,
         tip=rule.tip,
-        keywords=f"estimate {of.name} rule tangents",
-        needs=Need(f"a curve with {of.plural}", lambda state: state.family.derivatives >= of.order),
-        checked=lambda state: state.family.derivatives >= of.order and state.rules[of.order - 1] is rule,
-        group=f"{of.name}Rule",
+        keywords=f"estimate {derivative.name} rule tangents",
+        needs=Need(
+            f"a curve with {derivative.plural}", lambda state: state.family.derivatives >= derivative.order
+        ),
+        checked=lambda state: (
+            state.family.derivatives >= derivative.order and state.rules[derivative.order - 1] is rule
+        ),
+        group=f"{derivative.name}Rule",
     )
 
 
@@ -43,9 +47,9 @@ def _settings() -> list[tuple[Family, FamilySetting]]:
     return [(family, setting) for family in FAMILIES for setting in family.settings.all]
 
 
-def _setting_action(each: tuple[Family, FamilySetting]) -> Action:
-    """Return the action that leads to the field of a setting."""
-    family, setting = each
+def _setting_action(record: tuple[Family, FamilySetting]) -> Action:
+    """Return the action that focuses the field of a setting."""
+    family, setting = record
     name = "".join(word.capitalize() for word in setting.name.split("_"))
     return Action(
         f"{family.action_name}{name}",
@@ -63,7 +67,7 @@ def _name_at_position(setting: FamilySetting, field: NumberField, position: int)
 
 
 class CurveSettingsCommands:
-    """Keeps the form in step with the active curve.
+    """The form of the active curve, and actions for its rules and settings.
 
     Attributes
     ----------
@@ -77,48 +81,50 @@ class CurveSettingsCommands:
         self._session, self._hold_ghost = context.session, context.central.canvas.drawing.hold_ghost
         self._dock = context.docks["curveDock"]
         self._gestures: list[SliderGesture] = []
-        self._shown: CurveView | None = None
+        self._rendered: CurveView | None = None
 
     @Panel("curveDock", "Curve", built_at_start=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
-        self._shown = self._session.meant_view
-        self.panel = CurveSettings(self._shown, parent)
+        self._rendered = self._session.meant_view
+        self.panel = CurveSettings(self._rendered, parent)
         self._edits = FormEdits(self._session, self.panel)
-        self.panel.settings.rebuilt.connect(self._follow_sliders)
-        self._follow_sliders()
+        self.panel.settings.rebuilt.connect(self._connect_sliders)
+        self._connect_sliders()
         return self.panel
 
-    def _follow_sliders(self) -> None:
+    def _connect_sliders(self) -> None:
         self._gestures = []
         for setting, field in self.panel.settings.numbers.items():
-            edit = partial(self._at_position, setting, field)
+            edit = partial(self._edit_at_position, setting, field)
             name = partial(_name_at_position, setting, field)
             self._gestures.append(SliderGesture(self._session, field.slider, edit, name))
             field.slider.sliderPressed.connect(lambda: self._hold_ghost(True))
             field.slider.drag_ended.connect(lambda: self._hold_ghost(False))
 
-    def _at_position(
+    def _edit_at_position(
         self, setting: FamilySetting, field: NumberField, document: Document, position: int
     ) -> Document:
         value = field.value_at(position)
         return set_family_setting(document, self._session.active_index, setting.name, value)
 
     @action_for_each(_RULES, _rule_action)
-    def _use_rule(self, each: tuple[Derivative, EstimateRule]) -> None:
-        (of, rule), session = each, self._session
-        session.change(choice_of(of, rule), lambda document: set_rule(document, session.active_index, rule))
+    def _use_rule(self, record: tuple[Derivative, EstimateRule]) -> None:
+        (derivative, rule), session = record, self._session
+        session.change(
+            choice_of(derivative, rule), lambda document: set_rule(document, session.active_index, rule)
+        )
 
     @action_for_each(_settings, _setting_action)
-    def _lead_to_setting(self, each: tuple[Family, FamilySetting]) -> None:
+    def _focus_setting(self, record: tuple[Family, FamilySetting]) -> None:
         self._dock.bring_up()
-        self.panel.settings.focus(each[1])
+        self.panel.settings.focus(record[1])
 
     def render_panel(self, view: CurveView) -> None:
-        """Show the curve to act on; where only points are selected besides, the form stays as it is."""
-        if (meant := self._session.meant_view) is not self._shown:
-            self._shown = meant
-            self.panel.render_view(meant)
+        """Show the curve to edit; a change of the selected points leaves the form as it is."""
+        if (view_to_show := self._session.meant_view) is not self._rendered:
+            self._rendered = view_to_show
+            self.panel.render_view(view_to_show)
 
 
 COMMAND_SETS = (CurveSettingsCommands,)

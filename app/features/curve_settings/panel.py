@@ -27,14 +27,14 @@ from ...widgets.number_text import decimal_mark
 from ...widgets.sliders import LiveSlider
 
 _FIELD_WIDTH = 56
-"""Pixels of the field of a number: the slider has the rest of the row."""
+"""Width in pixels of the field of a number; the slider fills the rest of the row."""
 
 _DIGITS = 4
-"""Significant digits of a real number while nobody has the cursor in its field."""
+"""Significant digits of a real number in a field without the focus."""
 
 
 def step_of(setting: FamilySetting, value: SettingValue) -> str:
-    """Return the name of a step in the history: Set degree of blending to 5."""
+    """Return the name of the undo step: Set degree of blending to 5."""
     text = setting.text_of(value)
     return f"Set {setting.title} to {text if isinstance(value, str) else with_minus(text)}"
 
@@ -49,9 +49,9 @@ class NumberField:
     Attributes
     ----------
     edit, slider
-        The field and the slider, whose positions count the steps from the least number.
+        The field, and the slider, whose positions count steps from the smallest number.
     row, entry
-        What stands in the form, and what is typed into.
+        The row in the form, and the widget to focus.
     """
 
     def __init__(self, setting: FamilySetting, limits: tuple[float, float]) -> None:
@@ -72,7 +72,7 @@ class NumberField:
         self.entry: QWidget = self.edit
 
     def render_value(self, value: SettingValue | None) -> None:
-        """Show `value`, or none; the handle of a slider that is being dragged stays where it is."""
+        """Show `value`, or none; the handle of a dragged slider stays where it is."""
         self._value = value
         self._show()
 
@@ -110,23 +110,23 @@ class ChoiceField:
         self.row = self.entry = self.box
 
     def render_value(self, value: SettingValue | None) -> None:
-        """Show `value`; none also of a document whose family has become another one."""
+        """Show `value`, or no choice for a value that the setting does not have."""
         self.box.setCurrentIndex(self._values.index(str(value)) if value in self._values else -1)
 
-    def value_at(self, place: int) -> SettingValue:
+    def value_at(self, row: int) -> SettingValue:
         """Return the value of a row of the box."""
-        return self._values[place]
+        return self._values[row]
 
 
 class SettingFields(QObject):
-    """The rows of a form for the settings of the shown curve's family.
+    """The rows of a form for the settings of the curve's family.
 
     Signals
     -------
     chosen
-        A value was typed or chosen: its setting, and the value.
+        A value was typed or chosen: (setting, value).
     rebuilt
-        There are other fields now; nobody listens to them yet.
+        There are other fields now, without connections to their signals.
 
     Attributes
     ----------
@@ -137,9 +137,9 @@ class SettingFields(QObject):
     chosen = Signal(object, object)
     rebuilt = Signal()
 
-    def __init__(self, form: QFormLayout, place: int, parent: QWidget) -> None:
+    def __init__(self, form: QFormLayout, first_row: int, parent: QWidget) -> None:
         super().__init__(parent)
-        self._form, self._place = form, place
+        self._form, self._first_row = form, first_row
         self._fields: dict[FamilySetting, NumberField | ChoiceField] = {}
 
     @property
@@ -148,7 +148,7 @@ class SettingFields(QObject):
         return {setting: field for setting, field in self._fields.items() if isinstance(field, NumberField)}
 
     def render_view(self, view: CurveView) -> None:
-        """Show the settings of a curve; its family decides which fields there are."""
+        """Show the settings of a curve, with the fields of its family."""
         settings, closed = view.source.family.settings, view.source.is_closed
         if settings.all != tuple(self._fields):
             self._rebuild(settings.all)
@@ -157,28 +157,28 @@ class SettingFields(QObject):
             self._fields[setting].row.setEnabled(not (closed and setting.when_closed is not None))
 
     def render_none(self) -> None:
-        """Show no value: there is no curve to act on."""
+        """Show no values: no curve is selected."""
         for field in self._fields.values():
             field.render_value(None)
 
     def focus(self, setting: FamilySetting) -> None:
-        """Lead the person to the field of a setting."""
+        """Focus the field of a setting."""
         if (field := self._fields.get(setting)) is not None:
             field.entry.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _rebuild(self, settings: tuple[FamilySetting, ...]) -> None:
         for _ in self._fields:
-            self._form.removeRow(self._place)
+            self._form.removeRow(self._first_row)
         self._fields = {setting: _field_of(setting) for setting in settings}
-        for place, (setting, field) in enumerate(self._fields.items(), start=self._place):
-            self._form.insertRow(place, setting.label, field.row)
+        for row, (setting, field) in enumerate(self._fields.items(), start=self._first_row):
+            self._form.insertRow(row, setting.label, field.row)
         self.rebuilt.emit()
         for setting, field in self._fields.items():
             self._connect(setting, field)
 
     def _connect(self, setting: FamilySetting, field: NumberField | ChoiceField) -> None:
         if isinstance(field, ChoiceField):
-            field.box.activated.connect(lambda place: self.chosen.emit(setting, field.value_at(place)))
+            field.box.activated.connect(lambda row: self.chosen.emit(setting, field.value_at(row)))
         else:
             field.edit.entered.connect(
                 lambda value: self.chosen.emit(setting, _whole(value) if setting.is_whole else value)
@@ -190,7 +190,7 @@ def _field_of(setting: FamilySetting) -> NumberField | ChoiceField:
 
 
 def _whole(value: float) -> float | int:
-    """Return a number as a whole one where it is: 3 for 3.0."""
+    """Return whole numbers as integers: 3 for 3.0."""
     return int(value) if value == int(value) else value
 
 
@@ -199,7 +199,7 @@ _SETTINGS_ROW = 2
 
 
 class CurveSettings(FieldForm):
-    """A form that shows a view, or that there is none to act on, and asks for changes of its curve.
+    """Form of the curve of a view, or of no curve, which requests changes of the curve.
 
     Attributes
     ----------
@@ -218,11 +218,11 @@ class CurveSettings(FieldForm):
             "End of the interval",
             "t of the last point (of a closed curve: of its return to the first)",
         )
-        self.rule_boxes = {each: _rule_box(each) for each in DERIVATIVES}
+        self.rule_boxes = {derivative: _rule_box(derivative) for derivative in DERIVATIVES}
         self.reset_button = tool_button(
             "resetAllToEstimated",
             "Reset all derivatives to estimated",
-            "Let the rules estimate every derivative again",
+            "Reset every derivative to the estimates of the rules",
             text="Reset all to estimated",
             icon_size=ICON,
         )
@@ -237,7 +237,7 @@ class CurveSettings(FieldForm):
         self._form = form_of(
             ("Name", self.name_edit),
             ("Interval of t", interval),
-            *((each.plural.capitalize(), box) for each, box in self.rule_boxes.items()),
+            *((derivative.plural.capitalize(), box) for derivative, box in self.rule_boxes.items()),
             margins=0,
             parent=self._fields,
         )
@@ -252,8 +252,8 @@ class CurveSettings(FieldForm):
         self.name_edit.committed.connect(self._rename)
         self.start_edit.entered.connect(lambda start: self._set_interval(start, None))
         self.end_edit.entered.connect(lambda end: self._set_interval(None, end))
-        for each, box in self.rule_boxes.items():
-            box.activated.connect(partial(self._set_rule, each))
+        for derivative, box in self.rule_boxes.items():
+            box.activated.connect(partial(self._set_rule, derivative))
         self.reset_button.clicked.connect(self._reset_all)
         self.settings.chosen.connect(self._choose_setting)
         self.settings.rebuilt.connect(self._watch_settings)
@@ -262,10 +262,10 @@ class CurveSettings(FieldForm):
         self.forget_entry()
         self.watch(*(field.edit for field in self.settings.numbers.values()))
 
-    # Rendering: nothing here writes back
+    # Rendering: nothing here changes the document
 
     def render_view(self, view: CurveView | None) -> None:
-        """Show `view`, or that no curve is edited and none chosen (None); hidden, when shown again."""
+        """Show `view`, or that no curve is selected (None); a hidden form waits until it is shown."""
         if view is None or self._view is None or view.source != self._view.source:
             self.clear_refusal()
         self._view = view
@@ -300,27 +300,27 @@ class CurveSettings(FieldForm):
         for edit, value in zip((self.start_edit, self.end_edit), interval, strict=True):
             edit.show_number(value, digits_of_range(*interval))
         self.settings.render_view(view)
-        for each, box in self.rule_boxes.items():
-            rule = getattr(curve, each.rule_field)
-            box.setCurrentIndex(list(each.rules).index(rule))
-            if (tip := f"{_rule_tip(each)}\n{rule.label}: {rule.tip}") != box.toolTip():
+        for derivative, box in self.rule_boxes.items():
+            rule = getattr(curve, derivative.rule_field)
+            box.setCurrentIndex(list(derivative.rules).index(rule))
+            if (tip := f"{_rule_tip(derivative)}\n{rule.label}: {rule.tip}") != box.toolTip():
                 box.setToolTip(tip)
-            has_rule = each.order <= curve.family.derivatives
+            has_rule = derivative.order <= curve.family.derivatives
             if self._form.isRowVisible(box) != has_rule:
-                # Qt lays the form out anew, whatever it is asked.
+                # Only when it changes: Qt lays the form out anew in any case.
                 self._form.setRowVisible(box, has_rule)
         self.reset_button.setVisible(bool(orders_set(view)))
         self._facts.setText(_facts(view))
-        # Nothing is wrong with a curve that is yet to be begun.
+        # A curve without points is no problem.
         self.show_problem(view.problem if curve.points else "")
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         super().set_theme(theme)
         self._facts.setStyleSheet(f"color: {theme.muted.name()}")
         self.reset_button.setIcon(icon("reset", theme))
 
-    # What the person did
+    # Actions of the user
 
     def _rename(self, name: str) -> None:
         self.edited.emit(
@@ -338,10 +338,10 @@ class CurveSettings(FieldForm):
         self.edited.emit("Set interval", edit)
         self._render()
 
-    def _set_rule(self, of: Derivative, place: int) -> None:
-        rule = list(of.rules)[place]
+    def _set_rule(self, derivative: Derivative, row: int) -> None:
+        rule = list(derivative.rules)[row]
         self.edited.emit(
-            choice_of(of, rule), lambda document, curve: rule_edits.set_rule(document, curve, rule)
+            choice_of(derivative, rule), lambda document, curve: rule_edits.set_rule(document, curve, rule)
         )
 
     def _choose_setting(self, setting: FamilySetting, value: SettingValue) -> None:
@@ -353,15 +353,15 @@ class CurveSettings(FieldForm):
 
     def _reset_all(self) -> None:
         def edit(document: Document, curve: int) -> Document:
-            given = document.curves[curve]
-            everyone, orders = range(len(given.points)), range(1, given.family.derivatives + 1)
-            return point_edits.clear_derivatives(document, curve, everyone, orders)
+            before = document.curves[curve]
+            indices, orders = range(len(before.points)), range(1, before.family.derivatives + 1)
+            return point_edits.clear_derivatives(document, curve, indices, orders)
 
         self.edited.emit("Reset all to estimated", edit)
 
 
 def orders_set(view: CurveView) -> set[int]:
-    """Return which of the derivatives that the family has were set by the person somewhere."""
+    """Return the orders of derivatives of the family that are set at any point."""
     is_set = np.any(~np.isnan(view.arrays.given[..., 0]), axis=(0, 1)).tolist()
     return {order for order in range(1, view.source.family.derivatives + 1) if is_set[order - 1]}
 
@@ -374,12 +374,12 @@ def _facts(view: CurveView) -> str:
         domain = view.curve.domain
         start, end = (number(t, digits_of_range(*domain), decimal_mark()) for t in domain)
         facts.append(f"{start} ≤ t ≤ {end}")
-    # A fact is not torn apart at the end of a line.
+    # No line break within a fact.
     return " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts)
 
 
 def _kind_facts(curve: ParametricCurve) -> list[str]:
-    """Return the degree, and of how many polynomials the curve is made; else the kind of its functions."""
+    """Return the degree and the number of polynomials of the curve, or the kind of its functions."""
     if curve.degree is None:
         return [curve.kind] if curve.kind else []
     pieces = len(curve.breaks) - 1
@@ -387,7 +387,7 @@ def _kind_facts(curve: ParametricCurve) -> list[str]:
 
 
 def _shape_facts(view: CurveView) -> list[str]:
-    """Return whether the curve is closed, and how many corners it has."""
+    """Return facts on the shape: closed or not, the number of corners and of other points with two sides."""
     facts = ["closed"] if view.source.is_closed else []
     others = len(jolts_of(view))
     corners = len(view.corners) - others
@@ -397,25 +397,25 @@ def _shape_facts(view: CurveView) -> list[str]:
     return [*facts, f"{count_of(others, 'point')} with two sides"] if others else facts
 
 
-def _interval_edit(name: str, label: str, what: str) -> NumberEdit:
-    tip = f"{label}, the {what}; the curve keeps its shape (a number or an expression, Enter to set)"
+def _interval_edit(name: str, label: str, meaning: str) -> NumberEdit:
+    tip = f"{label}, the {meaning}; the curve keeps its shape (a number or an expression, Enter to set)"
     return NumberEdit(name, label, tip)
 
 
 def choice_of(of: Derivative, rule: EstimateRule) -> str:
-    """Return the name of a step in the history: Choose velocity rule “Akima”."""
+    """Return the name of the undo step: Choose velocity rule “Akima”."""
     return f"Choose {of.name} rule “{rule.label}”"
 
 
 def _rule_tip(of: Derivative) -> str:
-    return f"{of.name.capitalize()} rule: how those that nobody set are estimated"
+    return f"{of.name.capitalize()} rule: estimates the values that are not set"
 
 
 def _rule_box(of: Derivative) -> QComboBox:
     label, tip = f"{of.name.capitalize()} rule", _rule_tip(of)
     rules = list(of.rules)
     box = choice_box(
-        f"{of.name}Rule", label, tip, (each.label for each in rules), (each.tip for each in rules)
+        f"{of.name}Rule", label, tip, (rule.label for rule in rules), (rule.tip for rule in rules)
     )
     box.setMinimumContentsLength(8)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)

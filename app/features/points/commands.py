@@ -38,20 +38,20 @@ from ...view_model.point_kinds import (
 )
 from ...workbench.context import WindowContext
 
-_Reshaped = Callable[[CurveView, Sequence[int]], Curve]
-"""Returns the curve of a view with something done to some of its points, or segments."""
+_Reshape = Callable[[CurveView, Sequence[int]], Curve]
+"""Returns the curve of a view with some of its points or segments changed."""
 
-_VISIBLE = 16.0
+_CLEAR_OF_DISC = 16.0
 """Pixels from a point at which a handle is clear of the point's disc."""
 
 _MOST_NAMED = 3
-"""Points or segments that a sentence names one by one."""
+"""Largest number of points or segments that a sentence names one by one."""
 
-_OF_A_KIND = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state: why_no_kinds(state.family))
+_HAS_KINDS = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state: why_no_kinds(state.family))
 
 
 class TangentCommands:
-    """The kinds of points in the menu Points."""
+    """Actions for the kinds of points, straight segments and velocities."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -67,7 +67,7 @@ class TangentCommands:
             kind.name,
             kind.tip,
             f"{kind.title} Tangents",
-            needs=_OF_A_KIND,
+            needs=_HAS_KINDS,
             checked=lambda state: state.point_kinds == {POINT_KINDS.index(kind)},
             keywords=kind.keywords,
         ),
@@ -77,8 +77,8 @@ class TangentCommands:
             *(strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)),
         ]
     )
-    def _make(self, kind: PointKind) -> None:
-        """Make the selected points of a kind."""
+    def _apply_kind(self, kind: PointKind) -> None:
+        """Give the selected points a kind."""
         group, curves = self._session.selected.group, self._session.document.curves
         inner = group_points(
             (curve, frozenset(inner_points(curves[curve], indices)) if kind.ends else indices)
@@ -86,7 +86,7 @@ class TangentCommands:
         )
         left_out = f"; {kind.ends}" if inner.count < group.count else ""
         if self._reshape(kind.step, kind.apply, inner if inner.parts else group):
-            self._tell(f"{kind.title} at {_points(inner)}{left_out}.", curves, inner)
+            self._report(f"{kind.title} at {_points_text(inner)}{left_out}.", curves, inner)
 
     @action(
         "straightSegment",
@@ -101,7 +101,7 @@ class TangentCommands:
         ),
     )
     @also(POINT_MENU(15), POINT_BUTTONS(15))
-    def _straighten_chosen(self) -> None:
+    def _straighten_selected(self) -> None:
         """Make the segments between neighbouring selected points straight, with corners at their ends."""
         session, curves = self._session, self._session.document.curves
         segments = group_points(
@@ -111,7 +111,7 @@ class TangentCommands:
         if segments.parts:
             self._straighten(segments)
         else:
-            session.refuse("Select two neighbouring points, or click with the right button on the segment.")
+            session.refuse("Select two neighbouring points, or right-click the segment.")
 
     @action(
         "pullVelocity",
@@ -119,76 +119,84 @@ class TangentCommands:
         POINTS_VELOCITIES,
         "",
         "spline-pointer",
-        "Give the selected points handles of their own to drag; Alt+drag a point does too",
+        "Give the selected points their own handles to drag (also Alt+drag on a point)",
         needs=HERMITE_POINTS,
         keywords="handle velocity tangent",
     )
     @also(POINT_MENU(16))
     def _pull_velocities(self) -> None:
-        group, reach = self._session.selected.group, _VISIBLE * self._context.central.canvas.camera.pixel_size
-        stands = "stands" if group.only_point else "of each of them stands"
+        group, pixel = self._session.selected.group, self._context.central.canvas.camera.pixel_size
+        subject = "The velocity is" if group.only_point else "All velocities are"
         self._reshape(
             "Pull out velocity of",
-            lambda view, points: with_velocities_pulled(view, points, reach),
+            lambda view, points: with_velocities_pulled(view, points, _CLEAR_OF_DISC * pixel),
             group,
-            f"The velocity {stands} out already; drag the square handle.",
+            f"{subject} pulled out already. Drag a square handle.",
         )
 
-    def _tell(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
-        """Say what was done, and which tangents beside it were written down to keep the shape."""
-        after, kept = self._session.document.curves, []
+    def _report(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
+        """Report the change, and the tangents beside it that were set to keep the shape."""
+        after, fixed = self._session.document.curves, []
         for curve, indices in group.parts:
             points = zip(before[curve].points, after[curve].points, strict=True)
-            others = {at for at, (old, new) in enumerate(points) if at not in indices and old != new}
-            kept.append((curve, frozenset(others)))
-        beside = group_points(kept)
+            changed = {
+                index for index, (old, new) in enumerate(points) if index not in indices and old != new
+            }
+            fixed.append((curve, frozenset(changed)))
+        beside = group_points(fixed)
         if beside.parts:
-            which = f"{beside.count} other points" if beside.count > _MOST_NAMED else _points(beside)
-            done = f"{done} To keep the shape, the estimates of {which} are set now."
+            points_text = (
+                f"{beside.count} other points" if beside.count > _MOST_NAMED else _points_text(beside)
+            )
+            done = f"{done} To keep the shape, the estimates of {points_text} are set now."
         self._session.say(done)
 
     # Straight segments
 
     @PositionAction("straightHere", "Straight Segment", like="straightSegment")
     def straighten_at(self, t: float) -> None:
-        """Make the segment of the active curve straight that runs through `t`."""
+        """Make the segment of the active curve at `t` straight."""
         session = self._session
         segment = segment_at(session.active_view.parameters, t)
         self._straighten(points_of(session.active_index, [segment]))
 
     def _straighten(self, segments: PointGroup) -> None:
-        """Make segments straight; each is named by the point that it begins at."""
+        """Make segments straight; the index of a segment is that of its first point."""
         before = self._session.document.curves
-        text = _straight_text(before, segments)
-        if not self._change(text, with_straight_segments, segments, "That is straight already."):
+        text = _segments_text(before, segments)
+        if not self._change(text, with_straight_segments, segments, "The segment is straight already."):
             return
         after, corners, ends = self._session.document.curves, [], []
-        for curve, each in segments.parts:
-            made = frozenset(corners_of(before[curve], sorted(each)))
-            corners.append((curve, frozenset(at for at in made if not after[curve].points[at].tied)))
-            ends.append((curve, frozenset(at for segment in each for at in ends_of(before[curve], segment))))
+        for curve, indices in segments.parts:
+            new_corners = frozenset(corners_of(before[curve], sorted(indices)))
+            corners.append(
+                (curve, frozenset(index for index in new_corners if not after[curve].points[index].tied))
+            )
+            ends.append(
+                (curve, frozenset(index for segment in indices for index in ends_of(before[curve], segment)))
+            )
         cornered = group_points(corners)
-        at_corners = f", corner at {_points(cornered)}" if cornered.parts else ""
-        self._tell(f"{text}{at_corners}.", before, group_points(ends))
+        at_corners = f", corner at {_points_text(cornered)}" if cornered.parts else ""
+        self._report(f"{text}{at_corners}.", before, group_points(ends))
 
-    def _reshape(self, verb: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
-        """Put the curves that `made` returns for some of their points in the place of what they are.
+    def _reshape(self, verb: str, reshape: _Reshape, group: PointGroup, idle: str = "") -> bool:
+        """Replace curves by those that `reshape` returns for some of their points.
 
-        `idle` says why that may change nothing. Return whether the document is another one now.
+        `idle` is the message for no change. Return whether the document has changed.
         """
-        return bool(group.parts) and self._change(f"{verb} {group.label}", made, group, idle)
+        return bool(group.parts) and self._change(f"{verb} {group.label}", reshape, group, idle)
 
-    def _change(self, text: str, made: _Reshaped, group: PointGroup, idle: str = "") -> bool:
+    def _change(self, text: str, reshape: _Reshape, group: PointGroup, idle: str = "") -> bool:
         views = self._session.views
 
-        def one(document: Document, curve: int, indices: Collection[int]) -> Document:
+        def reshape_curve(document: Document, curve: int, indices: Collection[int]) -> Document:
             view = views[curve]
             if reason := why_no_kinds(view.source.family) or view.problem:
                 raise EditError(reason)
-            return replace_curve(document, curve, made(view, sorted(indices)))
+            return replace_curve(document, curve, reshape(view, sorted(indices)))
 
         def edit(document: Document) -> Document:
-            changed = group.apply(document, one)
+            changed = group.apply(document, reshape_curve)
             if idle and changed == document:
                 raise AlreadySoError(idle)
             return changed
@@ -196,20 +204,20 @@ class TangentCommands:
         return self._session.change(text, edit).is_done
 
 
-def _straight_text(curves: Sequence[Curve], segments: PointGroup) -> str:
-    """Return "Straight segment 3–4", or how many they are."""
+def _segments_text(curves: Sequence[Curve], segments: PointGroup) -> str:
+    """Return a text such as "Straight segment 3–4", or the number of segments."""
     if segments.count > _MOST_NAMED or len(segments.parts) > 1:
         return f"{segments.count} straight segments"
     names = [
         f"{start}–{end}"
-        for curve, each in segments.parts
-        for start, end in (ends_of(curves[curve], segment) for segment in sorted(each))
+        for curve, indices in segments.parts
+        for start, end in (ends_of(curves[curve], segment) for segment in sorted(indices))
     ]
     return f"Straight segment{'s' if len(names) > 1 else ''} {', '.join(names)}"
 
 
-def _points(group: PointGroup) -> str:
-    """Return "point 3", "points 1, 2 and 3" or "7 points"; of several curves how many they are."""
+def _points_text(group: PointGroup) -> str:
+    """Return "point 3", "points 1, 2 and 3" or "7 points"; for several curves the number."""
     if len(group.parts) != 1 or not 1 < group.count <= _MOST_NAMED:
         return group.label
     *first, last = map(str, sorted(group.parts[0][1]))
@@ -217,7 +225,7 @@ def _points(group: PointGroup) -> str:
 
 
 class PointCommands:
-    """Selection of all points or of the others, and a return to estimated derivatives."""
+    """Actions to select all points or the others, to edit points, and to reset derivatives."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
@@ -233,7 +241,7 @@ class PointCommands:
     )
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
-        """Select all points of the curves that are edited; with none, choose all that is seen and free."""
+        """Select all points of the edited curves; while none is edited, all visible, unlocked curves."""
         session, selected = self._session, self._session.selected
         if selected.is_editing:
             selected.set_group(all_points(session.document, selected.edited))
@@ -255,14 +263,14 @@ class PointCommands:
     )
     @also(CANVAS_MENU(14))
     def _invert(self) -> None:
-        """Choose what is seen and free and not chosen now; of curves that are edited, the other points."""
+        """Select the other points of the edited curves; while none is edited, the other visible curves."""
         session, selected = self._session, self._session.selected
         curves = session.document.curves
         if selected.is_editing:
             selected.set_group(
                 group_points(
-                    (at, frozenset(range(len(curves[at].points))) - selected.group.of(at))
-                    for at in selected.edited
+                    (curve, frozenset(range(len(curves[curve].points))) - selected.group.of(curve))
+                    for curve in selected.edited
                 )
             )
         elif free := selectable_curves(session.document):
@@ -280,7 +288,7 @@ class PointCommands:
     )
     @also(CANVAS_MENU(13), WHOLES_MENU(1), CURVE_LIST_MENU(1))
     def _edit_or_leave(self) -> None:
-        """Show the points of the chosen curves and change them (Enter), or choose whole curves (Escape)."""
+        """Show and edit the points of the selected curves (Enter), or return to whole curves (Escape)."""
         selected = self._session.selected
         if selected.is_editing:
             selected.choose(selected.curves)
@@ -295,7 +303,7 @@ class PointCommands:
         needs=Need("selected points with a derivative set by hand", lambda state: state.has_explicit),
     )
     def _reset_derivatives(self) -> None:
-        """Let the rules estimate the derivatives of the selected points again."""
+        """Reset the derivatives of the selected points to the estimates of the rules."""
         group = self._session.selected.group
         self._session.change(
             "Reset derivatives", lambda document: group.apply(document, point_edits.clear_derivatives)
