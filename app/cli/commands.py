@@ -39,7 +39,7 @@ def run_command(words: Sequence[str]) -> int:
 
 
 def _command_parser(command: str) -> argparse.ArgumentParser:
-    """Return the parser; what takes modules of its own is imported for the command alone."""
+    """Return the parser; the options of `render` are imported for that command only."""
     parser = argparse.ArgumentParser("curvebench")
     commands = parser.add_subparsers(dest="command", required=True)
     add = partial(commands.add_parser, parents=[common_options()])

@@ -189,7 +189,7 @@ def _stem(path: str) -> str:
 
 
 def _identity(path: str) -> tuple[int, int] | None:
-    """Return what tells a file from all others, whatever it is called; None where there is none."""
+    """Return device and inode of a file, which identify it under any name; None for a missing file."""
     try:
         status = Path(path).stat()
     except (OSError, ValueError):
@@ -198,7 +198,7 @@ def _identity(path: str) -> tuple[int, int] | None:
 
 
 def _jobs(options: argparse.Namespace) -> int:
-    """Return how many processes read drawings."""
+    """Return the number of processes that read drawings."""
     if options.jobs is not None:
         return min(int(options.jobs), len(options.files))
     total = sum(Path(file).stat().st_size for file in options.files if Path(file).is_file())
@@ -279,7 +279,7 @@ def _wants_fit(options: argparse.Namespace) -> bool:
 def _fitted(
     document: Document, options: argparse.Namespace, word: FamilyCell, report: Report
 ) -> tuple[Document, list[Fitted]]:
-    """Return the document with fewer points, where that was asked for, and what came of each curve."""
+    """Return the document with the fits that the options ask for, and these fits."""
     if not _wants_fit(options):
         return document, []
     fits = []
@@ -308,7 +308,7 @@ def _fitted(
 
 
 def _on_groups(source: ImportResult, only: Sequence[str]) -> tuple[str, ...]:
-    """Return what could be taken alone, where there are more curves than somebody may have meant."""
+    """Return a remark on --only where a file has many curves in groups."""
     count = len(source.document.curves)
     if only or not source.has_groups or count <= _MANY_CURVES:
         return ()

@@ -13,7 +13,7 @@ from .output import RefusalError, TerminalProgress, tell
 
 
 def load_document(path: str) -> Decoded:
-    """Return the document at `path`, and what is left out of it, or refuse it with its name."""
+    """Return the document at `path` with a record of the content left out; refuse it with its name."""
     try:
         return load_counting(path)
     except FormatError as problem:
@@ -21,7 +21,7 @@ def load_document(path: str) -> Decoded:
 
 
 def document_of(path: str) -> Decoded:
-    """Return the document at `path`, or what a file of another format holds.
+    """Return the document at `path`, which may be a file of another format.
 
     What is left out of it is printed beside the output.
     """

@@ -18,13 +18,13 @@ if TYPE_CHECKING:
     from ..exchange.facts import CurveFacts, Growth
 
 _EDGES = ("left", "bottom", "right", "top")
-"""Of the box of a curve."""
+"""Edges of the box of a curve."""
 
 _BEYOND = "beyond all numbers"
 
 
 def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
-    """Return the facts as plain values, what is not known is null."""
+    """Return the facts as plain values, with null for unknown ones."""
     rule = facts.parametrization
     box = dict(zip(_EDGES, facts.box, strict=True)) if facts.box else None
     length = {"about": facts.length.value, "error": facts.length.error} if facts.length else None
@@ -86,7 +86,7 @@ def facts_as_text(facts: CurveFacts, unit: str) -> str:
 
 
 def _edges_text(low: float, high: float) -> str:
-    """Return two edges of a box; what is no more than rounding beside the larger of them is 0."""
+    """Return two edges of a box; one that is a rounding error of the larger one is 0."""
     noise = sys.float_info.epsilon * max(abs(low), abs(high))
     low, high = (0.0 if abs(edge) <= noise else edge for edge in (low, high))
     return _range_text(low, high) if high - low > 4.0 * noise else f"{low:.6g} to {high:.6g}"

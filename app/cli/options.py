@@ -194,7 +194,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
 
 
 def convert_usage_problem(options: argparse.Namespace) -> str:
-    """Return what is wrong with the files that were named; nothing for IN OUT, and for many with --to."""
+    """Return the problem of the files that were named; empty for IN OUT, and for many with --to."""
     if options.to is not None:
         return "" if options.output is not None else "--to needs a folder: -o FOLDER"
     if options.output is not None or options.jobs is not None:
@@ -226,7 +226,7 @@ def _listed_options(formats: Iterable[Format]) -> list[Option[Any]]:
 
 
 def _typed(option: Option[Any]) -> dict[str, Any]:
-    """Return what `argparse` has to know of an option."""
+    """Return the arguments of `add_argument` for an option."""
     match option:
         case Check():
             return {"action": argparse.BooleanOptionalAction if option.default else "store_true"}
@@ -242,7 +242,7 @@ def _typed(option: Option[Any]) -> dict[str, Any]:
 
 
 def _within(option: Whole | Real, kind: Callable[[str], float], words: str) -> Callable[[str], float]:
-    """Return what reads a number within the limits of an option."""
+    """Return a parser of numbers within the limits of an option."""
     least, greatest = option.limits
 
     def read(text: str) -> float:
@@ -258,7 +258,7 @@ def _within(option: Whole | Real, kind: Callable[[str], float], words: str) -> C
 
 
 def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
-    """Return what reads some of the choices of an option, with commas between."""
+    """Return a parser of some of the choices of an option, with commas between."""
 
     def read(text: str) -> tuple[str, ...]:
         words = tuple(text.split(","))
@@ -272,7 +272,7 @@ def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
 
 
 def options_of_formats(options: argparse.Namespace, formats: Iterable[Format]) -> dict[str, Any]:
-    """Return what was asked for of the options of single formats, by their names."""
+    """Return the values of the options of single formats, by their names."""
     listed = _listed_options(formats)
     values = {option.name: getattr(options, f"{_DEST}{option.name}") for option in listed}
     for option in listed:
@@ -284,7 +284,7 @@ def options_of_formats(options: argparse.Namespace, formats: Iterable[Format]) -
 
 
 def _settings_text() -> str:
-    """Return what can be set of each family."""
+    """Return the settings of each family with their values, as text."""
     return "; ".join(
         f"{family} {setting.name}, {setting.requirement} (default: {setting.default})"
         for family in FAMILIES
@@ -368,18 +368,18 @@ def _two_or_more(text: str) -> int:
 
 
 def columns_to_read(options: argparse.Namespace) -> str:
-    """Return those of the columns that say what a column is: with “=”."""
+    """Return the columns with a role, as in “x=2”."""
     return ",".join(column for column in options.columns if "=" in column)
 
 
 def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
-    """Return those of the columns that are to be written; none for all, and for commands without tables."""
+    """Return the columns to write, without a role; none for all, and for commands without tables."""
     columns = getattr(options, "columns", ())
     return tuple(name for column in columns if "=" not in column for name in column.split(","))
 
 
 def picture_options(options: argparse.Namespace, document: Document) -> Options:
-    """Return what was asked for of the file to write."""
+    """Return the options of the file to write."""
     if options.basis and options.basis > len(document.curves):
         raise ExchangeError(
             f"There is no curve {options.basis}; the document has {count_of(len(document.curves), 'curve')}."

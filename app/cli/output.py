@@ -36,13 +36,13 @@ def say_json(content: dict[str, Any] | list[dict[str, Any]]) -> None:
 
 
 def tell(remarks: Iterable[str]) -> None:
-    """Print what was left out or is otherwise, line by line, beside the output."""
+    """Print remarks to the standard error, one a line."""
     for remark in remarks:
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)
 
 
 def reason_of(problem: OSError) -> str:
-    """Return what the system says, and of which file; some errors have words of their own only."""
+    """Return the message of an error of the system, with the name of its file."""
     reason = problem.strerror or str(problem) or type(problem).__name__
     return f"{reason}: “{os.fsdecode(problem.filename)}”" if _has_name(problem) else reason
 

@@ -52,7 +52,7 @@ def add_options(render: argparse.ArgumentParser) -> None:
 
 
 def _drawn_document(options: argparse.Namespace) -> Document:
-    """Return what pictures are made of: the document, or the curves of it that were asked for."""
+    """Return the document to draw: all of it, or the curves that --only names."""
     document = document_of(options.file).document
     return (
         exchange.cubics_in.ImportResult(document).named(options.only).document if options.only else document
@@ -82,7 +82,7 @@ def render(options: argparse.Namespace) -> int:
 
 
 def _picture_endings() -> tuple[str, ...]:
-    """Return the endings of what `render` writes, each once."""
+    """Return the endings of the files that `render` writes, each once."""
     return tuple(dict.fromkeys((*endings_of(FORMATS.pictures), *endings_of(FILMS))))
 
 

@@ -77,7 +77,7 @@ def _application() -> QApplication:
 
 @contextmanager
 def no_garbage_sought() -> Iterator[None]:
-    """Make what the program keeps as long as it runs: no garbage is sought in it, then or later.
+    """Exempt all objects that are created within from garbage collection, for good.
 
     That takes some 8 % off the start, and a while off every later search; these are fewer, too. Where Qt runs
     already, this is no start, and nothing happens.

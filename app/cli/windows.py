@@ -69,7 +69,7 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
 
 
 def _begin_empty(sessions: Iterable[Session]) -> None:
-    """Let those that wait for their file have nothing in them: a sketch would be taken for what is in it."""
+    """Empty the sessions that wait for their file: a sketch would look like its content."""
     for session in sessions:
         if session.files.is_untouched:
             session.files.new()
@@ -100,7 +100,7 @@ _ASIDE = 40
 """Pixels that a new window lies beside the one that it was asked for in."""
 
 _FIRST_SIGNAL_CODE = 128
-"""Added to a signal's number it is what a shell expects of a program that the signal ended."""
+"""Sum of this and a signal's number: the exit code of a program that the signal ended."""
 
 
 class Lifecycle(QObject):
@@ -141,7 +141,7 @@ class Lifecycle(QObject):
         window.session.history_changed.connect(window.ask_before_closing)
 
     def _open_beside(self, document: Document, path: Path | None, origin: DocumentOrigin) -> Autosave:
-        """Go on with unsaved work in another window, and return what keeps it."""
+        """Continue unsaved work in another window, and return its autosave."""
         session = Session()
         session.files.restore(document, path, origin)
         return self._autosaves[self._show(session)]
@@ -153,7 +153,7 @@ class Lifecycle(QObject):
         self._show(session)
 
     def _open_empty(self, beside: MainWindow, action: str) -> DocumentFiles:
-        """Open another window beside one that stays in sight, with what an action begins."""
+        """Open another window beside one that stays visible, and trigger an action in it."""
         window = self._show(Session())
         if beside.isMaximized():
             window.showMaximized()
@@ -180,7 +180,7 @@ class Lifecycle(QObject):
         return window
 
     def start(self) -> None:
-        """Take signals and crashes from now on, and offer what was not saved last time."""
+        """Install the handlers of signals and crashes, and offer the work that was not saved last time."""
         # Python's own collector was off while the windows were made, see `start.no_garbage_sought`.
         collect_between_events()
         _log.info("started: %s", versions().replace("\n", "; "))
@@ -254,7 +254,7 @@ class Lifecycle(QObject):
         gc.unfreeze()
 
     def _save_and_quit(self) -> None:
-        """Save what has a file; what has none is offered by the next start."""
+        """Save the documents that have a file; the next start offers the others."""
         for window in self._autosaves:
             session = window.session
             session.cancel()

@@ -47,7 +47,7 @@ MAX_PIECES = 100_000
 """Pieces of the longest path that is read."""
 
 FAMILY = HERMITE
-"""The family of what comes in."""
+"""The family of imported curves."""
 
 SINGLE_POINT = Loss("single point")
 
@@ -56,11 +56,11 @@ _TOO_DIFFERENT = Loss("curve", f"with pieces of too unequal lengths {LEFT_OUT}")
 _TOO_MANY = Loss("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
 _ROUNDING = 2.0**-48
-"""Of the coordinates, for each piece: a bound of the rounding of ends that programs add up, step by step."""
+"""Share of the coordinates, for each piece: a bound of the rounding where programs add steps up."""
 
 _OUTER = 3
 _MOST_NAMES = 24
-"""Of groups, when they are listed: the three outermost of each curve, and so many in all."""
+"""Limits of a list of groups: the three outermost of each curve, and 24 names."""
 
 
 @dataclass(frozen=True)
@@ -226,7 +226,7 @@ def lines(points: FloatArray) -> FloatArray:
 
 
 def rounding_of(pieces: FloatArray) -> float:
-    """Return how far ends of pieces (k, 4, 2) may be apart that are meant to be one place."""
+    """Return the largest distance between ends of pieces (k, 4, 2) that are meant to meet."""
     return _ROUNDING * len(pieces) * float(np.abs(pieces).max(initial=0.0))
 
 
@@ -273,7 +273,7 @@ def put_end(piece: FloatArray, end: FloatArray) -> None:
 
 
 class _CurveOfPath(NamedTuple):
-    """A curve, and how far it is from what the file describes at most."""
+    """A curve and a bound of its distance from the path of the file."""
 
     curve: Curve
     deviation: float = 0.0
@@ -439,7 +439,7 @@ def pieces_of_arc(
 
 
 def error_of_arc(angle: float) -> float:
-    """Return how far a cubic piece over an angle in radians is from the unit circle at most [2]_."""
+    """Return a bound of the distance of a cubic piece over an angle from the unit circle [2]_."""
     quarter = abs(angle) / 4
     return 2 / 27 * math.sin(quarter) ** 6 / math.cos(quarter) ** 2
 

@@ -1,4 +1,4 @@
-"""The error of import and export, and the record of what does not come in as it is."""
+"""The error of import and export, and the record of content that an import loses or changes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Loss(NamedTuple):
 
 
 class Losses:
-    """Record of what did not come in as it is, each kind in the order in which it was first met."""
+    """Record of the content that an import loses or changes, each kind in order of its first occurrence."""
 
     def __init__(self) -> None:
         self._names: dict[Loss, dict[Hashable, str]] = {}
@@ -41,7 +41,7 @@ class Losses:
 
     @property
     def sentences(self) -> tuple[str, ...]:
-        """One sentence for each kind: how many there were, what became of them, and their first names."""
+        """One sentence for each kind of loss: its count, its outcome, and the first names."""
         return tuple(_sentence(loss, list(names.values())) for loss, names in self._names.items())
 
 

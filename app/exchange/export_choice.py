@@ -69,7 +69,7 @@ class ExportChoice:
     def request(
         self, document: Document, active: int, selected: Collection[int] = (), *, with_estimates: bool = False
     ) -> ExportRequest:
-        """Return what is to be written of a document.
+        """Return the part of a document to write, and the options of its writer.
 
         Parameters
         ----------
@@ -113,7 +113,7 @@ class ExportRequest(NamedTuple):
 def _part_of(
     document: Document, extent: Extent, active: int, selected: Collection[int]
 ) -> tuple[Document, int]:
-    """Return what of a document is meant, and where in it the active curve is."""
+    """Return the part of a document to export, and the index of the active curve in it."""
     if extent is Extent.SELECTED:
         indices = sorted(expand_to_shapes(document, selected or (active,)))
         return extract_curves(document, indices), indices.index(active) if active in indices else 0
@@ -121,7 +121,7 @@ def _part_of(
 
 
 def choice_from(text: str) -> ExportChoice:
-    """Return the choice that was remembered as JSON; the default of what cannot be used."""
+    """Return the choice that was stored as JSON, with defaults for values that cannot be used."""
     try:
         remembered = msgspec.json.decode(text or "{}", type=dict[str, Any])
     except (msgspec.DecodeError, UnicodeError):
@@ -141,14 +141,14 @@ def choice_of(export: Export) -> ExportChoice | None:
 
 
 def known_name(choice: ExportChoice, document: Document, selected: Collection[int], last: Export) -> str:
-    """Return what is exported is called, without ending, or was the last time; empty for neither."""
+    """Return the name of the exported curves or of the last export, without ending; empty for neither."""
     if choice[EXTENT] is Extent.SELECTED:
         return common_name(document, expand_to_shapes(document, selected)) or ""
     return last.name.removesuffix(last.ending) if last.ending == choice.ending else ""
 
 
 def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
-    """Return what a document remembers of an export to a file; what a part was called says nothing of it."""
+    """Return the record of an export for the document; the name of a part is not recorded."""
     if choice[EXTENT] is Extent.SELECTED:
         name = last.name if last.ending == choice.ending else ""
     values = sorted(choice.values.items())

@@ -334,7 +334,7 @@ def _known_curve(
 
 
 def _deviation(curve: ParametricCurve, piece: ParametricCurve) -> float:
-    """Return how far a curve is from the piece that it is written for: not at all where it is the same."""
+    """Return the distance of a curve from the piece that it stands for: 0 where both are the same."""
     is_same = type(curve) is type(piece) and np.array_equal(curve.jets, piece.jets)
     return 0.0 if is_same else measured(piece, curve.evaluate)
 

@@ -170,7 +170,7 @@ class _Shape(NamedTuple):
 
 
 def _shape_of(curve: Curve) -> _Shape | str:
-    """Return what the facts about a curve are made of, or why there is none."""
+    """Return the computed parts of a curve, or the reason why it cannot be computed."""
     if reason := too_much(curve):
         return reason
     view = view_of(curve)
@@ -180,7 +180,7 @@ def _shape_of(curve: Curve) -> _Shape | str:
 
 
 def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> Iterator[CurveFacts]:
-    """Yield the facts about curves; what takes many calls is computed of all of them together."""
+    """Yield the facts about curves; expensive ones are computed for all of them together."""
     good = {index: shape for index, shape in enumerate(shapes) if not isinstance(shape, str)}
     usable = [*good.values()]
     around = bounding_boxes([shape.core for shape in usable], [shape.pieces for shape in usable])

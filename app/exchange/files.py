@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ImportOptions:
-    """Options of imports; each format takes what concerns it.
+    """Options of imports; each format uses those that concern it.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ def foreign_file(path: str | os.PathLike[str]) -> ForeignFile:
 
 
 def begin_import(path: str | os.PathLike[str], options: ImportOptions, process: ReaderProcess) -> None:
-    """Let a process begin to read a drawing; `import_file` waits for the rest, or says what is wrong."""
+    """Begin to read a drawing in a process; `import_file` waits for the result or raises its error."""
     with suppress(ExchangeError, OSError, MemoryError):
         file = foreign_file(path)
         if file.form.kind is ContentKind.DRAWING:

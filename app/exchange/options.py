@@ -1,4 +1,4 @@
-"""Options of exports: records that the export form and the command line show, and what writers take.
+"""Options of exports: records that the export form and the command line show, and their values.
 
 An option that one format alone has is defined beside that format; here are those that several have.
 """
@@ -193,7 +193,7 @@ BY_DPI = OneOf(
     default=True,
     choices={True: "By resolution", False: "By width in pixels"},
 )
-"""Of a PNG of a document with a unit of length: it has true size either way."""
+"""Option of a PNG of a document with a unit of length: it has true size either way."""
 TRUE_SIZE = Check(name="true_size", label="Size", title="True size", default=True)
 DARK_PAPER = OneOf(
     name="dark",
@@ -228,7 +228,7 @@ PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
 
 
 class Options(msgspec.Struct, frozen=True, kw_only=True):
-    """Options of exports; each format takes what concerns it.
+    """Options of exports; each format uses those that concern it.
 
     Attributes
     ----------

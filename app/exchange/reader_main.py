@@ -1,4 +1,4 @@
-"""Reading of drawings in the child process, where limits are set; what it imports, each start pays for.
+"""Reading of drawings in the child process, with limits; each start pays for its imports.
 
 See ``reader_process`` for the process that asks.
 """
@@ -31,7 +31,7 @@ Reader = Callable[[bytes, float | None], ImportResult]
 """Function of the content of a file and a tolerance."""
 
 MEMORY = 400 * 2**20
-"""Bytes that reading may need beyond what the program itself does, where the system can limit that."""
+"""Bytes that reading may need beyond those of the program, where the system can limit memory."""
 
 NO_MEMORY = 3
 """Exit code of a process that had no memory left, not even to say so."""
@@ -87,7 +87,7 @@ def _answer_in(folder: Path) -> None:
 
 
 def answer_to(request: Request, memory: int | None = None) -> Answer:
-    """Return what the reader says, whatever it may raise; with so much memory, if that is limited."""
+    """Return the answer of the reader, also where it raises; with so much memory, if that is limited."""
     try:
         reader: Reader = getattr(import_module(request.module), request.reader)
         if memory is not None:
@@ -109,7 +109,7 @@ def answer_to(request: Request, memory: int | None = None) -> Answer:
 
 
 def limit_memory(extra: int | None) -> None:
-    """Let this process take no more than `extra` bytes beyond what it has, or as much as it may at all.
+    """Limit the memory of this process to `extra` bytes more than it has; None lifts the limit.
 
     Only Linux counts that.
     """

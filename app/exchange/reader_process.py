@@ -108,7 +108,7 @@ class ReaderProcess:
         memory: int = MEMORY,
         report: Report = silent,
     ) -> ImportResult:
-        """Return what a reader makes of the content of a file.
+        """Read the content of a file, and return the result of the reader.
 
         Parameters
         ----------
@@ -201,7 +201,7 @@ def read_in_process(
     memory: int = MEMORY,
     report: Report = silent,
 ) -> ImportResult:
-    """Return what a reader makes of the content of a file, in a process of its own.
+    """Read the content of a file in a process of its own, and return the result of the reader.
 
     See `ReaderProcess.read` for the parameters and errors.
     """
@@ -210,7 +210,7 @@ def read_in_process(
 
 
 def read_in_this_process(reader: Reader, data: bytes) -> ImportResult:
-    """Return what a reader makes of a content so small that it needs no process of its own.
+    """Read a small content in this process, and return the result of the reader.
 
     Raises
     ------
@@ -231,7 +231,7 @@ def _not_passed_on(problem: OSError) -> ExchangeError:
 
 
 def _why_silent(code: int, seconds: float) -> str:
-    """Return what to say of a process that ended without an answer, by its exit code."""
+    """Return the message about a process that ended without an answer, by its exit code."""
     if was_overdue(code):
         return f"Reading needs more than {seconds:.3g} s of processor time and was stopped."
     # By a signal, or by what is one on Windows: C code that is refused memory breaks down.
@@ -249,5 +249,5 @@ def _command(folder: str) -> list[str]:
 
 
 def seconds_for(size: int) -> float:
-    """Return how many seconds of the processor a file of `size` bytes may take to be read."""
+    """Return the limit of processor time, in seconds, for reading a file of `size` bytes."""
     return SECONDS + SECONDS_PER_MB * max(size - SMALL, 0) / 2**20

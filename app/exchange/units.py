@@ -20,14 +20,14 @@ _IN_DXF: Final = {"in": 1, "ft": 2, "mm": 4, "cm": 5, "m": 6, "km": 7, "µm": 13
 
 
 def note_of_unknown(name: str) -> str:
-    """Return what to know about a unit that no file knows; empty for a length, and for none at all."""
+    """Return a remark on a unit that is not a known length; empty for a length, and for no unit."""
     if not name or known_unit(name):
         return ""
     return f"“{name}” is not a known unit of length; pictures and exported files have no true size."
 
 
 def dxf_code(name: str) -> int:
-    """Return what a DXF file writes for a unit, its $INSUNITS; 0 for none."""
+    """Return the $INSUNITS of a DXF file in a unit; 0 for none."""
     return _IN_DXF.get(known_unit(name), 0)
 
 
@@ -48,7 +48,7 @@ _Value = TypeVar("_Value", bound=Value)
 
 
 def factor_between(unit: str, other: str) -> float:
-    """Return how many of the other unit one of the first is; 1 where either is no length."""
+    """Return the length of one unit in another; 1 where either is no length."""
     here, there = known_unit(unit), known_unit(other)
     return MILLIMETRES[here] / MILLIMETRES[there] if here and there and here != there else 1.0
 

@@ -25,7 +25,7 @@ from ..errors import ExchangeError
 from .outlines import LARGEST, Frame, Outline, by_shape, frame_around, frame_with, painted_extent
 
 POINT_RADIUS = 0.006
-"""Of the discs at the points, against the larger side of the drawing."""
+"""Radius of the discs at the points, against the larger side of the drawing."""
 
 MOST_POINTS = 10_000
 """Points of the largest Lagrange curve that is computed; the work grows with the square."""
@@ -33,7 +33,7 @@ MOST_POINTS = 10_000
 _SAMPLES = 513
 
 _SLIMMEST_TRIMMED = 0.02
-"""Least ratio of the sides: what is slimmer, such as a level line, keeps room beside it."""
+"""Least ratio of the sides: a slimmer drawing, such as a horizontal line, has a margin."""
 
 
 class Annotation(msgspec.Struct, frozen=True):

@@ -95,7 +95,7 @@ class Film:
         return Document((*others, *document.curves)) if others else document
 
     def durations(self, unit: int) -> list[int]:
-        """Return how long each frame stands, in milliseconds that are multiples of `unit`.
+        """Return the duration of each frame, in milliseconds that are multiples of `unit`.
 
         Rounded so that no frame is ever off by more than half a unit.
         """

@@ -66,7 +66,7 @@ class PicturePreview(msgspec.Struct, frozen=True):
 
 
 def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
-    """Return how dense the pixels are at true size; 0 without a unit, or where no file can say it."""
+    """Return the pixels per metre at true size; 0 without a unit, or where a file cannot hold them."""
     unit = known_unit(options.unit)
     if not unit:
         return 0
@@ -76,7 +76,7 @@ def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
 
 
 def png_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
-    """Return what a PNG with these options looks like, in so many pixels at most.
+    """Return the preview of a PNG with these options, of at most so many pixels.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
 
 
 def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
-    """Return what an SVG looks like; see `png_preview`."""
+    """Return the preview of an SVG; see `png_preview`."""
     drawing = _drawing(document, options, options.vector_style)
     frame, across = drawing.frame, nominal_width(drawing, options.width)
     size = _size_text(frame, options, (across, across * frame.height / frame.width), "px")
@@ -104,7 +104,7 @@ def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> 
 
 
 def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> PicturePreview:
-    """Return what a PDF looks like; see `png_preview`."""
+    """Return the preview of a PDF; see `png_preview`."""
     drawing = _drawing(document, options, options.vector_style)
     wide, high = _page_size(drawing, options)
     page = (wide / POINTS_PER_MILLIMETRE, high / POINTS_PER_MILLIMETRE)
@@ -113,7 +113,7 @@ def pdf_preview(document: Document, options: Options, room: tuple[int, int]) -> 
 
 
 def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: str) -> str:
-    """Return what a file says of its size: the true one, or this one in a unit of its own."""
+    """Return the size of a file as text: the true one, or this one in the unit of the format."""
     true = known_unit(options.unit)
     if not true or options.width is not None:
         return f"{size_in_words(*size, unit)}, not to scale"

@@ -61,7 +61,7 @@ class Outline(msgspec.Struct, frozen=True):
 
     @property
     def is_dot(self) -> bool:
-        """Whether it is of no length."""
+        """Whether the curve has no length."""
         return bool((self.control_points == self.control_points[0, 0]).all())
 
 

@@ -23,7 +23,7 @@ class PictureStyle(msgspec.Struct, frozen=True):
         return palette.colour_on(self.paper, colour) if colour else self.ink
 
     def adjustment_of(self, colour: str) -> str:
-        """Return what becomes of a colour that cannot be seen on the paper; empty if nothing does."""
+        """Return the change of a colour that is not visible on the paper, in words; empty for none."""
         return palette.adjustment_of(self.paper, colour)
 
     def stroke_of(self, style: Style) -> str:
@@ -31,7 +31,7 @@ class PictureStyle(msgspec.Struct, frozen=True):
         return style.stroke if style.stroke and style.has_fill else self.visible_colour(style.stroke)
 
     def fill_of(self, style: Style) -> str:
-        """Return the colour of an inside: what somebody chose to be white is white on any paper."""
+        """Return the colour of the inside; unlike that of a line it does not depend on the paper."""
         return style.fill or self.ink
 
 

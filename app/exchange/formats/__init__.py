@@ -104,7 +104,7 @@ class ExportResult:
 
     @property
     def words(self) -> str:
-        """How near it is to the document."""
+        """Accuracy of the file, or the pixels of a picture, as text."""
         if self.pixels is not None:
             # Pixels are not exact, whatever they were painted from.
             return f"{self.pixels[0]} × {self.pixels[1]} pixels"
@@ -205,22 +205,22 @@ class FormatRegistry(Registry[Format]):
 
     @property
     def written(self) -> tuple[Format, ...]:
-        """Those that are written."""
+        """Formats that are written."""
         return tuple(form for form in self if form.write)
 
     @property
     def offered(self) -> tuple[Format, ...]:
-        """Those that the export dialog offers."""
+        """Formats that the export dialog offers."""
         return tuple(form for form in self.written if form.description)
 
     @property
     def pictures(self) -> tuple[Format, ...]:
-        """Those that can be looked at before they are written."""
+        """Formats with a preview."""
         return tuple(form for form in self.written if form.preview)
 
     @property
     def read(self) -> tuple[Format, ...]:
-        """Those that are read."""
+        """Formats that are read."""
         return tuple(form for form in self if form.kind)
 
     @staticmethod
@@ -253,7 +253,7 @@ def endings_of(formats: Sequence[FileKind]) -> tuple[str, ...]:
 
 
 def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
-    """Return that of the formats with the longest ending that the name of a file has, in capitals or not.
+    """Return the format with the longest ending that the name of a file has, in capitals or not.
 
     Raises
     ------
@@ -280,7 +280,7 @@ def format_in(data: bytes, named: Format) -> Format:
 
 
 def ending_in(path: str | os.PathLike[str], known: Format) -> str:
-    """Return that of the format's endings that the name of a file has."""
+    """Return the ending of the format that the name of a file has."""
     return _longest(Path(path).name, known.endings)
 
 
@@ -301,7 +301,7 @@ def with_ending(path: Path, ending: str) -> Path:
 
 _DOCUMENT_MARK = re.compile(rb'"format"\s*:\s*"curvebench"')
 _MARK_WITHIN = 4096
-"""Bytes in which a document says what it is."""
+"""Number of first bytes that contain the mark of a document."""
 
 
 def is_document(data: bytes) -> bool:

@@ -241,7 +241,7 @@ def _text(data: bytes) -> str:
 
 
 class _Reader:
-    """Collects the paths of one file, and what it leaves out."""
+    """Collector of the paths of one file, and of its losses."""
 
     def __init__(self, drawing: Drawing, tolerance: float | None) -> None:
         self._drawing = drawing
@@ -285,7 +285,7 @@ class _Reader:
             self._add(spline, _beziers(points, knots, degree), bool(spline.dxf.flags & CLOSED))
 
     def _take_fit_points(self, spline: Spline) -> None:
-        """Add the natural spline through fit points: what else the curve does, the file does not say."""
+        """Add the natural spline through fit points: the file does not define the curve between them."""
         points = [(float(point[0]), float(point[1])) for point in spline.fit_points]
         closed = bool(spline.dxf.flags & CLOSED)
         if closed and len(points) > 1 and points[0] == points[-1]:
@@ -408,7 +408,7 @@ def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
 
 
 def _welded(pieces: FloatArray) -> FloatArray:
-    """Return pieces of which each begins exactly where the one before ends, a closed one's first too."""
+    """Return pieces that begin exactly where the one before ends, also the first of a closed path."""
     pieces[1:, 0] = pieces[:-1, -1]
     size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
     if np.abs(pieces[-1, -1] - pieces[0, 0]).max() <= 1e-12 * size:

@@ -71,7 +71,7 @@ def _columns(content: dict[str, list[object]]) -> Table:
 
 
 def _records(content: list[dict[str, object]]) -> Table:
-    """Return the numbers of records; what is text in the first of them is left out."""
+    """Return the numbers of records; keys whose value in the first record is text are left out."""
     titles = [str(key) for key, value in content[0].items() if not isinstance(value, str | list | dict)]
     others = [f"“{str(key)[:40]}”" for key in content[0] if key not in titles]
     remark = f"Columns that are not numbers were left out: {', '.join(others[:8])}." if others else ""
@@ -116,7 +116,7 @@ def _lines(content: dict[str, Any]) -> Table:
 
 
 def _lines_in(content: object, name: str, lost: Counter[str]) -> Iterator[tuple[str, list[Any]]]:
-    """Yield the lines in a GeoJSON object, each with the name of its feature, and count what is no line."""
+    """Yield the lines in a GeoJSON object with the names of their features, and count other geometries."""
     if not isinstance(content, dict):
         return
     kind = content.get("type")
@@ -153,7 +153,7 @@ def _lost(lost: Counter[str]) -> str:
 
 
 MOST_BYTES = 32 * 2**20
-"""Of a JSON file: as Python's own numbers it takes several times as much."""
+"""Largest JSON file in bytes: as Python's own numbers it takes several times as much."""
 
 Content = TypeVar("Content")
 

@@ -49,7 +49,7 @@ PICTURE_SIDE = 12.0
 """Longer side of a TikZ picture, in centimetres."""
 
 _LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
-"""Of a TikZ picture at true size: TeX's largest length is 575 cm, and it counts in 5e-6 cm."""
+"""Limits of a TikZ picture at true size: TeX's largest length is 575 cm, its unit 5e-6 cm."""
 
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
 _LINES_OF_ARRAY = 42
@@ -213,7 +213,7 @@ def _point(point: list[float], digits: int) -> str:
 
 
 def _text(text: str) -> str:
-    """Return text as LaTeX may hold it; what its usual fonts lack becomes a question mark."""
+    """Return text escaped for LaTeX; characters that its usual fonts lack become question marks."""
     plain = one_line(text).encode("latin-1", "replace").decode("latin-1")
     return "".join(_SPECIAL.get(letter, letter) for letter in plain)
 
@@ -223,7 +223,7 @@ def _rounded(values: FloatArray, digits: int) -> FloatArray:
 
 
 def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
-    """Return how far the curve of the rounded numbers is from the true one at the same t."""
+    """Return the distance of the curve of the rounded numbers from the true one at the same t."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():
         enough = (
@@ -258,7 +258,7 @@ def _picture(lines: list[str], deviation: float, drawing: Drawing, package: str)
 
 
 def _file(lines: list[str], worst: Deviation, remarks: tuple[str, ...], package: str) -> ExportResult:
-    """Return lines below comments: how accurate they are, the package they need, what was left out."""
+    """Return lines below comments on their accuracy, the package they need, and curves left out."""
     head = [accuracy(*worst), f"Needs \\usepackage{{{package}}}.", *map(one_line, remarks)]
     return ExportResult(
         "\n".join([*(f"% {line}" for line in head), *lines]) + "\n", worst.deviation, remarks, worst.is_bound

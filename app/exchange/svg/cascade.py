@@ -40,7 +40,7 @@ INHERITED = {
     "marker-mid": "none",
     "marker-end": "none",
 }
-"""Properties that pass to what an element holds, with what they are at first."""
+"""Properties that the children of an element inherit, with their initial values."""
 
 NOT_INHERITED = {
     "clip-path": "none",
@@ -140,7 +140,7 @@ class Cascade:
         return values
 
     def _matched(self, element: ET.Element) -> list[_Declared]:
-        """Return what the rules declare for an element, the weakest first."""
+        """Return the declarations of the rules for an element, the weakest first."""
         wrapped = self._wrapped.get(element)
         matches = self._matcher.match(wrapped) if wrapped is not None else ()
         return [declared for _, _, pseudo, payload in matches if pseudo is None for declared in payload]
@@ -218,7 +218,7 @@ def _path_data(words: Sequence[Any]) -> Iterator[str]:
 
 
 def _lacks_units(words: Iterable[Any]) -> bool:
-    """Whether there is a number for a length or an angle: other than in attributes, all but 0 have units."""
+    """Whether a length or an angle lacks its unit: other than in attributes, all but 0 need one."""
     return any(
         _lacks_units(token.arguments)
         if token.type == "function" and _WITH_UNITS.match(token.lower_name)

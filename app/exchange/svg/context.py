@@ -142,7 +142,7 @@ class ClipBox:
     loss: Loss
 
     def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
-        """Whether points (n, 2) of the document, and what is in reach of them, lie in it.
+        """Whether points (n, 2) of the document lie in the box, with `reach` to spare on every side.
 
         Only boxes with upright edges know that.
         """
@@ -155,7 +155,7 @@ class ClipBox:
 
 
 def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport) -> Box | None:
-    """Return the upright rectangle that a `clip-path` is, in the units of what has it; else None.
+    """Return the upright rectangle of a `clip-path`, in the units of its element; None for other shapes.
 
     Programs put one around all that they draw.
     """
@@ -181,7 +181,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
 
 
 def _hangs_on_box(clip: ET.Element) -> bool:
-    """Whether a clip is a share of the box around what has it."""
+    """Whether a clip is given as shares of the box around its element."""
     return clip.get("clipPathUnits") == "objectBoundingBox"
 
 

@@ -71,7 +71,7 @@ class Viewport:
     rem: float = _MEDIUM
 
     def side(self, name: str) -> float | None:
-        """Return what a length of this name is a part of."""
+        """Return the length that percentages of this attribute refer to."""
         if name in ("x", "width", "cx", "x1", "x2", "rx"):
             return self.width
         if name in ("y", "height", "cy", "y1", "y2", "ry"):
@@ -363,7 +363,7 @@ class Page:
 
     @property
     def edges(self) -> tuple[Guide, ...]:
-        """The edges of what the file shows, as guides."""
+        """The edges of the frame that the file shows, as guides."""
         if (frame := self.frame) is None:
             return ()
         across, up = (frame.left, frame.left + frame.width), (frame.bottom, frame.top)
@@ -418,7 +418,7 @@ def _scaling(across: float, down: float) -> FloatArray:
 
 
 def _frame(box: Box) -> Frame | None:
-    """Return what a file shows; None where a document cannot hold it."""
+    """Return the frame that a file shows; None where a document cannot hold it."""
     x, y, width, height = (float(value) + 0.0 for value in box)
     bottom = -(y + height) + 0.0
     is_sound = max(abs(edge) for edge in (x, x + width, y, bottom)) <= MAX_MAGNITUDE

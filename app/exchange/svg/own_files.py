@@ -15,14 +15,14 @@ MARK = "Largest deviation from the true curves"
 """Words in the metadata of every picture."""
 
 NO_CURVES = ("paper", "points", "grid", "handles", "basis")
-"""Ids of what is drawn beside the curves."""
+"""Ids of the elements that are drawn beside the curves."""
 
 _INKS = (styles.INK.ink, styles.DARK.ink)
 _ROUNDING = 1e-9
 
 
 class OwnFile:
-    """Whether a file is one of our own, and what that means.
+    """Test for files that Curvebench wrote, and the parts of them that are no curves.
 
     Attributes
     ----------

@@ -74,7 +74,7 @@ _INVALID = Loss("element", "with invalid lengths, which were ignored")
 _BEYOND = Loss("element", "with coordinates out of range left out")
 _NO_TRANSFORM = Loss("transform", _NOT_APPLIED)
 _MAX_MEASURING = 20
-"""Elements within each other whose transforms need to know what they hold."""
+"""Limit of nested elements whose transforms depend on the box around their content."""
 
 _WITH_SIZE = ("text", "flowRoot", "image", "foreignObject")
 _NOTHING: Iterable[DrawnPath] = ()
@@ -90,7 +90,7 @@ _NOT_READ = {
     "script": Loss("script", "not run"),
     **dict.fromkeys(("animate", "set", "animateMotion", "animateTransform"), _MOTION),
 }
-"""Elements that show something else than curves, and what becomes of them."""
+"""Elements that show something else than curves, with their loss."""
 
 _EFFECTS = {
     "filter": Loss("filter", _NOT_APPLIED),
@@ -461,7 +461,7 @@ class _Reader:
     def _note_effects(
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext, *, is_many: bool
     ) -> None:
-        """Tell what an element that holds shapes does to them beside their styles."""
+        """Note the effects that an element has on its shapes beside their styles."""
         losses = [loss for name, loss in _EFFECTS.items() if declared.get(name, "none") not in _NO_EFFECT]
         is_clipped = declared.get("clip-path", "none") != "none"
         if is_clipped and clip_box(self._elements, declared, context.viewport) is None:
@@ -493,7 +493,7 @@ _BOXES = {
 
 
 class _ElementLosses(Losses):
-    """What is missed of the elements of one file."""
+    """Losses of the elements of one file."""
 
     def __init__(self, root: ET.Element) -> None:
         super().__init__()
@@ -510,7 +510,7 @@ class _ElementLosses(Losses):
         return name_of(element) or f"{tag_of(element).capitalize()} {self._number[element]}"
 
     def note_of(self, element: ET.Element, *losses: Loss) -> None:
-        """Take note of what is missed of an element, once, however often that is used."""
+        """Note losses of an element, once, however often the element is used."""
         for loss in losses:
             self.note(loss, element, label_of(element))
 

@@ -171,7 +171,7 @@ _LONGEST = 50_000_000
 _EXCERPT = 12
 """Characters that are shown of data with an error."""
 _ROUNDING = 1e-6
-"""Of the extent of a subpath: as short a last line comes of roundings, and is none to Inkscape either."""
+"""Share of the extent of a subpath: a shorter last line is a rounding, as in Inkscape."""
 
 
 @dataclass(eq=False)
@@ -200,12 +200,12 @@ class Subpath:
 
     @property
     def has_length(self) -> bool:
-        """Whether it is more than a point."""
+        """Whether the subpath is more than a point."""
         return bool((self.controls != self.start).any())
 
     @property
     def is_line(self) -> bool:
-        """Whether it is a line, be it one of no length: more than an M alone."""
+        """Whether the subpath is a line, even one without length: more than an M alone."""
         return self.closed or bool(self.pieces)
 
     @property

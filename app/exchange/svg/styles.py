@@ -80,7 +80,7 @@ class Properties:
 
     @property
     def is_visible(self) -> bool:
-        """Whether it is drawn."""
+        """Whether the element is drawn."""
         return self.is_displayed and self.values["visibility"].lower() not in ("hidden", "collapse")
 
     @property
@@ -93,7 +93,7 @@ class Properties:
 def style_of(
     properties: Properties, paints: Paints, viewport: Viewport, scale: float
 ) -> tuple[Style, tuple[Loss, ...]]:
-    """Return the style of a shape whose lengths are scaled so, and what of it is lost.
+    """Return the style of a shape with scaled lengths, and the losses.
 
     Raises
     ------
@@ -207,7 +207,7 @@ GRADIENTS = ("linearGradient", "radialGradient")
 """The elements of gradients."""
 
 _LONGEST_CHAIN = 20
-"""Gradients that take what they do not say from each other."""
+"""Longest chain of gradients that refer to each other."""
 
 
 @dataclass(frozen=True)
@@ -235,7 +235,7 @@ _CONTEXT = Paint("none", loss=Loss("context paint"))
 
 @lru_cache(maxsize=4096)
 def colour_of(text: str) -> Paint | None:
-    """Return a colour as CSS writes it; None for what is none."""
+    """Return the paint of a CSS colour; None for other text."""
     try:
         parsed = parse_color(text)
         if parsed is None or isinstance(parsed, str):
@@ -276,7 +276,7 @@ class Paints:
         return NONE if word.lower() == "none" else colour_of(word) or NONE
 
     def _served(self, name: str, fallback: str, current: str) -> Paint:
-        """Return what stands for a gradient or a pattern."""
+        """Return the paint that replaces a gradient or a pattern."""
         server = self._elements.by_id.get(name)
         if server is not None and tag_of(server) in GRADIENTS:
             return self._gradient(server, current)

@@ -73,7 +73,7 @@ def picture_of(
     *,
     with_hidden: bool = False,
 ) -> Drawing:
-    """Return the drawing of a document with what else is to be drawn; see `svg_of`."""
+    """Return the drawing of a document with its annotations; see `svg_of`."""
     plain = drawing_of(document, options.tolerance, report, with_hidden=with_hidden)
     if not (options.handles or options.grid or options.basis is not None):
         return trimmed(plain) if options.is_to_scale and not options.points else plain
@@ -274,7 +274,7 @@ def _as_id(name: str) -> str:
 
 
 def _node_types(shape: tuple[Outline, ...]) -> str:
-    """Return of what kinds the points are, as an attribute; nothing where one would take them for these."""
+    """Return the kinds of the points as an attribute; empty where a reader would guess them."""
     words = joined([(part.letters, part.closed) for part in shape])
     default = [(guessed(part.control_points, closed=part.closed), part.closed) for part in shape]
     return f' sodipodi:nodetypes="{words}"' if words and joined(default) != words else ""
@@ -319,7 +319,7 @@ def pair(point: list[float]) -> str:
 
 
 def _style_attributes(style: Style, picture: PictureStyle, usual_width: float) -> str:
-    """Return a style as attributes, each after a blank; what SVG takes for granted is left out."""
+    """Return a style as attributes, each after a blank; defaults of SVG are left out."""
     pairs = [("fill", picture.fill_of(style) if style.has_fill else NO_PAINT), *_of_fill(style)]
     pairs += _of_stroke(style, picture.stroke_of(style), usual_width)
     return "".join(f' {name}="{value}"' for name, value in pairs)

@@ -40,7 +40,7 @@ _LONGEST_NAME = 200
 
 INKSCAPE_SPACE = "http://www.inkscape.org/namespaces/inkscape"
 SODIPODI_SPACE = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd"
-"""Name spaces of what only Inkscape takes note of."""
+"""Namespaces of attributes that only Inkscape reads."""
 
 SODIPODI = f"{{{SODIPODI_SPACE}}}"
 INSENSITIVE = f"{SODIPODI}insensitive"
@@ -83,7 +83,7 @@ def tag_of(element: ET.Element) -> str:
 
 
 def reference_of(element: ET.Element) -> str:
-    """Return what an element refers to: "#" and an id, an address, or nothing."""
+    """Return the reference of an element: "#" and an id, an address, or nothing."""
     return (element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or "").strip()
 
 
@@ -246,7 +246,7 @@ class _CountingBuilder(ET.TreeBuilder):
 
 
 def name_of(element: ET.Element) -> str:
-    """Return what an element is called: by its label, its title or its id; empty without."""
+    """Return the name of an element: its label, its title or its id; empty without."""
     label = next((element.get(attribute, "") for attribute in _LABELS if element.get(attribute)), "")
     title = next((child.text for child in element if tag_of(child) == "title" and child.text), "")
     return _in_line(label or title or _ESCAPED.sub(_unescaped, element.get("id", "")))
@@ -283,7 +283,7 @@ class Elements:
 
     @classmethod
     def within(cls, root: ET.Element, declared: Callable[[ET.Element], dict[str, str]]) -> Elements:
-        """Return those of a tree."""
+        """Return the elements of a tree."""
         return cls(
             {name: element for element in reversed([*root.iter()]) if (name := element.get("id"))}, declared
         )

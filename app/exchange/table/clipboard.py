@@ -1,4 +1,4 @@
-"""Blocks of numbers as text: what spreadsheets put on the clipboard, and take from it."""
+"""Blocks of numbers as text, as spreadsheets exchange them by the clipboard."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def _titles(cells: list[list[str]]) -> tuple[str, ...]:
 
 
 def _separator(lines: list[str], mark: str) -> tuple[str, bool]:
-    """Return what separates the cells, and whether commas are decimal commas."""
+    """Return the separator of the cells, and whether commas are decimal commas."""
     text = "\n".join(lines)
     for separator in ("\t", ";"):
         if separator in text:

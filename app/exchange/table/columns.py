@@ -95,7 +95,7 @@ def numbered_titles(count: int) -> tuple[str, ...]:
 
 
 def role_of(title: str) -> str:
-    """Return what a column of this title is; empty where the title does not say.
+    """Return the role of a column with this title; empty where the title has none.
 
     A unit in brackets, or behind the name, counts for nothing: "x [mm]", "time_s", "x in m".
     """
@@ -116,7 +116,7 @@ def _without_unit(title: str) -> str:
 def guess(
     titles: Sequence[str], rows: Sequence[Sequence[str]] = (), is_number: Sequence[bool] | None = None
 ) -> Guess:
-    """Return what the columns are by their titles, and, where those do not say, by their order.
+    """Return the roles of columns by their titles, or else by their order.
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ def guess(
 
 
 def _by_order(known: dict[str, int], free: list[int]) -> Guess:
-    """Return what columns are, some of them by name, of which x and y are not both named."""
+    """Return the roles of columns by their order, where the titles do not name both x and y."""
     if "x" in known or "y" in known:
         missing = "y" if "x" in known else "x"
         mapping = ColumnMapping(**{**known, missing: free[0]}) if free else None
@@ -182,7 +182,7 @@ def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
 
 
 def mapping_summary(mapping: ColumnMapping, titles: Sequence[str]) -> str:
-    """Return which columns were taken for what, and which were left out.
+    """Return a sentence on the roles of the columns, and on those left out.
 
     Nothing is said of columns that are all what they are called, but for a y before x.
     """
@@ -202,7 +202,7 @@ def _quoted_title(titles: Sequence[str], column: int) -> str:
 
 
 def _named(titles: Sequence[str]) -> dict[str, int]:
-    """Return the columns whose titles say what they are; of two, the one with the shorter title."""
+    """Return the columns whose titles have a role; of two alike, the one with the shorter title."""
     columns: dict[str, int] = {}
     for column, title in enumerate(titles):
         role = role_of(title)
@@ -275,7 +275,7 @@ def family_cell(curve: Curve) -> str:
 
 
 def read_family_cell(text: str) -> FamilyCell:
-    """Return what a cell says.
+    """Return the family, the closing and the settings in a cell.
 
     Raises
     ------

@@ -79,7 +79,7 @@ class TableOptions:
 def document_of_table(
     table: Table, mapping: ColumnMapping, options: TableOptions, *, report: Report = silent
 ) -> ImportResult:
-    """Return the curves through the rows of a table, how far they are from them, and what there is to say.
+    """Return the curves through the rows of a table, with their deviation and remarks.
 
     There is one curve, or one for each name in the column of names, and one for each block of rows. Where
     there is no column of parameters, rows that repeat the point before become one point with it.
@@ -168,7 +168,7 @@ def _numbered(groups: list[Group]) -> list[Group]:
 
 
 def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: TableOptions) -> FamilyCell:
-    """Return what a table says of the family of the curve through some rows."""
+    """Return the family of the curve through some rows, from its cell or by default."""
     if mapping.family is None or mapping.family not in table.words:
         return FamilyCell(default.family, settings=default.settings)
     first = int(rows[0])
@@ -179,7 +179,7 @@ def _word_of(table: Table, mapping: ColumnMapping, rows: IntArray, default: Tabl
 
 
 def _on_repeats(count: int, first: int, *, stay: bool) -> tuple[str, ...]:
-    """Return what there is to say of rows that repeat the point before, from line `first` on."""
+    """Return the remark on rows that repeat the point before, the first on line `first`."""
     if count == 0:
         return ()
     why = "because parameters by distance need distinct points"

@@ -47,7 +47,7 @@ class TableSource:
         self.lines = data.count(b"\n") if self._is_text else 0
 
     def preview(self, layout: TextLayout | None = None) -> Preview:
-        """Return the first rows, and what the columns seem to be.
+        """Return the first rows, and the likely roles of the columns.
 
         Raises
         ------
@@ -100,7 +100,7 @@ class TableSource:
 
 
 def import_table(name: str, source: TableSource, options: ImportOptions, report: Report) -> ImportResult:
-    """Return what a table holds, whose file has that `name` without its ending."""
+    """Return the curves of a table in a file of that `name`, without ending."""
     preview, missing = source.preview(), MissingRows(options.missing)
     mapping = mapping_of(options.columns, preview.titles) if options.columns else preview.certain_mapping()
     try:
@@ -145,7 +145,7 @@ MOST_LAGRANGE = 500
 
 _RELATIVE_TOLERANCE = 1e-3
 _MOST_DOUBLINGS = 16
-"""Of a thousandth of the size: by then two points are enough."""
+"""Doublings of a thousandth of the size after which two points are enough."""
 
 
 @dataclass(frozen=True)
@@ -220,7 +220,7 @@ class PreparedTable:
 
 
 def prepare_table(source: TableSource, choice: TableChoice, report: Report = silent) -> PreparedTable:
-    """Return what becomes of a table; whatever is wrong with it stands in the result."""
+    """Return the curves of a table, or the problem that keeps it from becoming any."""
     rows = 0
     try:
         table = source.table(choice.layout, choice.mapping, choice.missing, part(report, 0.0, 0.6))

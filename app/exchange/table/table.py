@@ -106,7 +106,7 @@ class Preview:
         return self.guess.mapping
 
     def certain_mapping(self) -> ColumnMapping:
-        """Return what the columns are, where their titles say so.
+        """Return the roles of the columns, where these are certain.
 
         Raises
         ------

@@ -40,7 +40,7 @@ _FORMULA = ("=", "@")
 
 
 def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
-    """Return the first rows of a file, how it seems to be laid out, and what its columns seem to be.
+    """Return the first rows of a file, its likely layout, and the likely roles of its columns.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def _are_numbers(rows: list[list[str]], width: int, layout: TextLayout) -> list[
 
 
 def _remark_on(lines: list[str], layout: TextLayout, comments: list[str]) -> str:
-    """Return what stands above the numbers and is none of them, in comments only what names a coordinate."""
+    """Return a remark on the lines above the numbers, and on comments that name a coordinate."""
     above = [f"“{line.strip()[:40]}”" for line in lines[: layout.skipped][:3]]
     titles = f"Not read as numbers: {', '.join(above)}." if above else ""
     units = "The row below the titles contains units." if layout.units else ""
@@ -147,7 +147,7 @@ def _remark_on(lines: list[str], layout: TextLayout, comments: list[str]) -> str
 
 @dataclass(frozen=True)
 class _Wanted:
-    """The number of columns, and which of them are to be read as what."""
+    """The number of columns, and those to read as numbers and as words."""
 
     width: int
     numbers: tuple[int, ...]
@@ -226,7 +226,7 @@ class _Collector:
             self._add_words(lines)
 
     def _skipped(self, are_data: list[bool]) -> int:
-        """Return how many lines stand above the first row of numbers."""
+        """Return the number of lines above the first row of numbers."""
         for index, has_data in enumerate(are_data):
             if has_data and self._above == 0:
                 return index
@@ -361,7 +361,7 @@ def sniffed(lines: list[str]) -> TextLayout:
 
 
 def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayout:
-    """Return the layout with these marks: what the rows above the numbers are."""
+    """Return the layout with these marks, by the kinds of the rows above the numbers."""
     plain = TextLayout(separator, decimal_comma, header=False)
     rows = [cells_of(line, plain) for line in lines]
     # Of rows that end with a separator nobody knows yet whether an empty cell follows it.
@@ -407,7 +407,7 @@ def _is_units(row: list[str]) -> bool:
 
 
 def _sense(lines: list[str], layout: TextLayout) -> tuple[bool, bool, float, bool, bool]:
-    """Return what speaks for a layout, the weightiest first."""
+    """Return the arguments for a layout, the weightiest first."""
     first = cells_of(lines[layout.skipped], layout)
     body = [cells_of(line, layout, len(first)) for line in lines[layout.above :]]
     cells = [cell for row in body for cell in row]

@@ -119,7 +119,7 @@ def _enough_points(
 
 
 def _share(began: float, worst: float, tolerance: float) -> float:
-    """Return how far it has come: the distance shrinks by a factor from round to round."""
+    """Return the share of the work that is done: the distance shrinks by a factor from round to round."""
     if not tolerance < worst < began:
         return 0.0 if worst > tolerance else 1.0
     return math.log(began / worst) / math.log(began / tolerance)

@@ -55,7 +55,7 @@ class ClipboardContent(SafeOverrides, QMimeData):
         return self._formats
 
     def retrieveData(self, mimetype: str, _type: QMetaType | QMetaType.Type) -> Any:  # noqa: ANN401, N802
-        """Return what is offered; called by Qt."""
+        """Return the content for a MIME type; called by Qt."""
         if mimetype not in self._formats:
             return None
         if mimetype not in self._cache:

@@ -79,7 +79,7 @@ class ClipboardCommands:
         return ClipboardContent(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
 
     def _copied_curves(self, what: ClipboardSelection) -> tuple[Curve, ...]:
-        """Return the curves, or what the points of several are curves of."""
+        """Return the selected curves, or curves of the selected points."""
         session = self._session
         if not what.points.parts:
             return tuple(session.document.curves[index] for index in sorted(what.curves))

@@ -50,7 +50,7 @@ _MANY_POINTS = 200
 
 
 class PasteCommands:
-    """Pastes what is on the clipboard, and takes drawings that are dropped."""
+    """Paste from the clipboard, and drops of drawings."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
@@ -94,7 +94,7 @@ class PasteCommands:
         add_points(points)
 
     def holds_drawing(self, data: QMimeData) -> bool:
-        """Whether what is dragged is a drawing, or curves of ours."""
+        """Whether dragged data hold a drawing, or curves of this program."""
         return data.hasFormat(CURVES) or drawing_in(data) is not None
 
     def paste_dropped(self, data: QMimeData, position: Vector) -> None:
@@ -126,7 +126,7 @@ class PasteCommands:
     def _import(
         self, read: Callable[[Report], ImportResult], position: Vector | None, points: int = _MANY_POINTS
     ) -> None:
-        """Add what is read beside the window to the document that is open; few `points` at once."""
+        """Read curves beside the window, and add them to the open document; few `points` at once."""
         origin, target = self._session.files.origin, self._target(position)
 
         def work(report: Report) -> tuple[ImportResult, AddedCurves]:
@@ -220,7 +220,7 @@ def _import_result(decoded: Decoded, _report: Report) -> ImportResult:
 def _filled(
     target: PasteTarget, result: ImportResult, report: Callable[[float], object] | None = None
 ) -> AddedCurves:
-    """Return the target with what was read, in the unit of the document."""
+    """Return the target with the imported curves, in the unit of the document."""
     sized = exchange.units.in_unit(result.document, target.document.unit)
     return target.filled(sized.curves, report)
 
@@ -243,7 +243,7 @@ class PointsContent(msgspec.Struct, frozen=True):
 
 
 def curves_in(data: QMimeData) -> Decoded | None:
-    """Return the curves that were copied in this program, with the unit they are in, and what is left out.
+    """Return the curves that were copied in this program, with their unit and the content left out.
 
     Raises
     ------

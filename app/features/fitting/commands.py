@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from .panel import FitPanel, FitWish
 
 _PATIENCE_S = 0.08
-"""Seconds that a person may wait for the window; what takes longer has a thread of its own."""
+"""Seconds that the window may be blocked; longer work has a thread of its own."""
 
 _COMPUTED = 0.8
 """Share of the work that goes before the views of the new curves."""
@@ -104,7 +104,7 @@ class SimplifyCommands:
 def _with_views(
     make: partial[Simplified], before: Document, report: Report
 ) -> tuple[Simplified, list[CurveView]]:
-    """Return what is made of a document, and the views of the curves that are new in it."""
+    """Return the simplified document, and the views of its new curves."""
     result = make(report=part(report, 0.0, _COMPUTED))
     known, rest = set(map(id, before.curves)), part(report, _COMPUTED, 1.0)
     # As the door of the session leaves it, whose curves the views are to be of.
@@ -183,7 +183,7 @@ class FitCommands(QObject):
         return was_visible
 
     def close(self) -> None:
-        """End what is being computed."""
+        """End the computation."""
         self._task.close()
 
     def _follow_visibility(self, visible: bool) -> None:
@@ -226,7 +226,7 @@ class FitCommands(QObject):
             self._panel.progress.show_share(share)
 
     def _show(self) -> None:
-        """Show the curve that would be, where it is farthest off, and what is to be said of it."""
+        """Show the fitted curve, its farthest point, and the message about it."""
         result, traces = self._result, []
         if result is not None:
             line = view_of(result.curve).polyline

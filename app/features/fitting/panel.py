@@ -1,4 +1,4 @@
-"""Fewer points for a curve: family, number or tolerance, and what comes of it."""
+"""Form of a fit to fewer points: family, number or tolerance, and the result."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ class FitPanel(SafeOverrides, QScrollArea):
         super().keyPressEvent(event)
 
     def render_result(self, words: str, *, can_apply: bool, busy: bool) -> None:
-        """Show what came of it, or why nothing did."""
+        """Show the result, or the reason why there is none."""
         self.result.setText(words)
         self.apply_button.setEnabled(can_apply)
         self.progress.setVisible(busy)

@@ -1,4 +1,4 @@
-"""Import: what comes in from other files."""
+"""Import of files in other formats."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class ImportCommands:
             self.import_files([path], opened=path)
 
     def close(self) -> None:
-        """Forget what waits to be imported."""
+        """Forget the files that wait to be imported."""
         self._series.skip_rest()
 
     def _begin(self, path: Path) -> None:
@@ -117,7 +117,7 @@ class ImportCommands:
         self._document_number += 1
 
     def _give_up(self) -> None:
-        """Leave out what was meant for another document than there is now."""
+        """Drop the files that were meant for a document that is no longer open."""
         names = names_with_verb(self._series.skip_rest())
         self._session.refuse(_NOT_IMPORTED.format(names))
         self._series.end()
@@ -171,11 +171,11 @@ class ImportCommands:
         self._ask(dialog)
 
     def _opens_at_once(self, path: Path, result: ImportResult) -> bool:
-        """Whether there is nothing to be told of a file before it is seen."""
+        """Whether a file is opened without a dialog: it has no remarks, or is known."""
         return not result.remarks or self._knows(path)
 
     def _knows(self, path: Path) -> bool:
-        """Whether a file was opened or saved here lately: nobody needs to be shown what it is."""
+        """Whether a file was opened or saved here lately, so that its remarks are known."""
         return path.absolute() in self._preferences.recent_files
 
     def _take_in(self, path: Path, result: ImportResult | PreparedTable, anew: bool) -> None:
@@ -217,19 +217,19 @@ class ImportCommands:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
     def _goes_elsewhere(self, path: Path, result: ImportResult | PreparedTable) -> bool:
-        """Let another window begin with what was read, where one is meant for it; return whether it does."""
+        """Hand the result to another window, where one is meant for it; return whether there is one."""
         other = self._context.files.elsewhere()
         if other is not None:
             other.take_opened(path, result)
         return other is not None
 
     def _words_about_lost(self, path: Path, result: ImportResult | PreparedTable) -> str:
-        """Return what did not come of a file that is opened without a dialog."""
+        """Return the remarks on a file that is opened without a dialog."""
         is_asked = path != self._opened or not self._knows(path)
         return "" if is_asked else "".join(f"{remark} " for remark in result.remarks)
 
     def _take_opened(self, path: Path, result: ImportResult | PreparedTable) -> None:
-        """Begin with what another window has read and was asked about."""
+        """Begin a document with a result that another window has read."""
         self._target_number, self._opened = self._document_number, path
         self._take_in(path, result, True)
 
@@ -247,7 +247,7 @@ class ImportCommands:
         self._series.end()
 
     def _put(self, path: Path, arrival: AddedCurves, *, begins: bool, anew: bool) -> bool:
-        """Begin with what has arrived, or make it the next step; return whether it is there."""
+        """Begin a document with the added curves, or add them as a step; return whether that worked."""
         session, step = self._session, f"Import {path.name}"
         if not begins:
             session.expect(arrival.views)
@@ -262,7 +262,7 @@ class ImportCommands:
         return True
 
     def _choose_added(self, arrival: AddedCurves, style: Style, *, is_brought: bool) -> None:
-        """Choose what was brought here, no document of its own; nothing drawn next is to look like it."""
+        """Select curves that were added to others; the next curve drawn does not get their style."""
         added, document, selected = arrival.indices, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):
             # What is brought is put in its place as a whole, but for what nobody may move.
@@ -271,7 +271,7 @@ class ImportCommands:
             selected.choose_brought((), self._session.files.blank().curves[0].style)
 
     def _show_added(self, done: str, path: Path, arrival: AddedCurves, deviation: float, rest: str) -> None:
-        """Show what has come in, and say what it is."""
+        """Show the imported curves, and describe them in the status line."""
         added, document = arrival.indices, arrival.document
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
         self._preferences.last_folder = path.parent
@@ -289,7 +289,7 @@ class ImportCommands:
 
 @dataclass(frozen=True)
 class _OpenTable:
-    """A table that was read so far that somebody can say what its columns are."""
+    """A table whose columns wait for their roles."""
 
     source: TableSource
     preview: Preview

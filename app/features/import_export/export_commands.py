@@ -55,7 +55,7 @@ class ExportCommands:
         self._dialog.bring_up()
 
     def _usual_choice(self) -> ExportChoice:
-        """Return the choice of this document; else that of any, and what is chosen if anything is."""
+        """Return the last choice of this document, or else of any one, for selected curves if any."""
         remembered, session = exchange.export_choice, self._session
         if of_document := remembered.choice_of(session.files.last_export):
             return of_document
@@ -64,7 +64,7 @@ class ExportCommands:
 
     @property
     def _dialog_signals(self) -> tuple[SignalInstance, ...]:
-        """What tells that the dialog shows something else from now on."""
+        """Signals after which the dialog shows something else."""
         session = self._session
         return (session.document_changed, session.active_changed, session.selected_curves_changed)
 
@@ -201,7 +201,7 @@ class CopyCommands:
         work: Callable[[Document, Report], Any],
         put: Callable[[Any, str], None],
     ) -> None:
-        """Do work for what is copied, beside the window, and put the result on the clipboard."""
+        """Do work on the copied curves beside the window, and put the result on the clipboard."""
         document, selected = self._session.document, self._session.selected.chosen
         what = "the drawing"
         if selected:

@@ -96,14 +96,14 @@ class ExportDialog(WorkDialog):
         *,
         with_estimates: bool = False,
     ) -> None:
-        """Show what this document would look like; for the others see `ExportChoice.request`."""
+        """Show the preview of this document; for the parameters see `ExportChoice.request`."""
         self._document, self._active, self._selected = document, active, selected
         self._with_estimates = with_estimates
         self.form.show_document(document, has_selection=bool(selected))
         self._soon.start()
 
     def _render(self) -> None:
-        """Show what belongs to the format."""
+        """Show the problem and the preview of the present choice."""
         try:
             choice = self.form.choice()
         except ExpressionError as reason:
@@ -231,7 +231,7 @@ class ExportForm(QWidget):
         self._show_rows(choice)
 
     def show_document(self, document: Document, *, has_selection: bool) -> None:
-        """Offer what can be had of a document: true size in its unit, and what is chosen."""
+        """Enable true size and the selected curves where the document has them."""
         self._unit = unit = known_unit(document.unit)
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
@@ -248,7 +248,7 @@ class ExportForm(QWidget):
         self._show_rows(self._choice)
 
     def _show_extents(self, *, has_selection: bool) -> None:
-        """Offer what is chosen; where nothing is, all curves are exported until something is chosen."""
+        """Enable the selected curves; without any, all curves are exported until some are selected."""
         field = self.fields[EXTENT.name]
         assert isinstance(field.widget, QComboBox)
         model = field.widget.model()
@@ -266,7 +266,7 @@ class ExportForm(QWidget):
                     self.fields[option.name].widget.setVisible(option in relevant)
 
     def choice(self) -> ExportChoice:
-        """Return what is chosen.
+        """Return the choice that the form shows.
 
         Raises
         ------
@@ -311,7 +311,7 @@ class Field(ABC, Generic[Value]):
 
     @abstractmethod
     def value(self) -> Value:
-        """Return what the person chose."""
+        """Return the value that the widget shows."""
 
     @abstractmethod
     def show(self, value: Value) -> None:
@@ -338,7 +338,7 @@ class CheckField(Field[bool]):
         self.widget = _check(option.widget, option.title, option.tip, change)
 
     def value(self) -> bool:
-        """Return what the person chose."""
+        """Return the value that the widget shows."""
         return self.widget.isChecked()
 
     def show(self, value: bool) -> None:
@@ -360,7 +360,7 @@ class WholeField(Field[int]):
         self.widget.valueChanged.connect(change)
 
     def value(self) -> int:
-        """Return what the person chose."""
+        """Return the value that the widget shows."""
         return self.widget.value()
 
     def show(self, value: int) -> None:
@@ -384,7 +384,7 @@ class OneOfField(Field[Any]):
         self.widget.activated.connect(change)
 
     def value(self) -> Any:  # noqa: ANN401 - of the option's own type
-        """Return what the person chose."""
+        """Return the value that the widget shows."""
         return self._choices[self.widget.currentIndex()]
 
     def show(self, value: Any) -> None:  # noqa: ANN401
@@ -405,7 +405,7 @@ class SomeOfField(Field[tuple[str, ...]]):
         self.widget = in_columns(list(self.checks.values()), 3)
 
     def value(self) -> tuple[str, ...]:
-        """Return what the person chose."""
+        """Return the value that the widget shows."""
         return tuple(choice for choice, check in self.checks.items() if check.isChecked())
 
     def show(self, value: tuple[str, ...]) -> None:
@@ -430,7 +430,7 @@ class RealField(Field[float | None]):
         self.widget.committed.connect(self._type)
 
     def value(self) -> float | None:
-        """Return what the person chose."""
+        """Return the value that the widget shows."""
         return self._value
 
     def show(self, value: float | None) -> None:

@@ -28,7 +28,7 @@ from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box
 _MOST_REMARKS = 12
 
 _DEEPEST = 6
-"""Levels that are shown; what lies deeper is taken or left with the group around it."""
+"""Levels that are shown; deeper groups are checked with the group around them."""
 
 _OPEN = 2
 """Levels that are unfolded at first."""
@@ -49,7 +49,7 @@ _TOO_PALE = 1.5
 
 
 class ImportDrawingDialog(WorkDialog):
-    """Shows what was found, says what of it comes in otherwise, and asks where it goes.
+    """Dialog that shows an import result with its remarks, and asks where the curves go.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ class ImportDrawingDialog(WorkDialog):
 
 
 def _summary(whole: ImportResult, part: ImportResult) -> str:
-    """Return what is taken of a drawing."""
+    """Return a sentence on the part of a drawing to import."""
     if not part.has_curves:
         return "No curves."
     points = sum(len(curve.points) for curve in part.document.curves)

@@ -56,7 +56,7 @@ _SOON_MS = 250
 
 
 class ImportTableDialog(WorkDialog):
-    """Shows the first rows of a table and asks what they mean; what comes of it is computed beside.
+    """Dialog that shows the first rows of a table and asks for the roles of its columns.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ class ImportTableDialog(WorkDialog):
     # Building
 
     def _build_reading(self) -> None:
-        """Make what says how the cells are read."""
+        """Build the widgets for the layout of the cells."""
         self.separator_box = choice_box(
             "tableSeparator", "Separator", "Character between two cells", _SEPARATORS.values()
         )
@@ -113,7 +113,7 @@ class ImportTableDialog(WorkDialog):
         self.remark = Label(name="tableSaid", wordWrap=True)
 
     def _build_curves(self) -> None:
-        """Make what says which curves the rows become."""
+        """Build the widgets for the curves through the rows."""
         self.family_box = choice_box(
             "tableFamily",
             "Family",
@@ -130,7 +130,7 @@ class ImportTableDialog(WorkDialog):
         self.into = into_box(self._verb)
 
     def _build_foot(self) -> None:
-        """Make what says what comes of it."""
+        """Build the widgets for problems and the summary."""
         # Its room stays, so that nothing jumps when there is something to say, or no longer.
         self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
         self.problem.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
@@ -215,7 +215,7 @@ class ImportTableDialog(WorkDialog):
             self.tolerance_edit.keep()
 
     def _use_typed(self) -> None:
-        """Take what is being typed for what is meant; it may still be changed."""
+        """Use the distance that is being typed; it may still be changed."""
         self._take_distance(self.tolerance_edit.text())
 
     def _take_distance(self, text: str) -> bool:
@@ -242,7 +242,7 @@ class ImportTableDialog(WorkDialog):
     # What comes of it
 
     def _prepare(self) -> None:
-        """Compute what becomes of the table under the present choices."""
+        """Compute the curves of the table under the present choices."""
         self._soon.stop()
         self.jobs.cancel()
         self._prepared = None
@@ -271,7 +271,7 @@ class ImportTableDialog(WorkDialog):
         self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._fail)
 
     def _say_columns(self, mapping: ColumnMapping | None) -> None:
-        """Say what was taken for what, and where that is no more than a guess."""
+        """Show the roles of the columns, and whether they are a guess."""
         preview = self._preview
         is_guess = mapping is not None and mapping == preview.mapping and not preview.guess.is_certain
         words = mapping_summary(mapping, preview.titles) if mapping is not None else ""
@@ -314,12 +314,12 @@ class ImportTableDialog(WorkDialog):
         raise problem
 
     def complain(self, text: str) -> None:
-        """Say what is wrong; the room for it stays."""
+        """Show a problem; its room stays without one."""
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
 
     def _explain(self, prepared: PreparedTable) -> None:
-        """Say what there is to say of the curves, where they can be made."""
+        """Show the remarks on the curves."""
         lines = list(prepared.remarks)
         if prepared.wider_than:
             lines.append(
@@ -372,7 +372,7 @@ _GAP = 4
 
 
 class TablePreview(QTableWidget):
-    """Cells as text, not to be edited; a box above every column says what it is."""
+    """Read-only cells of a table, with a box above every column for its role."""
 
     def __init__(self, roles: Sequence[str]) -> None:
         super().__init__()
@@ -413,7 +413,7 @@ class TablePreview(QTableWidget):
             self.setItem(row, column, _item(cells[column] if column < len(cells) else ""))
 
     def mark(self, number: int, column: int, cells: Sequence[str]) -> None:
-        """Mark what is wrong: a column, from 1, or all of the row with this number; 0 for no row.
+        """Mark the cell of a problem: its column, from 1, or 0 for the whole row; number 0 for no row.
 
         A row that is none of the first ones is shown below them.
         """

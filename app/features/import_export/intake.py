@@ -41,7 +41,7 @@ def intake(
 
 
 def words_about_rest(document: Document, new: Document) -> str:
-    """Return what is said of all that does not come to a document with the curves of another."""
+    """Return sentences on the content that is not added to a document with the curves of another."""
     sentences = []
     sized = _sized_for(document, new)
     if sized.unit != new.unit:
@@ -54,7 +54,7 @@ def words_about_rest(document: Document, new: Document) -> str:
 
 
 def _sized_for(document: Document, new: Document) -> Document:
-    """Return what comes to a document, in its unit; one without curves takes what comes."""
+    """Return the document to add in the unit of another; unchanged where the other has no curves."""
     if is_blank(document):
         return new
     return exchange.units.in_unit(new, document.unit)

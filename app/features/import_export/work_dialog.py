@@ -37,18 +37,18 @@ def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
 
 
 class Verb(Enum):
-    """What is done with a file that is shown: its curves are taken in, or it is a document of its own."""
+    """Verb of a dialog: the curves are imported, or the file is opened as a document of its own."""
 
     IMPORT = "Import"
     OPEN = "Open"
 
     def towards(self, where: str) -> Verb:
-        """Return what it is once the person has said where the curves go: into this document, an import."""
+        """Return the verb for a target: curves that go into this document are imported."""
         return self if where == A_NEW_DOCUMENT else Verb.IMPORT
 
 
 def into_box(verb: Verb) -> QComboBox:
-    """Return the box that asks where the curves go; of what is opened, to a new document."""
+    """Return the box for the target of the curves; for files that are opened, a new document."""
     box = choice_box("importInto", "Into", "Document that gets the curves", INTO)
     if verb is Verb.OPEN:
         box.setCurrentText(A_NEW_DOCUMENT)
@@ -70,7 +70,7 @@ def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonB
 
 
 class WorkDialog(FittedDialog):
-    """Goes away for good when it closes, and what is being computed with it.
+    """Dialog that is deleted when it closes, together with its computation.
 
     Attributes
     ----------
@@ -88,13 +88,13 @@ class WorkDialog(FittedDialog):
         self.problem.hide()
 
     def complain(self, text: str) -> None:
-        """Say what is wrong; nothing when empty."""
+        """Show a problem; hide it when empty."""
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
         self.problem.setVisible(bool(text))
 
     def done(self, result: int) -> None:
-        """Close; what is being computed is dropped."""
+        """Close the dialog and drop its computation."""
         self.jobs.close()
         super().done(result)
 
@@ -132,7 +132,7 @@ class ImportFoot(QWidget):
         row_of(self.rest, (self.box, 1), margins=0, parent=self)
 
     def show_turn(self, turn: Turn) -> None:
-        """Say which file of how many this is, and offer to leave out what waits."""
+        """Show the number of the file among several, and the button to skip the others."""
         self._dialog.setWindowTitle(
             f"{self._title} ({turn.number} of {turn.count})" if turn.count > 1 else self._title
         )

@@ -34,7 +34,7 @@ _AN_IMAGE = Need("a reference image", lambda state: state.is_image_locked is not
 
 
 class ImageCommands:
-    """Reads the picture that the document names, and changes what it names.
+    """Commands for the reference image: read its file, add, move and remove it.
 
     Attributes
     ----------
@@ -138,7 +138,7 @@ class ImageCommands:
             self.trace(path)
 
     def trace_first(self, paths: Sequence[Path]) -> str:
-        """Trace the first of these pictures; return what became of the others."""
+        """Trace the first of these pictures; return a sentence on the others."""
         for path in paths[:1]:
             self.trace(path)
         others = [path.name for path in paths[1:]]
@@ -149,7 +149,7 @@ class ImageCommands:
         )
 
     def trace(self, path: Path) -> None:
-        """Put a picture behind the curves, in the middle of what is visible, or say why not."""
+        """Show a picture behind the curves in the middle of the visible area, or warn."""
         name = str(path.absolute())
         pixels = self._read(name)
         if pixels is None:
