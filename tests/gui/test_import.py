@@ -588,9 +588,9 @@ UNREADABLE = (
     (
         "a.PDF",
         "%PDF-1.5",
-        "a.PDF was not imported. It is a PDF, which is not read here; open it in Inkscape",
+        "a.PDF was not imported. It is a PDF, which Curvebench cannot read; open it in Inkscape",
     ),
-    ("a.ai", "%PDF-1.5", "It is an Illustrator drawing, which is not read here; open it in Inkscape and"),
+    ("a.ai", "%PDF-1.5", "It is an Illustrator drawing, which Curvebench cannot read; open it in Inkscape"),
     ("a.gif", "GIF89a", "has no known file extension"),
 )
 """Names, contents and reasons."""

@@ -319,7 +319,7 @@ REFUSED_TEXTS = [
         b"%PDF-1.5\n%\xb5\xed",
         "it is a PDF, which Curvebench cannot read; open it in Inkscape and save it as SVG",
     ),
-    (b"%!PS-Adobe-3.0 EPSF-3.0\n", "it is PostScript, which is not read here; open it in Inkscape"),
+    (b"%!PS-Adobe-3.0 EPSF-3.0\n", "it is PostScript, which Curvebench cannot read; open it in Inkscape"),
     (b'{"format":\n "\xc3\xa4\xff"}', "it is not UTF-8 text; line 2, column 4"),
     (b'{\n  "format": xx\n}', "it is not JSON; line 2, column 13: invalid character"),
     (b"[]", "the file must be an object {…}, not a list"),
