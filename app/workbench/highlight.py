@@ -22,7 +22,7 @@ from .context import WindowContext
 class ListsCurves(Protocol):
     """List of curves that keys act on while it has the focus."""
 
-    meant: frozenset[int]
+    target_curves: frozenset[int]
 
 
 def is_in_list(context: WindowContext) -> bool:
@@ -35,7 +35,7 @@ def highlighted(context: WindowContext) -> ClipboardSelection:
     """Return the selection for the clipboard: the curves of the focused list, or else that of the session."""
     focus, in_list = QApplication.focusWidget(), is_in_list(context)
     if in_list and isinstance(focus, ListsCurves):
-        return ClipboardSelection(focus.meant)
+        return ClipboardSelection(focus.target_curves)
     return context.session.selected.highlight(whole_curves=in_list)
 
 
@@ -43,7 +43,7 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
     """Return the curves that commands act on: those of the focused list, or else the selected ones."""
     focus, selected = QApplication.focusWidget(), context.session.selected
     if isinstance(focus, ListsCurves):
-        return focus.meant
+        return focus.target_curves
     return selected.highlight(whole_curves=True).curves or selected.whole
 
 

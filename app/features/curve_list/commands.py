@@ -58,12 +58,12 @@ _LOCKED = Need("", lambda state: state.is_any_locked, "No curve is locked.", is_
 
 
 class CurveListCommands:
-    """Actions on all selected curves, and the list where they are selected.
+    """Actions on all selected curves, and the list of curves.
 
     Attributes
     ----------
     panel
-        The list with its buttons, as soon as the docks are filled.
+        The list with its buttons, once the docks are built.
     """
 
     panel: CurveList
@@ -78,7 +78,7 @@ class CurveListCommands:
         self.panel = CurveList(parent)
         self.panel.add_buttons(self._actions.in_bar(CURVE_LIST_BUTTONS)[1])
         self.panel.view.deletion_wanted.connect(self._delete_all)
-        self.panel.view.all_wanted.connect(self._choose_all)
+        self.panel.view.all_wanted.connect(self._select_all)
         self.panel.menu_requested.connect(self._open_menu)
         self._rows.listen(self.panel)
         session = self._session
@@ -86,8 +86,8 @@ class CurveListCommands:
         session.selected_curves_changed.connect(self._render)
         return self.panel
 
-    def _open_menu(self, place: QPoint) -> None:
-        bar_menu(self._context, CURVE_LIST_MENU, is_short=True).popup(place)
+    def _open_menu(self, position: QPoint) -> None:
+        bar_menu(self._context, CURVE_LIST_MENU, is_short=True).popup(position)
 
     def render_panel(self, view: CurveView) -> None:
         """Show the curves of the document."""
@@ -121,11 +121,11 @@ class CurveListCommands:
                 active=added.indices[active],
             ):
                 return
-            if is_edited := len(order) == 1 and session.selected.is_editing:
+            if is_editing := len(order) == 1 and session.selected.is_editing:
                 session.selected.set_points(range(len(session.active_curve.points)))
             else:
                 session.selected.set_curves(added.indices)
-        if is_edited:
+        if is_editing:
             copy = session.active_curve.name
             session.say(f"“{copy}” lies on the original, with all points selected. Drag one to move it.")
             return
@@ -242,7 +242,7 @@ class CurveListCommands:
         needs=SOME_CURVE,
     )
     @also(CANVAS_MENU(12))
-    def _choose_all(self) -> None:
+    def _select_all(self) -> None:
         """Select all visible, unlocked curves, to move, scale, colour or delete them together."""
         session, document = self._session, self._session.document
         free, count = selectable_curves(document), len(document.curves)
@@ -259,34 +259,34 @@ class CurveListCommands:
 
 
 class RowEdits:
-    """Edits and choices that a person makes by rows of the list; each is about a node, or some curves."""
+    """Selection and edits by rows of the list; each acts on a node, or on some curves."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
 
     def listen(self, panel: CurveList) -> None:
-        """Do what the person means from now on."""
-        panel.view.chosen_entry.connect(self._choose_entry)
-        panel.view.rows_selected.connect(self._choose_rows)
+        """Connect the signals of the panel."""
+        panel.view.entry_clicked.connect(self._select_entry)
+        panel.view.rows_selected.connect(self._select_rows)
         panel.view.moved.connect(self._move)
-        panel.row_meant.connect(self._choose_meant)
-        panel.model.name_edited.connect(self._set_name)
+        panel.row_targeted.connect(self._select_row)
+        panel.model.name_typed.connect(self._set_name)
         panel.visible_switched.connect(lambda node: self.switch_visible_of(frozenset(node.indices)))
         panel.locked_switched.connect(lambda node: self.switch_locked_of(frozenset(node.indices)))
-        panel.colour_chosen.connect(self._paint)
-        panel.fill_chosen.connect(self._fill)
-        panel.colour_looked_at.connect(self._look_at)
-        panel.colour_given_up.connect(self._give_up)
+        panel.colour_picked.connect(self._paint)
+        panel.fill_picked.connect(self._fill)
+        panel.colour_previewed.connect(self._preview)
+        panel.preview_cancelled.connect(self._cancel_preview)
 
-    def _meant(self, places: frozenset[int]) -> frozenset[int]:
-        """Return the curves that a click on a part of a row is about: all selected ones, or others."""
+    def _with_selected(self, indices: frozenset[int]) -> frozenset[int]:
+        """Return all selected curves where these are among them, or else these."""
         selected = self._session.selected.curves
-        return selected if places <= selected else places
+        return selected if indices <= selected else indices
 
-    def _choose_entry(self, node: Node) -> None:
-        """Choose what a row is about; while a curve is edited, edit that of the row, as the arrow does.
+    def _select_entry(self, node: Node) -> None:
+        """Select the curves of a row; while a curve is edited, edit the curve of the row.
 
-        A curve of an opened shape is chosen alone: whoever opened the shape wants a part of it.
+        A curve of an opened shape is selected alone: the shape was opened to select a part of it.
         """
         selected = self._session.selected
         if node.kind is NodeKind.CURVE and selected.is_editing:
@@ -296,70 +296,70 @@ class RowEdits:
         else:
             selected.choose(node.indices)
 
-    def _choose_rows(self, places: frozenset[int]) -> None:
-        """Choose these curves together; of none only those who edit one have to stay with it."""
+    def _select_rows(self, indices: frozenset[int]) -> None:
+        """Select these curves together; an empty selection keeps an edited curve."""
         selected = self._session.selected
-        if places or selected.is_editing:
-            selected.set_curves(places)
+        if indices or selected.is_editing:
+            selected.set_curves(indices)
         else:
             selected.choose(())
 
-    def _choose_meant(self, node: Node) -> None:
-        session, places = self._session, frozenset(node.indices)
-        active = session.active_index if session.active_index in places else max(places)
-        session.selected.set_curves(self._meant(places), active)
+    def _select_row(self, node: Node) -> None:
+        session, indices = self._session, frozenset(node.indices)
+        active = session.active_index if session.active_index in indices else max(indices)
+        session.selected.set_curves(self._with_selected(indices), active)
 
-    def switch_visible_of(self, places: frozenset[int]) -> None:
-        """Hide curves with all that are selected with them, or show them where all are hidden."""
-        visible = not any(self._session.committed.curves[place].visible for place in places)
-        self._change_looks("Show" if visible else "Hide", places, partial(set_appearance, visible=visible))
+    def switch_visible_of(self, indices: frozenset[int]) -> None:
+        """Hide curves and those selected with them, or show them where all are hidden."""
+        visible = not any(self._session.committed.curves[index].visible for index in indices)
+        self._change_looks("Show" if visible else "Hide", indices, partial(set_appearance, visible=visible))
 
-    def switch_locked_of(self, places: frozenset[int]) -> None:
-        """Lock curves with all that are selected with them, or free them where all are locked."""
-        locked = not all(self._session.committed.curves[place].locked for place in places)
-        self._change_looks("Lock" if locked else "Unlock", places, partial(set_appearance, locked=locked))
+    def switch_locked_of(self, indices: frozenset[int]) -> None:
+        """Lock curves and those selected with them, or unlock them where all are locked."""
+        locked = not all(self._session.committed.curves[index].locked for index in indices)
+        self._change_looks("Lock" if locked else "Unlock", indices, partial(set_appearance, locked=locked))
 
-    def _paint(self, places: frozenset[int], code: str) -> None:
-        self._change_looks("Colour", places, partial(set_appearance, colour=code))
+    def _paint(self, indices: frozenset[int], code: str) -> None:
+        self._change_looks("Colour", indices, partial(set_appearance, colour=code))
 
-    def _fill(self, places: frozenset[int], paint: str) -> None:
-        self._change_looks("Fill", places, partial(set_style, fill=paint))
+    def _fill(self, indices: frozenset[int], paint: str) -> None:
+        self._change_looks("Fill", indices, partial(set_style, fill=paint))
 
-    def _look_at(self, places: frozenset[int], code: str) -> None:
+    def _preview(self, indices: frozenset[int], code: str) -> None:
         session = self._session
-        session.preview(set_appearance(session.committed, self._meant(places), colour=code))
+        session.preview(set_appearance(session.committed, self._with_selected(indices), colour=code))
 
-    def _give_up(self) -> None:
+    def _cancel_preview(self) -> None:
         if self._session.is_previewing:
             self._session.cancel()
             self._session.say(CANCELLED)
 
     def _change_looks(
-        self, verb: str, places: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]
+        self, verb: str, indices: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]
     ) -> None:
         session = self._session
-        curves = expand_to_shapes(session.committed, self._meant(places))
+        curves = expand_to_shapes(session.committed, self._with_selected(indices))
         session.change(
             f"{verb} {name_or_count(session.committed, curves)}", lambda document: edit(document, curves)
         )
 
     def _move(self, node: Node, drop: Drop) -> None:
         session, before = self._session, self._session.committed
-        curves = self._meant(frozenset(node.indices))
+        curves = self._with_selected(frozenset(node.indices))
         try:
             moved = move_into(before, curves, drop.at, drop.container, node.container.groups)
         except EditError as reason:
             session.refuse(str(reason))
             return
-        chosen = [moved.order.index(place) for place in session.selected.marked]
+        selected = [moved.order.index(index) for index in session.selected.marked]
         active = moved.order.index(session.active_index)
         if (
             session.change(
                 f"Reorder {name_or_count(before, curves)}", lambda _: moved.document, active=active
             )
-            and chosen
+            and selected
         ):
-            session.selected.set_curves(chosen, active)
+            session.selected.set_curves(selected, active)
 
     def _set_name(self, node: Node, name: str) -> None:
         def edit(document: Document) -> Document:

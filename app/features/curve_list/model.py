@@ -25,7 +25,7 @@ Key = tuple[NodeKind, Container, str]
 
 
 class Row(NamedTuple):
-    """Values of an entry that the list shows."""
+    """Displayed values of an entry."""
 
     name: str
     style: Style
@@ -35,79 +35,79 @@ class Row(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """Row of the list: a curve, a shape or a group, and whether it is open."""
+    """Entry of the list: a curve, a shape or a group, open or folded."""
 
     node: Node
     is_open: bool = False
 
     @property
-    def places(self) -> frozenset[int]:
-        """The curves that it is about."""
+    def indices(self) -> frozenset[int]:
+        """Indices of the curves of the entry."""
         return frozenset(self.node.indices)
 
     @property
     def holds(self) -> bool:
-        """Whether curves can be in it."""
+        """Whether the entry can contain curves."""
         return self.node.kind is not NodeKind.CURVE
 
     @property
     def opens(self) -> bool:
-        """Whether it has rows of its own below it when it is open."""
+        """Whether the entry has rows below it when it is open."""
         return bool(self.node.children)
 
     @property
     def key(self) -> Key:
-        """Key that it keeps from one document to the next."""
+        """Key of the entry across documents."""
         return self.node.kind, self.node.container, self.node.name
 
 
 class RowMarks(NamedTuple):
-    """What is chosen, as the rows show it.
+    """Selected curves, as the rows show them.
 
     Attributes
     ----------
     active, is_editing
         The active curve, and whether it is edited.
     curves
-        The curves that are chosen, or edited.
+        The curves that are selected or edited.
     """
 
     active: int = 0
     is_editing: bool = True
     curves: frozenset[int] = frozenset()
 
-    def is_edited(self, entry: Entry) -> bool:
-        """Whether an entry is the curve that is edited, or a folded shape that it is in."""
+    def is_active(self, entry: Entry) -> bool:
+        """Return whether an entry is the edited curve, or a folded shape that contains it."""
         is_one = entry.node.kind in (NodeKind.CURVE, NodeKind.SHAPE) and not entry.is_open
         return self.is_editing and is_one and self.active in entry.node.indices
 
-    def is_chosen(self, entry: Entry) -> bool:
-        """Whether an entry is of what is chosen."""
-        return entry.places <= self.curves
+    def is_selected(self, entry: Entry) -> bool:
+        """Return whether all curves of an entry are selected."""
+        return entry.indices <= self.curves
 
-    def is_chosen_whole(self, entry: Entry) -> bool:
-        """Whether an entry is chosen to be acted on as a whole: not where it alone is edited."""
+    def is_selected_whole(self, entry: Entry) -> bool:
+        """Return whether an entry is selected as a whole: not where it alone is edited."""
         is_whole = not self.is_editing or len(self.curves) > 1
-        return is_whole and self.is_chosen(entry)
+        return is_whole and self.is_selected(entry)
 
-    def has_chosen_within(self, entry: Entry) -> bool:
-        """Whether a part of what an entry hides, being folded, is chosen or edited, and not all of it."""
+    def contains_selected(self, entry: Entry) -> bool:
+        """Return whether a folded entry hides some, but not only, selected or edited curves."""
         is_folded = entry.opens and not entry.is_open
-        is_marked = self.is_edited(entry) or self.is_chosen(entry)
+        is_marked = self.is_active(entry) or self.is_selected(entry)
         return is_folded and not is_marked and not self.curves.isdisjoint(entry.node.indices)
 
-    def words_of(self, entry: Entry) -> str:
-        """Return what of this is to be said of an entry, after its name and facts."""
-        is_with_edited = self.is_editing and self.active in entry.places
-        if self.has_chosen_within(entry):
-            return ", contains the edited curve" if is_with_edited else ", contains selected curves"
-        if not self.is_chosen_whole(entry):
+    def spoken_marks(self, entry: Entry) -> str:
+        """Return the marks of an entry for screen readers."""
+        has_active = self.is_editing and self.active in entry.indices
+        if self.contains_selected(entry):
+            return ", contains the edited curve" if has_active else ", contains selected curves"
+        if not self.is_selected_whole(entry):
             return ""
-        return ", selected, edited" if is_with_edited else ", selected"
+        return ", selected, edited" if has_active else ", selected"
 
 
 def entries_of(nodes: Sequence[Node], are_open: Collection[Key]) -> Iterator[Entry]:
-    """Yield what has a row, from the front to the back."""
+    """Yield the entries with a row, from the front to the back."""
     for node in reversed(nodes):
         is_open = bool(node.children) and Entry(node).key in are_open
         yield Entry(node, is_open)
@@ -116,7 +116,7 @@ def entries_of(nodes: Sequence[Node], are_open: Collection[Key]) -> Iterator[Ent
 
 
 def rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
-    """Yield for each entry the row of the open one that it is in."""
+    """Yield for each entry the row of the open entry that contains it."""
     opened: list[int] = []
     for row, entry in enumerate(entries):
         del opened[entry.node.depth :]
@@ -125,7 +125,7 @@ def rows_around(entries: Sequence[Entry]) -> Iterator[int | None]:
 
 
 def row_of_curve(curve: Curve) -> Row:
-    """Return what the row of a curve shows."""
+    """Return the displayed values of a curve."""
     family = f"{curve.family.title} (not installed)" if curve.family.is_missing else curve.family.title
     facts = f"{family}, {count_of(len(curve.points), 'point')}"
     if curve.is_closed:
@@ -134,7 +134,7 @@ def row_of_curve(curve: Curve) -> Row:
 
 
 def state_of(row: Row, entry: Entry) -> str:
-    """Return what is said of an entry besides: open, hidden, locked."""
+    """Return the state of an entry for screen readers: open, hidden, locked."""
     folded = (", open" if entry.is_open else ", folded") if entry.opens else ""
     return folded + ("" if row.visible else ", hidden") + (", locked" if row.locked else "")
 
@@ -144,11 +144,11 @@ _NO_INDEX = QModelIndex()
 
 
 class CurveListModel(SafeOverrides, QAbstractListModel):
-    """Rows are curves, shapes and groups; the text is the name, and setting it asks for another one.
+    """List model of curves, shapes and groups; setting the text of a row requests another name.
 
     Signals
     -------
-    name_edited
+    name_typed
         Another name was typed for the curve, shape or group of a node.
 
     Attributes
@@ -161,7 +161,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         What is chosen.
     """
 
-    name_edited = Signal(object, str)
+    name_typed = Signal(object, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -176,7 +176,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         self._open: set[Key] = set()
 
     def show_document(self, document: Document, marks: RowMarks) -> None:
-        """Show the curves of `document`, and what is chosen; only what changed is announced."""
+        """Show the curves of `document` and the marks; only changed rows are announced."""
         self.marks = marks
         before, self._document = self._document, document
         if before is None:
@@ -186,10 +186,10 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
             self._build(document)
         elif before.curves is not document.curves:
             changed = curves_changed_besides_points(before.curves, document.curves)
-            self._show_rows({row for place in changed for row in self._rows_about(place)})
+            self._show_rows({row for curve in changed for row in self._rows_about(curve)})
 
     def _follow_names(self, before: Document, document: Document) -> None:
-        """Keep open what has another name now, its curves being where they were."""
+        """Keep renamed entries open."""
         if len(before.curves) != len(document.curves):
             return
         was_open = {
@@ -222,10 +222,10 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         self.has_folds = any(entry.opens or entry.node.depth for entry in entries)
         self._rows_around = list(rows_around(entries))
         self._row_of = {
-            place: row
+            curve: row
             for row, entry in enumerate(entries)
             if not entry.is_open
-            for place in entry.node.indices
+            for curve in entry.node.indices
         }
 
     def _show_rows(self, rows: Collection[int]) -> None:
@@ -244,23 +244,23 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         parts = self._document.curves[node.indices.start : node.indices.stop]
         if node.kind is NodeKind.CURVE:
             return row_of_curve(parts[0])
-        visible, locked = any(each.visible for each in parts), all(each.locked for each in parts)
+        visible, locked = any(part.visible for part in parts), all(part.locked for part in parts)
         what = f"{node.kind.name.lower()} of {node_count_label(node.children)}"
         return Row(node.name, parts[0].style, visible, locked, what)
 
-    # Rows and places
+    # Rows and indices
 
     def row(self, row: int) -> Row:
-        """Return what is shown in a row."""
+        """Return the displayed values of a row."""
         return self._rows[row]
 
-    def row_of(self, place: int) -> int:
+    def row_of(self, curve: int) -> int:
         """Return the row of the curve at `place`, or of the closed entry that it is in."""
-        return self._row_of.get(place, -1)
+        return self._row_of.get(curve, -1)
 
-    def _rows_about(self, place: int) -> Iterator[int]:
+    def _rows_about(self, curve: int) -> Iterator[int]:
         """Yield the row of a curve, and those of the open entries that it is in."""
-        row: int | None = self.row_of(place)
+        row: int | None = self.row_of(curve)
         while row is not None:
             yield row
             row = self.row_around(row)
@@ -269,17 +269,17 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         """Return the row of the shape or group that the entry of a row is in; None for none."""
         return self._rows_around[row]
 
-    def row_about(self, places: frozenset[int], place: int) -> int:
+    def row_about(self, indices: frozenset[int], curve: int) -> int:
         """Return the row about these curves, one of which is at `place`; or else that of the one."""
-        rows = self._rows_about(place)
-        return next((row for row in rows if self.entries[row].places == places), self.row_of(place))
+        rows = self._rows_about(curve)
+        return next((row for row in rows if self.entries[row].indices == indices), self.row_of(curve))
 
     def entry_of(self, index: Index) -> Entry | None:
-        """Return what an index is about."""
+        """Return the entry of a model index."""
         return self.entries[index.row()] if index.isValid() else None
 
     def open(self, row: int, is_open: bool) -> None:
-        """Show what is in a shape or a group, or no longer."""
+        """Open or fold a shape or a group."""
         entry = self.entries[row]
         if entry.opens and entry.is_open != is_open and self._document is not None:
             self._open ^= {entry.key}
@@ -300,19 +300,19 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             return row.name
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{row.name}, {row.facts}{state_of(row, entry)}{self.marks.words_of(entry)}"
+            return f"{row.name}, {row.facts}{state_of(row, entry)}{self.marks.spoken_marks(entry)}"
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         entry = self.entry_of(index)
         if role != Qt.ItemDataRole.EditRole or entry is None:
             return False
-        self.name_edited.emit(entry.node, str(value))
+        self.name_typed.emit(entry.node, str(value))
         return bool(str(value).strip())
 
 
 def _have_same_tree(before: Document, after: Document) -> bool:
-    """Whether what is in which shape and group is the same, and at the same places."""
+    """Return whether the tree of curves, shapes and groups is unchanged."""
     old, new = before.curves, after.curves
     # By identity first, without a step of Python's own: there are thousands.
     others = compress(zip(old, new, strict=False), map(is_not, old, new))

@@ -24,17 +24,17 @@ from .view import CurveListView
 
 
 class CurveList(SafeOverrides, QWidget):
-    """The list, and buttons for what can be done with a curve.
+    """List of curves with its buttons.
 
     Signals
     -------
     visible_switched, locked_switched
         The eye or the lock of the row of a node was clicked.
-    colour_chosen, fill_chosen
+    colour_picked, fill_picked
         Another colour, or another fill, was selected for these curves.
-    colour_looked_at, colour_given_up
+    colour_previewed, preview_cancelled
         A colour for these curves is looked at; it was not chosen.
-    row_meant
+    row_targeted
         A menu about the row of a node is wanted.
     menu_requested
         A menu is wanted at a place of the screen.
@@ -47,11 +47,11 @@ class CurveList(SafeOverrides, QWidget):
 
     visible_switched = Signal(object)
     locked_switched = Signal(object)
-    colour_chosen = Signal(object, str)
-    fill_chosen = Signal(object, str)
-    colour_looked_at = Signal(object, str)
-    colour_given_up = Signal()
-    row_meant = Signal(object)
+    colour_picked = Signal(object, str)
+    fill_picked = Signal(object, str)
+    colour_previewed = Signal(object, str)
+    preview_cancelled = Signal()
+    row_targeted = Signal(object)
     menu_requested = Signal(QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -65,15 +65,15 @@ class CurveList(SafeOverrides, QWidget):
         self.view.spot_clicked.connect(self._switch)
 
     def add_buttons(self, actions: Sequence[QAction]) -> None:
-        """Put a small button for each action under the list."""
-        for place, action in enumerate(actions):
+        """Add a small button for each action below the list."""
+        for position, action in enumerate(actions):
             button = action_button(action, flat=True)
             # The icons come with the theme, later; docks laid out anew by then would forget their widths.
             button.setFixedSize(26, 26)
-            self._buttons.insertWidget(place, button)
+            self._buttons.insertWidget(position, button)
 
     def render_document(self, document: Document, marks: RowMarks) -> None:
-        """Show the curves of `document`, and what is chosen."""
+        """Show the curves of `document` and the marks."""
         self.model.show_document(document, marks)
         self.view.follow()
 
@@ -87,35 +87,35 @@ class CurveList(SafeOverrides, QWidget):
         else:
             self.locked_switched.emit(node)
 
-    def choose_colour(self, places: frozenset[int]) -> QMenu:
-        """Open the palette for curves, and all selected with them, beside their swatch if that is seen."""
-        row = self.model.row_about(places, max(places))
+    def choose_colour(self, indices: frozenset[int]) -> QMenu:
+        """Open the menu of colours for curves beside their swatch."""
+        row = self.model.row_about(indices, max(indices))
         style = self.model.row(row).style
-        place = self.view.viewport().mapToGlobal(self.view.parts.entry_rect(row).bottomLeft())
+        position = self.view.viewport().mapToGlobal(self.view.parts.entry_rect(row).bottomLeft())
         if not self.view.isVisible():
-            place = self.window().mapToGlobal(self.window().rect().center())
+            position = self.window().mapToGlobal(self.window().rect().center())
         menu = colour_menu(
             style,
-            lambda paint: self.colour_chosen.emit(places, paint),
-            lambda paint: self.fill_chosen.emit(places, paint),
-            lambda: self._open_choice(places, style, place),
+            lambda paint: self.colour_picked.emit(indices, paint),
+            lambda paint: self.fill_picked.emit(indices, paint),
+            lambda: self._open_choice(indices, style, position),
             self,
         )
-        menu.popup(place)
+        menu.popup(position)
         return menu
 
-    def _open_choice(self, places: frozenset[int], style: Style, place: QPoint) -> None:
-        """Open the choice of any colour at a place of the screen."""
+    def _open_choice(self, indices: frozenset[int], style: Style, position: QPoint) -> None:
+        """Open the popup for any colour at a position of the screen."""
         colour = fill_colour(style.colour, theme_of(self.palette())).name()
         popup = self._choice = ColourPopup("otherColour", colour, self)
-        popup.colour_changed.connect(lambda paint: self.colour_looked_at.emit(places, paint))
-        popup.chosen.connect(lambda paint: self.colour_chosen.emit(places, paint))
-        popup.cancelled.connect(self.colour_given_up)
+        popup.colour_changed.connect(lambda paint: self.colour_previewed.emit(indices, paint))
+        popup.chosen.connect(lambda paint: self.colour_picked.emit(indices, paint))
+        popup.cancelled.connect(self.preview_cancelled)
         popup.destroyed.connect(self._forget_choice)
-        popup.open_at(place)
+        popup.open_at(position)
 
     def abandon(self) -> None:
-        """Close the choice of colours; what was looked at there means nothing any more."""
+        """Close the popup of colours and cancel its preview."""
         if self._choice is not None:
             self._choice.cancel()
 
@@ -123,13 +123,13 @@ class CurveList(SafeOverrides, QWidget):
         self._choice = None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Ask for the menu of the curve under the pointer, or of the active one."""
-        place = self.view.viewport().mapFromGlobal(event.globalPos())
+        """Request the context menu of the curve under the pointer, or of the active one."""
+        position = self.view.viewport().mapFromGlobal(event.globalPos())
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            place = self.view.parts.entry_rect(self.view.current).center()
-        if (node := self.view.parts.node_at(place)) is not None:
-            self.row_meant.emit(node)
-        self.menu_requested.emit(self.view.viewport().mapToGlobal(place))
+            position = self.view.parts.entry_rect(self.view.current).center()
+        if (node := self.view.parts.node_at(position)) is not None:
+            self.row_targeted.emit(node)
+        self.menu_requested.emit(self.view.viewport().mapToGlobal(position))
 
 
 _SWATCH = 12
@@ -142,7 +142,7 @@ def colour_menu(
     choose_other: Callable[[], object],
     parent: QWidget,
 ) -> QMenu:
-    """Return the menu for curves of a style; what is chosen is told to `paint`, or to `fill`."""
+    """Return the menu of colours for curves of a style; it calls `paint` or `fill`."""
     menu = QMenu(parent)
     menu.setObjectName("colourMenu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

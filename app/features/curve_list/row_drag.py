@@ -16,7 +16,7 @@ from .rows import INDENT, RowParts
 
 
 class Drop(msgspec.Struct, frozen=True):
-    """Place for dragged curves.
+    """Target position of dragged curves.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Drop(msgspec.Struct, frozen=True):
 
 
 def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
-    """Return the place between two rows that is as deep in shapes and groups as wanted, if it can be.
+    """Return the position between two rows at the requested depth of shapes and groups, where possible.
 
     Below the last row of an open shape or group a place may be in that, or in what is around it.
     """
@@ -45,21 +45,21 @@ def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
     below = entries[gap].node if gap < len(entries) else None
     outer = below.container if below is not None else OUTSIDE
     inner = _inner(above) if above is not None else outer
-    way = [inner]
-    while way[-1] != outer:
-        way.append(way[-1].parent)
-    container = way[max(0, min(len(way) - 1, inner.depth - depth))]
+    containers = [inner]
+    while containers[-1] != outer:
+        containers.append(containers[-1].parent)
+    container = containers[max(0, min(len(containers) - 1, inner.depth - depth))]
     return Drop(gap, below.indices.stop if below is not None else 0, container)
 
 
 def drop_onto(entries: Sequence[Entry], row: int) -> Drop:
-    """Return the place in the shape or group of a row, in front of what is there."""
+    """Return the position in the shape or group of a row, in front of its curves."""
     node = entries[row].node
     return Drop(row, node.indices.stop, node.as_container, is_onto=True)
 
 
 def stays(drop: Drop, dragged: Node, row: int) -> bool:
-    """Whether what is dragged, in a row, would be where it is."""
+    """Return whether a drop would leave the dragged row where it is."""
     return not drop.is_onto and drop.gap in (row, row + 1) and drop.container == dragged.container
 
 
@@ -72,7 +72,7 @@ OPENS_MS = 600
 
 
 class RowDrag:
-    """A press on a row, and the drag that it becomes; what the drag rests on opens after a moment.
+    """Press on a row, and the drag that follows; a folded row under a resting drag opens.
 
     Parameters
     ----------
@@ -94,31 +94,31 @@ class RowDrag:
         self.row = -1
         self.drop: Drop | None = None
         self._press: QPoint | None = None
-        self._place = QPoint()
+        self._position = QPoint()
         self._opening = QTimer(view, singleShot=True, interval=OPENS_MS)
         self._opening.timeout.connect(self._open_below)
 
-    def press(self, row: int, place: QPoint) -> None:
-        """Begin on a row."""
-        self.row, self._press = row, place
+    def press(self, row: int, position: QPoint) -> None:
+        """Start with a press on a row."""
+        self.row, self._press = row, position
 
-    def move(self, place: QPoint) -> None:
+    def move(self, position: QPoint) -> None:
         """Follow the pointer."""
         if self._press is None:
             return
-        if self.drop is not None or abs(place.y() - self._press.y()) >= QApplication.startDragDistance():
-            self._follow(place, self._press)
+        if self.drop is not None or abs(position.y() - self._press.y()) >= QApplication.startDragDistance():
+            self._follow(position, self._press)
 
     def end(self) -> None:
-        """Let go of the row, wherever it is."""
+        """End the drag."""
         self._press, self.row, self.drop = None, -1, None
         self._opening.stop()
         self._view.viewport().update()
 
-    def _follow(self, place: QPoint, press: QPoint) -> None:
-        """Show where a drop would fall; what is folded there opens after a moment."""
-        before, self.drop = self.drop, self._drop_at(place, press)
-        self._place = place
+    def _follow(self, position: QPoint, press: QPoint) -> None:
+        """Show the position of the drop, and open a folded row after a moment."""
+        before, self.drop = self.drop, self._drop_at(position, press)
+        self._position = position
         if not self.drop.is_onto or self._model.entries[self.drop.gap].is_open:
             self._opening.stop()
         elif self.drop != before or not self._opening.isActive():
@@ -126,36 +126,36 @@ class RowDrag:
         self._view.viewport().update()
 
     def _open_below(self) -> None:
-        """Open the shape or group that the drag rests on."""
+        """Open the shape or group under the resting drag."""
         if self._press is None or self.drop is None or not self.drop.is_onto:
             return
         dragged = self._model.entries[self.row].node
         self._open_row(self.drop.gap)
         self.row = next(row for row, entry in enumerate(self._model.entries) if entry.node == dragged)
-        self._follow(self._place, self._press)
+        self._follow(self._position, self._press)
 
-    def _drop_at(self, place: QPoint, press: QPoint) -> Drop:
-        """Return where a drop would fall: between rows, or on one that opens, in the middle half of that."""
-        entries, row = self._model.entries, self._parts.row_at(place)
+    def _drop_at(self, position: QPoint, press: QPoint) -> Drop:
+        """Return the drop at a position: between rows, or onto the middle half of a shape or group."""
+        entries, row = self._model.entries, self._parts.row_at(position)
         if row not in (-1, self.row) and entries[row].holds:
             rect = self._view.visualRect(self._model.index(row))
-            if abs(place.y() - rect.center().y()) <= rect.height() // 4:
+            if abs(position.y() - rect.center().y()) <= rect.height() // 4:
                 return drop_onto(entries, row)
-        gap, deeper = self._gap_at(place), round((place.x() - press.x()) / INDENT)
+        gap, deeper = self._gap_at(position), round((position.x() - press.x()) / INDENT)
         depth = entries[self.row].node.depth + deeper
         if row == gap - 1 and deeper >= 0:
             # On the lower half of a row, and not to the left: beside that.
             depth = max(depth, entries[row].node.depth)
         return drop_at(entries, gap, depth)
 
-    def _gap_at(self, place: QPoint) -> int:
+    def _gap_at(self, position: QPoint) -> int:
         """Return between which rows a drop would fall, by the number of the row below it, from the top."""
         top = self._view.visualRect(self._model.index(0))
-        gap = round((place.y() - top.top()) / max(top.height(), 1))
+        gap = round((position.y() - top.top()) / max(top.height(), 1))
         return max(0, min(gap, self._model.rowCount()))
 
     def paint(self, painter: QPainter) -> None:
-        """Draw where what is dragged would fall: a line between rows, or a frame around one."""
+        """Draw the drop: a line between rows, or a frame around a row."""
         view, model, drop = self._view, self._model, self.drop
         if drop is None:
             return

@@ -27,7 +27,7 @@ _PAD = 8
 
 
 class Spot(Enum):
-    """A part of a row that can be clicked."""
+    """Part of a row that can be clicked."""
 
     SWATCH = "swatch"
     NAME = "name"
@@ -36,7 +36,7 @@ class Spot(Enum):
 
 
 def spot_rect(row: QRect, spot: Spot) -> QRect:
-    """Return where in a row a part of it lies."""
+    """Return the rectangle of a part of a row."""
     side, top = ICON + _PAD, row.top()
     left = {
         Spot.SWATCH: row.left(),
@@ -51,59 +51,59 @@ def spot_rect(row: QRect, spot: Spot) -> QRect:
 
 
 class RowParts:
-    """Rows and their parts in the viewport of a list, and what a click on them does."""
+    """Geometry of rows and their parts in the viewport of a list."""
 
     def __init__(self, view: QListView, model: CurveListModel) -> None:
         self._view, self._model = view, model
 
     def entry_rect(self, row: int) -> QRect:
-        """Return where a row has its parts."""
+        """Return the rectangle of the parts of a row."""
         rect = self._view.visualRect(self._model.index(row))
         if self._model.has_folds:
             rect.setLeft(rect.left() + INDENT * (1 + self._model.entries[row].node.depth))
         return rect
 
-    def row_rect(self, place: int) -> QRect:
-        """Return where the row of a curve, or of what it is in while that is folded, has its parts."""
-        return self.entry_rect(self._model.row_of(place))
+    def row_rect(self, position: int) -> QRect:
+        """Return the rectangle of the row of a curve, or of the folded entry that contains it."""
+        return self.entry_rect(self._model.row_of(position))
 
     def opener_rect(self, row: int) -> QRect:
-        """Return where a row opens what is in its shape or group."""
+        """Return the rectangle of the arrow that opens a row."""
         rect = self.entry_rect(row)
         return QRect(rect.left() - INDENT + 2, rect.top(), INDENT, rect.height())
 
-    def row_at(self, place: QPoint) -> int:
-        """Return the row at a place; −1 for none."""
-        return self._view.indexAt(place).row()
+    def row_at(self, position: QPoint) -> int:
+        """Return the row at a position; −1 for none."""
+        return self._view.indexAt(position).row()
 
-    def node_at(self, place: QPoint) -> Node | None:
-        """Return what the row at a place is about."""
-        row = self.row_at(place)
+    def node_at(self, position: QPoint) -> Node | None:
+        """Return the node of the row at a position."""
+        row = self.row_at(position)
         return self._model.entries[row].node if row >= 0 else None
 
-    def is_on_opener(self, place: QPoint) -> bool:
-        """Whether a click at a place opens or folds a row."""
-        row = self.row_at(place)
-        return row >= 0 and self._model.entries[row].opens and place.x() < self.entry_rect(row).left()
+    def is_on_opener(self, position: QPoint) -> bool:
+        """Return whether a click at a position opens or folds a row."""
+        row = self.row_at(position)
+        return row >= 0 and self._model.entries[row].opens and position.x() < self.entry_rect(row).left()
 
-    def spot_at(self, place: QPoint) -> Spot:
-        """Return the part of a row at a place."""
-        row = self.row_at(place)
+    def spot_at(self, position: QPoint) -> Spot:
+        """Return the part of a row at a position."""
+        row = self.row_at(position)
         for spot in (Spot.SWATCH, Spot.LOCK, Spot.EYE):
-            if spot_rect(self.entry_rect(row), spot).contains(place):
+            if spot_rect(self.entry_rect(row), spot).contains(position):
                 return spot
         return Spot.NAME
 
-    def tip_at(self, place: QPoint) -> str:
-        """Return what a click at a place would do."""
-        number = self.row_at(place)
+    def tip_at(self, position: QPoint) -> str:
+        """Return the tip about a click at a position."""
+        number = self.row_at(position)
         if number < 0:
             return self._view.toolTip()
         row, entry = self._model.row(number), self._model.entries[number]
-        if self.is_on_opener(place):
+        if self.is_on_opener(position):
             return f"{'Fold' if entry.is_open else 'Open'} “{row.name}” (Left, Right)"
         theme = theme_of(self._view.palette())
-        return _spot_tip(self.spot_at(place), row, theme)
+        return _spot_tip(self.spot_at(position), row, theme)
 
 
 def _spot_tip(spot: Spot, row: Row, theme: Theme) -> str:
@@ -124,7 +124,7 @@ _BAR, _DOT = 3, 3.0
 
 
 class RowDelegate(SafeOverrides, QStyledItemDelegate):
-    """Paints a row, and edits its name in place."""
+    """Delegate that paints a row and edits its name."""
 
     def __init__(self, view: QListView, model: CurveListModel, parts: RowParts) -> None:
         super().__init__(view)
@@ -143,11 +143,11 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
             self._paint_switch(painter, self._parts.opener_rect(number), opener, True)
         self._paint_swatch(painter, spot_rect(rect, Spot.SWATCH), entry, row, theme)
         font = painter.font()
-        font.setBold(model.marks.is_edited(entry))
+        font.setBold(model.marks.is_active(entry))
         painter.setFont(font)
         painter.setPen(theme.ink if row.visible else theme.muted)
         name = spot_rect(rect, Spot.NAME)
-        if model.marks.has_chosen_within(entry):
+        if model.marks.contains_selected(entry):
             name.setRight(name.right() - ICON)
         elided = painter.fontMetrics().elidedText(row.name, Qt.TextElideMode.ElideRight, name.width())
         painter.drawText(name, int(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft), elided)
@@ -157,23 +157,23 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
         painter.restore()
 
     def _paint_marks(self, painter: QPainter, line: QRect, number: int, theme: Theme) -> None:
-        """Mark what is edited or chosen, and fainter what it is in while that is folded."""
+        """Mark edited and selected entries, and fainter the folded entries that contain them."""
         model, entry = self._model, self._model.entries[number]
         share = 0.2 if self._view.hasFocus() else 0.12
-        if model.marks.is_edited(entry) or model.marks.is_chosen(entry):
+        if model.marks.is_active(entry) or model.marks.is_selected(entry):
             painter.fillRect(line, mix(theme.accent, theme.paper, share))
-        elif model.marks.has_chosen_within(entry):
+        elif model.marks.contains_selected(entry):
             painter.fillRect(line, mix(theme.accent, theme.paper, share / 2))
             name = QRectF(spot_rect(self._parts.entry_rect(number), Spot.NAME))
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(theme.accent)
             painter.drawEllipse(QPointF(name.right() - ICON / 2, name.center().y()), _DOT, _DOT)
-        if model.marks.is_edited(entry) and model.marks.is_chosen_whole(entry):
+        if model.marks.is_active(entry) and model.marks.is_selected_whole(entry):
             painter.fillRect(QRect(line.left(), line.top(), _BAR, line.height()), theme.accent)
 
     def _paint_swatch(self, painter: QPainter, swatch: QRect, entry: Entry, row: Row, theme: Theme) -> None:
         model = self._model
-        if model.marks.is_chosen_whole(entry):
+        if model.marks.is_selected_whole(entry):
             self._paint_ring(painter, swatch, theme.accent)
         if entry.node.kind is NodeKind.GROUP:
             # What is in a group need not look the same.
@@ -183,7 +183,7 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
 
     @staticmethod
     def _paint_ring(painter: QPainter, rect: QRect, colour: QColor) -> None:
-        """Mark what is selected with others, by more than a colour behind it."""
+        """Mark a curve that is selected with others, by more than a background colour."""
         ring = QRectF(0, 0, SWATCH + 6, SWATCH + 6)
         ring.moveCenter(QRectF(rect).center())
         painter.setPen(QPen(colour, 1.5))
@@ -191,11 +191,11 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
         painter.drawEllipse(ring)
 
     def _paint_switch(self, painter: QPainter, rect: QRect, name: str, on: bool) -> None:
-        place = QRect(0, 0, ICON, ICON)
-        place.moveCenter(rect.center())
+        position = QRect(0, 0, ICON, ICON)
+        position.moveCenter(rect.center())
         # What is as usual steps back.
         painter.setOpacity(1.0 if on else 0.45)
-        icon(name, theme_of(self._view.palette())).paint(painter, place)
+        icon(name, theme_of(self._view.palette())).paint(painter, position)
         painter.setOpacity(1.0)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:

@@ -24,16 +24,16 @@ _ALL = QKeySequence.StandardKey.SelectAll
 
 
 class CurveListView(ClaimsKeys, QListView):
-    """Reports what the person did; what is chosen comes from the session, by the model.
+    """List that reports clicks, drags and keys; the selection comes from the session, by the model.
 
-    Curves are named by their places in the document, wherever they stand in the list.
+    Curves are named by their indices in the document, wherever they stand in the list.
 
     Signals
     -------
-    chosen_entry
+    entry_clicked
         A row was clicked or walked to (a Node).
     rows_selected
-        These curves shall be worked on together (a set of places).
+        These curves shall be worked on together (a set of indices).
     all_wanted
         All curves shall be.
     spot_clicked
@@ -51,7 +51,7 @@ class CurveListView(ClaimsKeys, QListView):
         Where rows have their parts.
     """
 
-    chosen_entry = Signal(object)
+    entry_clicked = Signal(object)
     rows_selected = Signal(object)
     all_wanted = Signal()
     spot_clicked = Signal(object, object)
@@ -81,11 +81,11 @@ class CurveListView(ClaimsKeys, QListView):
         self.setMouseTracking(True)
 
     def follow(self) -> None:
-        """Mark the rows of what the model says is chosen, and go on from there."""
+        """Mark the selected rows, and continue from them."""
         marks = self.curves.marks
         if not self._is_about(self._current):
             self._current = self.curves.row_about(marks.curves, marks.active)
-        if self._reached >= self.curves.rowCount() or not self._places(self._reached) <= marks.curves:
+        if self._reached >= self.curves.rowCount() or not self._indices_of(self._reached) <= marks.curves:
             self._reached = self._current
         index = self.curves.index(self._current)
         if self.currentIndex() != index:
@@ -96,18 +96,18 @@ class CurveListView(ClaimsKeys, QListView):
         self.viewport().update()
 
     def _is_about(self, row: int) -> bool:
-        """Whether a row is about the curves that are selected, or else the active one."""
+        """Return whether a row stands for the selected curves, or else for the active one."""
         if row >= self.curves.rowCount():
             return False
         entry, marks = self.curves.entries[row], self.curves.marks
-        is_of_one = len(marks.curves) == 1 and marks.active in entry.places and not entry.is_open
-        return entry.places == marks.curves or is_of_one
+        is_of_one = len(marks.curves) == 1 and marks.active in entry.indices and not entry.is_open
+        return entry.indices == marks.curves or is_of_one
 
-    def _places(self, row: int) -> frozenset[int]:
-        return self.curves.entries[row].places
+    def _indices_of(self, row: int) -> frozenset[int]:
+        return self.curves.entries[row].indices
 
     def edit_name(self, row: int) -> None:
-        """Let the person type another name in a row; one that is being typed is taken as it is."""
+        """Start to edit the name in a row, after accepting the name that is being typed."""
         end_editing(self)
         self._current = row
         self.setRowHidden(row, False)
@@ -116,15 +116,15 @@ class CurveListView(ClaimsKeys, QListView):
         self.edit(self.curves.index(row))
 
     @property
-    def meant(self) -> frozenset[int]:
-        """The curves that commands are about while the list has the keys: of an open shape also one alone."""
+    def target_curves(self) -> frozenset[int]:
+        """Curves that commands act on while the list has the focus."""
         marks = self.curves.marks
-        here = self._places(self._current)
+        here = self._indices_of(self._current)
         return marks.curves if len(marks.curves) > 1 else here
 
     @property
     def current(self) -> int:
-        """The row that keys act on."""
+        """Row that keys act on."""
         return self._current
 
     # Mouse: a click chooses or switches, a drag moves the row
@@ -136,46 +136,50 @@ class CurveListView(ClaimsKeys, QListView):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._drag.end()
-        place = event.position().toPoint()
-        row = self.parts.row_at(place)
+        position = event.position().toPoint()
+        row = self.parts.row_at(position)
         if event.button() != Qt.MouseButton.LeftButton or row < 0:
             return
-        if self.parts.is_on_opener(place):
+        if self.parts.is_on_opener(position):
             self._fold(row, is_open=not self.curves.entries[row].is_open)
             return
-        places, spot, chosen = self._places(row), self.parts.spot_at(place), self.curves.marks.curves
+        indices, spot, selected = (
+            self._indices_of(row),
+            self.parts.spot_at(position),
+            self.curves.marks.curves,
+        )
         held = event.modifiers()
         if spot is not Spot.NAME:
             self.spot_clicked.emit(self.curves.entries[row].node, spot)
         elif held & Qt.KeyboardModifier.ControlModifier:
-            self.rows_selected.emit(chosen - places if places <= chosen else chosen | places)
+            self.rows_selected.emit(selected - indices if indices <= selected else selected | indices)
         elif held & Qt.KeyboardModifier.ShiftModifier:
-            self._choose_to(row)
+            self._select_to(row)
         else:
-            self._drag.press(row, place)
+            self._drag.press(row, position)
             self._reached = row
             if not self._is_of_several(row):
                 self._go(row)
 
     def _is_of_several(self, row: int) -> bool:
-        chosen = self.curves.marks.curves
-        return self._places(row) <= chosen and len(chosen) > 1
+        selected = self.curves.marks.curves
+        return self._indices_of(row) <= selected and len(selected) > 1
 
     def _go(self, row: int) -> None:
-        """Mean what a row is about."""
+        """Select the curves of a row."""
         self._current = max(0, min(row, self.curves.rowCount() - 1))
-        self.chosen_entry.emit(self.curves.entries[self._current].node)
+        self.entry_clicked.emit(self.curves.entries[self._current].node)
         self.scrollTo(self.curves.index(self._current))
 
-    def _choose_to(self, row: int) -> None:
-        """Choose from the current row to this one."""
+    def _select_to(self, row: int) -> None:
+        """Select from the current row to this one."""
         self._reached = max(0, min(row, self.curves.rowCount() - 1))
         low, high = sorted((self._current, self._reached))
-        self.rows_selected.emit(frozenset().union(*map(self._places, range(low, high + 1))))
+        self.rows_selected.emit(frozenset().union(*map(self._indices_of, range(low, high + 1))))
         self.scrollTo(self.curves.index(self._reached))
 
     def _fold(self, row: int, *, is_open: bool) -> None:
-        """Show what is in the shape or group of a row, or no longer."""
+        """Open or fold the shape or group of a row."""
         self.curves.open(row, is_open)
         self._reached = self.curves.rowCount()
         self.follow()
@@ -197,10 +201,15 @@ class CurveListView(ClaimsKeys, QListView):
             self.moved.emit(self.curves.entries[row].node, drop)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        place = event.position().toPoint()
+        position = event.position().toPoint()
         is_plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-        row, parts = self.parts.row_at(place), self.parts
-        if is_plain and row >= 0 and not parts.is_on_opener(place) and parts.spot_at(place) is Spot.NAME:
+        row, parts = self.parts.row_at(position), self.parts
+        if (
+            is_plain
+            and row >= 0
+            and not parts.is_on_opener(position)
+            and parts.spot_at(position) is Spot.NAME
+        ):
             self.edit_name(row)
         else:
             self.mousePressEvent(event)
@@ -233,26 +242,26 @@ class CurveListView(ClaimsKeys, QListView):
         elif event.matches(_ALL):
             self.all_wanted.emit()
         elif step is not None and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            self._choose_to(self._seen_from(self._reached, step))
+            self._select_to(self._next_visible(self._reached, step))
         elif step is not None and is_plain:
-            self._go(self._seen_from(self._current, step))
+            self._go(self._next_visible(self._current, step))
         elif is_open is not None and is_plain:
             self._walk_fold(is_open=is_open)
         elif event.key() in _RENAME and self.state() != QAbstractItemView.State.EditingState:
             self.edit_name(self._current)
         elif _deletes(event):
-            self.deletion_wanted.emit(self.meant)
+            self.deletion_wanted.emit(self.target_curves)
         else:
             # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
             event.ignore()
 
-    def _seen_from(self, row: int, step: int) -> int:
-        """Return the next row that is seen; the same one where there is none."""
-        there = range(row + step, self.curves.rowCount() if step > 0 else -1, step)
-        return next((each for each in there if not self.isRowHidden(each)), row)
+    def _next_visible(self, row: int, step: int) -> int:
+        """Return the next visible row, or else the same row."""
+        rows = range(row + step, self.curves.rowCount() if step > 0 else -1, step)
+        return next((row_there for row_there in rows if not self.isRowHidden(row_there)), row)
 
     def _walk_fold(self, *, is_open: bool) -> None:
-        """Open the current entry, or go into it; fold it, or go to what it is in."""
+        """Open the current entry or go into it; fold it or go to its container."""
         row = self._current
         entry, around = self.curves.entries[row], self.curves.row_around(row)
         if entry.opens and entry.is_open != is_open:
@@ -270,5 +279,5 @@ class CurveListView(ClaimsKeys, QListView):
 
 
 def _deletes(event: QKeyEvent) -> bool:
-    """Whether a key deletes; held with Shift or Ctrl it is an action's."""
+    """Return whether a key deletes; with Shift or Ctrl it belongs to an action."""
     return event.key() in DELETE and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
