@@ -71,6 +71,8 @@ class SessionSignals(QObject):
     -------
     document_changed
         The document shown is another one: a preview, a change, undo, redo, open or new.
+    settled
+        The document shown, so far a preview, is the current one.
     active_changed
         Another curve is edited.
     selection_changed
@@ -108,6 +110,7 @@ class SessionSignals(QObject):
     """
 
     document_changed = Signal(object)
+    settled = Signal()
     active_changed = Signal(int)
     selection_changed = Signal(object)
     selected_curves_changed = Signal(object)
@@ -403,6 +406,9 @@ class Session(SessionSignals):
     # From state to state
 
     def _restore_step(self, state: HistoryState) -> None:
+        if self.history.is_pushing and self._is_on_screen(state):
+            self._settle(state)
+            return
         before, is_other = self._committed, state.origin is not self.files.origin
         if is_other and self.files.is_modified and self.files.path is None:
             self.left.emit(before)
@@ -417,6 +423,18 @@ class Session(SessionSignals):
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()
+
+    def _is_on_screen(self, state: HistoryState) -> bool:
+        """Return whether a gesture previews this state."""
+        is_previewed = self.is_previewing and state.document is self._shown
+        return is_previewed and state.active == self.active_index
+
+    def _settle(self, state: HistoryState) -> None:
+        """Make what is previewed the current document; it is drawn already."""
+        self.history.end_run()
+        self.interrupted.emit()
+        self._committed = state.document
+        self.settled.emit()
 
     def _turn_to(self, origin: DocumentOrigin) -> None:
         """Put away what belonged to the document before this one."""

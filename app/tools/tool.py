@@ -32,6 +32,7 @@ Threshold, preview, the undo step, Escape and the status line follow from that.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, ClassVar
 
 import msgspec
@@ -46,7 +47,7 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.registry import Registry
 from ..view_model.settings import ChoiceSetting, OwnedSetting, SettingValues, SwitchSetting, Value_co
 from .background import Background
-from .box import SelectionBox
+from .box import SelectionBox, TransformBox
 from .editing_session import EditingSession
 from .marks import Marks
 from .nudge import DIRECTIONS, nudge, select_next
@@ -83,7 +84,7 @@ class CanvasQueries:
         return 1.0
 
 
-class ToolEvent(msgspec.Struct, frozen=True):
+class ToolEvent(msgspec.Struct, frozen=True, dict=True):
     """One press, move, hover or key, with everything that a tool needs to answer it.
 
     Attributes
@@ -123,6 +124,11 @@ class ToolEvent(msgspec.Struct, frozen=True):
         """The view of the active curve."""
         return self.session.active_view
 
+    @cached_property
+    def rectangle(self) -> TransformBox | None:
+        """The box around the selection, where it is drawn and nothing in it is locked; None otherwise."""
+        return self.box.visible_rectangle
+
     def value(self, setting: OwnedSetting[Value_co]) -> Value_co:
         """Return the value of a setting of the tool."""
         return self.settings.value(setting)
@@ -140,7 +146,7 @@ class ToolEvent(msgspec.Struct, frozen=True):
         """Return the marks of the selection while something is dragged: its box without grips, its pivot."""
         if not self.tool.shows_box:
             return Marks()
-        box, pivot = self.box.visible_rectangle, self.box.pivot
+        box, pivot = self.rectangle, self.box.pivot
         return Marks(frame=box, pivot=pivot or (box.centre if box is not None else None))
 
     def preview_snap(self, index: int) -> None:

@@ -187,6 +187,7 @@ class Rendering(QObject):
     def _connect(self) -> None:
         session = self._session
         session.document_changed.connect(self._render_document)
+        session.settled.connect(self._settle)
         session.active_changed.connect(self._render_document)
         session.selection_changed.connect(self._render_selection)
         session.selected_curves_changed.connect(self._render_selected_curves)
@@ -218,6 +219,13 @@ class Rendering(QObject):
             self._context.actions.follow()
         if not self._panels_due.isActive():
             self._panels_due.start()
+
+    def _settle(self) -> None:
+        """Render what waits for the end of a drag; the curves are drawn."""
+        view = self._session.active_view
+        view.settle()
+        self._commands.follow_drag(view)
+        self._render_rest()
 
     def _differs_in_active_points(self) -> bool:
         """Return whether only points of the active curve differ from the drawn document, as during a drag."""

@@ -72,6 +72,7 @@ class Autosave(QObject):
         self._again = QTimer(self, singleShot=True, interval=retry)
         self._again.timeout.connect(self._note_file)
         session.document_changed.connect(self._note_change)
+        session.settled.connect(self._note_change)
         session.file_changed.connect(self._note_file)
         self._note_file()
 
@@ -155,6 +156,7 @@ class Autosave(QObject):
         self._again.stop()
         session = self._session
         session.document_changed.disconnect(self._note_change)
+        session.settled.disconnect(self._note_change)
         session.file_changed.disconnect(self._note_file)
 
 

@@ -94,7 +94,7 @@ class SelectTool(Tool):
 
         Where whole curves are selected there is no line to bend, and the middle comes before these.
         """
-        hit, group, box, pivot = event.hit, event.box.group, event.box.visible_rectangle, event.box.pivot
+        hit, group, box, pivot = event.hit, event.box.group, event.rectangle, event.box.pivot
         position = pivot or (box.centre if box is not None else None)
         # The middle of a straight segment whose ends are selected is that of their box.
         is_line = hit is not None and hit.part in (Part.CURVE, Part.OTHER_CURVE)
@@ -117,7 +117,7 @@ class SelectTool(Tool):
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return what a press here would do."""
-        hit, grip, box = event.hit, _grip_at(event), event.box.visible_rectangle
+        hit, grip, box = event.hit, _grip_at(event), event.rectangle
         is_pivot, group = self._is_on_pivot(event), event.box.group
         is_guide = hit is not None and hit.part is Part.GUIDE and grip is None and not is_pivot
         self._guide = hit.index if hit is not None and is_guide else None
@@ -136,7 +136,7 @@ class SelectTool(Tool):
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the box with grips, its pivot, and what a press would act on."""
-        box, pivot = event.box.visible_rectangle, event.box.pivot
+        box, pivot = event.rectangle, event.box.pivot
         return Marks(
             box=box,
             pivot=pivot or (box.centre if box is not None else None),
@@ -171,7 +171,7 @@ def _is_for_box(event: ToolEvent) -> bool:
 
 def _group_inside(event: ToolEvent) -> PointGroup | None:
     """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
-    box = None if event.pointer.shift else event.box.visible_rectangle
+    box = None if event.pointer.shift else event.rectangle
     return event.box.group if box is not None and box.holds(event.pointer) else None
 
 
@@ -192,7 +192,7 @@ def _click_at_pivot(event: ToolEvent) -> Click | None:
 
 
 def _grip_at(event: ToolEvent) -> Grip | None:
-    box = event.box.visible_rectangle
+    box = event.rectangle
     return box.grip_at(event.pointer) if box is not None else None
 
 
