@@ -325,7 +325,7 @@ class BendWith(Enum):
     """The data that a bend changes, in words."""
 
     ALL = "the points come along"
-    POINTS = "the points alone move"
+    POINTS = "only the points move"
     DERIVATIVES = "the points stay"
 
 

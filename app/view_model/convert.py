@@ -139,4 +139,4 @@ def _growth(view: CurveView, family: Family) -> str:
     condition = curvecore.lagrange_to_bezier(view.curve).condition
     if condition < _WORTH_A_WORD:
         return ""
-    return f"An error of a point counts up to {number(condition, 2)} times as much in the control points."
+    return f"An error of a point grows by a factor of up to {number(condition, 2)} in the control points."

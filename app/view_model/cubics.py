@@ -251,7 +251,7 @@ def points_of_cubics(
     t = np.append(0.0, np.cumsum(joints.steps))
     t /= t[-1]
     if not (np.diff(t) > 0).all():
-        raise EditError("There are pieces of too different lengths for one curve.")
+        raise EditError("The lengths of the pieces differ too much for one curve.")
     h = np.diff(t)[:, None]
     points = points_of(pieces, leaving / h, arriving / h, t, joints, closed=closed)
     return CubicPoints(points, _INFLUENCE * joints.moved)

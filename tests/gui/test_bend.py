@@ -125,7 +125,7 @@ def test_the_status_line_says_before_the_press_whether_the_points_stay(arch):
         arch.move(place, held=False, keys=ALT)
         assert line.hint == "Drag to bend; the points come along", family
         arch.move(place, held=False, keys=CTRL)
-        assert line.hint == "Drag to bend; the points alone move", family
+        assert line.hint == "Drag to bend; only the points move", family
 
 
 def test_a_key_counts_before_and_during_a_bend_and_the_pointer_shows_it(arch):

@@ -1,4 +1,4 @@
-"""The same points under other rules: drawn beside the curve, made real, hidden."""
+"""Ghosts, the same points under other rules: drawn, applied and hidden."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_ghosts_follow_a_drag_and_its_cancelling(editor):
     assert np.array_equal(shown(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points, before)
 
 
-def test_the_legend_makes_a_ghost_real_in_one_step(editor, qtbot):
+def test_the_legend_applies_a_ghost_in_one_step(editor, qtbot):
     editor.trigger("ghostUniform")
     editor.trigger("ghostQuinticHermite")
     assert rows(editor) == ["Lagrange · Chord length", "Quintic Hermite", "Uniform"]
@@ -104,7 +104,7 @@ def test_runges_function_shows_all_families_side_by_side(editor):
     assert not shown(editor)
 
 
-def test_of_a_drag_the_legend_has_no_figures(editor):
+def test_during_a_drag_the_legend_has_no_figures(editor):
     editor.trigger("ghostHermite")
     legend = editor.window.canvas.drawing.annotations.legend
     row, widgets = legend.rows, legend.findChildren(QWidget)
@@ -167,7 +167,7 @@ def test_the_legend_hides_a_ghost(editor, qtbot):
     assert editor.window.canvas.drawing.annotations.legend.isHidden()
 
 
-def test_the_dock_shows_ghosts_and_makes_them_real(editor, qtbot):
+def test_the_dock_shows_ghosts_and_applies_them(editor, qtbot):
     editor.show_dock("analysisDock")
     switch = editor.window.findChild(QCheckBox, "ghostCentripetalSwitch")
     qtbot.keyClick(switch, Qt.Key.Key_Space)
@@ -177,7 +177,7 @@ def test_the_dock_shows_ghosts_and_makes_them_real(editor, qtbot):
     assert not shown(editor)
 
 
-def test_a_locked_curve_stays_what_it_is(editor, qtbot):
+def test_a_locked_curve_is_not_changed_by_a_ghost(editor, qtbot):
     editor.trigger("ghostUniform")
     editor.trigger("curveLocked")
     press(editor, qtbot, "legendChoose_uniform")
@@ -185,7 +185,7 @@ def test_a_locked_curve_stays_what_it_is(editor, qtbot):
     assert "locked" in editor.status
 
 
-def test_a_ghost_that_cannot_be_says_so(editor):
+def test_a_ghost_without_a_curve_gives_the_reason(editor):
     editor.choose_parametrization(ParametrizationKind.UNIFORM)
     editor.trigger("ghostChordLength")
     moved = set_position(editor.session.document, 0, 1, editor.point(0))
@@ -230,7 +230,7 @@ def test_a_ghost_is_painted_in_its_colour(editor):
     assert near > 50
 
 
-def test_every_ghost_has_a_look_of_its_own():
+def test_every_ghost_has_a_unique_style():
     styles = [(style.colour, style.dashes) for style in (ghost.style for ghost in all_ghosts())]
     assert len({dashes for _, dashes in styles}) == len(styles) >= 7
     # There are no more colours that everybody tells apart; dashes go on.
@@ -238,7 +238,7 @@ def test_every_ghost_has_a_look_of_its_own():
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
-def test_families_are_told_apart_by_colours_and_by_dashes(theme):
+def test_families_differ_in_colours_and_in_dashes(theme):
     """Lagrange and B-spline had one blue; distances in OKLab, where 0.02 is just seen side by side."""
     styles = [Ghost(family=family).style for family in FAMILIES if family.is_built_in]
     colours = [oklab(colour_of(style, theme)) for style in styles]

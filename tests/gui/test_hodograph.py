@@ -23,7 +23,7 @@ def hodograph(editor):
     return panel(editor).plot
 
 
-def test_it_is_built_when_it_is_asked_for(new_editor):
+def test_the_hodograph_is_built_when_it_is_opened(new_editor):
     editor = new_editor
     dock = editor.window.findChild(QDockWidget, "hodographDock")
     assert dock.isHidden()
@@ -33,7 +33,7 @@ def test_it_is_built_when_it_is_asked_for(new_editor):
     assert panel(editor).plot.hodograph.order == 1
 
 
-def test_it_has_equal_aspect_and_shows_all_of_it_and_the_origin(editor, hodograph):
+def test_the_hodograph_has_equal_aspect_and_shows_the_curve_and_the_origin(editor, hodograph):
     shown = hodograph.pixel_map
     assert shown.sx == pytest.approx(shown.sy, rel=1e-6)
     x_min, y_min, x_max, y_max = shown.box
@@ -42,7 +42,7 @@ def test_it_has_equal_aspect_and_shows_all_of_it_and_the_origin(editor, hodograp
     assert (points.max(axis=0) < (x_max, y_max)).all()
 
 
-def test_it_follows_a_drag_and_the_view_only_grows(editor, hodograph):
+def test_the_hodograph_follows_a_drag_and_the_view_only_grows(editor, hodograph):
     before = hodograph.hodograph.points
     x, y = editor.point(3)
     editor.press((x, y))
@@ -64,7 +64,7 @@ def test_the_dot_is_the_velocity_at_the_scrub_line(editor, hodograph):
     assert panel(editor).findChild(QWidget, "hodographValue").text().startswith(f"c′({t:.3g}) = (")
 
 
-def test_a_drag_along_it_scrubs_and_escape_goes_back(editor, hodograph):
+def test_a_drag_along_the_hodograph_scrubs_and_escape_reverts(editor, hodograph):
     curve = editor.session.active_view.curve
     start, end = (hodograph.to_pixel(*(curve.evaluate(t, 1) / hodograph.unit)) for t in (0.3, 0.5))
     editor.drag_pixels(hodograph, start, end)
@@ -96,7 +96,7 @@ def test_a_zoom_stays_until_fit_is_pressed(editor, qtbot, hodograph):
     assert hodograph.pixel_map.box[2] - hodograph.pixel_map.box[0] > 0.5 * (fitted[2] - fitted[0])
 
 
-def test_without_a_curve_it_says_why(editor, hodograph):
+def test_without_a_curve_the_panel_gives_the_reason(editor, hodograph):
     editor.session.commit(set_position(editor.session.document, 0, 2, editor.point(1)), "Meet")
     editor.settle()
     assert hodograph.note == editor.session.active_view.problem

@@ -51,7 +51,7 @@ def click_row(editor, row):
     editor.settle()
 
 
-def test_it_is_built_when_it_is_first_looked_at(new_editor):
+def test_the_certificate_is_built_when_it_is_first_opened(new_editor):
     assert panel(new_editor) is None
     new_editor.trigger("showJoints")
     assert panel(new_editor).isVisible()
@@ -60,7 +60,7 @@ def test_it_is_built_when_it_is_first_looked_at(new_editor):
     assert not table(new_editor).isVisible()
 
 
-def test_there_is_a_row_for_every_joint_with_sign_class_and_jumps(bessel):
+def test_every_joint_has_a_row_with_sign_class_and_jumps(bessel):
     assert panel(bessel).summary == "△ C¹ everywhere."
     assert table(bessel).model().rowCount() == 6
     assert text(bessel, 2, 0) == "△ 3"
@@ -71,7 +71,7 @@ def test_there_is_a_row_for_every_joint_with_sign_class_and_jumps(bessel):
     assert text(bessel, 2, 4) == f"{jump:.3g}"
 
 
-def test_a_click_on_a_row_zooms_there_and_selects_the_point(bessel):
+def test_a_click_on_a_row_zooms_to_the_joint_and_selects_the_point(bessel):
     canvas = bessel.window.canvas
     width = canvas.pixel_map.box[2] - canvas.pixel_map.box[0]
     click_row(bessel, 2)
@@ -84,7 +84,7 @@ def test_a_click_on_a_row_zooms_there_and_selects_the_point(bessel):
     assert bessel.session.undo_stack.count() == 1
 
 
-def test_enter_does_the_same_and_arrows_only_choose(bessel):
+def test_enter_zooms_to_the_joint_and_arrow_keys_only_select(bessel):
     view = table(bessel)
     view.setFocus()
     view.setCurrentIndex(view.model().index(0, 0))
@@ -97,12 +97,12 @@ def test_enter_does_the_same_and_arrows_only_choose(bessel):
     assert bessel.window.canvas.pixel_map.box != box
 
 
-def test_selecting_a_point_chooses_its_row(bessel):
+def test_selecting_a_point_selects_its_row(bessel):
     bessel.select_point(5)
     assert table(bessel).currentIndex().row() == 4
 
 
-def test_it_follows_a_drag_at_the_pace_of_the_panels_and_escape_goes_back(bessel):
+def test_the_certificate_follows_a_drag_at_the_pace_of_the_panels_and_escape_reverts(bessel):
     before = panel(bessel).rows
     x, y = bessel.point(3)
     bessel.press((x, y))
@@ -112,7 +112,7 @@ def test_it_follows_a_drag_at_the_pace_of_the_panels_and_escape_goes_back(bessel
     assert panel(bessel).rows == before
 
 
-def test_a_corner_is_told_by_sign_and_word(bessel):
+def test_a_corner_has_a_sign_and_a_word(bessel):
     bessel.select([3])
     bessel.trigger("tangentCorner")
     x, y = bessel.handle(1, ahead=True).position
@@ -126,7 +126,7 @@ def test_a_corner_is_told_by_sign_and_word(bessel):
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])
-def test_what_is_not_decided_is_a_question_mark_with_its_reason(bessel, theme):
+def test_an_undecided_value_is_a_question_mark_with_its_reason(bessel, theme):
     points = tuple(Point(*place) for place in ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0)))
     bessel.session.commit(Document((Curve("Near", HERMITE, Parametrization(), points),)), "Near")
     bessel.settle()
@@ -154,7 +154,7 @@ def test_the_closing_joint_is_the_last(bessel):
     assert "where the curve closes" in bessel.window.findChild(QLabel, "jointsDetail").text()
 
 
-def test_it_is_copied_by_button_and_by_keys(bessel, qtbot):
+def test_the_certificate_is_copied_by_button_and_by_keys(bessel, qtbot):
     QGuiApplication.clipboard().clear()
     qtbot.mouseClick(bessel.window.findChild(QToolButton, "copyJointsButton"), Qt.MouseButton.LeftButton)
     copied = QGuiApplication.clipboard().text()
@@ -168,7 +168,7 @@ def test_it_is_copied_by_button_and_by_keys(bessel, qtbot):
     assert bessel.status.startswith("Copied")
 
 
-def test_without_a_curve_it_says_why(bessel):
+def test_without_a_curve_the_panel_gives_the_reason(bessel):
     bessel.session.commit(set_position(bessel.session.document, 0, 2, bessel.point(1)), "Meet")
     bessel.settle()
     assert panel(bessel).summary == bessel.session.active_view.problem
@@ -176,7 +176,7 @@ def test_without_a_curve_it_says_why(bessel):
     assert table(bessel).isVisible()
 
 
-def test_a_move_among_a_thousand_joints_judges_each_once_and_writes_those_in_sight(editor, monkeypatch):
+def test_a_move_among_a_thousand_joints_judges_each_once_and_writes_the_visible_ones(editor, monkeypatch):
     points = tuple(Point(i / 100, float(np.sin(i / 30))) for i in range(1000))
     curve = Curve("Long", HERMITE, Parametrization(), points, VelocityRule.BESSEL)
     editor.session.commit(Document((curve,)), "Begin")

@@ -138,7 +138,7 @@ def test_canvas_and_basis_panel_show_the_same_dot(editor, motion):
     assert motion.bar.readout.startswith("t 0.300   |v| ")
 
 
-def test_a_frame_that_is_late_drops_others(editor, motion):
+def test_a_late_frame_drops_others(editor, motion):
     editor.trigger("playMotion")
     motion.wait(0.016)
     motion.wait(0.4)
@@ -163,7 +163,7 @@ def test_speed_by_keys_and_by_box(editor, motion):
     assert motion.player.settings.speed == 0.1
 
 
-def test_once_rests_at_the_end_and_begins_again(editor, motion):
+def test_a_motion_played_once_stops_at_the_end_and_can_start_again(editor, motion):
     editor.trigger("motionOnce")
     editor.trigger("playMotion")
     motion.wait(7.0)
@@ -174,7 +174,7 @@ def test_once_rests_at_the_end_and_begins_again(editor, motion):
     assert motion.t == 0.0
 
 
-def test_ping_pong_comes_back(editor, motion):
+def test_a_ping_pong_runs_backwards_from_the_end(editor, motion):
     box = motion.part(QComboBox, "motionRepeat")
     editor.trigger("playMotion")
     QTest.keyClick(box, Qt.Key.Key_End)
@@ -185,7 +185,7 @@ def test_ping_pong_comes_back(editor, motion):
     assert motion.t == pytest.approx(0.25)
 
 
-def test_by_arc_length_the_dot_is_equally_fast(editor, motion):
+def test_by_arc_length_the_dot_has_a_constant_speed(editor, motion):
     editor.choose_parametrization(ParametrizationKind.UNIFORM)
     editor.trigger("playMotion")
     editor.trigger("motionByLength")
@@ -197,7 +197,7 @@ def test_by_arc_length_the_dot_is_equally_fast(editor, motion):
     assert np.ptp(speeds) <= 1e-9 * speeds[0]
 
 
-def test_escape_stops_and_brings_the_scrub_line_back(editor, motion):
+def test_escape_stops_the_motion_and_restores_the_scrub_line(editor, motion):
     editor.scrub(0.4)
     before = editor.session.scrub.t
     editor.trigger("playMotion")
@@ -212,7 +212,7 @@ def test_escape_stops_and_brings_the_scrub_line_back(editor, motion):
     assert motion.t is None
 
 
-def test_escape_first_drops_the_drag(editor, motion):
+def test_escape_first_cancels_the_drag(editor, motion):
     editor.trigger("playMotion")
     x, y = editor.point(1)
     editor.press((x, y))
@@ -225,7 +225,7 @@ def test_escape_first_drops_the_drag(editor, motion):
     assert not motion.player.is_open
 
 
-def test_points_can_be_dragged_while_it_plays(editor, motion):
+def test_points_can_be_dragged_during_a_motion(editor, motion):
     editor.choose_family(HERMITE)
     editor.trigger("playMotion")
     motion.wait(0.3)
@@ -246,7 +246,7 @@ def test_points_can_be_dragged_while_it_plays(editor, motion):
     assert motion.player.is_playing
 
 
-def test_a_shorter_domain_does_not_stop_it(editor, motion):
+def test_a_shorter_domain_does_not_stop_the_motion(editor, motion):
     span(editor, 0.0, 4.0)
     editor.trigger("playMotion")
     motion.wait(3.0)
@@ -256,7 +256,7 @@ def test_a_shorter_domain_does_not_stop_it(editor, motion):
     assert motion.t == pytest.approx(0.25)
 
 
-def test_dragging_the_scrub_line_holds_the_dot_there(editor, motion):
+def test_dragging_the_scrub_line_pauses_the_dot_there(editor, motion):
     editor.trigger("playMotion")
     motion.wait(0.2)
     editor.scrub(0.7)
@@ -268,14 +268,14 @@ def test_dragging_the_scrub_line_holds_the_dot_there(editor, motion):
     assert motion.t == pytest.approx(at + 0.1)
 
 
-def test_putting_the_scrub_line_away_ends_it(editor, motion):
+def test_hiding_the_scrub_line_ends_the_motion(editor, motion):
     editor.trigger("playMotion")
     editor.trigger("toggleScrub")
     assert motion.t is None
     assert motion.bar.isHidden()
 
 
-def test_without_a_curve_the_dot_is_away_and_the_bar_says_why(editor, motion):
+def test_without_a_curve_the_dot_is_hidden_and_the_bar_gives_the_reason(editor, motion):
     editor.trigger("playMotion")
     motion.wait(0.2)
     editor.session.selected.set_points(range(len(editor.curve.points)))
@@ -347,7 +347,7 @@ def test_all_families_that_go_through_the_points_run_side_by_side(editor, motion
     assert len(motion.dots) == 1
 
 
-def test_curves_that_are_the_same_have_one_dot(editor, motion):
+def test_identical_curves_share_one_dot(editor, motion):
     """By the natural rules the cubic pieces, the quintic ones and the spline are one curve."""
     editor.choose_family(HERMITE)
     editor.trigger("motionCompare")
@@ -373,7 +373,7 @@ def test_another_theme_keeps_the_icon_of_pause(editor, motion):
 
 
 @pytest.mark.parametrize("size", [(1024, 700), (1400, 900)])
-def test_nothing_is_cut_off(editor, motion, size):
+def test_no_text_of_the_bar_is_cut_off(editor, motion, size):
     editor.window.resize(*size)
     editor.trigger("playMotion")
     motion.wait(0.1)
@@ -415,7 +415,7 @@ def test_a_motion_is_exported(editor, motion, tmp_path):
     assert motion.bar.isHidden()
 
 
-def test_the_window_goes_on_while_a_film_is_written(editor, motion, tmp_path, monkeypatch):
+def test_the_window_stays_usable_while_a_film_is_written(editor, motion, tmp_path, monkeypatch):
     beat, frames = threading.Event(), []
 
     def write_to_the_beat(document, path, film, report):
@@ -465,7 +465,7 @@ def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, tmp_pa
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_failed_export_says_why(editor, motion, tmp_path):
+def test_a_failed_export_gives_the_reason(editor, motion, tmp_path):
     export(editor, motion, tmp_path / "no" / "film.gif", filmWidth=64, filmSeconds=1)
     until(lambda: not editor.window.context.work.jobs.is_busy)
     assert editor.message.startswith("film.gif was not written. The folder of")
@@ -492,7 +492,7 @@ def test_the_dialog_counts_frames_and_knows_its_limits(editor, motion):
     assert not dialog.findChild(QPushButton, "filmExport").isEnabled()
 
 
-def test_a_number_that_a_film_cannot_have_is_told(editor, motion):
+def test_a_number_outside_the_limits_of_a_film_is_refused(editor, motion):
     """Of 60 frames a second, 6 was left in the box without a word."""
     editor.trigger("exportMotion")
     dialog = editor.window.findChild(QDialog, "motionDialog")
@@ -521,7 +521,7 @@ def test_a_number_that_a_film_cannot_have_is_told(editor, motion):
     assert fps.value() == 50
 
 
-def test_nothing_is_made_before_it_is_used(new_editor):
+def test_the_parts_of_a_motion_are_made_at_the_first_use(new_editor):
     window = new_editor.window
     assert window.findChild(Player) is None
     assert window.findChild(MotionBar) is None
@@ -529,7 +529,7 @@ def test_nothing_is_made_before_it_is_used(new_editor):
     assert window.canvas.drawing.dots == ()
 
 
-def test_its_choices_are_named_as_in_the_menu_but_for_the_underlined_letters(new_editor):
+def test_the_boxes_of_the_bar_have_the_texts_of_the_menu(new_editor):
     """With the menu opened first, the box said “By &Arc Length”."""
     for menu in new_editor.window.menuBar().findChildren(QMenu):
         menu.aboutToShow.emit()
@@ -538,7 +538,7 @@ def test_its_choices_are_named_as_in_the_menu_but_for_the_underlined_letters(new
     assert [box.itemText(index) for index in range(box.count())] == ["By t", "By Arc Length"]
 
 
-def test_weights_make_room_for_the_dot_and_come_back(editor):
+def test_weights_are_hidden_for_the_dot_and_restored(editor):
     editor.scrub(0.4)
     assert editor.window.canvas.drawing.points.weights is not None
     editor.trigger("playMotion")
@@ -548,7 +548,7 @@ def test_weights_make_room_for_the_dot_and_come_back(editor):
     assert editor.window.canvas.drawing.points.weights is not None
 
 
-def test_keys_typed_beside_a_field_of_the_dialog_leave_the_curve_alone(editor, qtbot):
+def test_keys_typed_beside_a_field_of_the_dialog_do_not_change_the_curve(editor, qtbot):
     """In a tool window, "1" used to make the curve behind it a Lagrange curve."""
     editor.choose_family("hermite")
     editor.trigger("exportMotion")

@@ -1,4 +1,4 @@
-"""What is drawn over the curve, switched with real events."""
+"""Overlays in the window, switched with real events."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def test_an_overlay_follows_a_drag(editor):
         assert not legend(editor), name
 
 
-def test_what_is_switched_on_during_a_drag_follows_it(editor):
+def test_an_overlay_switched_on_during_a_drag_follows_the_drag(editor):
     editor.choose_family(HERMITE)
     x, y = editor.point(3)
     editor.press((x, y))
@@ -131,7 +131,7 @@ HEAVY = {
 
 
 @pytest.mark.parametrize("name", list(HEAVY))
-def test_what_is_heavy_settles_after_a_drag(dock, name):
+def test_a_heavy_overlay_settles_after_a_drag(dock, name):
     editor = dock
     editor.trigger(name)
     until_settled(editor, lambda: figures(editor, HEAVY[name]))
@@ -152,7 +152,7 @@ def test_what_is_heavy_settles_after_a_drag(dock, name):
     assert np.array_equal(first(editor, HEAVY[name]), before, equal_nan=True)
 
 
-def test_the_window_may_close_while_something_is_computed(editor):
+def test_the_window_can_be_closed_during_a_computation(editor):
     editor.trigger("overlayMarks")
     editor.trigger("overlayEnsemble")
 
@@ -176,7 +176,7 @@ def test_switches_of_the_dock_and_actions_agree(dock, qtbot):
         ("overlayAccelerations", "accelerationScale", vectors.ACCELERATION),
     ],
 )
-def test_a_scale_is_set_by_key_and_shown(dock, qtbot, name, slider, style):
+def test_a_scale_is_set_by_key_and_displayed(dock, qtbot, name, slider, style):
     editor = dock
     editor.trigger(name)
     before = longest(editor, style)
@@ -187,7 +187,7 @@ def test_a_scale_is_set_by_key_and_shown(dock, qtbot, name, slider, style):
     assert panel(editor, QLabel, f"{slider}Value").text() == "× 2"
 
 
-def test_escape_takes_back_a_drag_of_a_slider(dock, qtbot):
+def test_escape_reverts_a_drag_of_a_slider(dock, qtbot):
     editor = dock
     editor.trigger("overlayComb")
     before = longest(editor)
@@ -212,7 +212,7 @@ def test_the_number_of_ticks(dock, qtbot):
     assert len(first(editor, ticks.TICK)) == 2 * 20
 
 
-def test_the_circle_brings_the_scrub_line_and_follows_it(dock):
+def test_the_circle_shows_the_scrub_line_and_follows_it(dock):
     editor = dock
     editor.trigger("overlayCircle")
     assert editor.session.scrub.t == pytest.approx(0.5)
@@ -226,7 +226,7 @@ def test_the_circle_brings_the_scrub_line_and_follows_it(dock):
     assert not figures(editor, circle.LINE)
 
 
-def test_an_arrow_at_the_scrub_line_has_its_length_in_words(editor):
+def test_an_arrow_at_the_scrub_line_has_its_length_as_a_label(editor):
     editor.trigger("overlayVelocities")
     editor.scrub(0.5)
     arrow = figures(editor, vectors.VELOCITY)[1]
@@ -330,7 +330,7 @@ def test_legend_and_dock_change_with_the_theme(dock):
         assert dark == (mode is ThemeMode.DARK)
 
 
-def test_a_press_on_the_legend_is_meant_for_the_canvas(editor):
+def test_a_press_on_the_legend_reaches_the_canvas(editor):
     """What lies below a line of the legend can be dragged all the same."""
     editor.trigger("overlayVelocities")
     canvas, shown = editor.window.canvas, editor.window.canvas.drawing.annotations.legend

@@ -1,4 +1,4 @@
-"""An overlay is one file, and so is a plot: shown by those that only these tests have."""
+"""An overlay is one record in one file, and so is a plot: records that only these tests have."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def seen(editor, colour):
     return int(is_there.sum())
 
 
-def test_they_stand_in_menus_and_the_palette(editor):
+def test_own_records_are_in_menus_and_the_palette(editor):
     overlays = entries(editor, "Overlays")
     own = ["overlayMiddles", "overlayBezier", "overlayPlate", "overlayPolygon"]
     assert [each for each in overlays if each in own] == own
@@ -160,7 +160,7 @@ def test_an_overlay_is_drawn_and_explained_and_follows_drags_and_the_scrub_line(
     assert legend(editor) == []
 
 
-def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
+def test_the_dock_has_the_switch_the_settings_and_the_note_of_an_overlay(editor, qtbot):
     editor.show_dock("analysisDock")
     qtbot.keyClick(found(editor, QCheckBox, "overlayPlateSwitch"), Qt.Key.Key_Space)
     assert editor.action("overlayPlate").isChecked()
@@ -180,7 +180,7 @@ def test_the_dock_has_its_switch_its_settings_and_what_it_says(editor, qtbot):
     until_settled(editor, lambda: note.text() == "Put the scrub line somewhere.")
 
 
-def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor):
+def test_a_heavy_overlay_settles_and_the_legend_explains_its_findings(editor):
     editor.show_dock("analysisDock")
     MAY_END.clear()
     editor.trigger("overlayMiddles")
@@ -202,7 +202,7 @@ def test_what_is_heavy_settles_and_is_explained_where_it_is_found(editor):
     until_settled(editor, lambda: note.text() == f"{count} dots.")
 
 
-def test_a_plot_is_drawn_chosen_and_read_at_the_scrub_line(editor, qtbot):
+def test_a_plot_is_switched_on_drawn_and_read_at_the_scrub_line(editor, qtbot):
     editor.trigger("plotSpeed")
     qtbot.mouseClick(found(editor, QToolButton, "plotDistanceChoice"), Qt.MouseButton.LeftButton)
     assert editor.action("plotDistance").isChecked()

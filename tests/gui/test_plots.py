@@ -80,12 +80,12 @@ def test_each_plot_is_switched_on_and_off(editor):
     assert panel.isHidden()
 
 
-def test_nothing_is_built_before_there_is_something_to_plot(new_editor):
+def test_no_pane_is_built_before_the_first_plot(new_editor):
     new_editor.drag_point(1, to=(2, 3))
     assert new_editor.window.central["plotPanel"].pane is None
 
 
-def test_the_buttons_of_the_header_choose(editor, qtbot):
+def test_the_buttons_of_the_header_switch_plots(editor, qtbot):
     editor.trigger("plotSpeed")
     qtbot.mouseClick(editor.window.findChild(QToolButton, "plotCurvatureChoice"), Qt.MouseButton.LeftButton)
     assert editor.action("plotCurvature").isChecked()
@@ -99,7 +99,7 @@ def test_the_buttons_of_the_header_choose(editor, qtbot):
     assert not editor.action("plotCurvature").isChecked()
 
 
-def test_a_plot_follows_a_drag_and_escape_brings_it_back(editor):
+def test_a_plot_follows_a_drag_and_escape_restores_it(editor):
     editor.trigger("plotSpeed")
     before = line(editor).values
     x, y = editor.point(1)
@@ -169,7 +169,7 @@ def test_both_panels_show_the_same_part_of_t_whichever_is_zoomed_or_panned(edito
     assert plots.camera.t_range == pytest.approx(basis.camera.t_range)
 
 
-def test_the_same_t_stands_below_the_same_t(editor):
+def test_the_t_axes_of_both_panels_are_aligned(editor):
     editor.trigger("plotLebesgue")
     basis, plots = editor.window.basis_panel, canvas(editor)
     for t in (0.0, 0.37, 1.0):
@@ -177,7 +177,7 @@ def test_the_same_t_stands_below_the_same_t(editor):
         assert plots.viewport().mapToGlobal(plots.to_pixel(t, 0.0)).x() == pytest.approx(left, abs=1)
 
 
-def test_a_zoom_shows_more_of_the_part_that_is_seen(editor):
+def test_a_zoom_samples_the_visible_part_more_densely(editor):
     editor.trigger("plotSpeed")
     plots = canvas(editor)
     wheel(editor, plots, plots.to_pixel(0.3, 0.5), 12)
@@ -203,7 +203,7 @@ def test_the_scrub_line_is_dragged_in_either_panel(editor):
     assert "Λ(t)" in values(editor)
 
 
-def test_a_curvature_that_rounding_hides_is_told_with_its_error(editor):
+def test_a_curvature_that_rounding_hides_is_displayed_with_its_error(editor):
     """Between points 1e-9 apart the curvature was told as 1.5, and is −1.5."""
     editor.trigger("plotCurvature")
     chords = Parametrization(ParametrizationKind.CHORD_LENGTH)
@@ -217,7 +217,7 @@ def test_a_curvature_that_rounding_hides_is_told_with_its_error(editor):
         assert word in values(editor)
 
 
-def test_escape_puts_the_scrub_line_back(editor):
+def test_escape_restores_the_scrub_line(editor):
     editor.trigger("plotSpeed")
     plots = canvas(editor)
     editor.scrub(0.3)
@@ -243,7 +243,7 @@ def test_an_undo_in_the_middle_of_a_scrub_ends_it(editor):
     assert editor.session.scrub.t == after
 
 
-def test_without_a_curve_the_plots_say_why(editor):
+def test_without_a_curve_the_plots_give_the_reason(editor):
     editor.trigger("plotSpeed")
     editor.session.commit(set_position(editor.session.document, 0, 2, editor.point(1)), "Meet")
     editor.settle()
@@ -254,7 +254,7 @@ def test_without_a_curve_the_plots_say_why(editor):
     assert canvas(editor).plots
 
 
-def test_after_a_plot_was_closed_others_can_add_as_many(editor):
+def test_other_panels_can_add_plots_after_one_was_closed(editor):
     """The panel stayed away: it took the plot that was shown before for the one that was added."""
     editor.trigger("plotSpeed")
     editor.trigger("plotSpeed")
@@ -267,7 +267,7 @@ def test_after_a_plot_was_closed_others_can_add_as_many(editor):
     editor.window.analysis.remove_plot("Errors")
 
 
-def test_others_can_add_lines_of_their_own(editor):
+def test_other_panels_can_add_plots(editor):
     t = np.linspace(0, 1, 50)
     lines = [
         PlotLine("monomial", t, 1e-3 * (1 + t)),
@@ -408,7 +408,7 @@ def test_arrow_keys_move_the_scrub_line(editor):
     assert editor.session.scrub.t == 0.0
 
 
-def test_lines_that_others_add_follow_a_drag_without_a_jump_of_the_scale(editor):
+def test_added_lines_follow_a_drag_without_a_jump_of_the_scale(editor):
     title, t = "Errors", np.linspace(0, 1, 50)
 
     def show(size):

@@ -77,7 +77,7 @@ def leave(widget):
     QApplication.sendEvent(widget, QEvent(QEvent.Type.Leave))
 
 
-def test_escape_takes_the_preview_of_a_cure_away(runge):
+def test_escape_hides_the_preview_of_a_cure(runge):
     """The scrub line went, the panel was empty, and the preview stayed on the canvas."""
     runge.trigger("explainWiggle")
     settled(runge)
@@ -105,7 +105,7 @@ def test_the_tool_explains_the_widest_swing_at_once(runge):
     assert f"Λ(t) = {np.abs(weights).sum():.2g}" in text(runge, "wiggleTitle")
 
 
-def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_away(runge):
+def test_a_click_with_the_tool_explains_another_t_and_escape_leaves_the_tool(runge):
     runge.trigger("explainWiggle")
     settled(runge)
     document = runge.session.document
@@ -121,7 +121,7 @@ def test_a_click_with_the_tool_explains_another_place_and_escape_puts_the_tool_a
     assert runge.session.document is document
 
 
-def test_the_menu_of_the_curve_explains_the_place_under_the_pointer(runge):
+def test_the_menu_of_the_curve_explains_the_t_under_the_pointer(runge):
     t = 0.95
     runge.open_menu(tuple(runge.session.active_view.curve.evaluate(t).tolist()))
     runge.choose("explainHere")
@@ -131,7 +131,7 @@ def test_the_menu_of_the_curve_explains_the_place_under_the_pointer(runge):
     assert runge.action("selectTool").isChecked()
 
 
-def test_hovering_a_cure_shows_its_ghost_and_leaves_no_trace(runge):
+def test_hovering_a_cure_previews_it_and_changes_nothing(runge):
     runge.trigger("explainWiggle")
     settled(runge)
     document, steps = runge.session.document, runge.session.undo_stack.count()
@@ -164,7 +164,7 @@ CURES = (
 )
 
 
-def test_a_click_applies_a_cure_as_one_step_and_it_does_what_the_row_said(runge):
+def test_a_click_applies_a_cure_as_one_step_with_the_promised_effect(runge):
     runge.trigger("explainWiggle")
     settled(runge)
     before, steps, t = runge.session.document, runge.session.undo_stack.count(), runge.session.scrub.t
@@ -222,7 +222,7 @@ def test_the_explanation_follows_a_drag_and_the_scrub_line(runge):
     assert "Between points 4 and 5" in panel(runge).words.text()
 
 
-def test_a_cure_that_makes_it_worse_says_so(editor):
+def test_a_cure_that_makes_the_swing_worse_is_marked_as_worse(editor):
     points = [(0.5 * i, float(np.sin(2.0 * i))) for i in range(20)]
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     editor.session.commit(Document((replace(make_curve(points), parametrization=uniform),)), "Begin")
@@ -234,7 +234,7 @@ def test_a_cure_that_makes_it_worse_says_so(editor):
     assert text(editor, "swing_chebyshev") == "0.08"
 
 
-def test_closed_curves_and_corners_are_explained_too(editor):
+def test_closed_curves_and_corners_are_explained(editor):
     points = [(0, 0), (8, 0.5), (9, 8), (1, 9), (-0.5, 1.5)]
     uniform = Parametrization(kind=ParametrizationKind.UNIFORM)
     closed = replace(make_curve(points, family=HERMITE), closed=True, parametrization=uniform)
@@ -256,7 +256,7 @@ def explain(editor, points, family, t):
     settled(editor)
 
 
-def test_where_nothing_swings_out_there_is_nothing_to_cure(editor):
+def test_a_calm_segment_has_no_cures(editor):
     explain(editor, [(0.5 * i, float(np.sin(0.5 * i))) for i in range(12)], "lagrange", 0.5)
     assert "the curve is calm" in panel(editor).words.text()
     assert text(editor, "nothingToCure").startswith("Nothing to cure here: the curve stays within 0.0")
@@ -270,7 +270,7 @@ UNEVEN = [(0.0, 0.0), (4.0, 0.0), (4.1, 0.3), (8.0, 0.0), (12.0, 1.0)]
 
 
 @pytest.mark.parametrize("family", ["cubic_spline", "quintic_hermite"])
-def test_what_gives_the_same_curve_is_no_cure(editor, family):
+def test_a_remedy_that_gives_the_same_curve_is_no_cure(editor, family):
     """The natural spline rules give a quintic curve the velocities and accelerations of the C² spline."""
     explain(editor, UNEVEN, family, 0.37)
     assert button(editor, "spline").isVisible()
@@ -280,7 +280,7 @@ def test_what_gives_the_same_curve_is_no_cure(editor, family):
     assert text(editor, "swing_hermite") not in ("same curve", "in use", "")
 
 
-def test_a_change_that_is_rounding_is_not_called_worse(editor):
+def test_a_change_by_rounding_is_not_worse(editor):
     """Both are 2.3: the quintic curve was called worse by its last digits."""
     explain(editor, UNEVEN, "hermite", 0.37)
     for cure in commands(editor)._cures.cures:
@@ -290,7 +290,7 @@ def test_a_change_that_is_rounding_is_not_called_worse(editor):
     assert text(editor, "swing_quintic") == "same curve"
 
 
-def test_rules_of_parameters_are_called_what_they_are(runge):
+def test_rules_of_parameters_have_their_usual_names(runge):
     runge.trigger("explainWiggle")
     settled(runge)
     for key, _, kind in CURES[:3]:
@@ -360,7 +360,7 @@ def assert_weights_do_not_cover_each_other(editor, family):
         assert not any(one.intersects(other) for one, other in combinations(boxes, 2)), (family, t)
 
 
-def test_hidden_it_computes_nothing(new_editor):
+def test_a_hidden_explanation_computes_nothing(new_editor):
     runge = with_runge(new_editor)
     runge.drag_point(3, to=(1.2, 1.0))
     assert commands(runge)._panel is None

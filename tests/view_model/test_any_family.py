@@ -1,4 +1,4 @@
-"""All that is computed of a curve, for every family: also for some of which nothing but a basis is known."""
+"""Results for curves of every family, also of some that define nothing but a basis."""
 
 from __future__ import annotations
 
@@ -194,7 +194,7 @@ def test_a_bend_is_the_least_change_of_the_points(own):
 
 
 @each_row("kind", [ParametrizationKind.MANUAL, ParametrizationKind.CENTRIPETAL])
-def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
+def test_an_inserted_point_lies_on_the_curve_and_the_change_is_reported(name, kind):
     view = view_of(curve_of(name, kind))
     made = with_point_inserted(view, 2.1)
     index = int(np.searchsorted(view.parameters, 2.1))
@@ -217,7 +217,7 @@ def test_an_inserted_point_lies_on_the_curve_and_the_change_is_told(name, kind):
 
 
 @each_row("own", OWN)
-def test_what_cannot_be_split_is_followed_by_cubics_which_can(own):
+def test_a_curve_that_cannot_be_split_is_followed_by_cubics_that_can(own):
     """Radial basis functions, for one: no part of such a curve is one of its family."""
     view = view_of(curve_of(own))
     made = converted(view, HERMITE)
@@ -288,7 +288,7 @@ def test_two_families_are_not_joined(own):
 
 
 @each_row("name", EVERY)
-def test_closing_is_what_the_family_can(name):
+def test_a_curve_is_closed_only_where_its_family_can_close(name):
     document = Document((curve_of(name),))
     family = FAMILIES.named(name)
     if family.curve_class.can_close:
@@ -385,7 +385,7 @@ def test_a_closed_curve_is_bent(name, using):
 
 
 @each_row("name", EVERY)
-def test_the_way_back_is_the_same_curve_or_the_change_is_told(name):
+def test_the_reversed_curve_is_the_same_or_the_change_is_reported(name):
     view = view_of(curve_of(name, ParametrizationKind.MANUAL))
     made = reversed_curve(view)
     back = shape(view_of(made.curve))[::-1]
@@ -497,7 +497,7 @@ def test_the_legend_mutes_what_is_not_drawn(name):
 
 
 @each_row("name", EVERY)
-def test_the_joints_are_told(name):
+def test_the_certificate_counts_the_joints(name):
     view = view_of(curve_of(name))
     certificate = certificate_of(view)
     assert as_text(certificate)
@@ -545,7 +545,7 @@ def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
 
 
 @each_row("name", EVERY)
-def test_the_rest_of_what_is_said_holds_for_it(name):
+def test_remarks_and_facts_hold_for_this_curve(name):
     view = view_of(curve_of(name))
     cost_of(view)
     explanation = explain(view, 2.2)
@@ -564,7 +564,7 @@ def test_the_rest_of_what_is_said_holds_for_it(name):
 
 
 @each_row("name", EVERY)
-def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
+def test_every_goal_of_a_lesson_can_be_measured_on_this_curve(name):
     view = view_of(curve_of(name))
     for measure in MEASURES:
         assert "now" in result_of(parse_goal(f"{measure} < 1"), view).text
@@ -575,7 +575,7 @@ def test_every_goal_of_a_lesson_can_be_asked_of_it(name):
 
 
 @each_row("unchanged", [*OWN, "tests_natural_spline"])
-def test_too_many_points_are_refused_in_words_and_not_computed(unchanged):
+def test_too_many_points_are_refused_with_a_sentence_and_not_computed(unchanged):
     """A class in the core that overrides nothing had no limit: 5000 points took 23 s and 1 GB."""
     points = np.column_stack([np.arange(2001.0), np.sin(np.arange(2001.0))])
     view = view_of(make_curve(points.tolist(), family=FAMILIES.named(unchanged)))
@@ -584,7 +584,7 @@ def test_too_many_points_are_refused_in_words_and_not_computed(unchanged):
 
 
 @each_row("name", EVERY)
-def test_a_family_that_does_more_than_it_must_says_so(name):
+def test_a_family_declares_the_optional_methods_that_it_has(name):
     """`most_points` is None only where the class has something of its own to draw many points with."""
     kind = type(view_of(curve_of(name)).curve)
     if kind.most_points is None:

@@ -1,4 +1,4 @@
-"""What each point really does: cardinal functions of a document's curve, and what is told of them."""
+"""Cardinal functions of a curve, the effects of its points, and the sentences about them."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ FIRST = {"p0": {"corner": True, "velocity": (1.0, -9.0)}}
 @pytest.mark.parametrize("changes", [{}, EXPLICIT, CORNERS, FIRST], ids=["plain", "set", "corners", "first"])
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("rule", LINEAR)
-def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes, rng):
+def test_a_moved_point_changes_the_curve_by_its_function(rule, closed, changes, rng):
     """The parameters stay, everything that is estimated is estimated again."""
     for family, acceleration in product((HERMITE, QUINTIC_HERMITE), AccelerationRule):
         curve = seven(family=family, closed=closed, velocity_rule=rule, acceleration_rule=acceleration)
@@ -95,7 +95,9 @@ def test_a_point_that_is_moved_does_what_its_function_says(rule, closed, changes
 @pytest.mark.parametrize("changes", [{}, EXPLICIT, CORNERS, FIRST], ids=["plain", "set", "corners", "first"])
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("rule", BENT)
-def test_a_small_move_does_what_its_function_says_where_a_rule_is_not_linear(rule, closed, changes, rng):
+def test_a_small_move_changes_the_curve_by_its_function_where_a_rule_is_not_linear(
+    rule, closed, changes, rng
+):
     """The mean of what moves of x do to x, and of y to y: by differences of really moved points."""
     assert {*BENT} == {VelocityRule.MONOTONE, VelocityRule.AKIMA}
     for family in (HERMITE, QUINTIC_HERMITE):
@@ -162,7 +164,7 @@ def test_the_growth_by_a_rule_that_is_not_linear_is_that_of_exact_arithmetic(rul
         assert view.growth_holds == "at these points"
 
 
-def test_the_growth_by_akimas_rule_is_said_to_hold_at_these_points():
+def test_the_growth_by_akimas_rule_holds_at_the_present_points_only():
     points = tuple(Point(float(x), float(y)) for x, y in WORSE)
     curve = Curve("Worse", HERMITE, Parametrization(CHORD), points, velocity_rule=VelocityRule.AKIMA)
     view = view_of(curve)
@@ -208,7 +210,7 @@ def test_small_errors_displace_a_curve_by_their_growth_at_most(family, closed, c
 @pytest.mark.parametrize("family", FAMILIES)
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("changes", [EXPLICIT, CORNERS], ids=["set", "corners"])
-def test_a_parameter_that_is_moved_takes_the_estimates_along(family, closed, changes):
+def test_a_moved_parameter_changes_the_estimates(family, closed, changes):
     """They were held: differences of the curve estimated anew were off by up to half."""
     if family is LAGRANGE:
         closed, changes = False, {}
@@ -244,7 +246,7 @@ def test_random_errors_stay_in_the_band_and_nearly_fill_it():
     assert (across.max(axis=0) > held.across).any()
 
 
-def test_points_that_bend_a_curve_share_the_pull_by_what_they_really_do():
+def test_points_that_bend_a_curve_share_the_pull_by_their_real_effects():
     """They shared it by B, 0.87 and 0.13, but with their estimates they do 2.22 and 0.77."""
     curve = frozen(seven())
     view = view_of(curve)
@@ -277,7 +279,7 @@ def test_catmull_rom_with_the_knots_of_its_parameters_is_the_bessel_rule():
     assert views[0].growth == pytest.approx(views[1].growth, rel=1e-9)
 
 
-def test_functions_are_made_anew_only_when_they_are_other_ones():
+def test_cardinal_functions_are_computed_again_only_after_a_change():
     view = view_of(frozen(seven()))
     known = view.cardinal
     nudged = with_points(view.source, p3={"x": 4.0})
@@ -304,7 +306,7 @@ def test_the_constant_of_the_points_and_of_the_data():
 
 @each_row("count", [3, 20, 60, 120])
 @each_row("family", ["lagrange", "cubic_spline", "floater_hormann"])
-def test_the_constant_of_a_drag_has_the_digits_that_are_shown(family, count):
+def test_the_constant_during_a_drag_has_the_displayed_digits(family, count):
     """The largest of 400 samples was shown: 5.954 for 5.957, and 1.82 for 2.04 of a spline of 120 points."""
     x = np.linspace(0.0, 1.0, count) ** 1.1
     points = tuple(Point(a, np.sin(9.0 * a)) for a in x.tolist())
@@ -329,7 +331,7 @@ def test_the_facts_have_both_constants():
     assert growth.points == pytest.approx(8.56, abs=0.005)
 
 
-def test_parameters_almost_equal_send_errors_beyond_all_numbers_and_nothing_breaks():
+def test_nearly_equal_parameters_give_an_infinite_growth_without_failure():
     """With equal points and t 1e-310 apart the velocities are 0, their derivatives by the points infinite."""
     points = (Point(0.0, 0.0, t=0.0), Point(0.0, 0.0, t=1e-310), Point(1.0, 1.0, t=1.0))
     view = view_of(Curve("Close", HERMITE, Parametrization(MANUAL), points))
@@ -395,7 +397,7 @@ def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
     assert "use a Hermite curve" not in found.sentence
 
 
-def test_functions_of_another_curve_lend_nothing():
+def test_functions_of_another_curve_are_not_used():
     lagrange, hermite = (view_of(seven(family=family)) for family in (LAGRANGE, HERMITE))
     spread = view_of(seven(ParametrizationKind.UNIFORM, LAGRANGE))
     for other in (hermite, spread):

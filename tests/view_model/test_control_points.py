@@ -1,4 +1,4 @@
-"""What is said of curves beside their points."""
+"""Sentences and drawings of curves that do not pass their points."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def name(request):
     return request.param
 
 
-def test_narrow_gaps_are_no_fault_of_it(name):
+def test_a_curve_of_control_points_has_no_warning_about_narrow_gaps(name):
     """The badge said that the curve must get from one point to the other in no time."""
     points = [(0.0, 0.0), (1.0, 2.0), (1.0001, 2.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0)]
     beside, through = (view_of(make_curve(points, family=FAMILIES.named(each))) for each in (name, "hermite"))
@@ -39,7 +39,7 @@ def test_narrow_gaps_are_no_fault_of_it(name):
     assert [each.topic for each in warnings_of(through, 1.0)] == [Topic.GAP]
 
 
-def test_a_place_between_control_points_is_explained(name):
+def test_a_wiggle_between_control_points_is_explained(name):
     """It said how far the curve leaves the straight line between two points that it does not pass."""
     view = view_of(make_curve(POINTS, family=FAMILIES.named(name)))
     found = explain(view, 0.45)
@@ -87,7 +87,7 @@ def test_the_control_polygon_consists_of_handles(name):
     assert control_polygon(view_of(make_curve(POINTS))) == []
 
 
-def test_two_that_cannot_be_joined_are_to_be_converted_first(name):
+def test_curves_that_cannot_be_joined_must_be_converted_first(name):
     first, second = (
         view_of(make_curve([(x + by, y) for x, y in POINTS], family=FAMILIES.named(name)))
         for by in (0.0, 7.0)

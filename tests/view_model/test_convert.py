@@ -1,4 +1,4 @@
-"""The same curve as one of another family: the shape is kept to rounding, or it is said why it cannot be."""
+"""Conversions to other families keep the shape to rounding, or give the reason."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def apart(before, after):
 @pytest.mark.parametrize("manual", [False, True])
 @each_row("count", [2, 3, 4, 6])
 @each_row(("one", "other"), PAIRS)
-def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
+def test_a_conversion_keeps_the_shape_or_gives_the_reason(one, other, count, manual):
     before = view(one, count, manual=manual)
     size = np.ptp(before.points, axis=0).max()
     told = outlook(before, other)
@@ -92,7 +92,7 @@ def test_the_shape_is_kept_or_the_reason_told(one, other, count, manual):
         ("bezier", "lagrange", 6),
     ],
 )
-def test_these_are_the_same_curve(one, other, count):
+def test_a_conversion_that_is_possible_gives_the_same_curve(one, other, count):
     made = converted(view(FAMILIES.named(one), count), FAMILIES.named(other))
     assert made.residual < 1e-14
 
@@ -128,7 +128,7 @@ def test_these_are_the_same_curve(one, other, count):
         ("floater_hormann", "bezier", "it does not consist of polynomials, and a Bézier curve does."),
     ],
 )
-def test_these_are_not(one, other, words):
+def test_a_conversion_that_is_impossible_gives_the_reason(one, other, words):
     with pytest.raises(EditError, match="This curve is not ") as refusal:
         converted(view(FAMILIES.named(one)), FAMILIES.named(other))
     assert words in str(refusal.value)
@@ -142,7 +142,7 @@ def test_a_velocity_set_by_hand_makes_the_acceleration_jump():
         converted(view_of(document.curves[0]), FAMILIES.named("b_spline"))
 
 
-def test_corners_stand_in_the_way():
+def test_corners_prevent_a_conversion():
     before = view(FAMILIES.named("hermite"))
     cornered = view_of(with_corners(before, [2]))
     with pytest.raises(EditError, match="a B-spline curve has no corners inside, and this curve has 1"):
@@ -180,7 +180,7 @@ def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners)
     assert [point.corner for point in back.points] == [False] * 6
 
 
-def test_what_is_told_before_takes_no_work(monkeypatch):
+def test_the_outlook_takes_no_work(monkeypatch):
     """The exact control points of one polynomial through 60 points take seconds, and are not asked for."""
     monkeypatch.setattr(LagrangeCurve, "exact_pieces", lambda _curve: pytest.fail("computed"))
     wild = view_of(make_curve([(float(x), float(x % 2)) for x in range(60)]))
@@ -201,15 +201,15 @@ def test_closed_curves_stay_closed_where_they_can():
     assert apart(before, view_of(spline)) < 1e-13
 
 
-def test_the_growth_of_errors_is_told():
+def test_a_conversion_reports_the_growth_of_errors():
     made = converted(view(FAMILIES.named("lagrange")), FAMILIES.named("bezier"))
-    assert made.note == "An error of a point counts up to 31 times as much in the control points."
+    assert made.note == "An error of a point grows by a factor of up to 31 in the control points."
     wild = make_curve([(float(x), float(x % 2)) for x in range(40)])
     wild = replace(wild, parametrization=replace(wild.parametrization, kind=ParametrizationKind.UNIFORM))
     with pytest.raises(EditError, match="rounding loses too much"):
         converted(view_of(wild), FAMILIES.named("bezier"))
 
 
-def test_nothing_is_made_of_no_curve():
+def test_a_missing_curve_is_not_converted():
     with pytest.raises(EditError, match="at least two points"):
         converted(view_of(make_curve([(1.0, 1.0)])), FAMILIES.named("bezier"))

@@ -1,4 +1,4 @@
-"""Derivatives that were all set, as in drawings: no rule is asked for what nobody would use."""
+"""Derivatives that were all set, as in drawings, need no estimates."""
 
 from __future__ import annotations
 

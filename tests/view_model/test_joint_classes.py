@@ -1,4 +1,4 @@
-"""Classes of joints are those of the curve, not of its place, its size or its time."""
+"""Classes of joints do not depend on the position, the size or the time of the curve."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def classes(curve):
 
 
 @each_row("name", EVERY)
-def test_a_curve_that_is_moved_scaled_turned_or_timed_otherwise_keeps_its_classes(name):
+def test_a_moved_scaled_rotated_or_reparametrized_curve_keeps_its_classes(name):
     rng = np.random.default_rng(len(name))
     compared = 0
     for _ in range(2):

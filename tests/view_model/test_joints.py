@@ -1,4 +1,4 @@
-"""The joint certificate, against joints that were made by hand."""
+"""The joint certificate, compared with joints made by hand."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_estimated_cubics_jump_in_the_acceleration():
         assert row.jumps[2] > 0
 
 
-def test_the_jumps_are_measured():
+def test_the_sizes_of_jumps_are_measured():
     """Speed 2 before and 6 after, in the same direction."""
     points = with_point(2, velocity=(2.0, 0.0), corner=True, velocity_after=(6.0, 0.0))
     row = certificate(points).rows[1]
@@ -85,7 +85,7 @@ def test_a_joint_that_keeps_the_direction_is_called_g1():
     assert result.rows[1].curvature == pytest.approx(1 / 36)
 
 
-def test_where_the_curve_stands_still_there_is_no_direction():
+def test_a_joint_at_rest_has_no_direction():
     result = certificate(with_point(2, velocity=(0.0, 0.0)), QUINTIC_HERMITE)
     row = result.rows[1]
     assert result.summary == "C² everywhere except joint 2: stands still."
@@ -141,7 +141,7 @@ NEAR = [Point(0.0, 0.0), Point(1.0, 1.0), Point(1.0 + 1e-12, 1.0), Point(2.0, 0.
 """Two points so near that accelerations of velocities that a rule estimates are rounding."""
 
 
-def test_what_rounding_hides_is_said_to_be_undecided():
+def test_a_jump_hidden_by_rounding_is_undecided():
     result = certificate(NEAR)
     assert result.summary == "≥C¹ everywhere."
     for row in result.rows[:2]:
@@ -219,7 +219,7 @@ UNDECIDED = "Double precision does not decide"
         ),
     ],
 )
-def test_the_words_for_all_that_can_be_undecided(monkeypatch, orders, is_open, kind, words):
+def test_every_undecided_case_has_its_sentence(monkeypatch, orders, is_open, kind, words):
     names = ("parametric", "geometric", "is_parametric_open", "is_geometric_open")
     fields = dict(zip(names, (*orders, *is_open), strict=True))
     monkeypatch.setattr(

@@ -1,4 +1,4 @@
-"""From time to parameter, and what is drawn and said of it."""
+"""A motion: from time to parameter, and the picture and sentences of it."""
 
 from __future__ import annotations
 
@@ -60,13 +60,13 @@ def test_once_loop_and_ping_pong_are_exact(repeat, expected):
         assert np.array_equal(folded(QUARTERS + 4 * whole, 2.0, repeat), folded(QUARTERS, 2.0, repeat))
 
 
-def test_the_way_back_is_told():
+def test_the_dot_of_a_ping_pong_runs_backwards():
     back = [runs_back(seconds, 2.0, Repeat.PING_PONG) for seconds in (0, 1.5, 2, 2.5, 3.5, 4, 5)]
     assert back == [False, False, False, True, True, False, False]
     assert not runs_back(2.5, 2.0, Repeat.LOOP)
 
 
-def test_a_domain_of_seconds_takes_those_seconds():
+def test_a_domain_in_seconds_takes_as_many_seconds():
     course = Course(WAVE)
     assert course.duration == 2.5
     assert course.parameters_at(np.array([0, 0.5, 2.5])).tolist() == [0, 0.5, 2.5]
@@ -113,7 +113,7 @@ def test_a_curve_without_length_is_run_through_by_t():
     assert scales_of([course]) == Scales(0.0, 0.0)
 
 
-def test_wild_numbers_give_a_dot_all_the_same():
+def test_huge_numbers_give_a_dot():
     wild = LagrangeCurve([[0, 0], [1e300, -1e300], [1, 1]], [0, 0.5, 1])
     for pace in Pace:
         course = Course(wild, pace)
@@ -121,7 +121,7 @@ def test_wild_numbers_give_a_dot_all_the_same():
         assert 0 <= dot.t <= 1
 
 
-def test_velocity_turns_round_on_the_way_back_and_acceleration_does_not():
+def test_a_backward_run_reverses_the_velocity_and_not_the_acceleration():
     course = Course(WAVE)
     there, back = (dot_at(course, each, Repeat.PING_PONG, Scales(1, 1)) for each in (1.0, 4.0))
     assert there.t == back.t == 1.0
@@ -132,7 +132,7 @@ def test_velocity_turns_round_on_the_way_back_and_acceleration_does_not():
     assert there.arrows[1].text == f"|a| {there.acceleration:.3g}"
 
 
-def test_the_trail_stays_where_it_is_at_equal_steps_of_time():
+def test_the_dots_of_the_trail_do_not_move():
     course = Course(LINE)
     step = course.duration / STATIONS
     first = dot_at(course, 1.01, Repeat.LOOP, Scales(1, 1)).trail
@@ -167,7 +167,7 @@ def test_cubic_and_quintic_are_compared_by_their_accelerations():
     assert [[arrow.kind for arrow in dot.arrows] for dot in others] == [[ArrowKind.ACCELERATION]] * 2
 
 
-def test_the_jumps_are_said_as_they_are_measured():
+def test_the_sentence_has_the_measured_jumps():
     # h = 1, v = (1, 0): y'' is 6 (0 - 1) = -6 before the middle and 6 (3 - 1) = 12 after it, x'' is 0.
     points = tuple(Point(float(i), y, velocity=(1.0, 0.0)) for i, y in enumerate((0.0, 1.0, 3.0)))
     rule = Parametrization(ParametrizationKind.UNIFORM, start=0.0, end=2.0)
@@ -184,7 +184,7 @@ def test_where_there_is_no_jump_the_reason_is_given():
     )
 
 
-def test_a_jump_that_rounding_hides_is_not_said_to_be_one():
+def test_a_jump_hidden_by_rounding_is_not_reported():
     points = tuple(
         Point(*place) for place in ((0.0, 0.0), (1.0, 1.0), (1.0 + 1e-12, 1.0), (2.0, 0.0), (3.0, 1.0))
     )

@@ -1,4 +1,4 @@
-"""Overlays as arrays: against closed forms, and on curves that nobody draws on purpose."""
+"""Overlays as arrays, compared with closed forms, and on degenerate curves."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def near_pair(gap):
     return curve_of([(0, 0), (1, 1), (1 + gap, 1), (2, 0)], HERMITE, ParametrizationKind.CHORD_LENGTH)
 
 
-def test_the_circle_says_what_rounding_makes_uncertain():
+def test_the_circle_reports_the_uncertainty_by_rounding():
     """Between points 1e-9 apart the curvature was told as 1.5, and is −1.5."""
     words = {}
     for gap in (1e-3, 1e-6, 1e-9):
@@ -91,7 +91,7 @@ def test_the_circle_says_what_rounding_makes_uncertain():
     assert live(near_pair(1e-9), circle.CIRCLE, scrub=0.3).notes[circle.CIRCLE].startswith("Radius 1.07,")
 
 
-def test_the_circle_at_an_inflection_is_a_line_and_none_at_a_rest():
+def test_the_circle_is_a_line_at_an_inflection_and_missing_at_a_rest():
     cubic = curve_of([(-1, -1), (-1 / 3, -1 / 27), (1 / 3, 1 / 27), (1, 1)])
     picture = live(cubic, circle.CIRCLE, scrub=0.5)
     assert picture.notes[circle.CIRCLE] == circle.NO_BEND
@@ -179,7 +179,7 @@ def test_marks_of_a_figure_eight():
     assert np.abs(points_of(picture, extrema.INFLECTION)).min() < 1e-6
 
 
-def test_the_widest_place_of_the_band_is_the_lebesgue_constant():
+def test_the_largest_half_width_of_the_band_is_the_lebesgue_constant():
     curve = wave(12)
     note = live(curve, band.BAND, values={POINT_ERROR: 0.01}).notes[band.BAND]
     constant = lebesgue_constant(view_of(curve).curve)
@@ -255,7 +255,7 @@ def test_the_same_seed_draws_the_same_curves():
     assert np.isnan(drawn(1)[:, 0]).sum() == 5
 
 
-def test_a_ghost_is_what_the_document_would_show():
+def test_a_ghost_is_the_curve_of_the_changed_document():
     curve = wave(9, HERMITE, ParametrizationKind.CHORD_LENGTH)
     ghosts = ghost_views(view_of(curve), set(all_ghosts()), {})
     assert [ghost for ghost, shown in ghosts.items() if shown.is_real] == [
@@ -289,7 +289,7 @@ WILD = {
 
 
 @pytest.mark.parametrize("name", list(WILD))
-def test_curves_that_nobody_draws_on_purpose(name):
+def test_overlays_of_degenerate_curves_raise_nothing(name):
     view = view_of(WILD[name])
     errors = {POINT_ERROR: 0.01, PARAMETER_ERROR: 1e-6}
     everything = settings_of(*OVERLAYS, values=errors, ghosts=frozenset(all_ghosts()))
@@ -307,7 +307,7 @@ def test_a_curve_that_is_not_current_shows_nothing():
     assert not settling(broken, everything)
 
 
-def test_what_is_too_slow_for_a_frame_settling():
+def test_overlays_too_slow_for_a_frame_settle():
     """Derivatives of a polynomial through 100 points take 26 ms."""
     settings = settings_of(comb.COMB)
     assert settling(view_of(wave(20)), settings) == frozenset()

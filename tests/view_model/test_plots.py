@@ -1,4 +1,4 @@
-"""What the plots over t show, against finite differences, closed forms and the core."""
+"""Plots over t, compared with finite differences, closed forms and the core."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant
     assert at_parameters == pytest.approx(np.ones(11), abs=1e-9)
 
 
-def test_no_error_of_a_point_grows_where_no_derivative_follows_it():
+def test_errors_of_points_do_not_grow_where_no_derivative_follows_them():
     """It was said of curves with estimated velocities, too."""
     view = wave(6, QUINTIC_HERMITE)
     (plot,) = plots(view, lebesgue.LEBESGUE)
@@ -156,7 +156,7 @@ def test_values_at_the_scrub_line_are_exact():
     assert set(PLOTS) == set(values)
 
 
-def test_a_straight_line_has_no_curvature_to_be_uncertain_about():
+def test_the_curvature_of_a_straight_line_is_certain():
     view = view_of(make_curve([(0.1, 0.3), (1.2, 1.4), (3.3, 3.5)]))
     (value, error) = uncertain_values_at(view, {curvature.CURVATURE}, 0.37)[curvature.CURVATURE]
     assert with_error(round(value, 12), error) == "0"
@@ -192,7 +192,7 @@ def test_a_value_depends_on_its_t_alone(plot):
     assert difference_alone(plot) < 1e-9
 
 
-def test_a_plot_that_adds_up_what_is_in_sight_is_found_out():
+def test_a_plot_that_sums_the_visible_part_fails_the_check():
     added = replace(lengths.SPEED, values=lambda sampled: np.cumsum(sampled.derivatives[1][:, 0]))
     assert difference_alone(added) > 0.1
 
@@ -213,7 +213,7 @@ def test_huge_numbers_stay_quiet():
         assert np.isfinite(hodograph_of(view, 2).reach)
 
 
-def test_what_takes_longer_than_a_frame_is_known():
+def test_slow_derivatives_are_known_to_be_slow():
     assert not is_slow(wave(20, LAGRANGE))
     assert not is_slow(wave(20, LAGRANGE, ParametrizationKind.UNIFORM))
     assert is_slow(wave(40, LAGRANGE, ParametrizationKind.UNIFORM))
@@ -221,7 +221,7 @@ def test_what_takes_longer_than_a_frame_is_known():
     assert not is_slow(wave(1000, HERMITE))
 
 
-def test_on_a_logarithmic_scale_what_is_not_positive_does_not_count():
+def test_on_a_logarithmic_scale_only_positive_values_count():
     values = np.array([0.0, -1.0, np.nan, np.inf, 1e-12, 1e-3])
     assert extent_of([values], Scale.LOG) == (1e-12, 1e-3)
     assert extent_of([values], Scale.LINEAR) == (-1.0, 1e-3)
@@ -229,7 +229,7 @@ def test_on_a_logarithmic_scale_what_is_not_positive_does_not_count():
     assert plot_of("Errors", [], Scale.LOG).extent == (1.0, 1.0)
 
 
-def test_a_line_tells_the_value_of_its_nearest_sample():
+def test_a_line_has_the_value_of_its_nearest_sample():
     line = PlotLine("", np.array([0.0, 1.0, 1.0, 1.0, 2.0]), np.array([5.0, 6.0, np.nan, 8.0, 9.0]))
     assert line.value_at(0.2) == 5.0
     assert line.value_at(1.9) == 9.0

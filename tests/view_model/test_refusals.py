@@ -1,4 +1,4 @@
-"""Refusals of the core as the window says them: points, t₁, and the numbers that a person typed."""
+"""Refusals of the core in the words of the screen: points, t₁, and typed numbers."""
 
 import re
 
@@ -49,7 +49,7 @@ def manual(*times, closed=False, corner=None, family=HERMITE):
         ),
     ],
 )
-def test_a_curve_that_cannot_be_made_says_why_in_words_of_the_screen(curve, sentence):
+def test_a_refused_curve_has_a_reason_in_the_words_of_the_screen(curve, sentence):
     """It said "parameters[1] = -32.0 does not exceed parameters[0]"."""
     problem = view_of(curve).problem
     assert problem == sentence

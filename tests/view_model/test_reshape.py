@@ -1,4 +1,4 @@
-"""Other points for the same curve: what stays, and what is measured where it cannot stay."""
+"""Other points for the same curve: the shape is kept, or the change is measured."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_a_point_inserted_under_manual_parameters_keeps_the_shape(family, rule, 
 
 
 @pytest.mark.parametrize("family", WITH_VELOCITIES)
-def test_a_point_inserted_beside_a_corner_keeps_it(family):
+def test_a_point_inserted_beside_a_corner_keeps_the_corner(family):
     before = view(family, corner=2)
     t = float(before.parameters[1:3].mean())
     made = with_point_inserted(before, t)
@@ -91,7 +91,7 @@ def test_estimates_that_the_new_point_does_not_change_stay_estimates():
     assert explicit == [5, 6, 7]
 
 
-def test_a_natural_spline_through_one_more_of_its_points_stays_itself():
+def test_a_natural_spline_through_one_more_of_its_points_is_the_same():
     made = with_point_inserted(view(), 0.37)
     assert [point.velocity is not None for point in made.curve.points].count(True) == 1
 
@@ -105,7 +105,7 @@ def test_a_new_point_on_a_polynomial_changes_nothing_under_manual_parameters():
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.interpolates])
-def test_under_a_rule_the_shape_stays_or_the_change_is_measured(family, kind):
+def test_an_insertion_under_a_rule_keeps_the_shape_or_measures_the_change(family, kind):
     """Parameters become manual where that keeps it; else the rule stays, and says what moved."""
     before = view(family, manual=False)
     curve = before.source
@@ -154,7 +154,7 @@ def test_one_more_control_point_keeps_the_shape_under_every_rule(family, count, 
         assert abs(after.curve.nodes[index] - t) == np.abs(after.curve.nodes - t).min()
 
 
-def test_there_is_no_second_knot_where_there_is_one():
+def test_a_knot_is_not_inserted_twice():
     """Knots of higher multiplicity are not written down by parameters that increase."""
     before = view(FAMILIES.named("b_spline"))
     with pytest.raises(EditError, match="The knot at t of point 3 is already there"):
@@ -193,12 +193,12 @@ def test_handles_stay_when_a_point_is_inserted_under_a_rule():
 
 
 @each_row("t", [0.0, 1.0, -1.0, 2.0])
-def test_there_is_no_place_for_a_point_at_a_point_or_outside(t):
+def test_no_point_is_inserted_at_a_point_or_outside_the_curve(t):
     with pytest.raises(EditError, match=r"not inside the curve|already there"):
         with_point_inserted(view(), t)
 
 
-def test_nothing_can_be_done_with_points_that_make_no_curve():
+def test_points_without_a_curve_cannot_be_reshaped():
     lonely = view_of(make_curve([(1.0, 1.0)]))
     for act in (baked, lambda each: with_point_inserted(each, 0.5), lambda each: split(each, 0.5)):
         with pytest.raises(EditError, match="at least two points"):
@@ -209,7 +209,7 @@ def test_nothing_can_be_done_with_points_that_make_no_curve():
 
 @each_row("closed", [False, True])
 @each_row("family", WITH_VELOCITIES)
-def test_a_baked_curve_is_the_same_with_nothing_left_to_rules(family, closed):
+def test_a_baked_curve_is_the_same_without_rules(family, closed):
     before = view(family, manual=False, closed=closed, corner=2)
     curve = baked(before)
     assert curve.is_manual
@@ -235,7 +235,7 @@ def test_the_halves_of_a_hermite_curve_are_the_curve(family, manual):
 
 
 @each_row("family", [*WITH_VELOCITIES, *OVER_CONTROL_POINTS, LAGRANGE])
-def test_a_curve_is_cut_at_several_places_at_once(family):
+def test_a_curve_is_cut_at_several_parameters_at_once(family):
     """At a joint and between joints, in whatever order they are named."""
     before = view(family)
     cuts = (0.83, float(before.parameters[2]), 0.1)
@@ -286,7 +286,7 @@ def test_a_polynomial_of_many_points_is_not_split():
 
 
 @each_row("family", FAMILIES)
-def test_the_ends_are_no_place_to_split(family):
+def test_a_curve_is_not_split_at_its_ends(family):
     for t in (0.0, 1.0):
         with pytest.raises(EditError, match="between its ends"):
             split(view(family), t)
@@ -296,7 +296,7 @@ def test_the_ends_are_no_place_to_split(family):
 
 
 @pytest.mark.parametrize("family", WITH_VELOCITIES)
-def test_what_was_split_can_be_joined_again(family):
+def test_the_parts_of_a_split_can_be_joined_again(family):
     before = view(family)
     for t in (0.3, float(before.parameters[2])):
         first, second = map(view_of, split(before, t).curves)
@@ -321,7 +321,7 @@ def test_curves_that_meet_at_an_angle_make_a_corner(family):
 @each_row("family", WITH_VELOCITIES)
 @each_row("apart", [0.0, 2.0])
 @each_row("cornered", ["first", "second", "both"])
-def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, cornered):
+def test_ends_that_were_corners_join_with_their_drawn_sides(family, apart, cornered):
     """A start that carries both sides of a corner has the one after it; the other went in: off by 1.9."""
     corner = {
         "corner": True,
@@ -349,14 +349,14 @@ def test_ends_that_were_corners_join_with_what_is_drawn_of_them(family, apart, c
     assert is_straight(made.curve, last) is bool(apart)
 
 
-def test_a_change_that_is_no_rounding_is_not_called_kept():
+def test_a_change_beyond_rounding_is_not_reported_as_kept():
     curve = view().source
     assert Reshaped(curve, 1e-12).sentence == "Shape kept, largest change 1e−12."
     assert Reshaped(curve, 1.9).sentence == "Shape changed by up to 1.9."
     assert Split((curve, curve), 1e-3).sentence == "shape changed by up to 0.001."
 
 
-def test_between_curves_that_do_not_meet_a_straight_segment_leads_from_one_to_the_other():
+def test_a_straight_segment_connects_curves_that_do_not_meet():
     first = view()
     second = view(HERMITE, [(9.0, 1.0), (10.0, 4.0), (12.0, 5.0)])
     made = joined(first, second)
@@ -489,7 +489,7 @@ def test_the_start_of_a_closed_curve_may_be_a_corner():
     assert distance(before, view_of(with_smooth_points(cornered, [0]))) < ROUNDING
 
 
-def test_symmetric_changes_nothing_but_beside_the_corner():
+def test_symmetric_changes_only_the_segments_beside_the_corner():
     cornered = view_of(with_corners(view(points=[(float(x), float(x % 3)) for x in range(9)]), [4]))
     document = point_edits.set_velocity(Document((cornered.source,)), 0, 4, (30.0, -20.0), ahead=True)
     turned = view_of(document.curves[0])

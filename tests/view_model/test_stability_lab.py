@@ -1,4 +1,4 @@
-"""What the laboratory, the explanation of wiggles and the badge show, without a window."""
+"""The laboratory, the explanation of wiggles and warnings, without a window."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def test_a_shift_changes_nothing_but_the_powers_of_t(family, shift):
     assert after.condition > 10 * before.condition
 
 
-def test_where_there_is_no_number_nothing_is_drawn():
+def test_a_method_without_a_number_draws_nothing():
     # To 2 digits all squares of t are 1e6: the rows of the system are equal, and a pivot vanishes.
     trial = try_methods(view_of(make_curve(POINTS)), replace(ALL, digits=2, shift=1000.0))
     monomial, lagrange = trial.outcome(Calculation.MONOMIAL), trial.outcome(Calculation.LAGRANGE)
@@ -92,7 +92,7 @@ def test_where_there_is_no_number_nothing_is_drawn():
 
 
 @pytest.mark.parametrize(("digits", "shift"), [(5, 0.0), (8, 0.0), (12, 0.0), (4, 0.0), (8, 100.0)])
-def test_the_condition_number_is_said_once_as_a_bound_beside_what_was_lost(digits, shift):
+def test_the_condition_number_appears_once_as_a_bound_beside_the_lost_digits(digits, shift):
     """It said "κ ≈ 10⁸: all 8 digits may go" beside 2.5 digits lost and "κ 5.3·10⁷" in the table."""
     view = view_of(load(load_lesson("04_decimal_accuracy").document).curves[0])
     trial = try_methods(view, replace(ALL, digits=digits, shift=shift))
@@ -158,7 +158,7 @@ def is_rounded(text, exact, digits):
 
 @each_row("digits", [2, 5, 9, 15, 16])
 @each_row("family", WITH_METHODS)
-def test_every_digit_that_is_told_to_be_true_is(family, digits):
+def test_every_digit_of_the_truth_is_correct(family, digits):
     """Of 16 digits the last two were those of a double: 10 of 13 such rows ended wrongly."""
     random = np.random.default_rng(digits)
     for n, shift in ((2, 0.0), (3, 1e6), (5, -1.7), (9, 0.0)):
@@ -175,7 +175,7 @@ def test_every_digit_that_is_told_to_be_true_is(family, digits):
             assert shown == [True, True], (told, n, t)
 
 
-def test_work_that_nobody_waits_for_ends():
+def test_work_that_is_no_longer_wanted_ends():
     def stopped(_share, _word):
         raise Cancelled
 
@@ -204,7 +204,7 @@ def test_the_cost_is_that_of_cubic_and_quadratic_work():
 
 
 @each_row("family", FAMILIES)
-def test_the_pulls_make_the_point(family):
+def test_the_pulls_add_up_to_the_point(family):
     view = view_of(make_curve(POINTS, family=family))
     found = explain(view, 0.37)
     weights = np.zeros(len(POINTS))
@@ -228,7 +228,7 @@ def test_the_widest_swing_of_runges_function_is_at_its_ends():
     assert overshoot(view, 0)[0] == pytest.approx(1.9, abs=0.05)
 
 
-def test_cures_promise_what_they_do():
+def test_cures_have_the_promised_effect():
     document = Document((make_curve(POINTS),))
     view = view_of(document.curves[0])
     found = cures_of(document, 0, view, 2)
@@ -243,7 +243,7 @@ def test_cures_promise_what_they_do():
         assert np.array_equal(cure.points, cured.polyline)
 
 
-def test_close_parameters_are_told_from_chebyshevs():
+def test_close_parameters_are_warned_about_but_not_chebyshevs():
     def topics(kind, points):
         view = view_of(replace(make_curve(points), parametrization=Parametrization(kind)))
         return [each.topic for each in warnings_of(view, 1.0)]

@@ -170,7 +170,7 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
 def _swing_words(segment: tuple[int, int, int], swing: float, chord: float) -> str:
     between = f"Between points {segment[1]} and {segment[2]}"
     if swing <= _CALM * chord:
-        return f"{between} the curve is calm: it leaves their straight line by at most {short(swing)}."
+        return f"{between} the curve is calm: it stays within about {short(swing)} of their straight line."
     times = f", {short(swing / chord)} times their distance" if chord > 0 else ""
     return f"{between} the curve swings out by {short(swing)}{times}."
 

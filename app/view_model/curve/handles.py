@@ -314,7 +314,7 @@ def pulled_out(view: CurveView, index: int, direction: Vector, *, ahead: bool) -
     """
     length, reach = math.hypot(*direction), _distance_to_neighbour(view, index, ahead=ahead)
     if length == 0 or reach == 0:
-        raise EditError(f"The neighbours of point {index} give its velocity no direction or length.")
+        raise EditError(f"The neighbours of point {index} define no direction or length of its velocity.")
     factor = reach / 3 * _degree(view) / abs(_signed_spacing(view, index, ahead=ahead)) / length
     return (direction[0] * factor, direction[1] * factor)
 

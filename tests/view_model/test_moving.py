@@ -1,4 +1,4 @@
-"""Polylines of a curve of which one point moves, against the curve itself, for every family."""
+"""Polylines of a curve with one moved point, compared with the curve, for every family."""
 
 import numpy as np
 import pytest
@@ -58,7 +58,7 @@ def test_vertices_stay_within_reach_and_follow_beyond():
     assert moved.at(0.0, 0.0).reached <= TOLERANCE
 
 
-def test_a_curve_of_very_many_segments_is_left_to_itself():
+def test_a_curve_of_very_many_segments_is_not_followed():
     curve, unit = wave(FAMILIES.named("hermite"), 1000, 500)
     assert MovedPoints(curve, curve.with_jets(unit), TOLERANCE, BOX).at(0.0, 0.1) is None
 

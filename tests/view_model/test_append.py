@@ -1,4 +1,4 @@
-"""However points come to the end of a curve, the handles there get no longer than they were."""
+"""Handles at the end of a curve do not grow when points are appended, in whatever way."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Views of curves that were mapped whole are those made from nothing, and no curve was made for them."""
+"""Views of mapped curves equal views made from nothing, and need no core curve."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def several(family, kind=ParametrizationKind.CENTRIPETAL, **values) -> Document:
 
 @pytest.mark.parametrize("name", ["moved", "flipped", "made larger"])
 @pytest.mark.parametrize("is_known", [True, False])
-def test_exact_boxes_come_along_and_reach_as_far_as_points_do_to_the_last_digit(name, is_known):
+def test_exact_boxes_are_mapped_and_contain_the_points_to_the_last_digit(name, is_known):
     """A box took a millisecond for each curve that was moved: its curve was made and asked where it turns."""
     document = several(HERMITE)
     before = seen(document)
@@ -103,7 +103,7 @@ def assert_right(views: list[CurveView]) -> None:
 @pytest.mark.parametrize("by", MAPS.values(), ids=MAPS)
 @pytest.mark.parametrize("kind", [ParametrizationKind.CENTRIPETAL, ParametrizationKind.MANUAL])
 @pytest.mark.parametrize("family", LOCAL, ids=str)
-def test_curves_that_are_mapped_need_not_be_made(family, kind, by):
+def test_mapped_curves_need_no_core_curve(family, kind, by):
     document = several(family, kind)
     views = seen(document)
     for _ in range(3):
@@ -112,7 +112,7 @@ def test_curves_that_are_mapped_need_not_be_made(family, kind, by):
     assert_right(views)
 
 
-def test_lengths_that_a_map_changes_are_asked_for_again():
+def test_lengths_that_a_map_changes_are_computed_again():
     """Centripetal parameters are others after a skew, and equal ones are the same."""
     by_length, uniform = several(HERMITE), several(HERMITE, ParametrizationKind.UNIFORM)
     _, made = after(by_length, SKEW, seen(by_length))
@@ -123,7 +123,7 @@ def test_lengths_that_a_map_changes_are_asked_for_again():
 
 
 @pytest.mark.parametrize("family", [HERMITE, LAGRANGE], ids=str)
-def test_what_is_not_mapped_as_a_whole_is_made(family):
+def test_a_curve_that_is_not_mapped_whole_gets_a_core_curve(family):
     rule = VelocityRule.AKIMA if family is HERMITE else VelocityRule.NATURAL_SPLINE
     document = several(family, velocity_rule=rule)
     views = seen(document)
@@ -132,7 +132,7 @@ def test_what_is_not_mapped_as_a_whole_is_made(family):
     assert_right(made)
 
 
-def test_some_points_are_no_whole_curve_and_derivatives_may_stay():
+def test_a_move_of_some_points_or_without_derivatives_is_no_map():
     document = several(HERMITE)
     views = seen(document)
     some = point_edits.move_points(document, 0, {0, 1}, (0.5, 0.5))
@@ -145,7 +145,7 @@ def test_some_points_are_no_whole_curve_and_derivatives_may_stay():
     assert_right(changed)
 
 
-def test_a_dot_that_is_scaled_to_nothing_is_drawn():
+def test_a_curve_scaled_to_a_dot_is_drawn():
     """A tolerance of 0 was asked for, while the canvas was painted."""
     points = tuple(Point(1.0, 1.0, t, (0.0, 0.0)) for t in (0.0, 1.0))
     dot = Curve("Dot", HERMITE, Parametrization(ParametrizationKind.MANUAL), points)

@@ -1,4 +1,4 @@
-"""A pull without measure beside the curve's size ends like any other."""
+"""A pull of any length beside the size of the curve ends in few steps."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Points deleted with the handles beside them left where they are."""
+"""Deleted points leave the handles beside them unchanged."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def handles(view):
 @each_row("family", [each for each in FAMILIES if each.derivatives], ids=lambda each: each.name)
 @each_row("kind", list(ParametrizationKind), ids=lambda each: each.value)
 @each_row(("closed", "gone"), [(False, {2}), (False, {0, 3}), (True, {1, 2}), (True, {0})])
-def test_every_handle_that_stays_is_where_it_was(family, kind, closed, gone):
+def test_every_remaining_handle_keeps_its_position(family, kind, closed, gone):
     curve = make_curve(PLACES, family=family)
     points = [
         point.with_derivatives(

@@ -15,7 +15,7 @@ def circle(radius, x=0.0, way=1, count=64):
     return np.column_stack([x + radius * np.cos(angles), radius * np.sin(angles)])
 
 
-def test_points_are_inside_as_often_as_circles_run_around_them():
+def test_winding_numbers_count_the_circles_around_points():
     points = np.random.default_rng(13).uniform(-4, 4, (400, 2))
     outlines = [circle(3.0), circle(1.5, way=-1), circle(2.0, x=1.0)]
     away = [np.hypot(points[:, 0] - x, points[:, 1]) - radius for radius, x in ((3, 0), (1.5, 0), (2, 1))]
@@ -43,11 +43,11 @@ def test_points_are_inside_as_often_as_circles_run_around_them():
         ([circle(3)], False),
     ],
 )
-def test_holes_are_filled_where_both_run_the_same_way(outlines, expected):
+def test_holes_are_filled_where_both_outlines_have_one_direction(outlines, expected):
     assert fills_holes(outlines) is expected
 
 
-def test_outlines_far_from_each_other_are_not_asked_about_each_other():
+def test_outlines_far_apart_are_not_compared():
     """Each was asked about all others: four minutes for two thousand that are combined."""
     side_by_side = [circle(1, x=3.0 * place) for place in range(200)]
     found = []

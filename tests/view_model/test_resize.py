@@ -1,4 +1,4 @@
-"""Bounds of curves, curves made to fill a box, and what transforms did, read off the points."""
+"""Bounds of curves, curves that fill a box, and transforms found from the points."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_the_bounds_of_whole_curves_are_those_of_the_curves(family):
     assert (found[1] >= expected[1] - 1e-13).all()
 
 
-def test_of_many_curves_that_were_drawn_those_at_the_edges_are_measured():
+def test_of_many_drawn_curves_only_those_at_the_edges_are_measured():
     """All 2,000 of a drawing were, for 6 s of an import of paths with corners."""
     rng = np.random.default_rng(5)
     curves = [
@@ -70,19 +70,19 @@ def test_of_many_curves_that_were_drawn_those_at_the_edges_are_measured():
     assert 2 <= sum("bounds" in view.__dict__ for view in drawn) < 40
 
 
-def test_the_bounds_of_some_points_are_their_own():
+def test_the_bounds_of_some_points_are_those_of_the_points():
     document = document_of(FAMILIES.named("lagrange"))
     assert bounds_of(views_of(document), points_of(0, {1, 3})) == Bounds((1.0, 0.5), (4.0, 2.0))
 
 
-def test_nothing_has_no_bounds():
+def test_an_empty_group_has_no_bounds():
     document = document_of(FAMILIES.named("lagrange"))
     assert bounds_of(views_of(document), points_of(0, ())) is None
 
 
 @each_row("kind", RULES)
 @each_row("family", FAMILIES)
-def test_curves_fill_the_box_that_they_are_given_exactly(family, kind):
+def test_curves_fill_a_given_box_exactly(family, kind):
     document = document_of(family, kind)
     views, group = views_of(document), whole_curves(document, {0})
     wanted = ((-1.0, 2.0), (6.5, 3.5))
@@ -104,7 +104,7 @@ def narrowed(seed, family):
 
 
 @pytest.mark.parametrize("seed", [9, 31, 32])
-def test_so_do_curves_whose_answer_goes_to_and_fro(seed):
+def test_curves_whose_bounds_oscillate_fill_a_given_box(seed):
     """Forty corrections, each by what the last one reached, left these 0.2 to 2 away from their boxes."""
     _, wanted, stretch = narrowed(seed, LAGRANGE)
     new = stretch()
@@ -119,7 +119,7 @@ def test_smooth_curves_take_some_ten_corrections():
     assert calls_of(stretch) < 20 * once
 
 
-def test_corners_that_have_changed_places_mirror():
+def test_exchanged_corners_mirror():
     document = document_of(FAMILIES.named("hermite"), ParametrizationKind.UNIFORM)
     views, group = views_of(document), whole_curves(document, {0})
     low, high = as_array(bounds_of(views, group)).tolist()
@@ -138,7 +138,7 @@ MAPS = {
 
 @pytest.mark.parametrize("how", MAPS)
 @pytest.mark.parametrize("indices", [{0, 1, 2, 3, 4}, {0, 1, 3}, {2, 3}])
-def test_the_pivot_goes_where_the_transform_takes_it(how, indices):
+def test_the_pivot_follows_the_transform(how, indices):
     if how == "stretch" and len(indices) == 2:
         pytest.skip("two points tell no stretch from a turn")
     document = document_of(FAMILIES.named("hermite"), ParametrizationKind.UNIFORM)
@@ -156,7 +156,7 @@ def test_the_pivot_goes_where_the_transform_takes_it(how, indices):
     ).position == pytest.approx((7.0, -2.0))
 
 
-def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
+def test_the_centre_of_a_rotation_stays_to_the_last_bit():
     document = document_of(FAMILIES.named("hermite"))
     group, place = points_of(0, range(5)), (0.1, 0.7)
     pivot = Pivot(place, anchored(views_of(document), group))
@@ -166,7 +166,7 @@ def test_the_pivot_stays_to_the_last_bit_where_it_was_turned_about():
     assert pivot.position == place
 
 
-def test_points_edited_one_by_one_leave_the_pivot_and_another_selection_has_none():
+def test_points_edited_one_by_one_keep_the_pivot_and_another_selection_has_none():
     document = document_of(FAMILIES.named("hermite"))
     pivot = Pivot((5.0, -3.0), anchored(views_of(document), points_of(0, range(5))))
     edited = move_group(document, points_of(0, {2}), (0.3, 1.0))
@@ -175,7 +175,7 @@ def test_points_edited_one_by_one_leave_the_pivot_and_another_selection_has_none
 
 
 @each_row("degrees", [0.0, 30.0, -135.0, 180.0])
-def test_the_angle_is_read_off_the_points(degrees):
+def test_the_angle_follows_from_the_points(degrees):
     document = document_of(FAMILIES.named("hermite"))
     group = points_of(0, range(5))
     before = anchored(views_of(document), group)
