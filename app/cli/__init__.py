@@ -3,7 +3,7 @@
 - ``command_line``: which command it is.  ``output``: results, refusals and progress.
   ``documents``, ``families``: documents and curve families in the files that it names.
 - ``commands``: the parsers of the commands without a window.  ``options``: their options.
-  ``rendering``, ``converting`` and ``info``: what each of them does.
+  ``rendering``, ``converting`` and ``info``: their work.
 - ``start``: the editor's start.  ``lessons``: the same with a lesson.
   ``display``: whether there is a screen for it.  ``application``: Qt's application.
   ``windows``: the windows, and what surrounds them until the end.

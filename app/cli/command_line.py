@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Parameters
     ----------
     arguments
-        What follows the program's name; by default that of this process.
+        The words after the program's name; by default those of this process.
 
     Raises
     ------
@@ -47,7 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
     if isinstance(sys.stdout, io.TextIOWrapper):
-        # A terminal that knows no α shall still show the rest.
+        # A terminal that cannot show α still shows the rest.
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options, words = common_options().parse_known_args(words)
@@ -56,7 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             limit_processor_time(options.processor_limit)
         with logged(options.log), families:
             code = _run(words)
-        say(end="")  # what was printed by others
+        say(end="")  # flushes the output of others
     except BrokenPipeError:
         return _leave_closed_pipe()
     except KeyboardInterrupt:
@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except RefusalError as problem:
         message = str(problem)
     except OSError as problem:
-        # Whatever it is: which command failed, on which files, and what the system says of it.
+        # Any other error of the system: name the command, its files and the reason.
         is_sentence = isinstance(problem, storage.files.StorageError)
         failed = f"{' '.join(['curvebench', *words])} failed: {reason_of(problem)}."
         message = str(problem) if is_sentence else failed
@@ -101,7 +101,7 @@ def common_options() -> argparse.ArgumentParser:
 
 def _run(words: list[str]) -> int:
     if words[:1] == [READER_PROCESS] and len(words) == 2:
-        # A bundle starts itself for this: it has no interpreter besides.
+        # A bundle starts itself for this: it contains no other interpreter.
 
         exchange.reader_main.main(words[1])
         return 0

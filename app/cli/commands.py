@@ -26,7 +26,7 @@ def run_command(words: Sequence[str]) -> int:
     parser = _command_parser(words[0])
     options, more = parser.parse_known_args(words)
     if options.command == "convert" and not any(word.startswith("-") for word in more):
-        options.files += more  # those after an option: convert IN --thin 1 OUT
+        options.files += more  # files after an option: convert IN --thin 1 OUT
     elif more:
         parser.error(f"unrecognized arguments: {' '.join(more)}")
     if options.command == "convert" and (problem := convert_usage_problem(options)):

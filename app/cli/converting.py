@@ -84,7 +84,7 @@ def _result(target: str, result: _Converted) -> str:
 
 
 def _convert_many(options: argparse.Namespace) -> int:
-    _family_of(options)  # what is wrong with the options is told once
+    _family_of(options)  # a problem of the options is reported once
     conversions = _planned(options)
     try:
         Path(options.output).mkdir(parents=True, exist_ok=True)
@@ -95,7 +95,7 @@ def _convert_many(options: argparse.Namespace) -> int:
     count, jobs = len(conversions), _jobs(options)
     results = []
     with TerminalProgress() as progress, ExitStack() as stack:
-        # While a file is written here, processes read the next ones: each has its turn, in order.
+        # While a file is written here, processes read the next ones, in order.
         readers = [stack.enter_context(exchange.reader_process.ReaderProcess()) for _job in range(jobs)]
         for conversion, reader in zip(conversions[1:], readers[1:], strict=False):
             begin_import(conversion.source, ImportOptions(tolerance=options.tolerance), reader)
@@ -183,7 +183,7 @@ def _stem(path: str) -> str:
     name = Path(path).name
     try:
         ending = ending_in(name, format_of(name, FORMATS.read))
-    except ExchangeError:  # that it cannot be read is told in its turn
+    except ExchangeError:  # reported when its turn comes
         return Path(path).stem
     return name[: -len(ending)] or name
 
@@ -244,7 +244,7 @@ def _converted(
         The file that the process begins to read while this one is written.
     """
     word = _family_of(options)
-    # What is fitted is near all rows, whatever the family: the curve through them is not that.
+    # The fit stays close to the rows in any family; the curve through all rows may not.
     wanted = _import_options(options, FamilyCell(HERMITE) if _wants_fit(options) else word)
     try:
         source = import_file(conversion.source, wanted, report=part(report, 0.0, 0.4), process=reader)

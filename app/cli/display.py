@@ -46,13 +46,13 @@ def why_no_window(plugins: Path) -> Iterator[str]:
     """Yield why Qt could open no window, as a sentence; empty where it can, as far as that is known before.
 
     Only X11 is tried out: with Wayland at hand, or a platform that the person chose, Qt finds its own way.
-    What is loaded here Qt does not load again. The application is to be made within: an X server that has no
+    Qt does not load these libraries again. Create the application within: an X server that has no
     other client starts anew when we leave it, and would then not answer Qt.
 
     Parameters
     ----------
     plugins
-        Where Qt's platforms lie.
+        Folder of Qt's platform plugins.
     """
     if not has_display():
         yield NO_DISPLAY
@@ -82,7 +82,7 @@ def _loading_problem(plugin: Path) -> str:
 
 def missing_library(problem: str) -> str:
     """Return which package has the library that a loader misses, as a sentence; empty for other problems."""
-    # The words between are in the language of the system.
+    # The text between is in the language of the system.
     missing_file = re.escape(os.strerror(errno.ENOENT))
     match = re.fullmatch(rf"(lib[\w.+-]+\.so[\w.]*): .*: {missing_file}", problem)
     if match is None:
@@ -115,7 +115,7 @@ def _connected() -> Iterator[bool]:
     xcb.xcb_connect.restype = ctypes.c_void_p
     xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
     xcb.xcb_connection_has_error.argtypes = xcb.xcb_disconnect.argtypes = [ctypes.c_void_p]
-    # There is always a connection object, one that tells of an error where nobody answers.
+    # There is always a connection object; without a server it holds an error.
     connection = xcb.xcb_connect(None, None)
     try:
         yield not xcb.xcb_connection_has_error(connection)

@@ -23,7 +23,7 @@ def load_document(path: str) -> Decoded:
 def document_of(path: str) -> Decoded:
     """Return the document at `path`, which may be a file of another format.
 
-    What is left out of it is printed beside the output.
+    Remarks on content that is left out go to the standard error.
     """
     try:
         decoded = load_document(path)

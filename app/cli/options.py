@@ -154,7 +154,7 @@ curvebench convert IN OUT [options]
 def add_convert_options(convert: argparse.ArgumentParser) -> None:
     """Let `convert` take its files, the options of tables and those of pictures."""
     convert.usage = _CONVERT_USAGE
-    convert.set_defaults(parser=convert)  # for what is wrong with its files
+    convert.set_defaults(parser=convert)  # for errors about its files
     add = convert.add_argument
     read, written = (", ".join(endings_of(formats)) for formats in (FORMATS.read, FORMATS.written))
     add(
@@ -392,7 +392,7 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
         dpi=options.dpi,
         scale=options.scale,
         unit=options.unit or document.unit,
-        # As in the window: nobody has asked for paper.
+        # As in the window: without a theme there is no paper.
         transparent=options.transparent or not options.theme,
         handles=options.handles,
         grid=options.grid,

@@ -63,7 +63,7 @@ def render(options: argparse.Namespace) -> int:
     """Write the picture or film that was asked for, and return the exit code."""
     name = options.output.lower()
     pictures, films = endings_of(FORMATS.pictures), endings_of(FILMS)
-    # What both can be is a film where a motion was asked for.
+    # An ending of both is a film where a motion is asked for.
     if name.endswith(films) and (options.motion or not name.endswith(pictures)):
         return _render_film(options)
     if not name.endswith(pictures):

@@ -31,7 +31,7 @@ _WITHOUT = "“curvebench render” and “curvebench info” need none."
 def edit(files: Sequence[str], lesson: str = "") -> int:
     """Open a window for every document, or one with the first sketch; return when the last is closed.
 
-    What is no document is imported or traced in the first window, which also says what cannot be read.
+    Other files are imported or traced in the first window, which also warns of unreadable ones.
     """
     problems = _problems_of(files)
     able = [path for path in files if path not in problems]
@@ -79,7 +79,7 @@ def _application() -> QApplication:
 def no_garbage_sought() -> Iterator[None]:
     """Exempt all objects that are created within from garbage collection, for good.
 
-    That takes some 8 % off the start, and a while off every later search; these are fewer, too. Where Qt runs
+    This saves some 8 % of the start, and makes later collections shorter and rarer. Where Qt runs
     already, this is no start, and nothing happens.
     """
     if "PySide6.QtWidgets" in sys.modules:

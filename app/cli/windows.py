@@ -59,7 +59,7 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
             window.open_file(path)
     imports = others.imports
     if imports and not others.documents and not others.pictures:
-        # Nobody means it to lie on a sketch that was there before.
+        # The curves shall not be added to a sketch.
         windows[0].open_file(imports[0])
         imports = imports[1:]
     windows[0].commands.drops.take(replace(others, documents=(), imports=imports), problems)
@@ -78,7 +78,7 @@ def _begin_empty(sessions: Iterable[Session]) -> None:
 def run(application: QApplication, windows: list[MainWindow]) -> int:
     """Keep the work of the windows until the last is closed, and return the exit code."""
     lifecycle = Lifecycle(application, windows)
-    windows.clear()  # a window that is closed goes
+    windows.clear()  # or this list would keep closed windows
     lifecycle.start()
     code = int(application.exec())
     lifecycle.stop()
@@ -137,7 +137,7 @@ class Lifecycle(QObject):
         window.context.files.open_window = partial(self._open_empty, window)
         window.context.files.show_elsewhere = partial(self._show_open, window)
         window.closed.connect(lambda: self._finish(window))
-        # Who goes on working has called the end of the system off.
+        # A change means that the end of the session was called off.
         window.session.history_changed.connect(window.ask_before_closing)
 
     def _open_beside(self, document: Document, path: Path | None, origin: DocumentOrigin) -> Autosave:
@@ -189,7 +189,7 @@ class Lifecycle(QObject):
         self._signals.start()
         self.crashes.install()
         self._application.commitDataRequest.connect(self.prepare_for_end)
-        # After the first frame: reading what was left over takes a moment.
+        # After the first frame: reading left-over snapshots takes a moment.
         QTimer.singleShot(0, self, self._offer)
 
     def _offer(self) -> None:
@@ -244,13 +244,13 @@ class Lifecycle(QObject):
         if autosave is None:
             return
         if window.asks_before_closing:
-            autosave.finish()  # it was asked, so what is not saved is not wanted
+            autosave.finish()  # the user was asked, and discarded what is not saved
         else:
             autosave.leave()
-        # Neither has a parent that goes with the window. What they are connected to lives as long as they do.
+        # None has a parent that is deleted with the window, and their connections live as long as they do.
         for owner in (window, window.session, autosave):
             owner.deleteLater()
-        # What was there at the start was spared from the search for garbage, see `start.no_garbage_sought`.
+        # Objects of the start are exempt from garbage collection, see `start.no_garbage_sought`.
         gc.unfreeze()
 
     def _save_and_quit(self) -> None:

@@ -5,7 +5,7 @@ They are run here, too: the deviation that an export states is that of this code
 
 # ruff: noqa: ANN001, ANN201
 # mypy: ignore-errors
-# Exported code is read by people with other habits; it goes without annotations.
+# Exported code has no annotations, so that everybody can read it.
 
 import numpy as np
 

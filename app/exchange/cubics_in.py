@@ -165,9 +165,9 @@ class ImportedPath:
     deviation
         Largest distance from what the file describes.
     letters
-        Of what kind its points are meant to be; see `letters_of`.
+        Kinds of its points; see `letters_of`.
     has_dots
-        Whether it is a dot where it has no length.
+        Whether the path is a dot where it has no length.
     """
 
     name: str
@@ -188,7 +188,7 @@ class PathThroughPoints:
     name, look
         As in `ImportedPath`.
     points
-        In order, without the first once more at the end.
+        The points in order; the first is not repeated at the end.
     closed
         As in `Curve`.
     """
@@ -251,7 +251,7 @@ def without_roundings(pieces: FloatArray, *, closed: bool) -> FloatArray:
 def _joined(pieces: FloatArray, bound: float) -> FloatArray:
     result, at = list[FloatArray](), pieces[0, 0]
     for piece in pieces:
-        # From where the last one ends: many that go the same way come to something.
+        # Measured from the end of the last piece: many short ones in one direction add up.
         if np.abs(piece - at).max() > bound:
             result.append(piece.copy())
             put_end(result[-1][::-1], at)
@@ -389,9 +389,9 @@ def arc_between(
     Parameters
     ----------
     radii
-        Of the ellipse, enlarged where they are too small to reach.
+        Radii of the ellipse, enlarged where they are too small.
     rotation
-        Of its first axis, in degrees.
+        Rotation of its first axis, in degrees.
     large, positive
         The two flags: the longer way round, and in the direction of growing angles.
     """
@@ -409,7 +409,7 @@ def arc_between(
     axes = np.array([[rx], [ry]]) * grow * turn
     centre = (start + end) / 2 + middle @ axes
     result = arc(centre, axes, first, sweep, tolerance)
-    # Ends that meet their neighbours, whatever was rounded on the way.
+    # The ends meet their neighbours exactly, whatever the rounding.
     result.pieces[0, 0], result.pieces[-1, 3] = start, end
     return result
 
@@ -470,7 +470,7 @@ def _letters(points: Sequence[Point], pieces: FloatArray, *, closed: bool) -> st
     before, after = pieces[:, 3] - pieces[:, 2], np.roll(pieces[:, 1] - pieces[:, 0], -1, axis=0)
     even = np.roll(are_alike(np.hypot(*before.T), np.hypot(*after.T)), 1).tolist()
     if len(points) > len(even) + (not closed):
-        # One piece alone came in as two.
+        # A single piece was imported as two.
         return ""
     inner = [_letter(point, is_even) for point, is_even in zip(points, even, strict=False)]
     return "".join(inner if closed else [CORNER, *inner[1:], CORNER])

@@ -22,7 +22,7 @@ class Loss(NamedTuple):
     noun
         One of them.
     outcome
-        What became of it, after the noun of one or of several: "left out", "imported as one colour".
+        The outcome, after the noun of one or of several: "left out", "imported as one colour".
     """
 
     noun: str

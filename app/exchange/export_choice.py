@@ -38,7 +38,7 @@ class ExportChoice:
     ending
         The format's.
     values
-        Those that are not the default, by the options' names.
+        Values other than the defaults, by the options' names.
     """
 
     ending: str = ".png"
@@ -76,7 +76,7 @@ class ExportChoice:
         active
             The curve that is edited.
         selected
-            Those that are chosen, if any.
+            The selected curves, if any.
         with_estimates
             Whether the basis panel shows what each point does with its estimates.
         """

@@ -60,7 +60,7 @@ class Polynomials(NamedTuple):
     Attributes
     ----------
     pieces
-        Those of the curve as curves of a family that all writers know, or cubic Hermite curves that follow
+        Pieces of the curve in a family that all writers know, or cubic Hermite curves that follow
         them.
     deviation, is_bound
         Largest distance of these from the curve, and whether it is nowhere more.
@@ -80,7 +80,7 @@ class ExportedCurve:
     source
         The document's value, as in `CurveView`.
     core
-        The same as a curve of the core, a chain of pieces where it has corners.
+        The curve of the core, a chain of pieces where the curve has corners.
     line_name
         The name on one line, with a number where another curve has the same.
     """
@@ -129,7 +129,7 @@ class Beziers:
     control_points
         (k, degree + 1, 2).
     parameters
-        Of the ends of the pieces, (k + 1,).
+        Parameters of the ends of the pieces, (k + 1,).
     deviation, is_bound
         Largest distance from the curve, zero where the pieces are the curve itself but for rounding; and
         whether it is nowhere more.
@@ -163,7 +163,7 @@ class ExportedCurves:
     remarks
         A sentence for each curve that is left out.
     options
-        Those of the export.
+        Options of the export.
     """
 
     curves: tuple[ExportedCurve, ...]
@@ -244,7 +244,7 @@ def one_line(text: str) -> str:
 
 def cell_of_name(name: str, separator: str) -> str:
     """Return a name as a cell of a table."""
-    # A name that begins like a formula would be run by a spreadsheet; the sign is taken off again when read.
+    # A spreadsheet would run a name that begins like a formula; the sign is removed again when read.
     name = f"'{name}" if name[:1] in ("=", "+", "-", "@", "'") else name
     quoted = name.replace('"', '""')
     return f'"{quoted}"' if separator in name or '"' in name or "#" in name else quoted

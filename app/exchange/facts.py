@@ -47,7 +47,7 @@ class Growth(NamedTuple):
     points
         Errors of the points, where those that are estimated follow them.
     holds
-        Where that of the points holds, if it is another one for other points; else empty.
+        Validity of the constant of the points, where other points have another one; else empty.
     """
 
     data: float
@@ -74,23 +74,23 @@ class CurveFacts:
     shape, groups
         Names of the shape and of the groups that it is in, the outermost first.
     corners
-        How many points it may turn sharply at.
+        Number of corners.
     smooth
-        How many points it has one direction at, and a speed of its own on each side.
+        Number of points with one direction but a speed for each side.
     degree
-        Of the polynomial, or of each piece.
+        Degree of the polynomial, or of each piece.
     kind
         Words for its functions where they are no polynomials; empty where that is not known.
     difference_digits
         Digits of the first derivatives where these are differences of values; empty where they are not.
     pieces
-        How many pieces it has; 0 without a curve.
+        Number of pieces; 0 without a curve.
     domain
         First and last parameter.
     length
         Arc length over the domain, with a bound of its error. None too where it is beyond all floats.
     lebesgue_constant
-        How errors grow; at `LARGEST` or beyond, beyond all floats.
+        Growth of errors; `LARGEST` or more is beyond all floats.
     box
         Left, bottom, right and top edge of the curve.
     warnings
@@ -155,11 +155,11 @@ class _Shape(NamedTuple):
     curve
         The document's value.
     view, core
-        What is computed of it.
+        The computed curve.
     pieces
         Bézier pieces of `core`, of which box and length are made.
     rounding
-        That of its parameters.
+        Rounding of its parameters.
     """
 
     curve: Curve
@@ -234,7 +234,7 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
     corners = np.array([box.minimum, box.maximum])
     try:
         refuse_wild(curve, corners)
-        # A curve of no length is drawn as a dot, where it is.
+        # A curve without length is drawn as a dot.
         is_dot = (corners[0] == corners[1]).all()
         frame_around([around_dot(corners[0], curve.style) if is_dot else corners])
     except ExchangeError as problem:

@@ -34,20 +34,20 @@ class ImportOptions:
     Attributes
     ----------
     tolerance
-        Of drawings: largest distance from arcs and the like, in the file's unit.
+        Drawings: largest distance from arcs and the like, in the file's unit.
     thin
-        Of tables: thin the rows out to a curve within this distance of all; by default none are left out.
+        Tables: thin the rows out to a curve within this distance of all; by default all are kept.
     corners
-        Of tables: thin them out to the corners of a polyline, not to a smooth curve.
+        Tables: thin the rows out to the corners of a polyline, not to a smooth curve.
     family
-        Of tables: the curve's family, unless a column says it.
+        Tables: family of the curve, unless a column names one.
     settings
-        Of tables: those of that family that are not its defaults.
+        Tables: settings of that family other than its defaults.
     columns
-        Of tables: which column is what, as "t=time,x=pos_x,y=3", by title or number from 1; by default what
-        their titles say.
+        Tables: roles of the columns, as "t=time,x=pos_x,y=3", by title or number; by default those that
+        their titles name.
     missing
-        Of tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
+        Tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
     only
         The names of curves, or of groups of them, that are taken, such as "line2d_*"; by default all are.
     """

@@ -28,21 +28,21 @@ class Option(Generic[Value]):
     Attributes
     ----------
     name
-        Its key among the values that a person chose, as they are remembered.
+        Key of the option among the stored values.
     default
-        Its value unless asked otherwise.
+        Default value.
     label
-        Of its row in the form; options that follow each other with the same label share the row.
+        Label of its row in the form; consecutive options with the same label share the row.
     title
-        Its own words, for screen readers and beside a check box; by default the label.
+        Text for screen readers and beside a check box; by default the label.
     tip
-        Its tooltip.
+        Tooltip.
     widget
         The objectName of its widget; by default "export" and the name.
     flag
-        Its flag; by default two dashes and the name.
+        Flag of the command line; by default two dashes and the name.
     help
-        What `curvebench convert --help` says of it.
+        Help text of the command line; without one the command line lacks the option.
     """
 
     name: str
@@ -83,7 +83,7 @@ class Whole(Option[int]):
     limits
         The least and the greatest.
     suffix
-        Its unit in the form.
+        Unit in the form.
     """
 
     limits: tuple[int, int]
@@ -233,38 +233,38 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     width
-        Of pictures: width in pixels (PNG, SVG) or points of 1/72 inch (PDF); the height follows.
+        Pictures: width in pixels (PNG, SVG) or points of 1/72 inch (PDF); the height follows.
     tolerance
         Largest deviation allowed, in the document's unit, of formats that cannot hold the curve itself; by
         default a hundred-thousandth of the drawing's longer side.
     style
-        Of pictures: colours; by default dark ink, on light paper in a PNG and on none in SVG and PDF.
+        Pictures: colours; by default dark ink, on light paper in a PNG and on none in SVG and PDF.
     points
-        Of pictures and DXF: whether to draw the points.
+        Pictures and DXF: whether to draw the points.
     dpi
-        Of a PNG at true size: pixels for each inch; without it its width counts.
+        PNG at true size: pixels per inch; by default the width decides.
     scale
-        Of a PNG: how many pixels stand for each of `width`, and for 1/96 inch where there is no unit.
+        PNG: pixels for each unit of `width`, and for 1/96 inch where there is no unit.
     transparent
-        Of pictures: whether to leave the paper out, whatever the style.
+        Pictures: whether to omit the paper, whatever the style.
     handles, grid
-        Of pictures: whether to draw the Bézier control points beside the points, and a grid.
+        Pictures: whether to draw the Bézier control points beside the points, and a grid.
     basis
-        Of pictures: the curve whose basis functions to draw below; None for none.
+        Pictures: index of the curve whose basis functions are drawn below; None for none.
     with_estimates
         Whether these are what each point does with the estimates that follow it, where there are any, and not
         the functions of the family.
     unit
-        Of pictures, TikZ and DXF: what a length of one is, such as "mm". Without a `width` an SVG or PDF then
+        Pictures, TikZ and DXF: unit of length, such as "mm". Without a `width` an SVG or PDF then
         has true size, as TikZ always has; of a PNG it gives the pixels per inch.
     format_options
         The options that one format alone has, by their names.
     report
-        Hears how far it has come; until the file is put in place it may raise `Cancelled`.
+        Called with the progress; until the file is put in place it may raise `Cancelled`.
     path
         The file that is written, for formats that say where other files lie.
     from_corner
-        Of an SVG: whether its coordinates begin in its upper left corner, and not where those
+        SVG: whether its coordinates begin in its upper left corner, and not where those
         of the document do.
     """
 
@@ -314,7 +314,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
 
 
 DEFAULT = Options()
-"""As nobody asked for anything."""
+"""Options with all defaults."""
 
 
 def all_options(option_lists: Iterable[Iterable[Option[Any]]]) -> tuple[Option[Any], ...]:

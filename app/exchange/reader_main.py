@@ -61,7 +61,7 @@ class Answer(msgspec.Struct):
 def main(folder: str) -> None:
     """Answer the question in a folder, again for each line of the standard input."""
     here = Path(folder)
-    # Not sys.stdin: a bundle without a console has none, but it has what was handed to it.
+    # Not sys.stdin: a bundle without a console has none, but it has the descriptor.
     with open(0, "rb", closefd=False) as lines:
         while lines.readline():
             try:
@@ -77,7 +77,7 @@ def main(folder: str) -> None:
 
 def _answer_in(folder: Path) -> None:
     request = msgspec.msgpack.decode((folder / QUESTION).read_bytes(), type=Request)
-    import_module(request.module)  # the start does not count
+    import_module(request.module)  # imports do not count against the limit
     limit_processor_time(request.seconds)
     answer = msgspec.msgpack.encode(answer_to(request, request.memory), enc_hook=encode_hook)
     limit_processor_time(inf)
@@ -103,7 +103,7 @@ def answer_to(request: Request, memory: int | None = None) -> Answer:
     except RecursionError:
         return Answer(problem="The file is nested too deeply.")
     except Exception as problem:
-        # Whatever a file nobody thought of makes a parser raise, it shall end here.
+        # An unforeseen file can make a parser raise anything.
         return Answer(problem=f"The file is damaged ({type(problem).__name__}).")
     return Answer(result)
 

@@ -51,7 +51,7 @@ _START = f"import sys; sys.path[:] = sys.argv[2:]; from {main.__module__} import
 class ReaderProcess:
     """Child process that reads drawings, one after the other, each with limits.
 
-    It starts with the first drawing. One that reaches a limit ends it, and the next one has another process.
+    The process starts with the first drawing. One that reaches a limit ends it, and the next has another.
     A context manager: the process ends with it.
     """
 
@@ -94,7 +94,7 @@ class ReaderProcess:
         except OSError as problem:
             raise _not_passed_on(problem) from None
         assert process.stdin is not None
-        with contextlib.suppress(OSError):  # it has ended: `read` says why
+        with contextlib.suppress(OSError):  # the process has ended: `read` reports why
             process.stdin.write(b"\n")
         self._request = request
 
@@ -126,7 +126,7 @@ class ReaderProcess:
         Raises
         ------
         ExchangeError
-            What the reader raises, and where a limit is reached.
+            Errors of the reader, and limits that are reached.
         """
         self.begin(reader, data, tolerance, seconds=seconds, memory=memory)
         try:
@@ -163,7 +163,7 @@ class ReaderProcess:
                     stdin=subprocess.PIPE,
                     stdout=subprocess.DEVNULL,
                     stderr=subprocess.DEVNULL,
-                    # One thread: each would reserve memory of its own.
+                    # One thread, as each reserves memory of its own.
                     env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
                 )
             except OSError as problem:
@@ -183,7 +183,7 @@ class ReaderProcess:
             spent = time.monotonic() - began
             if spent > (longest := longest_wait(seconds)):
                 raise ExchangeError(f"Reading did not finish within {longest:.3g} s and was stopped.")
-            # Nobody knows how far a foreign parser is: half of what is left is always ahead.
+            # The progress of a foreign parser is unknown: the share approaches 1 without reaching it.
             report(1 - 0.5 ** (4 * spent / seconds), "Reading")
             time.sleep(pause)
             pause = min(2 * pause, _POLL_S)
@@ -234,7 +234,7 @@ def _why_silent(code: int, seconds: float) -> str:
     """Return the message about a process that ended without an answer, by its exit code."""
     if was_overdue(code):
         return f"Reading needs more than {seconds:.3g} s of processor time and was stopped."
-    # By a signal, or by what is one on Windows: C code that is refused memory breaks down.
+    # Ended by a signal, or its equivalent on Windows: C code crashes when it is refused memory.
     if code == NO_MEMORY or not 0 <= code < 2**8:
         return "Reading needs more memory than is allowed and was stopped."
     return f"The process that reads drawings ended without an answer (code {code})."
@@ -243,7 +243,7 @@ def _why_silent(code: int, seconds: float) -> str:
 def _command(folder: str) -> list[str]:
     """Return the command line of the process."""
     if getattr(sys, "frozen", False):
-        # The executable of a bundle is the program itself, not an interpreter that could be told what to run.
+        # The executable of a bundle is the program itself, not an interpreter.
         return [sys.executable, READER_PROCESS, folder]
     return [sys.executable, "-c", _START, folder, *sys.path]
 

@@ -85,9 +85,9 @@ def _sized_fields(kind: type[Value]) -> tuple[Field, ...]:
 def shifted(document: Document, by: Vector) -> Document:
     """Return a document with its curves and guides elsewhere, by decimals, whether locked or not.
 
-    Where no document may hold it, it stays where it is.
+    A document that would be out of range stays unchanged.
     """
-    # A lock is against what a person does.
+    # Locks protect against edits only.
     free = replace(document, curves=tuple(replace(curve, locked=False) for curve in document.curves))
     try:
         moved = step_group(free, whole_curves(free, range(len(free.curves))), by)

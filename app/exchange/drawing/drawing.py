@@ -42,11 +42,11 @@ class Annotation(msgspec.Struct, frozen=True):
     Attributes
     ----------
     name
-        Of the group they belong to: "grid", "handles" or "basis".
+        Name of their group: "grid", "handles" or "basis".
     lines
         Polylines, each (k, 2).
     width
-        Of their strokes, in the document's unit.
+        Width of their strokes, in the document's unit.
     opacity
         From 0 to 1.
     colour
@@ -74,13 +74,13 @@ class Drawing(msgspec.Struct, frozen=True):
     outlines
         At least one.
     frame
-        What to show: the curves and their points with a margin.
+        The visible rectangle: the curves and their points with a margin.
     tolerance
         The deviation that was allowed, in the document's unit.
     left_out
         One sentence for every curve that could not be drawn.
     annotations
-        What else is drawn.
+        Lines beside the curves.
     hidden
         Outlines of hidden curves for files that keep them, each with the number of outlines behind it.
     """
@@ -99,7 +99,7 @@ class Drawing(msgspec.Struct, frozen=True):
 
     @property
     def all_shapes(self) -> list[tuple[Outline, ...]]:
-        """The same with hidden ones in their places."""
+        """The outlines and the hidden ones, those of a shape together."""
         outlines = list(self.outlines)
         for behind, outline in reversed(self.hidden):
             outlines.insert(behind, outline)
@@ -173,7 +173,7 @@ def drawing_of(
         Largest deviation allowed, positive, in the document's unit; by default `RELATIVE_TOLERANCE` of
         the drawing's larger side.
     report
-        Hears how far it has come.
+        Called with the progress.
     with_hidden
         Whether to have the outlines of hidden curves, too.
 
@@ -252,7 +252,7 @@ def _samples(curve: Curve, core: ParametricCurve) -> FloatArray:
     parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
     samples = core.evaluate(parameters)
     refuse_wild(curve, samples)
-    # A line of no length is as large as the dot that its caps make of it.
+    # A line without length is as large as the dot of its caps.
     return samples if (samples != samples[0]).any() else around_dot(samples[0], curve.style)
 
 
@@ -301,7 +301,7 @@ def _painted(drawing: Drawing) -> tuple[FloatArray, FloatArray]:
     boxes = np.array([painted_extent(outline) for outline in drawing.outlines])
     low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
     if any(outline.style.has_stroke and outline.style.width is None for outline in drawing.outlines):
-        # Of the longer side with these lines.
+        # The usual width is a share of the longer side with these lines.
         reach = float((high - low).max()) * USUAL_WIDTH / (1 - USUAL_WIDTH) / 2
         low, high = low - reach, high + reach
     return low, high

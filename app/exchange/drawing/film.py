@@ -47,11 +47,11 @@ class Film:
     curve
         The index of the curve in its document.
     width
-        In pixels; made even. The height follows from the drawing.
+        Width in pixels; made even. The height follows from the drawing.
     fps
         Frames a second.
     seconds
-        How long the film is: one round of the motion.
+        Duration of the film: one round of the motion.
     compared
         The families whose curves run side by side with the curve itself.
     points
@@ -145,7 +145,7 @@ def write_film(
     """
     form = format_of(path, FILMS)
     _refuse_size(film)
-    # Qt is slow to import, and a mistake in the name is told without.
+    # Qt is slow to import: a wrong name is refused before.
 
     with drawing.image.application():
         maker = drawing.motion_frames.FrameMaker(document, film)
@@ -247,9 +247,9 @@ def _feed(command: list[str], frames: Iterator[bytes], count: int, report: Repor
             raise ExchangeError(f"ffmpeg cannot be started ({reason.strerror}).") from reason
         assert process.stdin is not None
         try:
-            # A pipe that breaks: the program ended early, and its code says why.
+            # Where the pipe breaks, the program ended early, and its exit code says why.
             with contextlib.suppress(BrokenPipeError), process.stdin as pipe:
-                if os.name == "posix":  # elsewhere a write waits as long as it has to
+                if os.name == "posix":  # on other systems a write blocks
                     os.set_blocking(pipe.fileno(), False)
                 for number, frame in enumerate(frames):
                     _send(frame, pipe, number / count, report)
@@ -294,7 +294,7 @@ class FilmFormat(FileKind):
     Attributes
     ----------
     most_pixels
-        Of all frames together: Pillow keeps them until the file is written, in one or in three bytes a pixel.
+        Limit of all frames together: Pillow keeps them until the file is written, with 1 or 3 bytes a pixel.
     write
         Returns the content of a file.
     missing

@@ -55,7 +55,7 @@ class PicturePreview(msgspec.Struct, frozen=True):
     Attributes
     ----------
     size
-        Its size in words.
+        Size of the picture as text.
     moved
         The sentence about colours that could not be seen on the paper; empty for none.
     """
@@ -143,7 +143,7 @@ def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:
-    # Huge factors shall be refused, not overflow.
+    # Huge factors are refused below, and must not overflow.
     width = round(min(_wanted_width(drawing, options), 1e9))
     height = round(width * drawing.frame.height / drawing.frame.width)
     if not 1 <= min(width, height) <= max(width, height) <= LARGEST_SIDE:
@@ -166,7 +166,7 @@ def _wanted_width(drawing: Drawing, options: Options) -> float:
 def _painted(drawing: Drawing, size: tuple[int, int], style: PictureStyle, options: Options) -> QImage:
     image = QImage(*size, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor(0, 0, 0, 0))
-    # However it ends, for a painter may not outlive its device.
+    # A painter must not outlive its device.
     with QPainter(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         _paint(drawing.fitted(*size), painter, style, options)
@@ -197,7 +197,7 @@ def png_file(document: Document, options: Options) -> ExportResult:
 
 
 def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:
-    # On its own, as `_page` is.
+    # A function of its own, as `_page` is.
     image = _painted(drawing, size, style, options)
     image.setText("Software", f"Curvebench {__version__}")
     image.setText("Description", accuracy_of(drawing))
@@ -241,9 +241,9 @@ def pdf_file(document: Document, options: Options) -> ExportResult:
 
 
 def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:
-    # On its own, because nothing that paints may outlive the application.
+    # A function of its own: no painter may outlive the application.
     wide, high = page = _page_size(drawing, options)
-    # Two digits of slack: what is a whole number of points but for rounding shall not become one more.
+    # With slack, so that a rounding error does not add a point.
     whole = (math.ceil(wide - 1e-6), math.ceil(high - 1e-6))
     buffer = _buffer()
     writer = QPdfWriter(buffer)
@@ -263,11 +263,11 @@ def _page(drawing: Drawing, options: Options, style: PictureStyle) -> bytes:
 def _cut(pdf: bytes, whole: tuple[int, int], page: tuple[float, float]) -> bytes:
     """Return a PDF with a page cut to its size: Qt makes those of whole points alone (QPageSize::sizePoints).
 
-    It is as long as before, for the file says where in it everything is.
+    The length stays, for the file contains positions within itself.
     """
     before = f"/MediaBox [0 0 {whole[0]:f} {whole[1]:f}]".encode()
     after = f"/MediaBox [0 0 {page[0]:f} {page[1]:f}".encode().ljust(len(before) - 1) + b"]"
-    # Were it written otherwise one day, the page would be larger by less than a point.
+    # If Qt writes it differently one day, the page is larger by less than a point.
     return pdf.replace(before, after, 1)
 
 
@@ -292,7 +292,7 @@ def _drawing(document: Document, options: Options, style: PictureStyle) -> Drawi
 
 
 def _png_drawing(document: Document, options: Options, style: PictureStyle) -> Drawing:
-    # With a unit it has true size whatever its width: that says how dense its pixels are.
+    # With a unit a PNG has true size at any width, which sets its resolution.
     return _drawing(document, msgspec.structs.replace(options, width=None), style)
 
 
@@ -300,7 +300,7 @@ def _png_drawing(document: Document, options: Options, style: PictureStyle) -> D
 def application() -> Iterator[None]:
     """Paint with the running application, or with one that needs no display and ends with the painting.
 
-    It is ended, not left to the garbage: whatever kept it would keep a later editor from its own.
+    It is shut down at once: an application that is left to garbage collection would block a later one.
     """
     if isinstance(QGuiApplication.instance(), QGuiApplication):
         yield

@@ -46,7 +46,7 @@ class FrameMaker:
     Attributes
     ----------
     width, height
-        In pixels, both even: many video formats want that.
+        Size in pixels, both even: many video formats need that.
     """
 
     def __init__(self, document: Document, film: Film) -> None:
@@ -142,5 +142,5 @@ def _times(film: Film, duration: float) -> FloatArray:
     if film.repeat is Repeat.ONCE:
         return np.linspace(0.0, duration, film.frames)
     whole = round_duration(duration, film.repeat)
-    # In the second round, in which the trail reaches over the seam: each frame follows the one before it.
+    # The second round, where the trail crosses the seam, so that the film loops without a jump.
     return np.asarray(whole + np.arange(film.frames) * (whole / film.frames))

@@ -38,7 +38,7 @@ class Outline(msgspec.Struct, frozen=True):
     shape, groups, visible, locked
         As in `Curve`.
     letters
-        Of what kind each point is; see `letters_of`. None where pieces do not end at points.
+        Kinds of the points; see `letters_of`. Empty where pieces do not end at points.
     """
 
     name: str

@@ -78,7 +78,7 @@ class Painting:
 
     def _pen(self, style: Style, length: float) -> QPen | None:
         width = self._drawing.usual_width if style.width is None else style.width
-        # A pen of no width would be one of a pixel.
+        # Qt draws a pen of width 0 one pixel wide.
         if not style.has_stroke or width <= 0:
             return None
         colour = with_opacity(QColor(self._style.stroke_of(style)), style.stroke_opacity)

@@ -75,11 +75,11 @@ class ExportResult:
     Attributes
     ----------
     content
-        Of the file.
+        Content of the file.
     deviation
         Largest distance of what the file holds from the true curves, in the document's unit.
     is_bound
-        Whether it is nowhere more, or has been measured at many parameters.
+        Whether the deviation is a bound; otherwise it was measured at many parameters.
     remarks
         One sentence for every curve that was left out.
     pixels
@@ -126,9 +126,9 @@ class FileKind:
     Attributes
     ----------
     endings
-        In small letters; the first is the one that a new file gets.
+        Endings in lower case; a new file gets the first.
     title
-        What one file is called.
+        Name of one file of the kind.
     """
 
     endings: tuple[str, ...]
@@ -154,19 +154,19 @@ class Format(FileKind):
     description
         The title in a sentence; a format without one is not offered there.
     rank
-        Where it stands in lists: they are in ascending order.
+        Rank in lists, which are sorted by it.
     options
-        Those that it has.
+        Options of the format.
     hidden
-        Takes the values chosen, by the options' names, and returns the options that do not matter then.
+        Function of the values, by the options' names, that returns the options without effect.
     write
         Returns what to write; None if it is not written. Long work reports to `Options.report`.
     preview
-        Of pictures: shows what they will look like, in so many pixels at most; see `image.PicturePreview`.
+        Preview of a picture, of at most so many pixels; see `image.PicturePreview`.
     kind
-        What is read from such files; None if they are not read.
+        Kind of the content that is read; None if such files are not read.
     plural
-        What the import dialog calls such files.
+        Name of such files in the import dialog.
     read
         Reader of the content of a file; None for documents and for tables of text. That of a table takes the
         content and returns a `Table`. That of a drawing takes the content and the tolerance and returns an
@@ -295,7 +295,7 @@ def with_ending(path: Path, ending: str) -> Path:
     kind = ending[ending.rindex(".") :]
     replaced = known if known.endswith(kind) else kind if path.name.lower().endswith(kind) else ""
     stem = path.name[: len(path.name) - len(replaced)]
-    # A name that is nothing but an ending is the name of a file all the same.
+    # A name that is only an ending is the name of a file as well.
     return path.with_name((stem or path.name) + ending)
 
 
@@ -323,11 +323,11 @@ def file_filters(pictures: str = "") -> str:
 def can_import(path: Path) -> bool:
     """Whether a file that somebody hands over is to be imported; documents are opened."""
     name = path.name.lower()
-    # Before the registry is asked: a window that opens a document starts without the other formats.
+    # Before the registry imports all formats: a window that opens a document starts without them.
     if name.endswith(DOCUMENT_ENDING) or not name.endswith(endings_of(FORMATS.read)):
         return False
     try:
         with path.open("rb") as file:
             return not is_document(file.read(_MARK_WITHIN))
     except OSError:
-        return not name.endswith(".json")  # whoever opens it says what is wrong with it
+        return not name.endswith(".json")  # to open it reports the error

@@ -25,7 +25,7 @@ from . import ExportResult, Format
 
 _RESERVED = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
 
-# The runtime bears no annotations, so that people can read what is exported.
+# The runtime has no annotations, so that everybody can read the export.
 _RUNTIME: tuple[Callable[..., Any], ...] = (
     code_runtime.lagrange,
     code_runtime.hermite,
@@ -37,7 +37,7 @@ _evaluate: Callable[..., FloatArray] = code_runtime.evaluate
 def python_code(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return a module of Python, with NumPy alone, that has a function of t for every curve.
 
-    Its values are those of the curves but for rounding: about 1e-15 of the size, more where the sum of
+    The functions give the curves but for rounding: about 1e-15 of the size, more where the sum of
     |basis function times datum| is large.
 
     Raises
@@ -96,7 +96,7 @@ def identifiers_of(curves: Iterable[ExportedCurve]) -> list[str]:
 
 
 def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
-    # That of rounding, which depends on the t.
+    # The deviation is rounding, which depends on t.
     lines = [accuracy(deviation, is_bound=False), *map(one_line, remarks)]
     return "\n".join([*(f"# {line}" for line in lines), "", imports])
 

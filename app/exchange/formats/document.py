@@ -12,7 +12,7 @@ from . import DOCUMENT_ENDING, ContentKind, ExportResult, Format, is_document
 
 
 def _write(document: Document, options: Options) -> ExportResult:
-    # The picture to trace is found from where the file lies.
+    # The path of the reference image is relative to the file.
     try:
         return ExportResult(encode(with_relative_image_path(document, folder_of(options.path))))
     except FormatError as problem:

@@ -203,7 +203,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
     except MemoryError:
         raise
     except Exception as problem:
-        # What a damaged file makes a foreign parser raise has no end: StructureError, ValueError, …
+        # A damaged file can make a foreign parser raise anything: StructureError, ValueError, …
         raise _damaged("The DXF file", problem) from problem
     if len(entities) > MAX_ENTITIES:
         raise ExchangeError(f"The DXF file has {len(entities)} entities; at most {MAX_ENTITIES} can be read.")

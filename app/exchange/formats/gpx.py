@@ -32,7 +32,7 @@ EARTH = 6_371_008.8
 def read_gpx(data: bytes) -> Table:
     """Return the points of all segments of tracks and of routes; t are their times, where these increase.
 
-    What does not come in is said: waypoints, segments of one point, elevations.
+    A remark names the content left out: waypoints, segments of one point, elevations.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def _seconds(point: Element) -> float:
 
 def _projected(degrees: FloatArray) -> tuple[FloatArray, FloatArray, str]:
     """Return metres east and north of the middle, and a sentence on the projection."""
-    # On one side of the date line.
+    # All longitudes on one side of the date line.
     longitude, latitude = (degrees - [360, 0] * np.round((degrees - degrees[0]) / 360)).T
     east, north = (float(np.round((angle.min() + angle.max()) / 2, 6)) for angle in (longitude, latitude))
     across = np.cos(np.radians([north, *latitude]))

@@ -54,7 +54,7 @@ _LEAST_SIDE, _LARGEST_SIDE = 0.01, 500.0
 _PICTURE_DIGITS = 5  # TeX itself counts in 1/65536 pt, 5e-6 cm
 _LINES_OF_ARRAY = 42
 _GAP_OF_ROWS = 4 / 12  # of a line: [4pt]
-_POINTS_OF_LINE = 2  # what the text of an article is wide enough for
+_POINTS_OF_LINE = 2  # as many as fit into the text width of an article
 _SPECIAL = {
     **{char: f"\\{char}" for char in "#$%&_{}"},
     "\\": r"\textbackslash{}",
@@ -89,7 +89,7 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> ExportResul
 def tikz_picture(document: Document, options: Options = DEFAULT) -> ExportResult:
     r"""Return a ``tikzpicture`` of the curves as cubic Bézier curves; needs tikz.
 
-    It is `PICTURE_SIDE` cm large; in a unit of length it has true size.
+    The picture is `PICTURE_SIDE` cm large; in a unit of length it has true size.
 
     Raises
     ------

@@ -194,7 +194,7 @@ class _WaypointPath:
     Attributes
     ----------
     rows
-        Of the file.
+        Rows of the file.
     deviation
         Largest distance of the path from the curve.
     """
@@ -207,7 +207,7 @@ class _WaypointPath:
             inside = np.flatnonzero((grid[1:] + grid[:-1]) / 2 > piece.domain[0])
             leaving[inside] = step * piece.evaluate(grid[inside], 1)
             arriving[inside] = step * piece.evaluate(grid[inside + 1], 1)
-        # Where the curve turns back it goes on backwards.
+        # Where the curve reverses, the robot drives backwards.
         goes_on = np.einsum("kd,kd->k", arriving[:-1], leaving[1:]) >= 0
         signs = np.cumprod([1.0, *np.where(goes_on, 1.0, -1.0)])
         tangents = np.append(signs[:, None] * leaving, signs[-1:] * arriving[-1:], axis=0)

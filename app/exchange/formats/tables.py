@@ -74,7 +74,7 @@ def _array(data: bytes) -> npt.NDArray[Any]:
     except KeyError:
         raise ExchangeError("The version of the .npy file is not supported. Save the array again.") from None
     except Exception:
-        # The head is Python's own syntax, and whatever its parser raises, this is no array.
+        # The header is Python syntax: whatever its parser raises, this is not an array.
         raise ExchangeError("This is not a .npy file, or its header is damaged.") from None
     if dtype.hasobject:
         raise ExchangeError("The array contains Python objects, which are never loaded. Save it as numbers.")

@@ -97,7 +97,7 @@ class Cascade:
     Parameters
     ----------
     missed
-        Takes note of the rules that are not followed.
+        Record of the rules that are ignored.
     """
 
     def __init__(self, root: ET.Element, losses: Losses) -> None:
@@ -116,7 +116,7 @@ class Cascade:
             wrapped = cssselect2.ElementWrapper.from_xml_root(root).iter_subtree()
             self._wrapped = {wrapper.etree_element: wrapper for wrapper in wrapped}
         self._styles = {element: self._style_of(element) for element in root.iter()}
-        # A root that is as large as a page, or as a part of it, keeps the size that its file has.
+        # A root sized relative to a page keeps the size of its attributes.
         for name in ("width", "height"):
             if not with_unit(self._styles[root].get(name, "1"), 1.0):
                 del self._styles[root][name]

@@ -28,7 +28,7 @@ class Group:
     number
         Another one for each, however they are called.
     name
-        What the file calls it; empty where it does not.
+        Name in the file; empty without one.
     """
 
     number: int
@@ -46,7 +46,7 @@ class DrawnPath:
     element
         The number of its element, another one each time that this is drawn.
     groups
-        Those around it.
+        Groups around the path.
     """
 
     path: ImportedPath
@@ -127,13 +127,13 @@ class ClipBox:
     Attributes
     ----------
     box
-        In the units of some element.
+        Box in the units of `element`.
     matrix
-        From those to the document's plane.
+        Matrix from those units to the document's plane.
     element
-        What has it.
+        Element with the box.
     flaw
-        What is said of that where something lies beyond.
+        Loss to note where a shape lies outside the box.
     """
 
     box: Box

@@ -60,7 +60,7 @@ class Viewport:
     Attributes
     ----------
     width, height
-        Those that lengths in percent are parts of.
+        Size that percentages refer to.
     em, rem
         The font size of the element, and of the root.
     """
@@ -185,7 +185,7 @@ def transform_of(
         a length which nobody knows.
     """
     result, position = np.eye(2, 3), 0
-    # Every call takes some of the text, and none of it is copied to see whether there is more.
+    # Every match advances the position, and no text is copied.
     while not _REST.match(text, position):
         match = _CALL.match(text, position)
         if match is None:
@@ -346,13 +346,13 @@ class Page:
     unit
         The document's; empty where the file has no size.
     matrix
-        From user units, y down, to the document, y up. The origin stays.
+        Matrix from user units, y down, to the document, y up. The origin stays.
     viewport
-        What percentages are parts of.
+        Viewport that percentages refer to.
     pixel
         A CSS pixel in the document.
     frame
-        What the file shows, in the document; None where nobody says.
+        Frame that the file shows, in the document; None where it is unknown.
     """
 
     unit: str

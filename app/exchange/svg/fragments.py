@@ -39,7 +39,7 @@ class Fragment:
     data
         A whole file.
     is_bare
-        Whether it was path data alone, of which nobody says how they look.
+        Whether the text was path data alone, without a style.
     """
 
     data: bytes
@@ -90,7 +90,7 @@ def read_fragment(fragment: Fragment, report: Report = silent) -> ImportResult:
     result = result.with_curves()
     if not fragment.is_bare:
         is_ours = svg.own_files.MARK.encode() in fragment.data
-        # Where nobody says it a unit of SVG is a pixel; of our own, the document's, which has none.
+        # Without a unit SVG is in pixels, but a file of Curvebench in a unit-less document's units.
         unit = result.document.unit or ("" if is_ours else "px")
         return with_fields(result, document=replace(result.document, unit=unit))
     curves = tuple(replace(curve, name="Path", style=PLAIN_STYLE) for curve in result.document.curves)

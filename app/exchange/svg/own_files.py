@@ -27,7 +27,7 @@ class OwnFile:
     Attributes
     ----------
     is_so
-        Whether it is.
+        Whether Curvebench wrote the file.
     has_nominal_size
         Whether the size of the file says nothing.
     """

@@ -152,19 +152,19 @@ class ElementContext:
     matrix
         (2, 3), to the document's plane.
     viewport
-        What percentages are parts of.
+        Viewport that percentages refer to.
     around
         The elements that it is in, and those that a `use` shows, with the `use`.
     is_used
         Whether a `use` shows it.
     groups
-        Those around it, the outermost first.
+        Groups around the element, the outermost first.
     windows
         The boxes that it is shown in, but for that of the file.
     is_locked
         Whether Inkscape keeps it from being touched.
     copied
-        What the element is called that a `use` copies; empty for any other.
+        Name of the element that a `use` copies; empty for other elements.
     """
 
     matrix: FloatArray
@@ -184,11 +184,11 @@ class _Reader:
     Attributes
     ----------
     sheet
-        Its size.
+        Size of the file.
     missed
-        What does not come in as it is.
+        Losses of the import.
     ours
-        What only files of our own say.
+        Marks of files that Curvebench wrote.
     """
 
     def __init__(self, root: ET.Element, tolerance: float | None = None) -> None:
@@ -203,7 +203,7 @@ class _Reader:
         self._path_count = 0
         self._shapes: list[ET.Element] = []
         self._measuring = 0
-        # Shared with those that measure: how many elements were drawn, and how many measured; and boxes.
+        # Shared with readers that measure: counts of elements drawn and measured, and boxes.
         self._visits = [0, 0]
         self._extents: dict[tuple[object, ...], FloatArray] = {}
 
@@ -321,7 +321,7 @@ class _Reader:
             around=(*context.around, element),
             clip_boxes=clip_boxes,
             properties=context.properties.entered(declared, context.viewport),
-            # What is locked where it is drawn is not so where it is used.
+            # A `use` does not inherit the lock of its target.
             is_locked=context.is_locked or (not context.is_used and element.get(INSENSITIVE) == "true"),
         )
 
@@ -374,7 +374,7 @@ class _Reader:
         if depth > MAX_DEPTH or target in context.around:
             self.losses.note_at(element, _CIRCULAR)
             return
-        # Of several within each other the outermost is what a person sees as the copy.
+        # Of nested uses the outermost is the copy that a person sees.
         name = context.copied or name_of(element) or f"{name_of(target)} copy"
         context = replace(context, is_used=True, copied=name)
         if tag_of(target) in ("symbol", "svg"):

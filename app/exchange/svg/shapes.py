@@ -129,7 +129,7 @@ def _rectangle(
     if across == 0 or up == 0:
         return _complete(read_path_data(f"M{x!r} {y!r}H{right!r}V{bottom!r}H{x!r}Z"))
     bend = f"A{across!r} {up!r} 0 0 1"
-    # Where two bends meet there is no line between them, not even one of no length.
+    # Where two bends meet there is no line between them, not even one without length.
     top = f"H{right - across!r}" if 2 * across < width else ""
     bottom_line = f"H{x + across!r}" if 2 * across < width else ""
     side = f"V{bottom - up!r}" if 2 * up < height else ""
@@ -183,9 +183,9 @@ class Subpath:
     pieces
         Cubic pieces (k, 4, 2), or groups of them.
     closed
-        Whether it ends in Z, or exactly where it begins.
+        Whether the subpath ends in Z, or exactly where it begins.
     deviation
-        How far the pieces of arcs are from them.
+        Distance of the pieces of arcs from the arcs.
     """
 
     start: FloatArray
@@ -226,9 +226,9 @@ class ReadPath(NamedTuple):
     Attributes
     ----------
     subpaths
-        Those before the segment with the error.
+        Subpaths before the segment with the error.
     error
-        Where it is: "at character 7, “L35”", from 1; empty where there is none.
+        Position of the error, "at character 7, “L35”", from 1; empty without one.
     """
 
     subpaths: list[Subpath]
@@ -271,7 +271,7 @@ def read_points(data: str, *, closed: bool) -> ReadPath:
 
 def _drawn(data: str, pen: _Pen) -> int | None:
     """Draw path data up to the first error, and return its place; None where there is none."""
-    # Of the same length, for the places of errors.
+    # The length stays the same, for the positions of errors.
     data = _BARE_POINT.sub(r"\1 ", data)
     loss, reader = _PASSED_OVER.search(data), _Reader()
     try:
@@ -344,9 +344,9 @@ class _Pen:
     Attributes
     ----------
     current_point
-        Where the pen is.
+        Position of the pen.
     subpaths
-        What was drawn; complete after `end`.
+        Subpaths drawn; complete after `end`.
     """
 
     def __init__(self, tolerance: float | None) -> None:
@@ -356,7 +356,7 @@ class _Pen:
         # The degree of the curve before, and its last control point.
         self._before: tuple[int, _Pair] = (1, self._start)
         self._is_open = False
-        # Where a polyline goes from the end of the last piece: arrays of two points each would take most of
+        # Vertices of a polyline from the end of the last piece: arrays of two points each would take most of
         # the time that a path of very many lines takes.
         self._corners: list[_Pair] = []
 
@@ -426,7 +426,7 @@ class _Pen:
 
     def end(self) -> None:
         if self._is_open:
-            # A curve that ends exactly where it begins is meant to be closed; Z is only about line ends.
+            # A curve that ends exactly at its start is meant to be closed; Z only joins the stroke.
             current = self._current
             controls, gap = current.controls, np.abs(current.end - current.start).max()
             current.closed = len(controls) > 1 and bool(gap <= rounding_of(controls))

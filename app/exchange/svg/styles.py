@@ -45,7 +45,7 @@ class Properties:
     values
         The properties of `INHERITED`.
     opacity
-        Its own times that of all around it.
+        Opacity of the element times that of all groups around it.
     is_displayed
         Whether neither it nor a group around it is `display: none`.
     """
@@ -75,7 +75,7 @@ class Properties:
             return INHERITED[name]
         if name == "color":
             return value if colour_of(value) else self.values[name]
-        # What is no paint is passed over, as if it did not stand there.
+        # As in CSS, an invalid paint is ignored.
         return value if name not in _PAINTS or is_paint(value) else self.values[name]
 
     @property
@@ -157,7 +157,7 @@ def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float |
     try:
         return viewport.length(values[name])
     except ExchangeError:
-        # As CSS has it: what is no length does not stand there.
+        # As in CSS, an invalid length is ignored.
         return float(INHERITED[name])
 
 
@@ -183,7 +183,7 @@ def _miter_limit(text: str) -> float:
         value = 4.0
     if not 0 <= value <= MAX_MAGNITUDE:
         return 4.0
-    # Below 1 it is no limit, but programs write 0 for none at all: every corner is a bevel.
+    # Values below 1 are invalid, but programs write 0 for bevels at every corner.
     return max(value, 1.0)
 
 
@@ -219,9 +219,9 @@ class Paint:
     colour
         "#rrggbb", or "none".
     opacity
-        From 0 to 1.
+        Opacity from 0 to 1.
     flaw
-        What could not be taken as it is; None if nothing.
+        Loss of the import; None for none.
     """
 
     colour: str

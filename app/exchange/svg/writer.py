@@ -77,7 +77,7 @@ def picture_of(
     plain = drawing_of(document, options.tolerance, report, with_hidden=with_hidden)
     if not (options.handles or options.grid or options.basis is not None):
         return trimmed(plain) if options.is_to_scale and not options.points else plain
-    # Views of basis functions and handles are no business of a plain drawing.
+    # A plain drawing does without the modules for basis functions and handles.
     return drawing.annotations.annotated(plain, document, options, style.theme)
 
 
@@ -85,7 +85,7 @@ def _cornered(drawing: Drawing) -> Drawing:
     """Return a drawing whose upper left corner is on the origin but for rounding with it right there."""
     frame = drawing.frame
     if max(abs(frame.left), abs(frame.top)) > _CORNER_ROUNDING * frame.side:
-        return drawing  # too far away for a document
+        return drawing  # too far away to be moved within a document
     return replace(drawing, frame=replace(frame, left=0.0, bottom=-frame.height))
 
 
@@ -215,14 +215,14 @@ class Tree:
     Parameters
     ----------
     style
-        Of the picture.
+        Style of the picture.
     usual_width
-        Of a stroke whose style does not say it.
+        Width of strokes whose style has none.
 
     Attributes
     ----------
     lines
-        What was written so far.
+        Lines written so far.
     """
 
     def __init__(self, style: PictureStyle, usual_width: float) -> None:
@@ -328,7 +328,7 @@ def _style_attributes(style: Style, picture: PictureStyle, usual_width: float) -
 def dash_style(dashes: Sequence[float], offset: float = 0.0) -> str:
     """Return lengths of dashes and gaps as CSS.
 
-    As attributes Inkscape leaves them as they are when it enlarges a stroke, be it that a drawing in pixels
+    When Inkscape enlarges a stroke, it keeps attributes unchanged, for instance where a drawing in pixels
     is pasted into one in millimetres; of CSS it enlarges both.
     """
     css = f"stroke-dasharray:{','.join(map(number, dashes))}"
@@ -371,7 +371,7 @@ _NOISE = 8 * sys.float_info.epsilon
 _SHORT = 16
 """Characters of a number that has no noise."""
 
-# XML 1.0 has no way at all to write these.
+# XML 1.0 cannot contain these characters.
 _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 
@@ -394,7 +394,7 @@ def quoted(text: str) -> str:
 
 def escaped(text: str) -> str:
     """Return text as XML may hold it."""
-    # Compiled here, and kept by `re`: that takes longer than importing this module.
+    # Compiled late and cached by `re`: compiling takes longer than importing this module.
     text = re.sub(_NOT_IN_XML, "\ufffd", text)
-    # What xml.sax.saxutils does, without the network modules that it imports.
+    # As xml.sax.saxutils, without the network modules that it imports.
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

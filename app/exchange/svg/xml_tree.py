@@ -60,7 +60,7 @@ _REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 def parsed(data: bytes, most_elements: int = MAX_ELEMENTS) -> ET.Element:
     """Return the root of an XML file.
 
-    What a DOCTYPE points to is not read; what it declares itself, as Illustrator and Sodipodi do, is.
+    External entities of a DOCTYPE are not read; internal ones, as of Illustrator and Sodipodi, are.
 
     Raises
     ------
@@ -136,7 +136,7 @@ class _Parser(DefusedXMLParser):  # type: ignore[misc]  # that package has no ty
             if not self._may_point_outside:
                 raise ExchangeError("The file is not XML: its DOCTYPE is broken.")
             raise _ExternalId(b"SYSTEM" if pubid is None else b"PUBLIC", self.parser.CurrentByteIndex)
-        # From here on it is called for references to parameter entities alone.
+        # From here on this handler is only called for references to parameter entities.
         self.parser.NotStandaloneHandler = _refused_parameter
 
     def defused_entity_decl(
@@ -184,7 +184,7 @@ class _Declared:
 
     @cached_property
     def _uses(self) -> Counter[bytes]:
-        # Expat takes no encoding in which letters are written otherwise, but for the zeros of UTF-16.
+        # All encodings of Expat write letters as ASCII, but for the zeros of UTF-16.
         return Counter(re.findall(_ENTITY.encode(), self._data.replace(b"\0", b"")))
 
     def attribute(self, element: str, name: str, _kind: str, default: str | None, _required: int) -> None:
@@ -273,7 +273,7 @@ class Elements:
     Attributes
     ----------
     by_id
-        Those that are named.
+        Elements with an id.
     declared
         Returns what an element declares.
     """

@@ -80,7 +80,7 @@ class Guess:
     Attributes
     ----------
     mapping
-        Which is what; None where no two columns are numbers.
+        Roles of the columns; None where no two columns are numbers.
     is_certain
         Whether names, or the lack of any choice, say so; where not, somebody should be asked.
     """
@@ -139,7 +139,7 @@ def guess(
         if (is_number is None or is_number[column]) and column not in known.values()
     ]
     has_titles = any(title != f"Column {number}" for number, title in enumerate(titles, start=1))
-    # Without titles a first column that counts may as well be t.
+    # Without titles a first column that counts could be t.
     counted = [column for column in free if has_titles and _counts(titles[column], rows, column)]
     return _by_order(known, [column for column in free if column not in counted] or free)
 
@@ -208,7 +208,7 @@ def _named(titles: Sequence[str]) -> dict[str, int]:
         role = role_of(title)
         if role and (role not in columns or len(title) < len(titles[columns[role]])):
             columns[role] = column
-    # Of a vector both coordinates: "vx" alone is the speed along the way, of vehicles.
+    # Only with both coordinates of a vector: "vx" alone is the speed of a vehicle along its path.
     parts = (*ROLES[3:], *AFTER)
     halves = [pair for pair in zip(parts[::2], parts[1::2], strict=True) if not set(pair) <= set(columns)]
     return {role: column for role, column in columns.items() if not any(role in pair for pair in halves)}

@@ -54,12 +54,12 @@ class TableOptions:
     Attributes
     ----------
     family
-        Of the curves, unless a column says it. Derivatives that the family does not have are
+        Family of the curves, unless a column names one. Derivatives that it does not have are
         left out; where a pair of cells is empty, they are estimated.
     settings
-        Those of that family that are not its defaults.
+        Settings of that family other than its defaults.
     name
-        Of the curve, unless a column says it.
+        Name of the curve, unless a column has one.
     thin
         None to take every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
     thinning
@@ -102,7 +102,7 @@ def document_of_table(
                 first_repeat or curve_rows.line_of(int(repeated[0])),
             )
         if curve_rows.t is None:
-            # Parameters by distance, which are the rule then, cannot tell these points apart.
+            # Without t the parameters follow the distances, which must not be 0.
             curve_rows = curve_rows.without(repeated)
         share = part(report, index / len(groups), (index + 1) / len(groups))
         if options.thin is None:
@@ -152,7 +152,7 @@ def _without_missing(
     for title, rows in groups:
         whole = np.flatnonzero(is_whole[rows])
         ends = np.flatnonzero(np.diff(whole) > 1) + 1 if missing is MissingRows.SPLIT else whole[:0]
-        # What is left of a block may be a single row, which is no curve.
+        # A single remaining row is not a curve.
         result += [(title, rows[part]) for part in np.split(whole, ends) if len(part) > 1]
     if not result:
         raise ExchangeError("No two consecutive rows contain numbers.")
@@ -197,7 +197,7 @@ class _Rows:
     Attributes
     ----------
     table, columns
-        Where they come from, and the columns of numbers that there are.
+        The table, and its columns of numbers by role.
     rows
         Their places in the table.
     """

@@ -155,17 +155,17 @@ class TableChoice:
     Attributes
     ----------
     layout, mapping
-        How it is divided into cells, and which columns are what.
+        Division into cells, and roles of the columns.
     family
-        Of curves that no column gives another.
+        Family of curves without a column for it.
     thinning
-        How to thin the rows out; None to keep them all.
+        Kind of thinning; None to keep all rows.
     tolerance
-        How near to stay to the rows; None for a thousandth of the table's size.
+        Largest distance from the rows; None for a thousandth of the table's size.
     name
-        Of a curve that no column gives another.
+        Name of a curve without a column for it.
     missing
-        What becomes of rows without numbers.
+        Treatment of rows without numbers.
     """
 
     layout: TextLayout
@@ -184,21 +184,21 @@ class PreparedTable:
     Attributes
     ----------
     rows
-        How many rows of numbers there are; 0 where they could not be read.
+        Number of rows of numbers; 0 where they could not be read.
     tolerance
         The one used; 0 where all rows are kept.
     document, deviation
         The curves, and how far they are from the rows at most; None where there is a problem.
     problem
-        What keeps the rows from becoming curves; empty if nothing does.
+        Problem that keeps the rows from becoming curves; empty for none.
     wider_than
         The distance that would have been used had it not left too many points; 0 where it was used.
     bad_row, bad_column, bad_cells
-        Where that is, counted from 1, and what stands there; 0 and empty where no row is meant.
+        Cell of the problem, counted from 1, and the cells of its row; 0 and empty without a row.
     lacks_numbers
-        Whether it is that a row has no number: it could be left out.
+        Whether the problem is a row without a number, which could be left out.
     remarks
-        What there is to say of the curves, in sentences.
+        Remarks on the curves, in sentences.
     """
 
     rows: int = 0

@@ -77,17 +77,17 @@ class Preview:
     Attributes
     ----------
     layout
-        What was found, or what was asked for.
+        The layout that was detected, or asked for.
     titles
-        Of the columns; "Column 1" and so on without a header.
+        Titles of the columns; "Column 1" and so on without a header.
     cells
         The first rows, as text.
     numbers
-        Of these rows, as problems and remarks name them: from 1, of the lines of a text, else of the rows.
+        Numbers of these rows in problems and remarks: of the lines of a text, else of the rows, from 1.
     guess
-        What the columns seem to be.
+        Likely roles of the columns.
     remark
-        What was found above the numbers, in words; empty for nothing.
+        Remark on the lines above the numbers; empty for none.
     is_text
         Whether the layout can be chosen: the file is text with separators.
     """
@@ -111,7 +111,7 @@ class Preview:
         Raises
         ------
         ExchangeError
-            Where it would be a guess, with the columns that there are.
+            Where the roles would be a guess, with the columns.
         """
         if self.mapping is None:
             raise ExchangeError("The table has only one column; a curve needs x and y.")
@@ -135,7 +135,7 @@ class Table:
     Attributes
     ----------
     titles
-        Of the columns.
+        Titles of the columns.
     values
         (rows, columns); NaN where a cell is empty or its column was not read as numbers, otherwise finite.
     first_row
@@ -147,7 +147,7 @@ class Table:
     blocks
         The rows, from 0, at which another curve begins: after an empty line, for one.
     remark
-        What of the file is in no row, in words; empty for nothing.
+        Remark on content of the file that is in no row; empty for none.
     """
 
     titles: tuple[str, ...]

@@ -84,13 +84,13 @@ def read_table(
     data
         The whole file: UTF-8, or UTF-16 with its mark.
     layout
-        How to read it.
+        Layout of the text.
     mapping
         The columns that are wanted; what stands in the others is not looked at.
     allows_missing
         Whether "nan" and the like may stand in place of a number.
     report
-        Hears how far it has come.
+        Called with the progress.
 
     Raises
     ------
@@ -173,7 +173,7 @@ class _Collector:
 
     def __init__(self, layout: TextLayout, wanted: _Wanted, rows: int, allows_missing: bool) -> None:
         self._layout, self._wanted, self._allows_missing = layout, wanted, allows_missing
-        # At once: put together from parts, the numbers would be there twice. What is not used takes nothing.
+        # Allocated at once: joined from parts, the numbers would be in memory twice.
         self._values = np.empty((rows, wanted.width))
         self._count = self._first_row = 0
         self._above = layout.above
@@ -247,7 +247,7 @@ class _Collector:
             if is_data(line):
                 cells = cells_of(line, self._layout, self._wanted.width)
                 for column, words in self._words.items():
-                    # A name that a million rows share is kept once.
+                    # A name that a million rows share is stored once.
                     words.append(self._known.setdefault(cells[column], cells[column]))
 
 
@@ -272,7 +272,7 @@ def _fast(lines: list[str], layout: TextLayout, wanted: _Wanted, allows_missing:
     if '"' in text or (layout.decimal_comma and "." in text):
         return None
     if not wanted.is_all and not _is_even(lines, text, layout, wanted.width):
-        return None  # the reader in C looks at the columns it is told to read, and at nothing else
+        return None  # the reader in C ignores all other columns
     if layout.decimal_comma:
         text = text.replace(",", ".")
     try:
@@ -364,7 +364,7 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayou
     """Return the layout with these marks, by the kinds of the rows above the numbers."""
     plain = TextLayout(separator, decimal_comma, header=False)
     rows = [cells_of(line, plain) for line in lines]
-    # Of rows that end with a separator nobody knows yet whether an empty cell follows it.
+    # It is unknown yet whether an empty cell follows a separator at the end of a row.
     wholes = [len(cells_of(line, plain, _ANY_WIDTH)) for line in lines]
     widths = {mode(map(len, rows)), mode(wholes)}
     are_above = (
@@ -373,7 +373,7 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayou
     )
     above = next((index for index, is_above in enumerate(are_above) if not is_above), 0)
     if above == 0:
-        # Without a row of numbers the first one holds titles, if there are others.
+        # Without a row of numbers the first row contains titles, if there are others.
         return replace(plain, header=len(rows) > 1 and not any(is_number(cell, plain) for cell in rows[0]))
     titles = above - 1
     units = above > 1 and _is_units(rows[titles]) and _is_titles(rows[titles - 1], widths, plain)
@@ -576,7 +576,7 @@ def first_lines(data: bytes) -> FirstLines:
 def is_data(line: str) -> bool:
     """Whether a line is neither empty nor a comment."""
     text = line.lstrip()
-    # The marks first: this is asked of every row.
+    # The marks first, as this is called for every row.
     return bool(text) and not (text[0] in "#%/;" and _COMMENT.match(text))
 
 

@@ -42,7 +42,7 @@ class ThinnedPoints:
     rows
         The indices of those kept, the first and the last among them.
     parameters
-        Theirs: those given, or the length of the polyline through all points up to each.
+        Parameters of these points: those given, or the length of the polyline up to the point.
     deviation
         Largest distance of any of the points from the natural spline through those kept, at its parameter.
     """
@@ -76,9 +76,9 @@ def thin_out(
     tolerance
         Largest distance allowed, positive.
     thinning
-        Which of the two.
+        Spline or polyline.
     report
-        Hears how far it has come.
+        Called with the progress.
 
     Raises
     ------
@@ -154,7 +154,7 @@ def _farthest(distance: FloatArray, indices: IntArray, tolerance: float) -> IntA
     worst = np.maximum.reduceat(distance, indices[:-1])
     segment = np.repeat(np.arange(len(indices) - 1), np.diff(indices))
     inside = distance[: indices[-1]]
-    # Of equals all are candidates; the first of each segment counts.
+    # Equally far points are all candidates; the first of each segment counts.
     candidates = np.flatnonzero((inside == worst[segment]) & (inside > tolerance))
     _, first = np.unique(segment[candidates], return_index=True)
     return candidates[first]

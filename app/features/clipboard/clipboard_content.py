@@ -39,7 +39,7 @@ class ClipboardContent(SafeOverrides, QMimeData):
 
     def __init__(self, mime_type: str, document: Document, text: str = "") -> None:
         super().__init__()
-        # A part of a shape is none any more.
+        # A part of a shape is no longer a shape.
         self._mime_type, self._document, self._text = mime_type, tidy_shapes(document), text
         self._cache: dict[str, Any] = {}
         is_drawable = any(len(curve.points) > 1 for curve in document.curves)
@@ -71,7 +71,7 @@ class ClipboardContent(SafeOverrides, QMimeData):
         try:
             return _MAKERS[mimetype](self._document)
         except ExchangeError:
-            # No picture can hold it, or none of the curves can be drawn.
+            # The drawing is out of range for pictures, or has no curve that can be drawn.
             return None
 
 

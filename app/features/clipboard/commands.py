@@ -51,7 +51,7 @@ class ClipboardCommands:
         session = self._session
         what = highlighted(self._context).changeable(session.document)
         offer, words = self._offer(what), what.told(session.document)
-        # What is locked stays, and leaves on the clipboard what is there.
+        # Locked curves stay, and then the clipboard stays unchanged.
         if remove(self._context, what, "Cut"):
             put_on_clipboard(offer)
             session.say(f"Cut {words}.")
@@ -108,7 +108,7 @@ class HighlightCommands:
         session, what = self._session, highlighted(self._context)
         parts = parts_of(session.views, what.points)
         if all(part in session.document.curves for part in parts):
-            # One point is no curve, and all of them are the curve itself.
+            # A single point, or all points of a curve: duplicate the curve itself.
             self._context.actions["duplicateCurve"].trigger()
             return
         arrival, words = with_parts(session.document, parts, session.active_index), what.points.count_label

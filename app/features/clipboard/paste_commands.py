@@ -87,7 +87,7 @@ class PasteCommands:
         try:
             points = points_in(data)
         except TableTextError:
-            # A spreadsheet offers a picture of its cells, too: there numbers are meant.
+            # A spreadsheet also offers a picture of its cells; then numbers are expected.
             if holds_picture(data):
                 raise EditError(_NO_CURVE) from None
             raise
@@ -163,7 +163,7 @@ class PasteCommands:
         is_one = common_name(document, indices) is not None
         message = f"Pasted “{name}”; it is selected." if is_one else f"Pasted {name}; they are selected."
         if not framing.shows_curves(indices):
-            # The view stays where somebody is at work.
+            # The view does not move while somebody works in it.
             key = key_or_name(self._context.actions["fitSelection"])
             part = f"Part of {'it' if is_one else 'them'} is outside the view"
             message = f"{message} {part}; {key} shows the selection."
@@ -175,7 +175,7 @@ class PasteCommands:
     def _append(self, position: Vector | None, pasted: PointsContent) -> None:
         session, view = self._session, self._session.active_view
         if not session.selected.is_editing:
-            # No curve is there to go on with.
+            # There is no active curve to append to.
             self._add_curve(pasted)
             return
         count = len(view.source.points)

@@ -75,7 +75,7 @@ class SimplifyCommands:
 
         def hurry(_share: float, _word: str) -> None:
             nonlocal until
-            # From the first report on: what computes may have to be imported before.
+            # Counted from the first report on, as modules may have to be imported before.
             until = until or time.monotonic() + _PATIENCE_S
             if time.monotonic() > until:
                 raise _TakesLong
@@ -107,7 +107,7 @@ def _with_views(
     """Return the simplified document, and the views of its new curves."""
     result = make(report=part(report, 0.0, _COMPUTED))
     known, rest = set(map(id, before.curves)), part(report, _COMPUTED, 1.0)
-    # As the door of the session leaves it, whose curves the views are to be of.
+    # As the session will store it, so that the views are of the same curves.
     after = tidy_shapes(with_plain_numbers(result.document, before), before)
     new = [curve for curve in after.curves if id(curve) not in known]
     return replace(result, document=after), views_ahead(new, lambda share: rest(share, "Computing curves"))

@@ -3,7 +3,7 @@
 - ``commands``: import.  ``import_series``: several files in turn.  ``intake``: their curves in the
   document.  ``import_drawing_dialog``, ``import_table_dialog``: the content of a file, shown before.
 - ``export_commands``: export, and pictures on the clipboard.  ``export_dialog``: a format and its options.
-- ``work_dialog``: what the dialogs share.
+- ``work_dialog``: base and parts of the dialogs.
 """
 
 import lazy_loader as lazy

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from .import_drawing_dialog import ImportDrawingDialog
     from .import_table_dialog import ImportTableDialog
 
-# Readers and dialogs are imported when they are wanted: at the start nobody waits for them.
+# Readers and dialogs are imported when they are used, not at the start.
 
 _NOT_IMPORTED = "{} not imported because another document was opened in the meantime."
 
@@ -108,7 +108,7 @@ class ImportCommands:
                 raise
 
         if self._target_number != self._document_number:
-            # It has waited for other work, and another document must not get its curves.
+            # Another document was opened while the file waited, and must not get its curves.
             self._give_up()
         else:
             self._work.start(f"Reading {path.name}", work, done, path, "imported", self._series.end)
@@ -242,7 +242,7 @@ class ImportCommands:
         return import_export.intake.words_about_rest(self._target(anew), new)
 
     def _end_turn(self) -> None:
-        # What comes next of the series goes where this one went.
+        # The next file of the series goes to the same document.
         self._target_number = self._document_number
         self._series.end()
 
@@ -265,7 +265,7 @@ class ImportCommands:
         """Select curves that were added to others; the next curve drawn does not get their style."""
         added, document, selected = arrival.indices, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):
-            # What is brought is put in its place as a whole, but for what nobody may move.
+            # Added curves are selected, ready to be moved as a whole, except locked ones.
             selected.choose_brought([index for index in added if document.curves[index].is_selectable], style)
         elif len(added) > 1:
             selected.choose_brought((), self._session.files.blank().curves[0].style)
@@ -275,7 +275,7 @@ class ImportCommands:
         added, document = arrival.indices, arrival.document
         curves, is_all = document.curves[added.start : added.stop], len(added) == len(document.curves)
         self._preferences.last_folder = path.parent
-        # What is in sight stays where the person put it, but for a document that holds nothing else.
+        # The view stays, unless the document holds nothing else or the curves are outside it.
         central = self._context.central
         if is_all:
             central.fit()

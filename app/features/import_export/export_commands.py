@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ...exchange.options import Options
     from .export_dialog import ExportDialog
 
-# Writers and dialogs are imported when they are wanted: at the start nobody waits for them.
+# Writers and dialogs are imported when they are used, not at the start.
 
 
 class ExportCommands:
@@ -69,7 +69,7 @@ class ExportCommands:
         return (session.document_changed, session.active_changed, session.selected_curves_changed)
 
     def _release_dialog(self) -> None:
-        # Closed once more, it is released already.
+        # A dialog that is closed twice is released once.
         if self._dialog is None:
             return
         self._dialog = None
@@ -98,7 +98,7 @@ class ExportCommands:
             return
         path = with_ending(Path(name), choice.ending)
         if path != Path(name) and path.exists():
-            # The dialog asked about the name that was typed, if it asked at all.
+            # The file dialog asked about the typed name only, not about the one with an ending.
             there = StorageError("The file exists already. Select it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return

@@ -124,7 +124,7 @@ class ExportDialog(WorkDialog):
         try:
             choice = self.form.choice()
         except ExpressionError:
-            return  # that has been said
+            return  # shown already
         preview = choice.format.preview
         assert preview is not None
         order = choice.request(document, active, self._selected, with_estimates=self._with_estimates)
@@ -139,8 +139,8 @@ class ExportDialog(WorkDialog):
         try:
             choice = self.form.choice()
         except ExpressionError:
-            return  # typed while it was drawn, and said
-        # As the picture will be looked at, not as this window is.
+            return  # typed meanwhile, and shown
+        # In the theme of the picture, not of this window.
         theme = DARK if choice[DARK_PAPER] else LIGHT
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
         self.picture.setPixmap(_on_squares(preview.image, self.devicePixelRatioF(), squares))
@@ -284,7 +284,7 @@ class ExportForm(QWidget):
         try:
             choice = self.choice()
         except ExpressionError:
-            self.changed.emit()  # whoever hears it asks for the choice, and says so
+            self.changed.emit()  # the dialog asks for the choice and shows the problem
             return
         if choice != self._choice:
             self._choice = choice
@@ -356,7 +356,7 @@ class WholeField(Field[int]):
         self.widget = RangedSpinBox(option.widget, option.title, option.tip, option.limits)
         self.widget.setKeyboardTracking(False)
         self.widget.setSuffix(option.suffix)
-        # Numbers have no signal of the person's alone; what the program sets is the same as before.
+        # Spin boxes have no signal for user input only; values that the program sets do not differ.
         self.widget.valueChanged.connect(change)
 
     def value(self) -> int:

@@ -54,7 +54,7 @@ class ImportDrawingDialog(WorkDialog):
     Parameters
     ----------
     verb, name
-        What is done with the file, and what that is called.
+        Verb of the dialog, and name of the file.
     rest
         Returns what is said of all that stays behind where the curves go: to a new document, or this one.
 
@@ -83,7 +83,7 @@ class ImportDrawingDialog(WorkDialog):
         self.remarks = Label(_remarks(result), name="importRemarks", wordWrap=True)
         self.remarks.setVisible(bool(result.remarks))
         self.rest = Label(name="importRest", wordWrap=True)
-        # Without a curve nothing comes into another document.
+        # Without a curve there is nothing to add to another document.
         self.into = into_box(verb if result.has_curves else Verb.OPEN)
         self.into.setEnabled(result.has_curves)
         self.into.currentTextChanged.connect(self._show_rest)
@@ -134,7 +134,7 @@ class ImportDrawingDialog(WorkDialog):
             self.picture.clear()
 
     def _import(self) -> None:
-        # First, for a new document closes the dialogs of the one before.
+        # First, as a new document closes the dialogs of the previous one.
         self.accept()
         self.import_requested.emit(self._result.only(self._included()), self._is_anew)
 
@@ -184,7 +184,7 @@ class GroupTree(QTreeWidget):
         header.setStretchLastSection(False)
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
-        # Told of a box that is checked, and of what follows it up and down the tree.
+        # Emitted for a checked box, and for every item above and below that follows it.
         self.itemChanged.connect(lambda _item, _column: self.selection_changed.emit())
 
     def _fill(self) -> list[QTreeWidgetItem]:
@@ -196,7 +196,7 @@ class GroupTree(QTreeWidget):
         for curve, chain in zip(curves, groups, strict=True):
             for depth in range(1, len(chain) + 1):
                 held[chain[:depth]].append(curve)
-        # What stands in a group beside groups can be taken without them.
+        # Shapes beside groups in a group can be imported without these.
         inner = {chain[:depth] for chain in groups for depth in range(len(chain))}
         for index, indices in enumerate(ranges):
             first = curves[indices.start]
@@ -240,7 +240,7 @@ class ImportPicture(QWidget):
     Attributes
     ----------
     picture
-        What is shown.
+        Label with the picture.
     """
 
     def __init__(self, jobs: SingleTask) -> None:

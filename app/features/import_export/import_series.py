@@ -77,7 +77,7 @@ class ImportSeries:
         self._now = None
         self._problems += [problem] if problem else []
         if self._problems:
-            # All of them each time: what comes in meanwhile takes the sentence away.
+            # All of them each time, as an import removes the sentence.
             self._warn(" ".join(self._problems))
         if not self._waiting:
             self._number, self._problems = 0, []

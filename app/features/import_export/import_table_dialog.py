@@ -61,7 +61,7 @@ class ImportTableDialog(WorkDialog):
     Parameters
     ----------
     verb, name, stem
-        What is done with the file, what that is called, and without its ending.
+        Verb of the dialog, and name of the file with and without its ending.
 
     Signals
     -------
@@ -131,7 +131,7 @@ class ImportTableDialog(WorkDialog):
 
     def _build_foot(self) -> None:
         """Build the widgets for problems and the summary."""
-        # Its room stays, so that nothing jumps when there is something to say, or no longer.
+        # Its room stays, so that nothing jumps when a problem appears or goes.
         self.problem.setMinimumHeight(2 * self.problem.fontMetrics().lineSpacing())
         self.problem.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.problem.show()
@@ -191,7 +191,7 @@ class ImportTableDialog(WorkDialog):
         self.jobs.ended.connect(self.bar.hide)
         self.bar.hide()
 
-    # What the person did
+    # User input
 
     def _choose_layout(self, layout: TextLayout) -> None:
         comma = layout.decimal_comma and layout.separator != ","
@@ -204,7 +204,7 @@ class ImportTableDialog(WorkDialog):
         self._prepare()
 
     def _type_soon(self) -> None:
-        # Half a number is no order; whoever has stopped typing wants to see what it gives.
+        # Half a number is not used; the result is computed soon after typing stops.
         self.jobs.cancel()
         self._prepared = None
         self.ok.setEnabled(False)
@@ -235,11 +235,11 @@ class ImportTableDialog(WorkDialog):
     def _import(self) -> None:
         if self._prepared is not None and self._prepared.document is not None and not self.jobs.is_busy:
             prepared = self._prepared
-            # First, for a new document closes the dialogs of the one before.
+            # First, as a new document closes the dialogs of the previous one.
             self.accept()
             self.import_requested.emit(prepared, self.into.currentText() == A_NEW_DOCUMENT)
 
-    # What comes of it
+    # Result
 
     def _prepare(self) -> None:
         """Compute the curves of the table under the present choices."""
@@ -291,7 +291,7 @@ class ImportTableDialog(WorkDialog):
         for role, column in columns.items():
             roles[column] = role
         self.preview.show_table(preview.titles, preview.cells, preview.numbers, roles)
-        # The boxes are made late; without this the keyboard would reach them last.
+        # The boxes are created late; by default the Tab key would reach them last.
         chain = [self.header_check, *self.preview.head.boxes, self.preview, self.thinning_box]
         for before, after in pairwise(chain):
             self.setTabOrder(before, after)
@@ -378,12 +378,12 @@ class TablePreview(QTableWidget):
         super().__init__()
         tip = "First rows of the file; long numbers are rounded to six digits"
         named(self, "tablePreview", "First rows of the table", tip)
-        # What is no number is told by its end as much as by its beginning.
+        # The end of a long text matters as much as its beginning.
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        # Tab goes on to the next widget; the arrows walk through the cells.
+        # Tab moves to the next widget, the arrow keys between the cells.
         self.setTabKeyNavigation(False)
         self.head = RoleHeader(roles, self)
         self.setHorizontalHeader(self.head)
@@ -532,5 +532,5 @@ class RoleHeader(SafeOverrides, QHeaderView):
         logicalIndex: int,  # noqa: N803
     ) -> None:
         """Paint the title of a column."""
-        # The title has what the box leaves.
+        # The title is painted below the box.
         super().paintSection(painter, rect.adjusted(0, self._box_height() + _GAP, 0, 0), logicalIndex)

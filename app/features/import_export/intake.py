@@ -29,11 +29,11 @@ def intake(
 ) -> AddedCurves:
     """Return a document with the curves of another in front, and views of them if one is `report`.
 
-    What is an inch there is an inch here; to an empty document they bring their unit and guides.
+    Lengths are converted to the unit of the document; an empty document gets the unit and the guides.
     """
     new = _sized_for(document, new)
     filled, first = add_imported(document, new)
-    # As the door of the session leaves it, whose curves the views are to be of.
+    # As the session will store it, so that the views are of the same curves.
     filled = tidy_shapes(with_plain_numbers(filled, document), document)
     indices = range(first, first + len(new.curves))
     views = views_ahead(filled.curves[indices.start : indices.stop], report) if report is not None else ()

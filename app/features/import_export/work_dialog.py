@@ -75,7 +75,7 @@ class WorkDialog(FittedDialog):
     Attributes
     ----------
     jobs
-        What is being computed.
+        The computation.
     problem
         A line that says what is wrong.
     """

@@ -39,7 +39,7 @@ class ImageCommands:
     Attributes
     ----------
     panel
-        Its form, once its dock has been shown.
+        Form of the image, once its dock has been shown.
     """
 
     panel: ImagePanel | None = None
@@ -52,10 +52,10 @@ class ImageCommands:
         self._pixels: QImage | None = None
         self._problem = ""
         self._image: ReferenceImage | None = None
-        # What stood in front when the panel came; it comes back when the panel goes.
+        # Docks in front when the panel appeared; they return when it is hidden.
         self._in_front_before: list[QDockWidget] = []
         self._dock = context.docks["imageDock"]
-        # Another document may name the same file, which may have changed meanwhile.
+        # The same file may have changed when another document names it.
         context.session.opened.connect(self._reset_file)
         context.files.trace = self.trace_first
         context.store.changed.connect(self._show_state)
@@ -110,8 +110,8 @@ class ImageCommands:
         ]
         covered = self._context.window.tabifiedDockWidgets(dock) if dock in in_front and not visible else []
         dock.setVisible(visible and state.side_panel and not state.presentation)
-        # A tab that appears comes to the front, and one that goes brings its neighbour there; undo and redo
-        # must not turn the page over.
+        # A tab that appears is raised, and one that is hidden raises its neighbour; undo and redo
+        # must not switch tabs.
         for other in (*in_front, *(other for other in covered if other in self._in_front_before)):
             if other is not dock and not other.isHidden():
                 other.raise_()
@@ -128,7 +128,7 @@ class ImageCommands:
         self._is_loaded, self._loaded_path = False, ""
         self.render_panel(self._session.active_view)
 
-    # What the person did
+    # User input
 
     @action("addImage", "Reference Image…", FILE_IMAGE, icon="image")
     def _ask_and_add(self) -> None:
@@ -158,7 +158,7 @@ class ImageCommands:
         scale = _SHARE * min((x_max - x_min) / pixels.width(), (y_max - y_min) / pixels.height())
         width, height = pixels.width() * scale, pixels.height() * scale
         x, y = (x_min + x_max - width) / 2, (y_min + y_max - height) / 2
-        # As many decimals as make a difference on the screen: 0, not −4.4e−16.
+        # Rounded to decimals that are visible on the screen: 0, not −4.4e−16.
         decimals = ceil(-log10(self._context.central.canvas.camera.pixel_size))
         x, y = round(x, decimals) + 0.0, round(y, decimals) + 0.0
         image = ReferenceImage(name, x, y, width, height)

@@ -43,7 +43,7 @@ class ImagePanel(FieldForm):
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
         self.lock = check_box("imageLocked", "Locked", "Protect the image from being moved and scaled")
         self._file = Label(name="imageFile")
-        # A long name is cut, it never widens the window; the tooltip has it whole.
+        # A long name is elided and never widens the window; the tooltip shows all of it.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy = self.problem.sizePolicy()
         policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)
@@ -100,11 +100,11 @@ class ImagePanel(FieldForm):
 
     def show_problem(self, text: str) -> None:
         """Say why the picture cannot be shown; empty where it can."""
-        # Paths may be broken where folders end: else a long one would widen the window.
+        # Paths may be wrapped after folders, so that a long one does not widen the window.
         super().show_problem(text.replace("/", "/\N{ZERO WIDTH SPACE}"))
         self.problem.setToolTip(tip_of(text))
 
-    # What the person did
+    # User input
 
     def _move(self, axis: int, value: float) -> None:
         if (image := self._image) is not None:
