@@ -92,30 +92,30 @@ class FamilySettings(NamedTuple):
 
     def named(self, name: str) -> FamilySetting | None:
         """Return the setting of a name; None where there is none."""
-        return next((each for each in self.all if each.name == name), None)
+        return next((setting for setting in self.all if setting.name == name), None)
 
-    def values(self, chosen: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:
+    def values(self, values: Mapping[str, SettingValue]) -> dict[FamilySetting, SettingValue]:
         """Return the value of each setting: the selected one, else the default."""
-        return {setting: chosen.get(setting.name, setting.default) for setting in self.all}
+        return {setting: values.get(setting.name, setting.default) for setting in self.all}
 
-    def without_defaults(self, chosen: Mapping[str, SettingValue]) -> ChosenSettings:
+    def without_defaults(self, values: Mapping[str, SettingValue]) -> ChosenSettings:
         """Return values of these settings, without defaults; all of them if the family is missing.
 
-        One that was changed while its curves are open may no longer have, or allow, what was chosen.
+        A family that was changed while its curves are open may no longer have a setting, or allow its value.
         """
         if not self.are_known:
-            return ChosenSettings(chosen)
-        found = ((self.named(name), value) for name, value in chosen.items())
+            return ChosenSettings(values)
+        pairs = ((self.named(name), value) for name, value in values.items())
         return ChosenSettings(
             (setting.name, value)
-            for setting, value in found
+            for setting, value in pairs
             if setting is not None and setting.allows(value) and value != setting.default
         )
 
-    def in_effect(self, chosen: ChosenSettings, *, closed: bool) -> ChosenSettings:
-        """Return the settings of a curve, open or closed, of which these were chosen."""
-        fixed = {each.name: each.when_closed for each in self.all if each.when_closed is not None}
-        return self.without_defaults({**chosen, **fixed}) if closed and fixed else chosen
+    def in_effect(self, values: ChosenSettings, *, closed: bool) -> ChosenSettings:
+        """Return the values of a curve, open or closed: closing decides some of them."""
+        fixed = {setting.name: setting.when_closed for setting in self.all if setting.when_closed is not None}
+        return self.without_defaults({**values, **fixed}) if closed and fixed else values
 
 
 # Words
@@ -150,7 +150,7 @@ class FamilyWords:
 
     @property
     def is_missing(self) -> bool:
-        """Whether nobody brought this family: a document names it all the same."""
+        """Whether no package or file brings this family, which a document names."""
         return self._curve_class is None
 
     @property
@@ -159,8 +159,8 @@ class FamilyWords:
         if not self.is_missing:
             return ""
         return (
-            f"The family “{self._name}” is not installed: start with --families and the file that brings it, "
-            "or choose another family."
+            f"The family “{self._name}” is not available: start with --families and its file, "
+            "or select another family."
         )
 
     @property
@@ -176,9 +176,9 @@ class FamilyWords:
     @property
     def short(self) -> str:
         """A word where room is short: the class's own, else the label, of a long one its first word."""
-        own, label = self.curve_class.short_title, self.label
-        if own:
-            return f"{own[:1].upper()}{own[1:]}"
+        title, label = self.curve_class.short_title, self.label
+        if title:
+            return f"{title[:1].upper()}{title[1:]}"
         return label if len(label) <= _SHORT else label.partition(" ")[0]
 
     @property
@@ -258,9 +258,9 @@ class Family(FamilyWords):
         self, name: str, curve_class: type[ParametricCurve] | None, *, misses_points: bool = False
     ) -> None:
         super().__init__(name)
-        self._take(curve_class, misses_points=misses_points)
+        self._become(curve_class, misses_points=misses_points)
 
-    def _take(self, curve_class: type[ParametricCurve] | None, *, misses_points: bool) -> None:
+    def _become(self, curve_class: type[ParametricCurve] | None, *, misses_points: bool) -> None:
         self._curve_class, self._misses_points = curve_class, misses_points
         self.curve_class = curve_class or ParametricCurve
         self.settings = FamilySettings(self.curve_class.settings, are_known=curve_class is not None)
@@ -272,7 +272,7 @@ class Family(FamilyWords):
 
     def become(self, other: Family) -> None:
         """Become another family of the same name, in all documents that name this one."""
-        self._take(other._curve_class, misses_points=other._misses_points)
+        self._become(other._curve_class, misses_points=other._misses_points)
 
     def makes(self, curve: ParametricCurve) -> bool:
         """Whether a curve is one of this family, as it is now; of a chain, its pieces."""
@@ -302,9 +302,9 @@ class Family(FamilyWords):
     @property
     def takes_shapes(self) -> bool:
         """Whether curves of other families can be written as its own."""
-        own, base = self.curve_class.same_shape_as, ParametricCurve.same_shape_as
+        method, default = self.curve_class.same_shape_as, ParametricCurve.same_shape_as
         # Of methods of a class: the functions that they are.
-        return getattr(own, "__func__", own) is not getattr(base, "__func__", base)
+        return getattr(method, "__func__", method) is not getattr(default, "__func__", default)
 
     def make(
         self,
@@ -350,7 +350,13 @@ class Family(FamilyWords):
 
 def families_of_module(module: ModuleType) -> list[type[ParametricCurve]]:
     """Return the curve classes that a module defines and gives a name: those of families."""
-    own = (value for value in vars(module).values() if getattr(value, "__module__", "") == module.__name__)
-    classes = (value for value in own if isinstance(value, type) and issubclass(value, ParametricCurve))
+    defined = (
+        value for value in vars(module).values() if getattr(value, "__module__", "") == module.__name__
+    )
+    classes = (value for value in defined if isinstance(value, type) and issubclass(value, ParametricCurve))
     # A property, as of chains, is no name of a family.
-    return [each for each in classes if isinstance(vars(each).get("name"), str) and not isabstract(each)]
+    return [
+        curve_class
+        for curve_class in classes
+        if isinstance(vars(curve_class).get("name"), str) and not isabstract(curve_class)
+    ]

@@ -7,9 +7,9 @@ The least that such a file says::
     def basis(t, parameters):          # t (m,), parameters (n,) ascending -> (m, n)
         ...
 
-Where `B_i(t_j)` is not 1 for i = j and 0 else, the curve misses its points; that is measured and told, unless
-the file says so itself. It may say more: ``title``, what people read; ``basis(t, parameters, order)`` for
-derivatives, which else are differences; ``breaks(parameters)``, where they jump; ``interpolates = False``
+Where `B_i(t_j)` is not 1 for i = j and 0 else, the curve misses its points; that is measured and reported,
+unless the file says so itself. It may say more: ``title``, what people read; ``basis(t, parameters, order)``
+for derivatives, which else are differences; ``breaks(parameters)``, where they jump; ``interpolates = False``
 where the curve is meant to pass its points by, ``can_close = True`` where a curve whose last point is its
 first goes on smoothly there; a docstring: its first line says what its curves are; ``settings``, a list of
 `FamilySetting`, whose values those functions get by name that take them: ``basis(t, parameters, width)``.
@@ -92,17 +92,19 @@ def use_file(families: Families, path: Path) -> frozenset[Family]:
     FamilyFileError
         If it cannot be read or run, or what it says makes no curve; everything is as it was then.
     """
-    found, before = families_in(path), families.files.get(path.absolute(), ())
-    taken = [each for each in found if (each in families and each not in before) or found.count(each) > 1]
-    if taken:
-        raise FamilyFileError(f"“{path}”: there is a family “{taken[0].name}” already.")
+    new, before = families_in(path), families.files.get(path.absolute(), ())
+    duplicates = [
+        family for family in new if (family in families and family not in before) or new.count(family) > 1
+    ]
+    if duplicates:
+        raise FamilyFileError(f"“{path}”: a family named “{duplicates[0].name}” already exists.")
     for family in before:
         if family in families:
             families.remove(family)
-    for family in found:
+    for family in new:
         families.add(family)
-    mine = dict.fromkeys((*before, *found))
-    families.files[path.absolute()] = tuple(families.named(each.name) for each in mine)
+    mine = dict.fromkeys((*before, *new))
+    families.files[path.absolute()] = tuple(families.named(family.name) for family in mine)
     return frozenset(mine)
 
 
@@ -120,16 +122,16 @@ def forget_file(families: Families, path: Path) -> frozenset[Family]:
 def families_in(path: Path) -> list[Family]:
     """Return the families that the file at `path` defines, at least one."""
     module = _run(path)
-    said = vars(module)
-    found = {each: each.basis for each in families_of_module(module)}
-    if "basis" in said:
-        found[_class_of(said, path)] = said["basis"]
-    if not found:
+    defined = vars(module)
+    basis_of = {curve_class: curve_class.basis for curve_class in families_of_module(module)}
+    if "basis" in defined:
+        basis_of[_class_of(defined, path)] = defined["basis"]
+    if not basis_of:
         raise FamilyFileError(
             f"“{path}” defines no family: it needs a name and a function basis(t, parameters)."
         )
     with PATIENCE.as_at_the_start():
-        return [_tried(curve_class, path, _first_line(basis)) for curve_class, basis in found.items()]
+        return [_tried(curve_class, path, _first_line(basis)) for curve_class, basis in basis_of.items()]
 
 
 def _run(path: Path) -> ModuleType:
@@ -147,40 +149,40 @@ def _run(path: Path) -> ModuleType:
     except SyntaxError as problem:
         raise FamilyFileError(f"“{path}”, line {problem.lineno or 1}: {problem.msg}.") from None
     except BaseException as problem:  # sys.exit, too, is a mistake there
-        raise FamilyFileError(f"“{path}”{line_of(problem, path)}: {words(problem)}.") from None
+        raise FamilyFileError(f"“{path}”{line_of(problem, path)}: {mistake_text(problem)}.") from None
     finally:
         del sys.modules[_MODULE]
     return module
 
 
-def _class_of(said: dict[str, Any], path: Path) -> type[ParametricCurve]:
+def _class_of(defined: dict[str, Any], path: Path) -> type[ParametricCurve]:
     """Return the curve class of a file's functions."""
-    name, basis, breaks = said.get("name"), said["basis"], said.get("breaks")
+    name, basis, breaks = defined.get("name"), defined["basis"], defined.get("breaks")
     if not (isinstance(name, str) and may_be_name(name)):
-        raise FamilyFileError(f"“{path}” must say its name, a short word as in name = “gaussian”.")
+        raise FamilyFileError(f"“{path}” must define its name, a short word as in name = “gaussian”.")
     for what, value in (("basis", basis), *([("breaks", breaks)] if breaks is not None else [])):
         if not callable(value):
             raise FamilyFileError(f"“{path}”: {what} must be a function, not {value!r}.")
     for what, kind in _FACTS.items():
-        if what in said and not isinstance(said[what], kind):
-            raise FamilyFileError(f"“{path}”: {what} must be {kind.__name__}, not {said[what]!r}.")
+        if what in defined and not isinstance(defined[what], kind):
+            raise FamilyFileError(f"“{path}”: {what} must be {kind.__name__}, not {defined[what]!r}.")
     has_orders = "order" in inspect.signature(basis).parameters
-    settings = _settings_of(said, [basis, *([breaks] if breaks is not None else [])], path)
-    facts = {what: said[what] for what in _FACTS if what in said}
+    settings = _settings_of(defined, [basis, *([breaks] if breaks is not None else [])], path)
+    facts = {what: defined[what] for what in _FACTS if what in defined}
     calls = FileCalls(path, name, str(facts.get("title", name)))
-    scheme = Scheme(name, calls.told(basis), calls.told(breaks) if breaks else None, has_orders)
-    doc = inspect.getdoc(basis) if said.get("__doc__") is None else inspect.cleandoc(said["__doc__"])
-    own = {"name": name, "settings": settings, "scheme": scheme, "__slots__": (), "__doc__": doc}
-    return type("FileCurve", (BasisCurve,), {"title": name, **facts, **own})
+    scheme = Scheme(name, calls.checked(basis), calls.checked(breaks) if breaks else None, has_orders)
+    doc = inspect.getdoc(basis) if defined.get("__doc__") is None else inspect.cleandoc(defined["__doc__"])
+    attributes = {"name": name, "settings": settings, "scheme": scheme, "__slots__": (), "__doc__": doc}
+    return type("FileCurve", (BasisCurve,), {"title": name, **facts, **attributes})
 
 
 def _settings_of(
-    said: dict[str, Any], functions: Sequence[Function], path: Path
+    defined: dict[str, Any], functions: Sequence[Function], path: Path
 ) -> tuple[FamilySetting, ...]:
     """Return the settings that a file lists, each of which one of its functions takes."""
-    listed = said.get("settings", ())
+    listed = defined.get("settings", ())
     settings = tuple(listed) if isinstance(listed, list | tuple) else (listed,)
-    taken = {name for function in functions for name in inspect.signature(function).parameters}
+    arguments = {name for function in functions for name in inspect.signature(function).parameters}
     for setting in settings:
         if not isinstance(setting, FamilySetting):
             raise FamilyFileError(f"“{path}”: settings must be a list of FamilySetting, not of {setting!r}.")
@@ -189,7 +191,7 @@ def _settings_of(
             raise FamilyFileError(
                 f"“{path}”: the default of the setting “{setting.name}” must be {needed}, not {default!r}."
             )
-        if setting.name not in taken or setting.name in ARGUMENTS:
+        if setting.name not in arguments or setting.name in ARGUMENTS:
             raise FamilyFileError(
                 f"“{path}”: no function takes the setting “{setting.name}”, "
                 f"as basis(t, parameters, {setting.name}) would."
@@ -203,17 +205,17 @@ def _tried(curve_class: type[ParametricCurve], path: Path, line: str) -> Family:
     for parameters in _trials():
         jets = np.zeros((len(parameters), curve_class.derivatives + 1, 2))
         jets[:, 0] = np.stack([np.cos(3.0 * parameters), parameters], axis=1)
-        places = np.linspace(parameters[0], parameters[-1], 12 * len(parameters))
+        samples = np.linspace(parameters[0], parameters[-1], 12 * len(parameters))
         try:
             curve = curve_class.from_jets(jets, parameters)
-            found = [curve.evaluate(places, order) for order in (0, 1, 2)]
+            evaluated = [curve.evaluate(samples, order) for order in (0, 1, 2)]
         except BaseException as problem:
-            own = problem.__cause__ or problem
+            cause = problem.__cause__ or problem
             at = ", ".join(f"{t:g}" for t in parameters)
             raise FamilyFileError(
-                f"“{path}”{line_of(own, path) or line}: {words(own)} (with the parameters {at})."
+                f"“{path}”{line_of(cause, path) or line}: {mistake_text(cause)} (with the parameters {at})."
             ) from None
-        if not all(np.isfinite(each).all() for each in found):
+        if not all(np.isfinite(values).all() for values in evaluated):
             raise FamilyFileError(f"“{path}”{line}: {curve_class.name} makes a curve that is not finite.")
         misses_points |= cardinal_defect(curve) is not None
     return Family.of(curve_class, misses_points=misses_points)
@@ -260,14 +262,14 @@ class Call(msgspec.Struct, frozen=True, eq=False):
         The others of the same family.
     parameters, settings
         Of the curve that it is made for.
-    words
+    message
         That it took too long, and where; empty until it has.
     """
 
     calls: FileCalls
     parameters: FloatArray
     settings: dict[str, SettingValue]
-    words: str = ""
+    message: str = ""
 
     @property
     def kind(self) -> Kind:
@@ -331,24 +333,24 @@ class FileCalls:
         # What was answered, of late: where it is asked again, that ends as well.
         self._answered: dict[tuple[Kind, bytes], None] = {}
 
-    def told(self, function: Function) -> Function:
+    def checked(self, function: Function) -> Function:
         """Return a function of the file whose errors are refusals that name their line.
 
         It takes t, parameters and order, or parameters alone, in this order, and settings by their names.
         """
         takes = inspect.signature(function).parameters
 
-        def told(*arguments: object, **settings: SettingValue) -> npt.ArrayLike:
+        def checked(*arguments: object, **settings: SettingValue) -> npt.ArrayLike:
             # By their names: who writes the function orders them as it suits.
             named: dict[str, object] = {name: settings[name] for name in settings if name in takes}
             named |= zip(ARGUMENTS[2:], arguments[2:], strict=False)
             parameters = np.asarray(arguments[min(len(arguments) - 1, 1)], dtype=float)
             call = Call(self, parameters, settings)
-            return self._made(call, lambda: function(*arguments[:2], **named))
+            return self._result_of(call, lambda: function(*arguments[:2], **named))
 
-        return told
+        return checked
 
-    def _made(self, call: Call, make: Callable[[], npt.ArrayLike]) -> npt.ArrayLike:
+    def _result_of(self, call: Call, make: Callable[[], npt.ArrayLike]) -> npt.ArrayLike:
         kind = call.kind
         key = kind, call.parameters.tobytes()
         if kind in self._refusals and key not in self._answered:
@@ -359,30 +361,30 @@ class FileCalls:
         seconds = max(self._seconds.get(kind, 0.0), PATIENCE.seconds)
         try:
             with stopped_after(seconds):
-                found = make()
+                result = make()
         except OverdueError as problem:
             raise self._refuse_overdue(call, problem, seconds) from problem
         except BaseException as problem:  # sys.exit, too, is a mistake there
-            raise CurveError(f"{self._place(problem)}: {words(problem)}") from problem
+            raise CurveError(f"{self._position(problem)}: {mistake_text(problem)}") from problem
         self._answered[key] = None
         if len(self._answered) > _MOST_KNOWN:
             del self._answered[next(iter(self._answered))]
-        return found
+        return result
 
     def _refuse_overdue(self, call: Call, problem: OverdueError, seconds: float) -> OverdueCallError:
         """Return the refusal of such curves, for good or until another process has answered."""
         asks = PATIENCE.overdue if call.kind not in self._seconds else None
-        which = f"{self._place(problem)}: the family “{self.title}”"
+        which = f"{self._position(problem)}: the family “{self.title}”"
         points = f"for {len(call.parameters)} points"
         if asks is None:
             self.refuse(call.kind, f"{which} ran for longer than {seconds:g} s {points} and was stopped")
         else:
-            call = replace(call, words=f"{which} takes long {points}")
-            self.refuse(call.kind, f"{call.words} and is tried beside the window")
+            call = replace(call, message=f"{which} takes long {points}")
+            self.refuse(call.kind, f"{call.message} and is tried in the background")
             asks(call)
         return self._refusals[call.kind]
 
-    def _place(self, problem: BaseException) -> str:
+    def _position(self, problem: BaseException) -> str:
         return f"“{self.path.name}”{line_of(problem, self.path)}"
 
     def allow(self, kind: Kind, seconds: float) -> None:
@@ -402,7 +404,7 @@ def line_of(problem: BaseException, path: Path) -> str:
     return f", line {lines[-1]}" if lines else ""
 
 
-def words(problem: BaseException) -> str:
+def mistake_text(problem: BaseException) -> str:
     """Return the mistake as a clause."""
     text = str(problem).rstrip(".")
     if isinstance(problem, (CurveError, OverdueError)):

@@ -66,7 +66,12 @@ class Families(Sequence[Family]):
         """Return the family whose name or title these words are, in small or capital letters; else None."""
         wanted = _plain(words)
         return next(
-            (each for each in self if wanted in map(_plain, (each.name, each.title, each.full_title))), None
+            (
+                family
+                for family in self
+                if wanted in map(_plain, (family.name, family.title, family.full_title))
+            ),
+            None,
         )
 
     def add(self, family: Family) -> None:
@@ -78,9 +83,9 @@ class Families(Sequence[Family]):
             If there is one of that name, or the name is no short identifier.
         """
         if not may_be_name(family.name):
-            raise ValueError(f"“{family.name}” is no name of a family; one is like quintic_hermite")
+            raise ValueError(f"“{family.name}” is no valid name of a family; quintic_hermite is one")
         if family in self:
-            raise ValueError(f"there is a family “{family.name}” already")
+            raise ValueError(f"a family named “{family.name}” already exists")
         known = self._known.setdefault(family.name, family)
         known.become(family)
         self._all.append(known)
@@ -133,19 +138,19 @@ def _any_package_brings_families() -> bool:
 
 
 def _of_the_core() -> Iterator[Family]:
-    """Yield the families of the core in the order of their places: each is a file of its own."""
-    found = [
+    """Yield the families of the core by rank: each is a file of its own."""
+    classes = [
         curve_class
         for file in iter_modules(curvecore.families.__path__)
         for curve_class in families_of_module(import_module(f"curvecore.families.{file.name}"))
     ]
     known = {family.name: family for family in _KNOWN}
-    for curve_class in sorted(found, key=lambda each: (each.rank, each.name)):
+    for curve_class in sorted(classes, key=lambda curve_class: (curve_class.rank, curve_class.name)):
         yield known.get(str(curve_class.name)) or Family.of(curve_class)
 
 
 LAGRANGE, HERMITE, QUINTIC_HERMITE = _KNOWN = tuple(
-    Family.of(each) for each in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)
+    Family.of(curve_class) for curve_class in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve)
 )
 FAMILIES = Families(_of_the_core(), _KNOWN)
 

@@ -221,11 +221,11 @@ def test_functions_that_are_not_cardinal_draw_and_miss_their_points(write):
 MISTAKES = {
     "no file": (None, "cannot be read: {reason}."),
     "nothing": ("x = 1", "defines no family: it needs a name and a function basis(t, parameters)"),
-    "no name": (GAUSSIAN.replace('name = "my_gaussian"', ""), "must say its name"),
-    "a long name": (GAUSSIAN.replace('"my_gaussian"', '"Gaussian bells"'), "must say its name"),
+    "no name": (GAUSSIAN.replace('name = "my_gaussian"', ""), "must define its name"),
+    "a long name": (GAUSSIAN.replace('"my_gaussian"', '"Gaussian bells"'), "must define its name"),
     "a name that is taken": (
         GAUSSIAN.replace('"my_gaussian"', '"hermite"'),
-        "there is a family “hermite” already",
+        "a family named “hermite” already exists",
     ),
     "syntax": (GAUSSIAN.replace("def basis(t", "def basis(:t"), "line 17: invalid syntax"),
     "an import": (GAUSSIAN.replace("import numpy", "import nowhere, numpy"), "line 6: ModuleNotFoundError"),
@@ -413,10 +413,10 @@ def test_a_family_that_a_file_has_no_longer_is_offered_no_longer_and_goes_on(wri
 
 def test_two_files_do_not_take_each_others_names(write, registry):
     use_file(registry, write(GAUSSIAN))
-    with pytest.raises(FamilyFileError, match="there is a family “my_gaussian” already"):
+    with pytest.raises(FamilyFileError, match="a family named “my_gaussian” already exists"):
         use_file(registry, write(GAUSSIAN, "second.py"))
     twice = OWN_CLASS + OWN_CLASS.replace("class Stiff", "class Stiffer")
-    with pytest.raises(FamilyFileError, match="there is a family “stiff” already"):
+    with pytest.raises(FamilyFileError, match="a family named “stiff” already exists"):
         use_file(registry, write(twice, "second.py"))
 
 

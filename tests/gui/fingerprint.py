@@ -95,7 +95,7 @@ PASSING = {
     *("LessonPanel._step", "Player._course", "Player._ran_on", "Player._scrub_before", "Player.seconds"),
     *("ViewCommands._before_folding", "ViewCommands._before_presentation"),
     # What was to be done had the work been stopped that has ended; what tries files, made for the first.
-    *("FileWork._stopped", "FamilyFiles._made_task"),
+    *("FileWork._stopped", "FamilyFiles._trial_task"),
     # The sentence that was put away last; the next one takes its place.
     "OwnFamilyCommands._dismissed",
     # What a panel covered when it was brought up; it is asked for only when that is closed.

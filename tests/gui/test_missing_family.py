@@ -17,7 +17,7 @@ from app.storage.format import decode, encode
 from app.storage.resources import resource
 
 NAME = "my_gaussian"
-MISSING = "The family “my_gaussian” is not installed"
+MISSING = "The family “my_gaussian” is not available"
 POINTS = ((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0))
 
 

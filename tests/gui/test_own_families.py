@@ -120,7 +120,7 @@ def using(editor, path, ask, save, tried_here):
     save(template(path))
     ask(path)
     editor.trigger("useFamilyFile")
-    until(lambda: "brings" in text_of(editor))
+    until(lambda: "adds" in text_of(editor))
     editor.choose_family(NAME)
     return editor
 
@@ -136,12 +136,12 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask):
     ask(path)
     editor.trigger("familyTemplate")
     assert path.read_text(encoding="utf-8") == template(path)
-    assert text_of(editor).startswith(f"“{NAME}.py” lies in {path.parent}")
-    assert "Python that is run" in text_of(editor)
+    assert text_of(editor).startswith(f"“{NAME}.py” is in {path.parent}.")
+    assert "runs this Python code" in text_of(editor)
     assert NAME not in [family.name for family in FAMILIES]  # nothing has run
     QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
-    until(lambda: "brings" in text_of(editor))
-    assert text_of(editor) == f"“{NAME}.py” brings “My lagrange”. It is run again whenever it is saved."
+    until(lambda: "adds" in text_of(editor))
+    assert text_of(editor) == f"“{NAME}.py” adds “My lagrange”. It runs again whenever it is saved."
     QTest.mouseClick(bar_of(editor).button("useOwnFamily"), Qt.MouseButton.LeftButton)
     editor.settle()
     assert editor.curve.family.name == NAME
@@ -200,7 +200,7 @@ def test_a_line_waits_until_a_drag_has_ended(using, save, path):
     assert bar_of(using) is None
     assert using.window.canvas.height() == height
     using.release((3.0, 2.0))
-    until(lambda: "is gone from its folder" in text_of(using))
+    until(lambda: "is no longer in its folder" in text_of(using))
 
 
 def test_a_template_is_short_and_says_what_there_is(path):
@@ -304,7 +304,7 @@ def test_saving_draws_the_curves_anew(using, save, path, way):
     assert "The functions do not sum to 1" in said.text()
     assert "The curve misses its points" in said.text()
     assert said.text().endswith(f" {DIFFERENCES}")
-    assert "was run again" in using.status
+    assert "ran again" in using.status
     save(template(path), way)
     until(lambda: said.text() == DIFFERENCES)
     assert using.session.active_view.curve.evaluate(0.4) == pytest.approx(before)
@@ -342,7 +342,7 @@ def test_everything_that_is_switched_on_follows(using, save, path):
         (("import numpy as np", "import sys; sys.exit()"), "line 3: SystemExit"),
         (("np.stack(columns, axis=1)", "np.stack(columns)"), "must have the shape (m, n)"),
         (("np.stack(columns, axis=1)", "np.stack(columns, axis=1) / 0"), "line 16"),
-        (('name = "my_lagrange"', 'name = "hermite"'), "there is a family “hermite” already"),
+        (('name = "my_lagrange"', 'name = "hermite"'), "a family named “hermite” already exists"),
     ],
 )
 def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, save, path, wrong, said):
@@ -351,7 +351,7 @@ def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, sav
         save(template(path).replace(*wrong))
         until(lambda: said in text_of(using))
     assert text_of(using).startswith(f"“{NAME}.py”")
-    assert "The last version that worked stays." in text_of(using)
+    assert "The last version that worked stays in use." in text_of(using)
     assert str(path.parent) not in text_of(using)
     assert using.session.active_view is view
     using.drag_point(2, (3.0, 2.0))
@@ -372,7 +372,7 @@ def test_a_sentence_that_was_put_away_stays_away_until_there_is_another(using, s
 
 def test_a_file_that_is_gone_is_told_and_its_curves_go_on(using, save, path):
     path.unlink()
-    until(lambda: "is gone from its folder" in text_of(using))
+    until(lambda: "is no longer in its folder" in text_of(using))
     using.drag_point(2, (3.0, 2.0))
     assert using.session.active_view.is_current
     save(template(path))
@@ -466,7 +466,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert [(call.kind[0], seconds) for _calls, call, _problem, seconds in stopped] == [(6, 0.1)]
     what = rf"“{NAME}\.py”, line {line}|{line + 1}: the family “slow by 1e9” takes long for 6 points"
     assert re.match(what, using.message)
-    assert using.message.endswith(f"and is tried beside the window. {LAST}")
+    assert using.message.endswith(f"and is tried in the background. {LAST}")
     assert using.session.active_view.curve is good
     using.drag_point(2, (3.0, 2.0))
     assert using.point(2) == pytest.approx((3.0, 2.0), abs=2 * using.pixel)
@@ -500,7 +500,7 @@ def test_functions_that_are_slow_and_end_are_drawn_a_moment_later(using, slowing
     # More than the 0.1 s that a window waits.
     slowing(0.12)
     using.add_point(4.5, 2.5)
-    assert "is tried beside the window" in using.message
+    assert "is tried in the background" in using.message
     until(lambda: using.session.active_view.is_current)
     using.settle()
     assert using.message == ""
@@ -570,12 +570,12 @@ def test_a_document_that_was_open_before_its_family_is_drawn(editor, path, save,
     save(template(path))
     document.write_bytes(encode(Document((make_curve(POINTS, family=FAMILIES.named(NAME)),))))
     editor.session.open(document)
-    assert "is not installed" in editor.message
+    assert "is not available" in editor.message
     ask(path)
     editor.trigger("useFamilyFile")
     until(lambda: editor.session.active_view.is_current)
     editor.settle()
-    assert "is not installed" not in editor.message
+    assert "is not available" not in editor.message
     assert editor.action("familyMyLagrange").isChecked()
     assert not editor.session.files.is_modified
 
@@ -627,7 +627,7 @@ def test_a_file_asked_for_while_another_is_tried_leaves_that_one_asked_for_too(
         editor.trigger("useFamilyFile")
     until(lambda: len(said) == 2)
     family_files().brought.disconnect(listening)
-    assert [words.partition(" brings ")[0] for words in said] == [f"“{NAME}.py”", "“my_second.py”"]
+    assert [words.partition(" adds ")[0] for words in said] == [f"“{NAME}.py”", "“my_second.py”"]
     assert editor.status == ""
     editor.trigger("useOwnFamily")
     assert editor.curve.family.name == "my_second"

@@ -30,8 +30,8 @@ class OwnFamilyCommands(QObject):
         super().__init__(context.window)
         self._context, self._session = context, context.session
         self._files = family_files()
-        self._files.brought.connect(self._take)
-        self._files.told.connect(self._show)
+        self._files.brought.connect(self._use_families)
+        self._files.changed.connect(self._show)
         self._files.answered.connect(self._draw_anew)
         self._answered: set[Family] = set()
         self._shows_late = False
@@ -47,7 +47,7 @@ class OwnFamilyCommands(QObject):
 
     @action("familyTemplate", "Family Template…", FILE_FAMILY)
     def _write_template(self) -> None:
-        """Write a file of Python that defines a family of curves, to be changed in any editor."""
+        """Write a Python file that defines a curve family, to change in any editor."""
         start = self._context.preferences.last_folder / _NEW_NAME
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Family Template", str(start), _PYTHON)
         if not name:
@@ -56,7 +56,7 @@ class OwnFamilyCommands(QObject):
         try:
             if path != Path(name) and path.exists():
                 # The dialog asked about the name without the suffix, if it asked at all.
-                raise StorageError(f"“{path.name}” is there already. Choose it in the list to replace it.")
+                raise StorageError(f"“{path.name}” already exists. Select it in the list to replace it.")
             write(path, own_families.template.template(path).encode())
         except StorageError as problem:
             self._files.offered = None
@@ -65,15 +65,15 @@ class OwnFamilyCommands(QObject):
         self._context.preferences.last_folder = path.parent
         self._files.offered = path
         self._tell(
-            f"“{path.name}” lies in {path.parent}: Lagrange's functions, to be changed in any editor. Used, "
-            "it is Python that is run now and whenever it is saved."
+            f"“{path.name}” is in {path.parent}. It holds Lagrange's functions; change them in any editor. "
+            "Using it runs this Python code, now and whenever it is saved."
         )
 
     @action("useFamilyFile", "Use Family File…", FILE_FAMILY)
     def _ask_and_use(self) -> None:
-        """Run a file of Python that you name, now and whenever it is saved, and have its families."""
+        """Run a Python file, now and whenever it is saved, and use its families."""
         folder = str(self._context.preferences.last_folder)
-        title = "Run a File of Python and Use Its Families"
+        title = "Run a Python File and Use Its Families"
         name, _ = QFileDialog.getOpenFileName(self._context.window, title, folder, _PYTHON)
         if name:
             self._context.preferences.last_folder = Path(name).parent
@@ -88,7 +88,7 @@ class OwnFamilyCommands(QObject):
         needs=Need("a family file that was just written or used", lambda state: state.window.offers_family),
     )
     def _use_offered(self) -> None:
-        """Run the template just written, or draw the curve by the family that a file has just brought."""
+        """Run the template just written, or draw the curve with the family just loaded."""
         offered = self._files.offered
         if isinstance(offered, Path):
             self._use(offered)
@@ -104,7 +104,7 @@ class OwnFamilyCommands(QObject):
         needs=Need("", lambda state: state.window.runs_family_file, "No family file is running."),
     )
     def _stop(self) -> None:
-        """Stop the file of families that is running; nothing changes."""
+        """Stop the family file that is running; nothing changes."""
         self._files.stop()
 
     def _use(self, path: Path) -> None:
@@ -114,22 +114,22 @@ class OwnFamilyCommands(QObject):
 
     # What became of it
 
-    def _take(self, path: Path, families: frozenset[Family]) -> None:
+    def _use_families(self, path: Path, families: frozenset[Family]) -> None:
         """Offer the families of a file, and redraw their curves."""
         self._context.actions.declare_again()
         self._session.renew(families)
-        offered = [each for each in FAMILIES.files[path] if each in FAMILIES]
+        offered = [family for family in FAMILIES.files[path] if family in FAMILIES]
         if path in self._asked:
             self._asked.remove(path)
             self._files.offered = offered[0]
-            names = enumerated([f"“{each.label}”" for each in offered])
-            self._tell(f"“{path.name}” brings {names}. It is run again whenever it is saved.")
+            names = enumerated([f"“{family.label}”" for family in offered])
+            self._tell(f"“{path.name}” adds {names}. It runs again whenever it is saved.")
         else:
             self._news = ""
-            self._session.say(f"{path.name} was run again: its curves are drawn by what it says now.")
+            self._session.say(f"{path.name} ran again: its curves are redrawn.")
 
     def _draw_anew(self, family: Family) -> None:
-        """Draw curves of a family as they can be now; no gesture in flight is taken back for it."""
+        """Redraw curves of a family; a gesture in flight goes on."""
         self._answered.add(family)
         self._draw_answered()
 
@@ -178,8 +178,8 @@ class OwnFamilyCommands(QObject):
         if self._files.running:
             return self._files.running, ("stopFamilyFile",), False
         for path, problem in reversed(self._files.problems.items()):
-            last = " The last version that worked stays." if path in FAMILIES.files else ""
-            return f"{problem}{last} It is run again when it is saved.", (), True
+            last = " The last version that worked stays in use." if path in FAMILIES.files else ""
+            return f"{problem}{last} The file runs again when it is saved.", (), True
         return self._news, ("useOwnFamily",) if self._files.offered is not None else (), False
 
     def _dismiss(self, text: str) -> None:

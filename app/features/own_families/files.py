@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ...families.family_file import Call
 
 _RECHECK_MS = 100
-_SHOWN_AFTER_MS = 1000
+_REPORTED_AFTER_MS = 1000
 """Milliseconds that a file may run before it is said that it does: starting a process takes half of them."""
 
 _CALL_MS = 100
@@ -40,8 +40,8 @@ class FamilyFiles(QObject):
     -------
     brought
         A file was run: its path, and the families that are new, others than before, or offered no longer.
-    told
-        There is something else to say.
+    changed
+        A file runs, has ended, or has a mistake: the notices are others.
     answered
         A function that took too long was tried elsewhere: curves of this family are to be drawn anew.
 
@@ -56,7 +56,7 @@ class FamilyFiles(QObject):
     """
 
     brought = Signal(object, object)
-    told = Signal()
+    changed = Signal()
     answered = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -64,46 +64,46 @@ class FamilyFiles(QObject):
         self.problems: dict[Path, str] = {}
         self.running = ""
         self.offered: Path | Family | None = None
-        self._seen: dict[Path, bytes | None] = {}
+        self._contents: dict[Path, bytes | None] = {}
         self._watches: dict[Path, DiskWatch] = {}
         self._waiting: list[Path | Call] = []
         self._trying: Path | Call | None = None
-        self._made_task: SingleTask | None = None
+        self._trial_task: SingleTask | None = None
         if isinstance(application := QCoreApplication.instance(), QGuiApplication):
             application.applicationStateChanged.connect(self._look_when_active)
         for path in FAMILIES.files:
             self._follow(path)
-            self._seen[path] = _content(path)
+            self._contents[path] = _content(path)
 
     def use(self, path: Path) -> None:
-        """Run a file, have its families, and watch it from now on."""
+        """Run a file, use its families, and watch it from now on."""
         path = path.absolute()
         self._follow(path)
-        self._seen[path] = _content(path)
+        self._contents[path] = _content(path)
         self._begin(path)
 
     def stop(self) -> None:
         """Stop the trial in flight; nothing changes."""
         tried = self._trying
         if tried is not None and self._task.cancel():
-            what = f"“{tried.name}”" if isinstance(tried, Path) else f"{tried.words} and"
+            what = f"“{tried.name}”" if isinstance(tried, Path) else f"{tried.message} and"
             self._fail(tried, own_families.trial.FamilyFileError(f"{what} was stopped."))
 
     def forget_all(self) -> None:
-        """Use no file any more."""
+        """Stop using all files."""
         self._waiting.clear()
-        if self._made_task is not None:
-            self._made_task.close()
+        if self._trial_task is not None:
+            self._trial_task.close()
         for watch in self._watches.values():
             watch.watch(None)
             watch.deleteLater()
         if self._watches:
             own_families.trial.PATIENCE.of_no_window()
         self._watches.clear()
-        self._seen.clear()
+        self._contents.clear()
         self.problems.clear()
         self.running, self.offered = "", None
-        self.told.emit()
+        self.changed.emit()
 
     # Noticing
 
@@ -126,11 +126,11 @@ class FamilyFiles(QObject):
         content = _content(path)
         if content is None and looked < _MOST_CHECKS:
             QTimer.singleShot(_RECHECK_MS << looked, self, partial(self._look, path, looked + 1))
-        elif content != self._seen[path]:
-            self._seen[path] = content
+        elif content != self._contents[path]:
+            self._contents[path] = content
             if content is None:
-                self._take_problem(
-                    path, f"“{path.name}” is gone from its folder; its curves go on as they were."
+                self._add_problem(
+                    path, f"“{path.name}” is no longer in its folder; its curves keep their last functions."
                 )
             else:
                 self._begin(path)
@@ -140,11 +140,11 @@ class FamilyFiles(QObject):
     @property
     def _task(self) -> SingleTask:
         """The trials of files in flight; made with the first file."""
-        if self._made_task is None:
-            self._made_task = SingleTask(self, _SHOWN_AFTER_MS)
-            self._made_task.shown.connect(self._tell_running)
-            self._made_task.ended.connect(self._go_on)
-        return self._made_task
+        if self._trial_task is None:
+            self._trial_task = SingleTask(self, _REPORTED_AFTER_MS)
+            self._trial_task.shown.connect(self._report_running)
+            self._trial_task.ended.connect(self._go_on)
+        return self._trial_task
 
     def _begin(self, tried: Path | Call) -> None:
         """Try a file, or a call of one, as soon as nothing else is tried; never at once, amid a drawing."""
@@ -161,13 +161,15 @@ class FamilyFiles(QObject):
         tried = self._trying = self._waiting.pop(0)
         trial, fail = own_families.trial, partial(self._fail, tried)
         if isinstance(tried, Path):
-            self._task.start(tried.name, partial(trial.try_out, tried), lambda _done: self._take(tried), fail)
+            self._task.start(
+                tried.name, partial(trial.try_out, tried), lambda _done: self._use_here(tried), fail
+            )
         else:
             work = partial(trial.try_call, tried)
             self._task.start(tried.calls.path.name, work, partial(self._allow, tried), fail)
 
-    def _take(self, path: Path) -> None:
-        """Run a file that works elsewhere here."""
+    def _use_here(self, path: Path) -> None:
+        """Run a file that worked in another process in this one."""
         try:
             families = own_families.trial.use_file(FAMILIES, path)
         except own_families.trial.FamilyFileError as problem:
@@ -175,7 +177,7 @@ class FamilyFiles(QObject):
             return
         self.problems.pop(path, None)
         self.brought.emit(path, families)
-        self.told.emit()
+        self.changed.emit()
 
     def _allow(self, call: Call, seconds: float) -> None:
         call.calls.allow(call.kind, seconds)
@@ -187,28 +189,30 @@ class FamilyFiles(QObject):
         path = _path_of(tried)
         text = str(problem).replace(str(path), path.name)
         if isinstance(tried, Path):
-            self._take_problem(path, text)
+            self._add_problem(path, text)
         else:
             tried.calls.refuse(tried.kind, text)
             self.answered.emit(FAMILIES.named(tried.calls.name))
 
-    def _take_problem(self, path: Path, text: str) -> None:
+    def _add_problem(self, path: Path, text: str) -> None:
         self.problems[path] = text
-        self.told.emit()
+        self.changed.emit()
 
-    def _tell_running(self) -> None:
+    def _report_running(self) -> None:
         tried = self._trying
         assert tried is not None
         self.running = (
-            f"“{tried.name}” has been running for a while…" if isinstance(tried, Path) else f"{tried.words}…"
+            f"“{tried.name}” has been running for a while…"
+            if isinstance(tried, Path)
+            else f"{tried.message}…"
         )
-        self.told.emit()
+        self.changed.emit()
 
     def _go_on(self) -> None:
         """Start the next trial that waits; called when a trial has ended, before its result is used."""
-        was_told, self._trying, self.running = bool(self.running), None, ""
-        if was_told:
-            self.told.emit()
+        was_reported, self._trying, self.running = bool(self.running), None, ""
+        if was_reported:
+            self.changed.emit()
         QTimer.singleShot(0, self, self._try_next)
 
 

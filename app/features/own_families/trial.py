@@ -72,7 +72,7 @@ def try_call(call: Call, report: Report) -> float:
         try:
             printed = _printed_by(path, ("info", "--json", "--families", str(path), str(document)), report)
         except FamilyFileError as problem:
-            raise FamilyFileError(f"{call.words}. {problem}") from None
+            raise FamilyFileError(f"{call.message}. {problem}") from None
     # What the file prints comes before.
     (facts,) = json.loads(printed[printed.rfind(_JSON_BEGINS) :])["curves"]
     if facts["domain"] is None:
@@ -100,21 +100,21 @@ def _printed_by(path: Path, arguments: tuple[str, ...], report: Report) -> str:
                     time.sleep(_POLL_S)
             finally:
                 process.kill()
-        printed, said = (_end_of(each.fileno()) for each in (output, errors))
+        printed, error = (_end_of(file.fileno()) for file in (output, errors))
     if process.returncode == 0:
         return printed
     if was_overdue(process.returncode):
         raise FamilyFileError(f"“{path.name}” ran for longer than {SECONDS:g} s and was stopped.")
-    said = said.rstrip().rpartition("\n")[2]
-    if said.startswith(_SAYS):
-        raise FamilyFileError(said.removeprefix(_SAYS).replace(str(path), path.name))
+    error = error.rstrip().rpartition("\n")[2]
+    if error.startswith(_SAYS):
+        raise FamilyFileError(error.removeprefix(_SAYS).replace(str(path), path.name))
     raise FamilyFileError(f"“{path.name}” ended the process that ran it (code {process.returncode}).")
 
 
 def _refuse_endless(path: Path, began: float, files: tuple[int, ...]) -> None:
     if time.monotonic() - began > (longest := longest_wait(SECONDS)):
         raise FamilyFileError(f"“{path.name}” has not ended after {longest:.3g} s and was stopped.")
-    if any(os.fstat(each).st_size > _MOST_PRINTED for each in files):
+    if any(os.fstat(file).st_size > _MOST_PRINTED for file in files):
         raise FamilyFileError(f"“{path.name}” printed more than a megabyte and was stopped.")
 
 
