@@ -255,7 +255,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
         return self._rows[row]
 
     def row_of(self, curve: int) -> int:
-        """Return the row of the curve at `place`, or of the closed entry that it is in."""
+        """Return the row of a curve, or of the folded entry that contains it."""
         return self._row_of.get(curve, -1)
 
     def _rows_about(self, curve: int) -> Iterator[int]:

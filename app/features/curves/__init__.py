@@ -1,4 +1,4 @@
-"""Whole curves, their segments, shapes and groups.
+"""Curves as a whole, their segments, shapes and groups.
 
 - ``commands``: new, insert points, split, reverse, close, delete segments.
 - ``join_commands``: join and merge ends.

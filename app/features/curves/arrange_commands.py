@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 
 Arrange = Callable[[Document, Collection[int], int], Sequence[int]]
-"""Returns the order of curves in which some are elsewhere, towards the front (1) or the back (−1)."""
+"""Function that returns the order of curves after some have moved to the front (1) or the back (−1)."""
 
 _CURVE_IN_FRONT = Need(
     "a curve in front of this one",
@@ -56,7 +56,7 @@ _CURVE_BEHIND = Need(
 
 
 class OrderCommands:
-    """Puts what is chosen elsewhere in the order, and goes through it."""
+    """Actions that change the order of the selected curves, and go through it."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
@@ -72,7 +72,7 @@ class OrderCommands:
     )
     def _raise(self) -> None:
         """Move the selected curves one step to the front."""
-        self._put("Raise {}", order_after_step, 1, "one step to the front")
+        self._commit_gathered("Raise {}", order_after_step, 1, "one step to the front")
 
     @action(
         "lowerCurve",
@@ -85,7 +85,7 @@ class OrderCommands:
     )
     def _lower(self) -> None:
         """Move the selected curves one step to the back."""
-        self._put("Lower {}", order_after_step, -1, "one step to the back")
+        self._commit_gathered("Lower {}", order_after_step, -1, "one step to the back")
 
     @action(
         "raiseToTop",
@@ -99,7 +99,7 @@ class OrderCommands:
     )
     def _raise_to_top(self) -> None:
         """Move the selected curves to the front of the document, or of their group."""
-        self._put("Raise {} to top", order_at_end, 1, "to the top")
+        self._commit_gathered("Raise {} to top", order_at_end, 1, "to the top")
 
     @action(
         "lowerToBottom",
@@ -113,12 +113,12 @@ class OrderCommands:
     )
     def _lower_to_bottom(self) -> None:
         """Move the selected curves to the back of the document, or of their group."""
-        self._put("Lower {} to bottom", order_at_end, -1, "to the bottom")
+        self._commit_gathered("Lower {} to bottom", order_at_end, -1, "to the bottom")
 
-    def _put(self, name: str, arrange: Arrange, way: int, where: str) -> None:
-        """Put what is chosen elsewhere in the order, as one step."""
+    def _commit_gathered(self, name: str, arrange: Arrange, step: int, where: str) -> None:
+        """Move the selected curves in the order, as one step."""
         session, what = self._session, name_or_count(self._session.document, self._session.selected.whole)
-        document = reorder_curves(session.document, arrange(session.document, session.selected.curves, way))
+        document = reorder_curves(session.document, arrange(session.document, session.selected.curves, step))
         active = index_of(document, session.active_curve)
         if session.change(name.format(what), lambda _: document, active=active):
             session.say(f"Moved {what} {where}.")
@@ -152,8 +152,8 @@ class OrderCommands:
         session.say(f"Editing “{session.active_curve.display_name}”.")
 
 
-def _meant(session: Session) -> frozenset[int]:
-    """Return the chosen curves, or the one that is edited, with all others of their shapes."""
+def _selected_with_shapes(session: Session) -> frozenset[int]:
+    """Return the selected or edited curves, with all others of their shapes."""
     return expand_to_shapes(session.document, session.selected.marked)
 
 
@@ -178,14 +178,14 @@ class ShapeCommands:
     @also(CURVE_MENU(40))
     def _combine(self) -> None:
         """Combine the selected curves to one shape with one fill; a curve inside another one is a hole."""
-        session, curves = self._session, _meant(self._session)
-        views = [session.views[place] for place in sorted(curves)]
+        session, curves = self._session, _selected_with_shapes(self._session)
+        views = [session.views[index] for index in sorted(curves)]
         has_holes = fills_holes([view.polyline for view in views if view.has_curve])
-        made = combine(session.document, curves, alternate=has_holes)
-        if self._put(f"Combine {name_or_count(session.document, curves)}", made):
+        combined = combine(session.document, curves, alternate=has_holes)
+        if self._commit_gathered(f"Combine {name_or_count(session.document, curves)}", combined):
             name = session.active_curve.shape
             rule = "; the even-odd rule keeps its holes open" if has_holes else ""
-            session.say(f"“{name}” is a shape of {count_of(len(made.indices), 'curve')}{rule}.")
+            session.say(f"“{name}” is a shape of {count_of(len(combined.indices), 'curve')}{rule}.")
 
     @action(
         "breakApart",
@@ -200,7 +200,7 @@ class ShapeCommands:
     @also(CURVE_MENU(41))
     def _break_apart(self) -> None:
         """Break the selected shapes apart into separate curves."""
-        session, curves = self._session, _meant(self._session)
+        session, curves = self._session, _selected_with_shapes(self._session)
         what = name_or_count(session.document, curves)
         if session.change(f"Break {what} apart", lambda document: break_apart(document, curves)):
             self._choose(curves)
@@ -217,11 +217,11 @@ class ShapeCommands:
     )
     def _delete_contour(self) -> None:
         """Delete the edited curve and keep the other curves of its shape."""
-        session, place = self._session, self._session.active_index
+        session, index = self._session, self._session.active_index
         session.change(
             f"Delete {session.active_curve.name}",
-            lambda document: remove_curve(document, place),
-            active=active_after_removal(session.document, {place}, place),
+            lambda document: remove_curve(document, index),
+            active=active_after_removal(session.document, {index}, index),
         )
 
     # Groups
@@ -238,11 +238,11 @@ class ShapeCommands:
     @also(CURVE_MENU(42), WHOLES_MENU(30), CURVE_LIST_MENU(53))
     def _group(self) -> None:
         """Group the selected curves, to select and move them as one."""
-        session, curves = self._session, _meant(self._session)
-        made = group_curves(session.document, curves)
-        if self._put(f"Group {name_or_count(session.document, curves)}", made):
+        session, curves = self._session, _selected_with_shapes(self._session)
+        grouped = group_curves(session.document, curves)
+        if self._commit_gathered(f"Group {name_or_count(session.document, curves)}", grouped):
             # Of one curve alone the group around it is what was made, and not what is chosen.
-            (group, *_) = groups_to_ungroup(session.document, made.indices)
+            (group, *_) = groups_to_ungroup(session.document, grouped.indices)
             session.say(f"“{group.name}” has {node_count_label(group.children)}.")
 
     @action(
@@ -257,26 +257,26 @@ class ShapeCommands:
     @also(CURVE_MENU(43), WHOLES_MENU(31), CURVE_LIST_MENU(54))
     def _ungroup(self) -> None:
         """Ungroup the selected group, or the group of the curve; shapes are kept."""
-        session, curves = self._session, _meant(self._session)
+        session, curves = self._session, _selected_with_shapes(self._session)
         nodes = groups_to_ungroup(session.document, curves)
         what = nodes[0].name if len(nodes) == 1 else f"{len(nodes)} groups"
         with session.batch:
             is_done = bool(session.change(f"Ungroup {what}", lambda document: ungroup(document, curves)))
             if is_done:
-                self._choose([place for node in nodes for place in node.indices])
+                self._choose([index for node in nodes for index in node.indices])
         if is_done:
             session.say(f"Ungrouped {what}.")
 
     # Both
 
-    def _put(self, text: str, made: Gathered) -> bool:
-        """Make what was brought together the document, and choose it; return whether it is."""
+    def _commit_gathered(self, text: str, gathered: Gathered) -> bool:
+        """Commit a combined or grouped document, and select its curves; return whether it is done."""
         session = self._session
-        active = made.order.index(session.active_index)
+        active = gathered.order.index(session.active_index)
         with session.batch:
-            is_done = bool(session.change(text, lambda _: made.document, active=active))
+            is_done = bool(session.change(text, lambda _: gathered.document, active=active))
             if is_done:
-                self._choose(made.indices)
+                self._choose(gathered.indices)
         return is_done
 
     def _choose(self, curves: Collection[int]) -> None:

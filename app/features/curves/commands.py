@@ -38,8 +38,8 @@ from .join_commands import JoinCommands
 
 
 def _with_curves(document: Document, curves: Mapping[int, Curve]) -> Document:
-    """Return the document with other curves in some places."""
-    new = (curves.get(place, curve) for place, curve in enumerate(document.curves))
+    """Return the document with some curves replaced."""
+    new = (curves.get(index, curve) for index, curve in enumerate(document.curves))
     return replace(document, curves=tuple(new))
 
 
@@ -56,12 +56,12 @@ class CurveCommands:
     @also(CANVAS_MENU(22), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
         """Add a curve and draw it with the pen."""
-        session, place = self._session, len(self._session.document.curves)
+        session, index = self._session, len(self._session.document.curves)
         fresh = curve_edits.new_curve_like(session.document, session.model, Parametrization())
         if session.change(
             f"New {fresh.name}",
-            lambda document: curve_edits.add_curve(document, place, fresh),
-            active=place,
+            lambda document: curve_edits.add_curve(document, index, fresh),
+            active=index,
         ):
             self._context.actions["addTool"].trigger()
 
@@ -82,7 +82,7 @@ class CurveCommands:
 
     @PositionAction("insertPointHere", "Insert Point Here", like="insertPoint")
     def insert_at(self, t: float) -> None:
-        """Insert a point on the active curve at `t`."""
+        """Insert a point on the active curve at parameter `t`."""
         insert_at(self._session, t)
 
     @action(
@@ -97,12 +97,12 @@ class CurveCommands:
     @also(POINT_MENU(17))
     def _insert_between(self) -> None:
         """Insert a point in the middle of each segment between selected points, keeping the shape."""
-        session, views, made = self._session, self._session.views, dict[int, Halved]()
+        session, views, halved = self._session, self._session.views, dict[int, Halved]()
         segments = {
             curve: segments_between(views[curve].source, indices)
             for curve, indices in session.selected.group.parts
         }
-        group = group_points((curve, frozenset(each)) for curve, each in segments.items())
+        group = group_points((curve, frozenset(between)) for curve, between in segments.items())
         if not group.parts:
             session.refuse(
                 "Select two neighbouring points, or double-click the curve to insert a point there."
@@ -110,15 +110,15 @@ class CurveCommands:
             return
 
         def one(document: Document, curve: int, between: Collection[int]) -> Document:
-            made[curve] = with_midpoints(views[curve], between, session.selected.group.of(curve))
-            return curve_edits.replace_curve(document, curve, made[curve].reshaped.curve)
+            halved[curve] = with_midpoints(views[curve], between, session.selected.group.of(curve))
+            return curve_edits.replace_curve(document, curve, halved[curve].reshaped.curve)
 
         new = count_of(group.count, "point")
         if session.change(f"Insert {new} between", lambda document: group.apply(document, one)):
-            kept = {curve: each.old | each.new for curve, each in made.items()}
-            session.selected.set_group(group_points(kept.items()))
-            told = (each.reshaped.sentence for each in made.values())
-            session.say(" ".join(("Inserted", f"{new}.", *told)))
+            point_sets = {curve: result.old | result.new for curve, result in halved.items()}
+            session.selected.set_group(group_points(point_sets.items()))
+            remarks = (result.reshaped.sentence for result in halved.values())
+            session.say(" ".join(("Inserted", f"{new}.", *remarks)))
 
     @PositionAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
@@ -155,9 +155,9 @@ class CurveCommands:
     def _split(self) -> None:
         """Split the curves at the selected points, or the curve at the scrub line."""
         cuts = {
-            curve: found
+            curve: parameters
             for curve, indices in self._session.selected.group.parts
-            if (found := parameters_between_ends(self._session.views[curve], indices))
+            if (parameters := parameters_between_ends(self._session.views[curve], indices))
         }
         if not cuts:
             self._at_scrub(self.split_at)
@@ -167,25 +167,25 @@ class CurveCommands:
             self._split_all(cuts)
 
     def _split_all(self, cuts: Mapping[int, Sequence[float]]) -> None:
-        """Split curves at several places, each of its own; what was edited together stays so."""
-        session, made = self._session, dict[int, Split]()
+        """Split each curve at its parameters; curves that are edited together stay so."""
+        session, parts_of = self._session, dict[int, Split]()
 
         def edit(document: Document) -> Document:
             # The foremost first: those behind it stay where they are.
             for curve in sorted(cuts, reverse=True):
-                made[curve] = split(session.views[curve], *cuts[curve])
-                document = curve_edits.replace_by_parts(document, curve, *made[curve].curves)
+                parts_of[curve] = split(session.views[curve], *cuts[curve])
+                document = curve_edits.replace_by_parts(document, curve, *parts_of[curve].curves)
             return document
 
-        edited, active = session.selected.curves, session.active_index
+        curves, active = session.selected.curves, session.active_index
         if not session.change(f"Split {name_or_count(session.document, cuts)}", edit):
             return
-        more = {curve: len(each.curves) - 1 for curve, each in made.items()}
-        first = {curve: curve + sum(more[each] for each in more if each < curve) for curve in edited}
-        parts = [first[curve] + k for curve in edited for k in range(more.get(curve, 0) + 1)]
-        session.selected.set_curves(parts if len(edited) > 1 else (first[active],), first[active])
-        residual = max(each.residual for each in made.values())
-        whole = Split(tuple(curve for each in made.values() for curve in each.curves), residual)
+        more = {curve: len(result.curves) - 1 for curve, result in parts_of.items()}
+        first = {curve: curve + sum(more[other] for other in more if other < curve) for curve in curves}
+        parts = [first[curve] + k for curve in curves for k in range(more.get(curve, 0) + 1)]
+        session.selected.set_curves(parts if len(curves) > 1 else (first[active],), first[active])
+        residual = max(result.residual for result in parts_of.values())
+        whole = Split(tuple(curve for result in parts_of.values() for curve in result.curves), residual)
         session.say(f"Split at {count_of(sum(map(len, cuts.values())), 'point')}: {whole.sentence}")
 
     @action(
@@ -202,12 +202,12 @@ class CurveCommands:
         """Reverse the direction of the curve, of all curves of its shape, or of the selected curves."""
         session, view = self._session, self._session.active_view
         several = self._several_whole
-        views = [session.views[place] for place in several] or [view]
-        if not all(each.is_current for each in views):
-            problem = next(each.problem for each in views if not each.is_current)
+        views = [session.views[index] for index in several] or [view]
+        if not all(other.is_current for other in views):
+            problem = next(other.problem for other in views if not other.is_current)
             session.refuse(f"The curve cannot be reversed. {problem}")
         elif several:
-            turned = {place: reversed_curve(session.views[place]).curve for place in several}
+            turned = {index: reversed_curve(session.views[index]).curve for index in several}
             what = whole_curves(session.document, several)
             if session.change(f"Reverse {what.label}", lambda document: _with_curves(document, turned)):
                 session.selected.set_group(NO_POINTS)
@@ -217,10 +217,10 @@ class CurveCommands:
 
     @property
     def _several_whole(self) -> list[int]:
-        """The curves that are meant, where these are several, those that have a course."""
-        session, chosen = self._session, self._session.selected.meant
-        several = [place for place in sorted(chosen) if len(session.document.curves[place].points) > 1]
-        return several if len(chosen) > 1 else []
+        """The selected curves with at least two points, where several curves are selected."""
+        session, selected = self._session, self._session.selected.meant
+        several = [index for index in sorted(selected) if len(session.document.curves[index].points) > 1]
+        return several if len(selected) > 1 else []
 
     @action(
         "closeCurve",
@@ -235,13 +235,13 @@ class CurveCommands:
     def _toggle_closed(self) -> None:
         """Close the curve smoothly, or open it, with all curves of its shape or selection."""
         session, views = self._session, self._session.views
-        closed, places = not session.active_curve.is_closed, self._several_whole or [session.active_index]
-        what = whole_curves(session.document, places)
+        closed, indices = not session.active_curve.is_closed, self._several_whole or [session.active_index]
+        what = whole_curves(session.document, indices)
 
         def edit(document: Document) -> Document:
-            for place in places:
-                if document.curves[place].is_closed != closed:
-                    document = with_closed(document, place, views[place], closed)
+            for index in indices:
+                if document.curves[index].is_closed != closed:
+                    document = with_closed(document, index, views[index], closed)
             return document
 
         if session.change(f"{'Close' if closed else 'Open'} {what.label}", edit):
@@ -254,21 +254,21 @@ class CurveCommands:
         make: Callable[[], Reshaped],
         then: Callable[[Document], Document] = lambda document: document,
     ) -> Reshaped | None:
-        """Put what `make` returns in the place of the active curve, and say what that changed."""
-        session, made = self._session, list[Reshaped]()
+        """Replace the active curve by the result of `make`, and show its message."""
+        session, results = self._session, list[Reshaped]()
 
         def edit(document: Document) -> Document:
-            made.append(make())
-            return then(curve_edits.replace_curve(document, session.active_index, made[0].curve))
+            results.append(make())
+            return then(curve_edits.replace_curve(document, session.active_index, results[0].curve))
 
         if not session.change(text, edit):
             return None
-        session.say(made[0].sentence)
-        return made[0]
+        session.say(results[0].sentence)
+        return results[0]
 
 
 class SegmentCommands:
-    """Deletes segments, and leaves the points at their ends."""
+    """Actions that delete segments and keep the points at their ends."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
@@ -298,22 +298,22 @@ class SegmentCommands:
 
     @PositionAction("deleteSegmentHere", "Delete Segment", like="deleteSegment")
     def delete_at(self, t: float) -> None:
-        """Delete the segment of the active curve that runs through `t`."""
+        """Delete the segment of the active curve at parameter `t`."""
         self._delete([segment_at(self._session.active_view.parameters, t)])
 
     def _delete(self, segments: Collection[int]) -> None:
-        session, made = self._session, list[Split]()
+        session, results = self._session, list[Split]()
 
         def edit(document: Document) -> Document:
-            made.append(without_segments(session.active_view, segments))
-            return replace_by_parts(document, session.active_index, *made[-1].curves)
+            results.append(without_segments(session.active_view, segments))
+            return replace_by_parts(document, session.active_index, *results[-1].curves)
 
         what = "segment" if len(segments) == 1 else count_of(len(segments), "segment")
         if session.change(f"Delete {what} of {session.active_curve.name}", edit):
             session.selected.set_points([])
-            count = len(made[-1].curves)
+            count = len(results[-1].curves)
             left = f"{count} curves remain" if count > 1 else "the curve is open"
-            session.say(f"Deleted {what}: {left}, {made[-1].sentence}")
+            session.say(f"Deleted {what}: {left}, {results[-1].sentence}")
 
 
 COMMAND_SETS = (CurveCommands, OrderCommands, JoinCommands, SegmentCommands, ShapeCommands)

@@ -1,4 +1,4 @@
-"""Several curves made one: at two selected ends, by the nearest ends of those chosen, or end to start."""
+"""Joins: two selected ends, the nearest ends of selected curves, or the end to the nearest start."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from ...workbench.context import WindowContext
 
 
 class JoinCommands:
-    """Actions that make one curve of several."""
+    """Actions that join several curves to one."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
@@ -71,7 +71,7 @@ class JoinCommands:
         elif len(session.selected.group.parts) > 1:
             session.refuse("Select only one end of each of two open curves to join them there.")
         elif len(session.selected.chosen) > 1:
-            self._join_chosen()
+            self._join_selected()
         else:
             self._join_to_nearest_start()
 
@@ -91,18 +91,18 @@ class JoinCommands:
         session = self._session
         link = link_of(session.views, session.selected.group)
         if link is not None:
-            met, way = brought_together(session.views, link)
-            if self._join_ends(link, met):
-                length = f"{number(way, 2)} {session.document.unit}".rstrip()
+            moved, distance = brought_together(session.views, link)
+            if self._join_ends(link, moved):
+                length = f"{number(distance, 2)} {session.document.unit}".rstrip()
                 session.say(f"Merged two ends into one point: each moved by {length}.")
 
     def _join_ends(self, link: Link, views: Sequence[CurveView] | None = None) -> bool:
-        """Join two ends, of these views of the curves; return whether they are joined."""
+        """Join two ends of the given views; return whether they are joined."""
         session, active = self._session, self._session.active_index
         views = session.views if views is None else views
         ends = {end.curve for end in link}
         if len(ends) > 1 or views[active].source.family.derivatives:
-            return self._make(ends, active, lambda kept: joined_by(views, [link], kept))
+            return self._make(ends, active, lambda index: joined_by(views, [link], index))
 
         def closed(document: Document) -> Document:
             # Nothing keeps its shape there: it closes as its rules have it.
@@ -111,16 +111,18 @@ class JoinCommands:
 
         return session.change(_step_name(session.document, ends), closed).is_done
 
-    def _join_chosen(self) -> None:
+    def _join_selected(self) -> None:
         session, views = self._session, self._session.views
-        is_open = (place for place in session.selected.chosen if not views[place].source.is_closed)
-        curves = sorted(place for place in is_open if len(views[place].points))
+        is_open = (index for index in session.selected.chosen if not views[index].source.is_closed)
+        curves = sorted(index for index in is_open if len(views[index].points))
         if len(curves) < 2:
             session.refuse("Select at least two open curves to join them. Closed curves have no ends.")
             return
-        kept = session.active_index if session.active_index in curves else curves[-1]
+        target = session.active_index if session.active_index in curves else curves[-1]
         self._make(
-            curves, kept, lambda kept: joined_by(views, nearest_links(views, curves), kept, is_ring=True)
+            curves,
+            target,
+            lambda target: joined_by(views, nearest_links(views, curves), target, is_ring=True),
         )
 
     def _join_to_nearest_start(self) -> None:
@@ -130,45 +132,45 @@ class JoinCommands:
             session.refuse("There is no other visible open curve to join.")
             return
         link = (End(index, is_last=True), End(partner, is_last=False))
-        self._make({index, partner}, index, lambda kept: joined_by(session.views, [link], kept))
+        self._make({index, partner}, index, lambda curve: joined_by(session.views, [link], curve))
 
     def _nearest_start(self) -> int | None:
-        """Return the open visible curve whose start is nearest to the end of the active one."""
+        """Return the visible open curve whose start is nearest to the end of the active curve."""
         views, active = self._session.views, self._session.active_index
         end = views[active].points[-1]
         others = [
-            (float(np.hypot(*(view.points[0] - end))), place)
-            for place, view in enumerate(views)
-            if place != active and view.source.visible and view.is_current and not view.source.is_closed
+            (float(np.hypot(*(view.points[0] - end))), index)
+            for index, view in enumerate(views)
+            if index != active and view.source.visible and view.is_current and not view.source.is_closed
         ]
         return min(others)[1] if others else None
 
-    def _make(self, curves: Collection[int], kept: int, make: Callable[[int], Joined]) -> bool:
-        """Put what `make` returns in the place of the curve `kept`, and remove the others, if it can be."""
-        session, made = self._session, list[Joined]()
-        others = set(curves) - {kept}
-        names = [session.document.curves[place].name for place in (*sorted(others), kept)]
+    def _make(self, curves: Collection[int], target: int, make: Callable[[int], Joined]) -> bool:
+        """Replace the curve `target` by the result of `make`, and remove the others; return success."""
+        session, results = self._session, list[Joined]()
+        others = set(curves) - {target}
+        names = [session.document.curves[index].name for index in (*sorted(others), target)]
 
         def edit(document: Document) -> Document:
-            made.append(make(kept))
-            document = curve_edits.replace_curve(document, kept, made[0].curve)
+            results.append(make(target))
+            document = curve_edits.replace_curve(document, target, results[0].curve)
             return remove_curves(document, others)
 
-        active = kept - sum(place < kept for place in others)
-        if not session.change(_step_name(session.document, curves, kept), edit, active=active):
+        active = target - sum(index < target for index in others)
+        if not session.change(_step_name(session.document, curves, target), edit, active=active):
             return False
         if session.selected.is_editing:
-            session.selected.set_points(made[0].seams)
+            session.selected.set_points(results[0].seams)
         else:
             session.selected.choose([session.active_index])
         what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
-        shapes = "shapes kept" if keeps_shape(made[0].residual, (made[0].curve,)) else "shapes changed"
-        session.say(f"Joined {what}: {shapes}, largest change {number(made[0].residual, 2)}.")
+        shapes = "shapes kept" if keeps_shape(results[0].residual, (results[0].curve,)) else "shapes changed"
+        session.say(f"Joined {what}: {shapes}, largest change {number(results[0].residual, 2)}.")
         return True
 
 
-def _step_name(document: Document, curves: Collection[int], kept: int = 0) -> str:
+def _step_name(document: Document, curves: Collection[int], target: int = 0) -> str:
     if len(curves) > 2:
         return f"Join {len(curves)} curves"
-    names = [document.curves[place].name for place in sorted(curves, key=lambda place: place != kept)]
+    names = [document.curves[index].name for index in sorted(curves, key=lambda index: index != target)]
     return f"Join {names[0]} and {names[1]}" if len(names) == 2 else f"Close {names[0]}"

@@ -1,4 +1,4 @@
-"""Unit and grid of the document, on the canvas and in a form; what new documents begin with."""
+"""Unit and grid of the document, on the canvas and in a form; defaults of new documents."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 
 class DocumentSettingsCommands:
-    """Keeps canvas, status line and form in step with the document's unit and grid."""
+    """Unit and grid of the document, on the canvas, in the status line and in the form."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
         self._preferences = context.preferences
         self._dock = context.docks["documentDock"]
         self._panel: DocumentPanel | None = None
-        self._shown: tuple[str, float] | None = None
+        self._rendered: tuple[str, float] | None = None
         self.render_panel(context.session.active_view)
 
     @Panel("documentDock", "Document", on_demand=True)
@@ -36,16 +36,16 @@ class DocumentSettingsCommands:
         """Return the form."""
         self._panel = document_settings.panel.DocumentPanel(parent)
         self._edits = FormEdits(self._session, self._panel)
-        self._panel.made_usual.connect(self._make_usual)
+        self._panel.made_default.connect(self._make_default)
         self._render_panel()
         return self._panel
 
     def render_panel(self, view: CurveView) -> None:
-        """Draw in the unit and on the grid of the document."""
+        """Show the unit and the grid of the document."""
         document = self._session.document
         now = (document.unit, document.grid_spacing)
-        if now != self._shown:
-            before, self._shown = self._shown, now
+        if now != self._rendered:
+            before, self._rendered = self._rendered, now
             canvas = self._context.central.canvas
             canvas.show_marks()
             canvas.drawing.grid.set_spacing(document.grid_spacing)
@@ -67,7 +67,7 @@ class DocumentSettingsCommands:
             )
             self._panel.render_document(self._session.document, document, preferences.new_style)
 
-    def _make_usual(self) -> None:
+    def _make_default(self) -> None:
         document, preferences = self._session.document, self._preferences
         preferences.unit_name, preferences.grid_spacing = document.unit, document.grid_spacing
         preferences.new_style = self._session.active_curve.style

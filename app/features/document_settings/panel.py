@@ -42,15 +42,15 @@ _GRID = Distance(
 
 
 class DocumentPanel(FieldForm):
-    """A form that shows what belongs to a document as a whole, and asks for changes of it.
+    """Form of unit and grid of a document, with the defaults of new ones.
 
     Signals
     -------
-    made_usual
-        New documents shall begin as this one is.
+    made_default
+        The settings of this document are to be the defaults of new ones.
     """
 
-    made_usual = Signal()
+    made_default = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("documentPanel", "documentProblem", parent)
@@ -61,7 +61,7 @@ class DocumentPanel(FieldForm):
         self._usual = Label(name="newDocuments", wordWrap=True)
         tip = "Use this unit, this grid and the style of this curve in new documents"
         self._take = push_button("useForNew", "Use for New Documents", tip)
-        self._take.clicked.connect(self.made_usual)
+        self._take.clicked.connect(self.made_default)
         form = form_of(*self._unit.rows, *self._grid.rows)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
@@ -74,7 +74,7 @@ class DocumentPanel(FieldForm):
         self.edited.emit(f"Set the {what}", lambda document, _curve: edit(document, value))
 
     def render_document(self, document: Document, new: Document, style: Style) -> None:
-        """Show `document`, and of a `new` one the unit and the grid, and the style of its curve."""
+        """Show the settings of a document, and those of a new one with the style of its curve."""
         unit, spacing = new.unit, new.grid_spacing
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)

@@ -48,7 +48,7 @@ from ...workbench.form_edits import SliderGesture
 from .toolbar_widgets import STEPS, FamilyButton, ParametrizationBar
 
 _MOST_KEYS = 10
-"""One more than there are digits for."""
+"""Rank of the first family without a digit key."""
 
 
 _BUTTONS = 3
@@ -56,29 +56,29 @@ _BUTTONS = 3
 
 
 def _key_of(family: Family) -> str:
-    """Return the digit of a family's place, for as many as there are digits."""
-    place = list(FAMILIES).index(family) + 1
-    return str(place) if place < _MOST_KEYS else ""
+    """Return the digit key of a family; empty for families after the ninth."""
+    digit = list(FAMILIES).index(family) + 1
+    return str(digit) if digit < _MOST_KEYS else ""
 
 
 def _icon_of(family: Family) -> str:
-    """Return the name of a family's icon, that of splines where it has none."""
-    own = family.name.replace("_", "-")
-    return own if has_resource("icons", f"{own}.svg") else "spline"
+    """Return the name of the icon of a family, or else that of splines."""
+    name = family.name.replace("_", "-")
+    return name if has_resource("icons", f"{name}.svg") else "spline"
 
 
 def _section_of(family: Family) -> MenuSection:
-    """Return the section of the menu Curve that a family stands in."""
+    """Return the section of the menu Curve for a family."""
     return CURVE_FAMILY if family in FAMILIES[:_BUTTONS] else CURVE_FAMILIES
 
 
-def _place_of(family: Family) -> BarPosition:
-    """Return where a family stands in the toolbar."""
+def _position_of(family: Family) -> BarPosition:
+    """Return the position of a family in the toolbar."""
     return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
 
 
-def _edited(family: Family) -> Need:
-    """Return what the digit of a family needs: pressed by habit, it would rewrite what was drawn."""
+def _edited_curve(family: Family) -> Need:
+    """Return the condition of the digit key of a family, which could be pressed by accident."""
 
     def why(state: ActionState) -> str:
         then = f"then the same key makes it {family.title}"
@@ -88,14 +88,14 @@ def _edited(family: Family) -> Need:
 
 
 class RuleCommands:
-    """Choice of the family and of the parameters, in menus and in the toolbar."""
+    """Actions for the family and the parameters, in menus and in the toolbar."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._actions = context.session, context.actions
         self._bar, self._families = ParametrizationBar(), FamilyButton(self._actions.is_on)
         self._actions.redeclared.connect(self._offer_further)
         self._actions.switched.connect(self._families.show_in_use)
-        self._bar.kind_chosen.connect(self._use_parametrization)
+        self._bar.kind_picked.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
 
@@ -114,12 +114,12 @@ class RuleCommands:
         self._families.offer(self._further())
 
     def _further(self) -> list[tuple[QAction, str]]:
-        """Return the actions of families without a button of their own, with a short word for each."""
-        further = [each for group in self._actions.in_bar(FAMILIES_MENU).values() for each in group]
-        return [(each, self._actions.button_text(each, short=True)) for each in further]
+        """Return the actions of families without a toolbar button, with a short text for each."""
+        further = [entry for group in self._actions.in_bar(FAMILIES_MENU).values() for entry in group]
+        return [(entry, self._actions.button_text(entry, short=True)) for entry in further]
 
     def render_panel(self, view: CurveView) -> None:
-        """Show the rule of the curve that is edited or chosen in the bar."""
+        """Show the rule of the edited or selected curve in the toolbar."""
         self._bar.render_view(self._session.meant_view)
 
     @action_for_each(
@@ -135,48 +135,48 @@ class RuleCommands:
             keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda state: state.family == family,
             group="family",
-            key_needs=_edited(family),
+            key_needs=_edited_curve(family),
         ),
     )
-    @also_for_each(lambda family: (_place_of(family),))
+    @also_for_each(lambda family: (_position_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
-        chosen = sorted(session.selected.meant)
-        several = f"{name_or_count(session.document, chosen)} to " if len(chosen) > 1 else ""
+        selected = sorted(session.selected.meant)
+        several = f"{name_or_count(session.document, selected)} to " if len(selected) > 1 else ""
         before = list[CurveView]()
 
         def edit(document: Document) -> Document:
-            before.extend(session.views[index] for index in chosen)
-            for index in chosen:
+            before.extend(session.views[index] for index in selected)
+            for index in selected:
                 document = rule_edits.set_family(document, index, family)
             return document
 
         if session.change(f"Switch {several or 'to '}{family.title}", edit):
-            self._say_switched(family, chosen, before)
+            self._say_switched(family, selected, before)
 
     def _say_switched(self, family: Family, curves: Sequence[int], before: Sequence[CurveView]) -> None:
-        """Say what may not have been meant: several curves, some that are open now, or shaped by hand."""
+        """Report side effects: several curves changed, curves that are open now, or a changed shape."""
         after = [self._session.views[curve] for curve in curves]
         document = self._session.document
         name = common_name(document, curves)
         what = f"{count_label(document, curves)} are" if name is None else f"“{name}” is"
-        said = [f"{what} {family.title} now."] if len(after) > 1 else []
+        sentences = [f"{what} {family.title} now."] if len(after) > 1 else []
         away = max(map(view_model.convert.needless_change, before, after))
         if away:
-            said.append(
+            sentences.append(
                 f"The shape changed by up to {number(away, 2)}; “Convert to {family.label}” keeps it."
             )
-        if said:
-            said[-1] = f"{said[-1].rstrip('.')} · {key_or_name(self._actions['undo'])}: undo"
+        if sentences:
+            sentences[-1] = f"{sentences[-1].rstrip('.')} · {key_or_name(self._actions['undo'])}: undo"
         if any(
             old.source.is_closed and not new.source.is_closed for old, new in zip(before, after, strict=True)
         ):
-            closes = next(each.title for each in FAMILIES if each.curve_class.can_close)
-            said.insert(
+            closes = next(member.title for member in FAMILIES if member.curve_class.can_close)
+            sentences.insert(
                 0, f"{family.subject} cannot close smoothly. It is drawn open, and closes again as {closes}."
             )
-        if said:
-            self._session.say(" ".join(said))
+        if sentences:
+            self._session.say(" ".join(sentences))
 
     @action_for_each(
         tuple(family for family in FAMILIES if family.takes_shapes),
@@ -194,14 +194,14 @@ class RuleCommands:
     )
     def _convert(self, family: Family) -> None:
         session = self._session
-        made = view_model.convert.converted(session.active_view, family)
-        kept = "keeping the shape" if made.keeps_shape else f"within {number(made.residual, 2)}"
+        converted = view_model.convert.converted(session.active_view, family)
+        accuracy = "keeping the shape" if converted.keeps_shape else f"within {number(converted.residual, 2)}"
         if session.change(
-            f"Convert to {family.title}, {kept}",
-            lambda document: replace_curve(document, session.active_index, made.curve),
+            f"Convert to {family.title}, {accuracy}",
+            lambda document: replace_curve(document, session.active_index, converted.curve),
         ):
             session.selected.set_points([])
-            session.say(made.sentence)
+            session.say(converted.sentence)
 
     @action_for_each(
         tuple(ParametrizationKind),
@@ -270,12 +270,12 @@ class RuleCommands:
 
 
 def _outlook(session: Session, family: Family) -> OpenedEntry:
-    """Return what a conversion does to the curve of the moment."""
-    found = view_model.convert.outlook(session.active_view, family)
+    """Return text and tip of the conversion of the active curve."""
+    outlook = view_model.convert.outlook(session.active_view, family)
     text, tip = f"Convert to {family.label}, ", f"Convert to {family.a_curve} of the same shape"
-    if not found.within:
-        return OpenedEntry(f"{text}Keeping the Shape", tip, found.refusal)
-    within = number(found.within, 1)
+    if not outlook.within:
+        return OpenedEntry(f"{text}Keeping the Shape", tip, outlook.refusal)
+    within = number(outlook.within, 1)
     follow = f"Approximate the curve, which is not a polynomial, with {family.a_curve}"
     return OpenedEntry(f"{text}Within {within}", f"{follow}; it changes by at most about {within}")
 

@@ -28,11 +28,11 @@ _SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 56
 
 
 class ParametrizationBar(ToolbarWidget):
-    """Chooses the rule that gives the t_i.
+    """Toolbar widget for the rule of the parameters t_i and its exponent α.
 
     Signals
     -------
-    kind_chosen
+    kind_picked
         A rule was chosen in the box.
     drag_changed
         The slider is being dragged, or no longer.
@@ -43,7 +43,7 @@ class ParametrizationBar(ToolbarWidget):
         The rules; the exponent α, in `STEPS`.
     """
 
-    kind_chosen = Signal(object)
+    kind_picked = Signal(object)
     drag_changed = Signal(bool)
 
     def __init__(self) -> None:
@@ -52,11 +52,11 @@ class ParametrizationBar(ToolbarWidget):
         self._is_compact, self._has_alpha = False, True
         # The font, and the excess of the longest name in it: asked at every change.
         self._measured = ("", 0)
-        kinds = (each.label for each in ParametrizationKind)
+        kinds = (kind.label for kind in ParametrizationKind)
         self.box = choice_box("parametrizationBox", "Parametrization", _RULE_TIP, kinds)
-        for place, kind in enumerate(ParametrizationKind):
+        for index, kind in enumerate(ParametrizationKind):
             if kind.spaced:
-                self.box.setItemData(place, f"{kind.label}: {kind.spaced}", Qt.ItemDataRole.ToolTipRole)
+                self.box.setItemData(index, f"{kind.label}: {kind.spaced}", Qt.ItemDataRole.ToolTipRole)
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
@@ -87,7 +87,7 @@ class ParametrizationBar(ToolbarWidget):
         self._share_room()
 
     def _share_room(self) -> None:
-        """Give the long names, which are those of rules without an α, room of the slider."""
+        """Give long names of rules, which have no α, a part of the room of the slider."""
         has_alpha, width = self._has_alpha, self.box.sizeHint().width()
         self.box.setFixedWidth(width - self._excess if has_alpha else width)
         slider = _COMPACT_SLIDER_WIDTH if self._is_compact else _SLIDER_WIDTH
@@ -96,7 +96,7 @@ class ParametrizationBar(ToolbarWidget):
 
     @property
     def _excess(self) -> int:
-        """Pixels by which the longest name is longer than that of any rule with an α."""
+        """Excess in pixels of the longest name over the names of rules with an α."""
         if (font := self.box.font().key()) != self._measured[0]:
             width = self.box.fontMetrics().horizontalAdvance
             longest = max(width(kind.label) for kind in ParametrizationKind)
@@ -105,7 +105,7 @@ class ParametrizationBar(ToolbarWidget):
         return self._measured[1]
 
     def render_view(self, view: CurveView | None) -> None:
-        """Show the rule of `view`; None while there is no curve to act on."""
+        """Show the rule of `view`; None without a curve."""
         self._view = view
         self.box.setEnabled(view is not None)
         if view is None:
@@ -137,11 +137,11 @@ class ParametrizationBar(ToolbarWidget):
         self._alpha.setText(f"α {alpha:.2f}")
 
     def _render_again(self) -> None:
-        """Show what is: the person may have chosen what was refused."""
+        """Show the current rule again, after a choice that was refused."""
         self.render_view(self._view)
 
     def _choose_kind(self, index: int) -> None:
-        self.kind_chosen.emit(list(ParametrizationKind)[index])
+        self.kind_picked.emit(list(ParametrizationKind)[index])
         self._render_again()
 
     def _end_drag(self) -> None:
@@ -159,7 +159,7 @@ _ICON, _ARROW, _BESIDES = 20, 22, 36
 
 
 class FamilyButton(FollowsTheme, ToolbarWidget):
-    """Chooses one of the further families, and shows the one in use.
+    """Toolbar button with a menu of further families; it shows the one in use.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         self._is_on = is_on
         self._words: dict[QAction, str] = {}
         self._is_compact = False
-        self._shown: tuple[object, ...] = ()
+        self._rendered: tuple[object, ...] = ()
         self.button = named(QToolButton(), "familiesButton", _FAMILIES_TIP)
         self.button.setCheckable(True)
         self.button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -186,7 +186,7 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         self.follow_theme()
 
     def offer(self, further: Sequence[tuple[QAction, str]]) -> None:
-        """Offer the actions of these families, each with a short word for the button, and no others.
+        """Set the actions of the menu, each with a short text for the button.
 
         One that is gone has left the menu by itself.
         """
@@ -212,18 +212,18 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         self.show_in_use()
 
     def show_in_use(self) -> None:
-        """Show the family in use, if it is one of these; the width stays."""
-        action = next((each for each in self._words if self._is_on(each.objectName())), None)
+        """Show the family in use, if it is in the menu; the width does not change."""
+        action = next((entry for entry in self._words if self._is_on(entry.objectName())), None)
         button, word = self.button, _WORD if action is None else self._words[action]
         button.setChecked(action is not None)
-        seen = action or next(iter(self._words), None)
-        picture = icon("spline", self.theme) if seen is None else seen.icon()
+        displayed = action or next(iter(self._words), None)
+        picture = icon("spline", self.theme) if displayed is None else displayed.icon()
         text = "" if action is None else plain(action.text())
         # Every action of a family calls, for each of its changes.
-        shown = picture.cacheKey(), text, self._words, self._is_compact, button.font()
-        if shown == self._shown:
+        state = picture.cacheKey(), text, self._words, self._is_compact, button.font()
+        if state == self._rendered:
             return
-        self._shown = shown
+        self._rendered = state
         button.setIcon(picture)
         button.setText(word)
         button.setToolTip(_FAMILIES_TIP if action is None else f"{_FAMILIES_TIP}; in use: {text}")
@@ -232,5 +232,5 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
             style.ToolButtonIconOnly if self._is_compact else style.ToolButtonTextBesideIcon
         )
         metrics = button.fontMetrics()
-        widest = max(metrics.horizontalAdvance(each) for each in (_WORD, *self._words.values()))
+        widest = max(metrics.horizontalAdvance(entry) for entry in (_WORD, *self._words.values()))
         button.setFixedWidth(_ICON + (_ARROW if self._is_compact else _BESIDES + widest))

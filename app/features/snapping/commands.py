@@ -1,4 +1,4 @@
-"""Rulers and guides, shown, typed and cleared; snapping to them, to the grid, to points and curves."""
+"""Rulers, guides and snapping: switches, guides typed and cleared, targets of snapping."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ _BESIDE = 6
 
 
 class GuideCommands:
-    """Keeps the canvas in step with the guides of the document, and changes them."""
+    """Rulers and guides: shown on the canvas, typed and cleared."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
         self._canvas = context.central.canvas
         self._guides = self._canvas.drawing.guides
-        self._made: snapping.guide_field.GuideField | None = None
+        self._field: snapping.guide_field.GuideField | None = None
         # The guide whose place is typed; None for a new one.
         self._typed: int | None = None
         self._show_state(None, context.store.state)
@@ -61,16 +61,16 @@ class GuideCommands:
 
     @property
     def field(self) -> snapping.guide_field.GuideField:
-        """The field on the canvas; made when somebody first types into it."""
-        if self._made is None:
-            self._made = snapping.guide_field.GuideField(self._canvas.viewport())
-            self._made.entered.connect(self._take)
-            self._made.closed.connect(lambda: self._canvas.setFocus(Qt.FocusReason.OtherFocusReason))
-            self._session.interrupted.connect(self._made.close_field)
-        return self._made
+        """The field on the canvas; created when first used."""
+        if self._field is None:
+            self._field = snapping.guide_field.GuideField(self._canvas.viewport())
+            self._field.entered.connect(self._take)
+            self._field.closed.connect(lambda: self._canvas.setFocus(Qt.FocusReason.OtherFocusReason))
+            self._session.interrupted.connect(self._field.close_field)
+        return self._field
 
     def _open(self, which: int | Axis) -> None:
-        """Ask for the place of a guide in the document, or of a new one of an axis."""
+        """Ask for the position of a guide of the document, or of a new one across an axis."""
         self._canvas.cancel_gesture()
         if isinstance(which, Axis):
             self._typed = None
@@ -80,28 +80,28 @@ class GuideCommands:
             self.field.open_for(guide.axis, guide.position, self._unit, lambda: self._corner_of(guide))
 
     def _corner_of(self, guide: Guide) -> QPoint:
-        """Return where the field stands for a guide: beside it, at the ruler."""
+        """Return the corner of the field for a guide: beside the guide, at the ruler."""
         origin = self._canvas.camera.origin.toPoint()
         pixel = self._canvas.to_pixel(*guide.nearest_position(self._canvas.to_plane(origin)))
         at = QPoint(pixel.x(), origin.y()) if guide.axis is Axis.X else QPoint(origin.x(), pixel.y())
         return at + QPoint(_BESIDE, _BESIDE)
 
     def _corner_of_new(self, axis: Axis) -> QPoint:
-        """Return where the field stands for a new guide: at the ruler along which its place is measured."""
+        """Return the corner of the field for a new guide: at the ruler that measures its position."""
         origin, centre = self._canvas.camera.origin, self._canvas.camera.centre()
         at = QPointF(centre.x(), origin.y()) if axis is Axis.X else QPointF(origin.x(), centre.y())
         return (at + QPointF(_BESIDE, _BESIDE)).toPoint()
 
     def _take(self, guide: Guide) -> None:
-        place, where = self._typed, guide_label(guide)
-        if place is None:
+        index, where = self._typed, guide_label(guide)
+        if index is None:
             self._context.store.change(guides_visible=True)
             self._session.change(
                 f"Guide at {where}", lambda document: add_guide(document, guide.axis, guide.position)
             )
         else:
             self._session.change(
-                f"Move guide to {where}", lambda document: move_guide(document, place, guide.position)
+                f"Move guide to {where}", lambda document: move_guide(document, index, guide.position)
             )
 
     # Actions
@@ -137,7 +137,7 @@ class GuideCommands:
 
 
 class SnapCommands:
-    """Keeps the canvas in step with what was chosen about snapping."""
+    """Snapping: switched on and off, as a whole and for each target."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -146,8 +146,8 @@ class SnapCommands:
 
     def _show_state(self, before: WindowState | None, state: WindowState) -> None:
         # Nobody would understand a snap to what is not seen.
-        shown = {SnapKind.GRID: state.grid, SnapKind.GUIDES: state.guides_visible}
-        hidden = {kind for kind, is_shown in shown.items() if not is_shown}
+        visible = {SnapKind.GRID: state.grid, SnapKind.GUIDES: state.guides_visible}
+        hidden = {kind for kind, is_visible in visible.items() if not is_visible}
         effective = replace(state.snapping, kinds=state.snapping.kinds - hidden)
         canvas = self._context.central.canvas
         canvas.tools.snapping.settings = effective

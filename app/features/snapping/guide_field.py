@@ -1,4 +1,4 @@
-"""The field on the canvas into which the place of a guide is typed."""
+"""Field on the canvas for the position of a guide."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _WIDTH = 110
 
 
 class _PlaceEdit(ClaimsKeys, QLineEdit):
-    """A line to type into that is done with Enter and given up with Escape.
+    """Line edit that is confirmed with Enter and cancelled with Escape.
 
     Signals
     -------
@@ -58,7 +58,7 @@ class _PlaceEdit(ClaimsKeys, QLineEdit):
 
 
 class GuideField(OverlayFrame):
-    """A small frame beside a ruler, in which the place of one guide is typed.
+    """Frame beside a ruler with a field for the position of a guide.
 
     Attributes
     ----------
@@ -95,7 +95,7 @@ class GuideField(OverlayFrame):
 
     @property
     def remark(self) -> str:
-        """Why what was typed cannot be used; empty where it can."""
+        """Reason why the input cannot be used; empty where it can."""
         return "" if self._remark.isHidden() else self._remark.text()
 
     def open_for(
@@ -105,7 +105,7 @@ class GuideField(OverlayFrame):
         unit: str,
         corner: Callable[[], QPoint],
     ) -> None:
-        """Ask for the place of a guide of an axis at a corner of the canvas.
+        """Ask for the position of a guide across an axis, at a corner of the canvas.
 
         `position` is where it lies so far; None for a new one.
         """
@@ -122,7 +122,7 @@ class GuideField(OverlayFrame):
         self.edit.selectAll()
 
     def close_field(self) -> None:
-        """Put it away, if it is there."""
+        """Hide the field, if it is visible."""
         if not self.isHidden():
             self.hide()
             self.closed.emit()
