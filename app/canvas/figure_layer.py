@@ -173,10 +173,7 @@ def _directions(ends: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _draw_marks(painter: QPainter, pixels: FloatArray, pixel_map: PixelMap, mark: Mark, size: float) -> None:
-    near = np.all(
-        (pixels >= -MARGIN) & (pixels <= (pixel_map.width + MARGIN, pixel_map.height + MARGIN)), axis=1
-    )
-    for x, y in pixels[near].tolist():
+    for x, y in pixels[pixel_map.near(pixels, MARGIN)].tolist():
         draw_mark(painter, mark, x, y, size)
 
 

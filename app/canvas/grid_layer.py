@@ -220,27 +220,23 @@ class GuidesLayer(Layer):
         """Draw the visible guides."""
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         for index, guide in enumerate(self.guides):
-            pixel, size = (
-                _pixel_of(guide, pixel_map),
-                (pixel_map.width, pixel_map.height)[guide.axis.coordinate],
-            )
+            pixel = _pixel_of(guide, pixel_map)
+            size = (pixel_map.width, pixel_map.height)[guide.axis.coordinate]
             if 0 <= pixel <= size:
-                self._paint_guide(
-                    painter, pixel_map, guide, round(pixel), is_highlighted=index == self.highlighted
-                )
+                self._paint_guide(painter, pixel_map, guide, round(pixel), is_solid=index == self.highlighted)
 
     def _paint_guide(
-        self, painter: QPainter, pixel_map: PixelMap, guide: Guide, pixel: int, *, is_highlighted: bool
+        self, painter: QPainter, pixel_map: PixelMap, guide: Guide, pixel: int, *, is_solid: bool
     ) -> None:
         pen = QPen(self.theme.accent, 1.0)
-        if not is_highlighted:
+        if not is_solid:
             pen.setDashPattern(_DASHES)
         painter.setPen(pen)
         if guide.axis is Axis.X:
             painter.drawLine(QPointF(pixel, 0), QPointF(pixel, pixel_map.height))
         else:
             painter.drawLine(QPointF(0, pixel), QPointF(pixel_map.width, pixel))
-        if is_highlighted:
+        if is_solid:
             self._write(painter, pixel_map, guide, pixel)
 
     def _write(self, painter: QPainter, pixel_map: PixelMap, guide: Guide, pixel: int) -> None:
@@ -249,11 +245,8 @@ class GuidesLayer(Layer):
         painter.setFont(self.fonts.times(0.95 * self.scale))
         size = size_of(painter, text)
         if guide.axis is Axis.X:
-            left = (
-                pixel + _GAP
-                if pixel + _GAP + size.width() <= pixel_map.width
-                else pixel - _GAP - size.width()
-            )
+            has_room = pixel + _GAP + size.width() <= pixel_map.width
+            left = pixel + _GAP if has_room else pixel - _GAP - size.width()
             left = max(min(left, pixel_map.width - size.width()), 0.0)
             box = QRectF(QPointF(left, _GAP), size)
         else:

@@ -202,9 +202,8 @@ class ImageLayer(Layer):
         key = (image, self._pixels, pixel_map, self.theme)
         if any(old is not new for old, new in zip(self._key, key, strict=True)):
             ratio = painter.device().devicePixelRatioF()
-            self._visible_part = _visible_part(
-                self._for_paper(self._level_for(rect, ratio)), rect, pixel_map, ratio
-            )
+            level = self._for_paper(self._level_for(rect, ratio))
+            self._visible_part = _visible_part(level, rect, pixel_map, ratio)
             self._key = key
         if self._visible_part is not None:
             painter.setOpacity(image.opacity)
@@ -279,9 +278,8 @@ def _rect(image: ReferenceImage, pixel_map: PixelMap) -> QRectF:
 
 def _visible_part(pixels: QImage, rect: QRectF, pixel_map: PixelMap, ratio: float) -> QPixmap | None:
     """Return the visible part of the picture, scaled once and not at every paint."""
-    visible = rect.intersected(
-        QRectF(-_MARGIN, -_MARGIN, pixel_map.width + 2 * _MARGIN, pixel_map.height + 2 * _MARGIN)
-    )
+    area = QRectF(0, 0, pixel_map.width, pixel_map.height)
+    visible = rect.intersected(area.adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN))
     if visible.isEmpty() or rect.isEmpty():
         return None
     across, down = pixels.width() / rect.width(), pixels.height() / rect.height()

@@ -117,11 +117,8 @@ class MarksLayer(Layer):
             painter.setPen(pen)
             painter.drawRect(frame)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, True)
-        grips = [
-            (grip, QPointF(*pixel_map.point(*position)))
-            for grip, position in box.grips(pixel_map.sx)
-            if has_grips
-        ]
+        positions = box.grips(pixel_map.sx) if has_grips else ()
+        grips = [(grip, QPointF(*pixel_map.point(*position))) for grip, position in positions]
         for grip, pixel in grips:
             if grip.does is TransformKind.ROTATE and not box.turns:
                 # Below the grips, because the line passes one of them.
@@ -248,9 +245,8 @@ class MarksLayer(Layer):
         if _is_drawable(*position):
             offset = QPointF(*position) - QPointF(*pixel_map.point(*note.work))
             aside = QPointF(-offset.y(), offset.x())
-            self._write_beyond(
-                painter, pixel_map, QPointF(*position), (offset, aside, -aside, -offset), note.text
-            )
+            directions = (offset, aside, -aside, -offset)
+            self._write_beyond(painter, pixel_map, QPointF(*position), directions, note.text)
 
     def _write_beyond(
         self,
@@ -261,9 +257,8 @@ class MarksLayer(Layer):
         text: str,
     ) -> None:
         """Write beside a position, away from the points that are edited."""
-        plate = self.readout_rect = beyond(
-            position, directions, _READOUT_GAP * self.scale, size_of(painter, text), pixel_map
-        )
+        gap, size = _READOUT_GAP * self.scale, size_of(painter, text)
+        plate = self.readout_rect = beyond(position, directions, gap, size, pixel_map)
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent_text)
 
     def _paint_label(

@@ -162,11 +162,8 @@ class OtherCurvesLayer(Layer):
         ratio = painter.device().devicePixelRatioF()
         key = (self.theme, self.scale, ratio)
         picture = self._picture
-        if (
-            picture is None
-            or picture.key != key
-            or not (picture.pixel_map == pixel_map or self._may_wait(pixel_map))
-        ):
+        is_at = picture is not None and (picture.pixel_map == pixel_map or self._may_wait(pixel_map))
+        if picture is None or picture.key != key or not is_at:
             picture = self._picture = self._painted_sheets(pixel_map, ratio, key)
         is_moved = picture.pixel_map != pixel_map
         if is_moved:
@@ -311,9 +308,9 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         for view in views:
             if self._is_line(view):
                 stroke.show(line_of(view, pixel_map).points, pixel_map)
-                self._paint_selected_line(painter, stroke, view, has_halo=not is_many)
+                self._paint_selected(painter, stroke, view, has_halo=not is_many)
             elif not is_many and not self._is_boxed(view, pixel_map):
-                self._paint_on_style(painter, stroke, view, pixel_map)
+                self._paint_mark_on(painter, stroke, view, pixel_map)
         # On a fine line any other mark would hide its colour.
         boxed = views if is_many else [view for view in views if self._is_boxed(view, pixel_map)]
         if boxed:
@@ -325,9 +322,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
         """Whether this layer draws the curve as a line, and not as a mark on its style."""
         return is_plain(view) or not view.source.visible
 
-    def _paint_selected_line(
-        self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool
-    ) -> None:
+    def _paint_selected(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
         """Paint the line of a plain or hidden curve."""
         if has_halo:
             self._paint_halo(painter, stroke, view)
@@ -342,9 +337,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
     def _line_width(self, view: CurveView, pixel_map: PixelMap) -> float:
         return line_width(view.source.style, pixel_map, _WIDTH * self.scale) / self.scale
 
-    def _paint_on_style(
-        self, painter: QPainter, stroke: Stroke, view: CurveView, pixel_map: PixelMap
-    ) -> None:
+    def _paint_mark_on(self, painter: QPainter, stroke: Stroke, view: CurveView, pixel_map: PixelMap) -> None:
         """Mark a wide line or a filled shape by a thin line on it."""
         stroke.show(line_of(view, pixel_map, view.source.style).points, pixel_map)
         casing = [(self.theme.paper, _CASED)] if self._line_width(view, pixel_map) else []
@@ -380,10 +373,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
     def _near(self, view: CurveView, pixel_map: PixelMap) -> FloatArray:
         """Return the pixels of the visible points, (k, 2), thinned out where they are too many."""
         pixels, margin = pixel_map.points(view.points), 2 * _RADIUS * self.scale
-        is_near = ((pixels > -margin) & (pixels < (pixel_map.width + margin, pixel_map.height + margin))).all(
-            axis=1
-        )
-        near: FloatArray = pixels[is_near]
+        near: FloatArray = pixels[pixel_map.near(pixels, margin)]
         return near[:: max(len(near) // _MOST_RINGS, 1)]
 
 
@@ -509,9 +499,8 @@ class DrawnCurves:
         self.others.render_shapes(below, to_find)
         visible = ((index, views[index]) for index in other if views[index].source.visible)
         self._locked.render([pair for pair in visible if pair[1].source.locked and pair[1].has_curve])
-        self._edited_indices = (
-            next(indices for indices in all_shapes if active in indices) if shape else range(0)
-        )
+        edited_shapes = (indices for indices in all_shapes if shape and active in indices)
+        self._edited_indices = next(edited_shapes, range(0))
         self.edited.render(shape)
         self.above.render_shapes(above, [])
         self.selected.render(views, [index for index in other if index in selected])

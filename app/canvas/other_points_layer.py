@@ -98,15 +98,11 @@ class OtherPointsLayer(Layer):
             return
         pixels = pixel_map.points(np.concatenate([view.points[indices] for view, indices in parts]))
         kinds = np.concatenate([kinds_of(view)[indices] for view, indices in parts])
-        margin = _REACH * _RADIUS * self.scale
-        near = ((pixels > -margin) & (pixels < (pixel_map.width + margin, pixel_map.height + margin))).all(
-            axis=1
-        )
+        near = pixel_map.near(pixels, _REACH * _RADIUS * self.scale)
         radius, rim = _RADIUS * self.scale, _RIM * self.scale
         stamps = self._plain if self.is_plain else self._ringed
-        stamps.draw(
-            painter, pixels[near], kinds[near], len(POINT_KINDS), self.theme, radius, rim, self._kinds
-        )
+        count, theme = len(POINT_KINDS), self.theme
+        stamps.draw(painter, pixels[near], kinds[near], count, theme, radius, rim, self._kinds)
 
     def _paint_handles(self, painter: QPainter, pixel_map: PixelMap) -> None:
         if not self._handles:

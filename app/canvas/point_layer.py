@@ -212,10 +212,8 @@ class PointLayer(Layer):
     def _current_roles(self, count: int, visible: IntArray, *, crowded: bool) -> _Roles:
         """Return the roles of the visible points; they stay during a drag."""
         # By identity: changed weights and changed visible indices are new arrays.
-        key = (
-            *(self.selection, self.hovered, count, crowded),
-            *(id(visible), id(self.weights), self.is_plain),
-        )
+        arrays = id(visible), id(self.weights)
+        key = (self.selection, self.hovered, count, crowded, *arrays, self.is_plain)
         if key != self._roles_key:
             self._roles_key = key
             # Held, so that no new array gets the same id.

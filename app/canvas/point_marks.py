@@ -336,11 +336,8 @@ class PointInk:
         self.has_paper_beneath = over_picture
         # On the grey of a faded letter, grey handles would be invisible.
         ink = theme.curve if over_picture else theme.handle
-        self._theme, self._rim, self._ring = (
-            theme,
-            QPen(theme.paper, 1.5 * scale),
-            QPen(theme.accent, 2 * scale),
-        )
+        self._theme, self._rim = theme, QPen(theme.paper, 1.5 * scale)
+        self._ring = QPen(theme.accent, 2 * scale)
         self._greys = {Shade.STRONG: ink, Shade.FAINT: _faint(ink, theme.paper)}
         self.lines = {
             (shade, order): QPen(grey, (_FACING_LINE if shade is Shade.FAINT else _LINE) * scale, style)

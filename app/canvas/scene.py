@@ -80,11 +80,8 @@ class CanvasScene:
         self.grid = GridLayer(plot)
         self.units = UnitLayer(plot)
         self.curves = DrawnCurves(plot)
-        self.others, self.selected, self.curve = (
-            self.curves.others,
-            self.curves.selected,
-            self.curves.curve,
-        )
+        curves = self.curves
+        self.others, self.selected, self.curve = curves.others, curves.selected, curves.curve
         self.polygon = ControlPolygonLayer(plot)
         self.annotations = Annotations(plot, self)
         self.guides = GuidesLayer(plot)

@@ -193,9 +193,8 @@ class Side:
     def _bars_of(self, marks: Sequence[tuple[float, float]], numbered: Sequence[int]) -> FloatArray:
         """Return bars for `marks` (coordinate, size), for ticks at `numbered` pixels, and for the line."""
         coordinates, sizes = np.array(marks, dtype=float).reshape(-1, 2).T
-        along = np.round(
-            self._pixel_map.y(coordinates) if self._is_upright else self._pixel_map.x(coordinates)
-        )
+        to_pixels = self._pixel_map.y if self._is_upright else self._pixel_map.x
+        along = np.round(to_pixels(coordinates))
         along = np.concatenate([along, numbered, [0.0]])
         away = np.concatenate([_MARK * sizes, np.full(len(numbered), _TICK), [1.0]])
         ones = np.ones_like(away)

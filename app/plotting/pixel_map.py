@@ -7,7 +7,7 @@ from functools import cached_property
 import msgspec
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 
 _LEAST_ROWS = 256
 _NO_ROWS = np.empty((2, 0, 2))
@@ -89,6 +89,11 @@ class PixelMap(msgspec.Struct, frozen=True, dict=True):
     def plane(self, pixel_x: float, pixel_y: float) -> tuple[float, float]:
         """Return the point of the plane at a pixel."""
         return (self.x0 + pixel_x / self.sx, self.y0 - pixel_y / self.sy)
+
+    def near(self, pixels: FloatArray, margin: float = 0.0) -> BoolArray:
+        """Return which of pixels (n, 2) lie in the area, or in a margin around it."""
+        is_near = (pixels > -margin) & (pixels < (self.width + margin, self.height + margin))
+        return is_near[:, 0] & is_near[:, 1]
 
     @cached_property
     def box(self) -> tuple[float, float, float, float]:

@@ -191,11 +191,7 @@ class EdgeScroll(QObject):
 
     def follow(self, pixel: Vector) -> None:
         """Start or stop to scroll, for a pointer at this pixel."""
-        pixel_map = self._camera.pixel_map
-        is_inside = (
-            _ZONE <= pixel[0] <= pixel_map.width - _ZONE and _ZONE <= pixel[1] <= pixel_map.height - _ZONE
-        )
-        if is_inside and self._offset == (0.0, 0.0):
+        if not any(self._overshoot(pixel)) and self._offset == (0.0, 0.0):
             return
         x, y = (
             _beyond(now, before) for now, before in zip(self._overshoot(pixel), self._at_press, strict=True)

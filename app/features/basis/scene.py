@@ -231,10 +231,10 @@ class RailLayer(Layer):
         for index in order:
             pixel, owner = float(x[index]), self.owner(index)
             self._paint_tick(painter, pixel, top, owner, colours[owner])
-            is_emphasised = owner in last
-            if is_emphasised or (len(x) <= _NUMBERED_UP_TO and pixel > numbers_right_of):
-                self._paint_number(painter, pixel, top, owner, is_emphasised=is_emphasised)
-                numbers_right_of = pixel + 16 * self.scale if not is_emphasised else numbers_right_of
+            is_strong = owner in last
+            if is_strong or (len(x) <= _NUMBERED_UP_TO and pixel > numbers_right_of):
+                self._paint_number(painter, pixel, top, owner, is_strong=is_strong)
+                numbers_right_of = pixel + 16 * self.scale if not is_strong else numbers_right_of
 
     def _paint_nodes(self, painter: QPainter, x: FloatArray, top: float) -> None:
         """Draw a disc on the rail's edge where each control point acts most: its Greville abscissa."""
@@ -286,15 +286,13 @@ class RailLayer(Layer):
         painter.setPen(QPen(rim, 1.5 * self.scale))
         painter.drawPolygon(QPolygonF([tip, QPointF(x + size, base), QPointF(x - size, base)]))
 
-    def _paint_number(
-        self, painter: QPainter, x: float, top: float, index: int, *, is_emphasised: bool
-    ) -> None:
+    def _paint_number(self, painter: QPainter, x: float, top: float, index: int, *, is_strong: bool) -> None:
         box = QRectF(x - 20, top + 13 * self.scale, 40, rail_height(self.scale) - 13 * self.scale)
-        if is_emphasised:
+        if is_strong:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self.theme.paper)
             painter.drawRect(QRectF(x - 9 * self.scale, box.top() + 3, 18 * self.scale, box.height() - 4))
-        painter.setPen(self.theme.ink if is_emphasised else self.theme.muted)
+        painter.setPen(self.theme.ink if is_strong else self.theme.muted)
         painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), str(index))
 
     def _paint_scrub(self, painter: QPainter, pixel_map: PixelMap, t: float) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from itertools import chain
 
 from ...actions.declaration import Action, PositionAction, action, action_for_each, also, also_for_each
 from ...actions.menus import (
@@ -73,9 +74,7 @@ class TangentCommands:
         ),
     )
     @also_for_each(
-        lambda kind: [
-            *(strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS)),
-        ]
+        lambda kind: [*(strip(10 + POINT_KINDS.index(kind)) for strip in (POINT_MENU, POINT_BUTTONS))]
     )
     def _apply_kind(self, kind: PointKind) -> None:
         """Give the selected points a kind."""
@@ -139,15 +138,12 @@ class TangentCommands:
         after, fixed = self._session.document.curves, []
         for curve, indices in group.parts:
             points = zip(before[curve].points, after[curve].points, strict=True)
-            changed = {
-                index for index, (old, new) in enumerate(points) if index not in indices and old != new
-            }
-            fixed.append((curve, frozenset(changed)))
+            changed = (index for index, (old, new) in enumerate(points) if old != new)
+            fixed.append((curve, frozenset(changed) - set(indices)))
         beside = group_points(fixed)
         if beside.parts:
-            points_text = (
-                f"{beside.count} other points" if beside.count > _MOST_NAMED else _points_text(beside)
-            )
+            is_many = beside.count > _MOST_NAMED
+            points_text = f"{beside.count} other points" if is_many else _points_text(beside)
             done = f"{done} To keep the shape, the estimates of {points_text} are set now."
         self._session.say(done)
 
@@ -169,12 +165,10 @@ class TangentCommands:
         after, corners, ends = self._session.document.curves, [], []
         for curve, indices in segments.parts:
             new_corners = frozenset(corners_of(before[curve], sorted(indices)))
-            corners.append(
-                (curve, frozenset(index for index in new_corners if not after[curve].points[index].tied))
-            )
-            ends.append(
-                (curve, frozenset(index for segment in indices for index in ends_of(before[curve], segment)))
-            )
+            untied = frozenset(index for index in new_corners if not after[curve].points[index].tied)
+            corners.append((curve, untied))
+            both_ends = (ends_of(before[curve], segment) for segment in indices)
+            ends.append((curve, frozenset(chain.from_iterable(both_ends))))
         cornered = group_points(corners)
         at_corners = f", corner at {_points_text(cornered)}" if cornered.parts else ""
         self._report(f"{text}{at_corners}.", before, group_points(ends))
