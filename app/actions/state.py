@@ -167,7 +167,7 @@ class ActionFacts:
             highlighted=_highlighted(session),
             has_selected_curve=bool(marked),
             selected_curve_count=len(selected.curves),
-            whole_count=_count_of_things(document, selected.chosen),
+            whole_count=_count_of_things(document, selected.whole_curves),
             can_combine=bool(whole) and not whole <= set(shape_of(document, min(whole))),
             is_any_in_shape=any(document.curves[curve].shape for curve in whole),
             is_any_in_group=are_in_groups(document, whole),
@@ -195,7 +195,7 @@ class ActionFacts:
 
 def _highlighted(session: Session) -> str:
     document, selected = session.document, session.selected
-    curves = selected.highlight(whole_curves=True).curves or selected.whole
+    curves = selected.highlight(whole_curves=True).curves or selected.with_shapes
     nodes = whole_nodes(document.curves, curves)
     if len(nodes) > 1:
         return count_label(document, curves).title().replace(" And ", " and ")

@@ -258,7 +258,7 @@ def pressed_curves(document: Document, curve: int, selection: SelectionState) ->
     A press selects inside a group while one of its curves is edited, or some but not all of them are
     selected.
     """
-    selected = selection.chosen
+    selected = selection.whole_curves
     active = selection.active if selection.is_editing or selection.active in selected else -1
     for depth in range(len(document.curves[curve].groups)):
         group = group_around(document.curves, curve, depth)

@@ -28,7 +28,7 @@ class SelectionState(msgspec.Struct, frozen=True):
         The active curve.
     points
         The selected points, of all curves that are edited.
-    curves, chosen
+    curves, whole_curves
         The curves that are edited together, and those that are selected as wholes.
     is_editing
         Whether the active curve is edited.
@@ -37,7 +37,7 @@ class SelectionState(msgspec.Struct, frozen=True):
     active: int
     points: PointGroup
     curves: frozenset[int]
-    chosen: frozenset[int]
+    whole_curves: frozenset[int]
     is_editing: bool
 
 
@@ -80,7 +80,7 @@ def followed_selection(
     """
     active, is_editing = state.active, state.is_editing
     points = followed_group(state.points, active, before, after)
-    selected = followed_curves(state.chosen, before, after)
+    selected = followed_curves(state.whole_curves, before, after)
     if is_editing and _are_gone(state.curves, active, before, after):
         is_editing, selected = False, frozenset()
     elif active not in selected and selected and not is_editing and len(after) <= len(before):
@@ -91,8 +91,8 @@ def followed_selection(
         # An added curve becomes the selected one; where a curve has gone nobody has selected another.
         selected = frozenset({active} if is_editing or len(after) > len(before) else ())
     curves = selected or frozenset({active})
-    chosen = selected if not is_editing or len(selected) > 1 else frozenset()
-    return SelectionState(active, points, curves, chosen, is_editing)
+    whole = selected if not is_editing or len(selected) > 1 else frozenset()
+    return SelectionState(active, points, curves, whole, is_editing)
 
 
 def _are_gone(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:

@@ -68,9 +68,9 @@ class Selection:
         self.is_editing = True
         self.last = 0
         # While no curve is edited, those that are chosen: all of `curves`, or none at all.
-        self._chosen: frozenset[int] = frozenset()
+        self._whole_curves: frozenset[int] = frozenset()
         self.hovered = -1
-        self.is_lent = False
+        self.is_implicit = False
         self.next_style: Style | None = None
 
     @property
@@ -79,27 +79,27 @@ class Selection:
         return self.group.of(self._session.active_index)
 
     @property
-    def edited(self) -> frozenset[int]:
+    def active_curves(self) -> frozenset[int]:
         """The curves whose points can be selected: the active one, its shape, and those chosen with it."""
-        return self.whole if self.is_editing else frozenset()
+        return self.with_shapes if self.is_editing else frozenset()
 
     @property
-    def chosen(self) -> frozenset[int]:
+    def whole_curves(self) -> frozenset[int]:
         """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
         if not self.is_editing:
-            return self._chosen
+            return self._whole_curves
         return self.curves if len(self.curves) > 1 else frozenset()
 
     @property
-    def meant(self) -> frozenset[int]:
+    def target_curves(self) -> frozenset[int]:
         """The curves that an act on whole curves is for: chosen, of selected points, or the edited shape."""
         active = self._session.active_index
-        return self.chosen or self.group.curves or expand_to_shapes(self._session.document, (active,))
+        return self.whole_curves or self.group.curves or expand_to_shapes(self._session.document, (active,))
 
     @property
     def marked(self) -> frozenset[int]:
         """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
-        return self.curves if self.is_editing else self._chosen
+        return self.curves if self.is_editing else self._whole_curves
 
     def highlight(self, *, whole_curves: bool = False) -> ClipboardSelection:
         """Return the selected points, or else the chosen curves, or the edited one with all of its shape.
@@ -109,10 +109,10 @@ class Selection:
         if self.group.parts and not whole_curves:
             return ClipboardSelection(self.group.curves, self.group)
         # One curve of a shape can be chosen alone, in the list.
-        return ClipboardSelection(self.whole if self.is_editing else self._chosen)
+        return ClipboardSelection(self.with_shapes if self.is_editing else self._whole_curves)
 
     @property
-    def whole(self) -> frozenset[int]:
+    def with_shapes(self) -> frozenset[int]:
         """The selected curves, with all others of their shapes."""
         return expand_to_shapes(self._session.document, self.curves)
 
@@ -120,7 +120,7 @@ class Selection:
     def state(self) -> SelectionState:
         """All that is selected now."""
         active = self._session.active_index
-        return SelectionState(active, self.group, self.curves, self.chosen, self.is_editing)
+        return SelectionState(active, self.group, self.curves, self.whole_curves, self.is_editing)
 
     # Select
 
@@ -155,7 +155,9 @@ class Selection:
 
     def _existing(self, group: PointGroup) -> PointGroup:
         return (
-            existing_points(group, self._session.document.curves, self.edited) if group.parts else NO_POINTS
+            existing_points(group, self._session.document.curves, self.active_curves)
+            if group.parts
+            else NO_POINTS
         )
 
     def _put(self, group: PointGroup) -> None:
@@ -178,13 +180,13 @@ class Selection:
         """Edit a curve, and select it alone; of another one nothing is selected yet."""
         self._take((index,), index, is_editing=True)
 
-    def edit_chosen(self) -> None:
+    def edit_selected(self) -> None:
         """Edit what is chosen: several shapes together, or the active curve with its shape."""
         active = self._session.active_index
-        others = self._chosen - expand_to_shapes(self._session.document, (active,))
-        self._take((*self._chosen, active) if others else (active,), active, is_editing=True)
+        others = self._whole_curves - expand_to_shapes(self._session.document, (active,))
+        self._take((*self._whole_curves, active) if others else (active,), active, is_editing=True)
 
-    def go_to(self, index: int) -> None:
+    def switch_active(self, index: int) -> None:
         """Make another of the curves that are edited the active one; the same points are selected."""
         group = self.group
         self._turn_to(index)
@@ -193,7 +195,7 @@ class Selection:
     def _turn_to(self, index: int) -> None:
         self._take((*(self.curves if len(self.curves) > 1 else ()), index), index, is_editing=True)
 
-    def choose(self, indices: Collection[int]) -> None:
+    def select_whole(self, indices: Collection[int]) -> None:
         """Choose curves as wholes, those that exist, or none at all; no curve is edited any more.
 
         Curves of one shape are chosen together. The active one is one of them, as `set_curves` has it.
@@ -202,20 +204,20 @@ class Selection:
         places = [index for index in indices if 0 <= index < len(document.curves)]
         self._take(expand_to_shapes(document, places), is_editing=False)
 
-    def take_up(self) -> None:
+    def edit_active(self) -> None:
         """Edit the active curve, for a tool that needs one; where nobody chose it, it is lent."""
-        is_lent, style = self.is_lent or not self.marked, self.next_style
+        is_lent, style = self.is_implicit or not self.marked, self.next_style
         self.activate(self._session.active_index)
-        self.is_lent, self.next_style = is_lent, style
+        self.is_implicit, self.next_style = is_lent, style
 
-    def choose_brought(self, indices: Collection[int], style: Style) -> None:
+    def select_imported(self, indices: Collection[int], style: Style) -> None:
         """Choose curves that were brought here; what is drawn next has this style, not theirs."""
-        self.choose(indices)
+        self.select_whole(indices)
         self.next_style = style
 
-    def show_choice(self, indices: Collection[int]) -> None:
+    def show_whole(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""
-        self._chosen = frozenset(indices)
+        self._whole_curves = frozenset(indices)
         self._session.selected_curves_changed.emit(self.curves)
 
     def show(self, state: SelectionState) -> None:
@@ -223,7 +225,7 @@ class Selection:
         if state.is_editing:
             self.set_group(state.points)
         else:
-            self.show_choice(state.chosen)
+            self.show_whole(state.whole_curves)
 
     def set_curves(self, indices: Collection[int], active: int | None = None) -> None:
         """Select curves to work on together, those that exist.
@@ -244,45 +246,51 @@ class Selection:
         existing = frozenset(index for index in indices if index in places)
         if wanted not in existing:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
-        self.hold((*existing, wanted), existing, is_editing=is_editing)
-        self.is_lent = False
+        self.assign((*existing, wanted), existing, is_editing=is_editing)
+        self.is_implicit = False
         if existing:
             self.next_style = None
         if wanted != session.active_index:
             session.interrupted.emit()
             session.cancel()
-            self.enter(wanted)
+            self.make_active(wanted)
             self._session.scrub.keep()
             session.active_changed.emit(wanted)
         # No point stays selected of a curve that is not edited any more.
-        self.keep_group(NO_POINTS if self.chosen or not is_editing else self.group)
+        self.keep_group(NO_POINTS if self.whole_curves or not is_editing else self.group)
         self.last = max(existing - before.curves, default=self.last if self.last in existing else wanted)
-        if (self.curves, self.chosen, self.is_editing) != (before.curves, before.chosen, before.is_editing):
+        if (self.curves, self.whole_curves, self.is_editing) != (
+            before.curves,
+            before.whole_curves,
+            before.is_editing,
+        ):
             self._session.box.set_turns(False)
             session.selected_curves_changed.emit(self.curves)
 
     def restore(self, state: SelectionState) -> None:
         """Select what was selected before; the active curve is the one of then already."""
-        self._take(state.curves if state.is_editing else state.chosen, is_editing=state.is_editing)
+        self._take(state.curves if state.is_editing else state.whole_curves, is_editing=state.is_editing)
         self.set_group(state.points)
 
-    def enter(self, index: int) -> None:
+    def make_active(self, index: int) -> None:
         """Make curve `index` the active one; what belonged to the other is put away."""
         self.set_points([])
         self.set_hovered(-1)
         self._session.active_index = index
 
-    def hold(self, curves: Collection[int], chosen: Collection[int] = (), *, is_editing: bool = True) -> None:
-        """Have these curves be the selected ones, and tell nobody; `chosen` of them where none is edited."""
+    def assign(
+        self, curves: Collection[int], whole: Collection[int] = (), *, is_editing: bool = True
+    ) -> None:
+        """Have these curves be the selected ones, and tell nobody; `whole` of them where none is edited."""
         self.curves, self.is_editing = frozenset(curves), is_editing
-        self._chosen = frozenset() if is_editing else frozenset(chosen)
+        self._whole_curves = frozenset() if is_editing else frozenset(whole)
 
     # To another document
 
     def clear(self) -> None:
         """Put away what is selected of a document that goes."""
         self.set_points([])
-        self.take_up()
+        self.edit_active()
         self.next_style = None
 
     def begin_opened(self) -> None:
@@ -290,29 +298,29 @@ class Selection:
 
         None hidden or locked is edited.
         """
-        self.is_lent = False
+        self.is_implicit = False
         if not self._session.active_curve.is_selectable:
-            self.choose(())
+            self.select_whole(())
 
     def reset(self) -> None:
         """Edit the active curve, with nothing of it selected, and tell nobody yet."""
         active = self._session.active_index
-        self.hold((active,))
+        self.assign((active,))
         self.group, self.last = NO_POINTS, active
 
     # Around a gesture
 
     def begin_curve(self, index: int) -> None:
         """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
-        self.enter(index)
-        self.hold((index,))
+        self.make_active(index)
+        self.assign((index,))
         # It is not in the document yet.
-        self.is_lent = True
+        self.is_implicit = True
 
     def settle(self) -> None:
         """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
-        if not self.is_editing and self.chosen and self.chosen != self.curves:
-            self.set_curves(self.chosen)
+        if not self.is_editing and self.whole_curves and self.whole_curves != self.curves:
+            self.set_curves(self.whole_curves)
         self.keep_group(self.group)
 
     # To another state
@@ -336,19 +344,19 @@ class Selection:
         new = followed_selection(old, before.curves, curves)
         session.active_index = new.active
         self.last = max(followed_curves({self.last}, before.curves, curves), default=new.active)
-        self.hold(new.curves, new.chosen, is_editing=new.is_editing)
+        self.assign(new.curves, new.whole_curves, is_editing=new.is_editing)
         if marked and not self.marked:
             # They were deleted: what is drawn next looks like the foremost of them, unless they were brought.
             self.next_style = self.next_style or marked[-1].style
         elif all(each is not curves[new.active] for each in before.curves):
             # It was begun, or worked on.
-            self.is_lent, self.next_style = False, None
+            self.is_implicit, self.next_style = False, None
         self.keep_group(self.group)
         self.set_hovered(self.hovered)
         yield
         self.keep_group(new.points)
         session.scrub.keep()
-        if (new.curves, new.chosen, new.is_editing) != (old.curves, old.chosen, old.is_editing):
+        if (new.curves, new.whole_curves, new.is_editing) != (old.curves, old.whole_curves, old.is_editing):
             session.selected_curves_changed.emit(self.curves)
 
     def select_returned(self, document: Document, then: SelectionState | None) -> None:
@@ -365,7 +373,7 @@ class Selection:
         elif len(returned) > 1 or (returned and not self.is_editing):
             self.set_curves(returned)
         elif self.is_editing and not self.group.parts and len(before) == len(curves):
-            self.keep_group(returned_points(self.edited, before, curves))
+            self.keep_group(returned_points(self.active_curves, before, curves))
 
 
 def _comes_back(then: SelectionState, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
@@ -378,7 +386,7 @@ def _comes_back(then: SelectionState, returned: Collection[int], now: Selection,
     if then.is_editing:
         has_gone = has_gone and bool(then.points.parts)
         return not now.is_editing and (has_gone or not then.curves.isdisjoint(returned))
-    return not then.chosen.isdisjoint(returned) or (has_gone and bool(then.chosen))
+    return not then.whole_curves.isdisjoint(returned) or (has_gone and bool(then.whole_curves))
 
 
 class ClipboardSelection(msgspec.Struct, frozen=True):

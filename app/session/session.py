@@ -268,7 +268,7 @@ class Session(SessionSignals):
         return curve if style is None else replace(curve, style=style)
 
     @property
-    def meant_view(self) -> CurveView | None:
+    def target_view(self) -> CurveView | None:
         """The view-model of the active curve; None while no curve is edited and none chosen.
 
         A blank document has nothing to choose from: its curve is the one that is about to be drawn.
@@ -370,7 +370,7 @@ class Session(SessionSignals):
         after = HistoryState(document, active, self.files.origin)
         self.history.push(before, after, text, run)
         if selects is not None and not selects.is_editing:
-            self.selected.choose(selects.chosen)
+            self.selected.select_whole(selects.whole_curves)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
         return Change(is_done=True)
 
@@ -381,7 +381,7 @@ class Session(SessionSignals):
             return
         with self.batch:
             if home.active != self.active_index:
-                self.selected.enter(home.active)
+                self.selected.make_active(home.active)
             if self.is_previewing:
                 self._show(self._committed)
             self.selected.restore(home)
@@ -456,7 +456,7 @@ class Session(SessionSignals):
         self._home = self._asked = self._selects = None
         self.interrupted.emit()
         if state.active != self.active_index:
-            self.selected.enter(state.active)
+            self.selected.make_active(state.active)
         self._committed = state.document
         if views is not None:
             # Late: those who heard of the gesture's end may have asked for views of the document before.

@@ -209,7 +209,7 @@ class SelectionBox:
         if len(selection.parts) == 1 and len(selection.parts[0][1]) == 1:
             # As under most drags; a single point has no box.
             return selection, None
-        views, chosen = session.views, session.selected.chosen
+        views, chosen = session.views, session.selected.whole_curves
         live, turns = session.is_previewing, session.box.turns
         now = (selection, chosen, live, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
@@ -225,7 +225,7 @@ class SelectionBox:
 
         Of several, those that are not locked.
         """
-        document, chosen = self._session.document, self._session.selected.chosen
+        document, chosen = self._session.document, self._session.selected.whole_curves
         if not chosen:
             return None
         known, group = self._whole, None

@@ -24,11 +24,11 @@ class EditingSelection(Protocol):
         """Indices of the selected points of the active curve."""
 
     @property
-    def edited(self) -> frozenset[int]:
+    def active_curves(self) -> frozenset[int]:
         """The curves whose points can be selected."""
 
     @property
-    def chosen(self) -> frozenset[int]:
+    def whole_curves(self) -> frozenset[int]:
         """The curves that are acted on as wholes."""
 
     @property
@@ -38,10 +38,10 @@ class EditingSelection(Protocol):
     def restore(self, state: SelectionState) -> None:
         """Select what was selected before."""
 
-    def choose(self, indices: Collection[int]) -> None:
+    def select_whole(self, indices: Collection[int]) -> None:
         """Choose curves as wholes, or none at all; no curve is edited any more."""
 
-    def show_choice(self, indices: Collection[int]) -> None:
+    def show_whole(self, indices: Collection[int]) -> None:
         """Show curves as chosen while a gesture goes on."""
 
     def set_points(self, indices: Collection[int]) -> None:
@@ -53,7 +53,7 @@ class EditingSelection(Protocol):
     def show_group(self, group: PointGroup) -> None:
         """Show points as selected while a gesture goes on."""
 
-    def go_to(self, index: int) -> None:
+    def switch_active(self, index: int) -> None:
         """Make another of the curves that are edited the active one; the same points are selected."""
 
     def set_curves(self, indices: Collection[int]) -> None:
@@ -65,10 +65,10 @@ class EditingSelection(Protocol):
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
-    def take_up(self) -> None:
+    def edit_active(self) -> None:
         """Edit the active curve, for a tool that needs one."""
 
-    def edit_chosen(self) -> None:
+    def edit_selected(self) -> None:
         """Edit what is chosen."""
 
 

@@ -34,7 +34,7 @@ def select_next(session: EditingSession, step: int) -> bool:
     """Select the next (1) or previous (−1) point of the edited curves; return whether there is one."""
     order = [
         (curve, index)
-        for curve in sorted(session.selected.edited)
+        for curve in sorted(session.selected.active_curves)
         for index in range(len(session.document.curves[curve].points))
     ]
     points, active = session.selected.points, session.active_index

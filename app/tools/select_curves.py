@@ -34,7 +34,7 @@ def activate_pressed(event: ToolEvent) -> ToolEvent:
     """
     session, hit, pointer = event.session, event.hit, event.pointer
     if hit is not None and hit.curve >= 0:
-        session.selected.go_to(hit.curve)
+        session.selected.switch_active(hit.curve)
         event = replace(event, hit=hit.as_own)
     elif hit is not None and _is_of_edited_shape(event, hit) and not pointer.shift:
         session.selected.activate(hit.index)
@@ -52,7 +52,7 @@ def press_on_curve(event: ToolEvent, hit: Hit) -> Gesture:
     While no curve is edited, what is dragged is selected from then on.
     """
     session, selects = event.session, None
-    if not session.selected.is_editing and hit.index not in session.selected.chosen:
+    if not session.selected.is_editing and hit.index not in session.selected.whole_curves:
         curves = _intended(event, hit)
         active = min(curves, key=lambda curve: abs(curve - session.active_index))
         selects = SelectionState(active, NO_POINTS, curves, curves, is_editing=False)
@@ -62,9 +62,9 @@ def press_on_curve(event: ToolEvent, hit: Hit) -> Gesture:
 def deselect_curves(event: ToolEvent) -> None:
     """Select the active curve alone; while none is edited, none at all."""
     session = event.session
-    had_others = len(session.selected.chosen) > 1
+    had_others = len(session.selected.whole_curves) > 1
     if not session.selected.is_editing:
-        session.selected.choose(())
+        session.selected.select_whole(())
     elif had_others:
         session.selected.set_curves((session.active_index,))
         session.say(f"Only “{session.active_view.source.display_name}” is chosen.")
@@ -81,7 +81,7 @@ def hint_on_curve(event: ToolEvent, hit: Hit) -> Hint:
     if _is_of_edited_shape(event, hit) and not event.pointer.shift:
         name = session.document.curves[hit.index].name
         return Hint(f"Drag to bend “{name}” or move a point of it, click to edit it", grab=True)
-    group, is_chosen = _moved_group(event, hit), hit.index in session.selected.chosen
+    group, is_chosen = _moved_group(event, hit), hit.index in session.selected.whole_curves
     if hit.inside and (session.selected.is_editing or event.pointer.shift):
         return Hint(f"{_words_inside(event, hit)} · Drag: select with a rubber band", grab=True)
     click = _click_words(event, hit, is_chosen=is_chosen)
@@ -131,7 +131,7 @@ def _words_inside(event: ToolEvent, hit: Hit) -> str:
     name = _name(event, hit)
     if not event.pointer.shift:
         return f"Click to edit “{name}” · Shift+click: choose it too"
-    is_chosen = hit.index in event.session.selected.chosen
+    is_chosen = hit.index in event.session.selected.whole_curves
     return f"Click to take “{name}” out" if is_chosen else f"Click to choose “{name}” too"
 
 
@@ -151,7 +151,7 @@ def _intended(event: ToolEvent, hit: Hit) -> frozenset[int]:
 
 
 def _moved_group(event: ToolEvent, hit: Hit) -> PointGroup:
-    document, chosen = event.session.document, event.session.selected.chosen
+    document, chosen = event.session.document, event.session.selected.whole_curves
     meant = chosen if hit.index in chosen else _intended(event, hit)
     return whole_unlocked_curves(document, meant)
 
@@ -166,7 +166,7 @@ def _locked_words(event: ToolEvent) -> str:
 def _is_of_edited_shape(event: ToolEvent, hit: Hit) -> bool:
     """Whether the line of another curve of the shape that is edited is hit."""
     session, selected = event.session, event.session.selected
-    is_line = hit.part is Part.OTHER_CURVE and not hit.inside and hit.index not in selected.chosen
+    is_line = hit.part is Part.OTHER_CURVE and not hit.inside and hit.index not in selected.whole_curves
     return is_line and selected.is_editing and hit.index in shape_of(session.document, session.active_index)
 
 
@@ -176,7 +176,7 @@ def click_curve(event: ToolEvent, hit: Hit) -> None:
     if event.pointer.shift and selected.is_editing:
         selected.set_curves(_toggled(selected.curves, _intended(event, hit)))
     elif event.pointer.shift:
-        selected.choose(_toggled(selected.chosen, _intended(event, hit)))
+        selected.select_whole(_toggled(selected.whole_curves, _intended(event, hit)))
     elif selected.is_editing or event.pointer.is_double:
         edit_curve(event, hit.index)
         return
@@ -188,13 +188,13 @@ def click_curve(event: ToolEvent, hit: Hit) -> None:
         )
         return
     else:
-        selected.choose(_intended(event, hit))
+        selected.select_whole(_intended(event, hit))
     session.say(f"{selected_curves(session)}.")
 
 
 def _turns_grips(event: ToolEvent, hit: Hit) -> bool:
     """Whether a click has the box take other grips: on what is chosen already, where there is a box."""
-    meant, chosen = _intended(event, hit), event.session.selected.chosen
+    meant, chosen = _intended(event, hit), event.session.selected.whole_curves
     # With Ctrl a part of what is chosen is wanted alone.
     is_chosen = meant == chosen if event.pointer.ctrl else meant <= chosen
     return is_chosen and event.box.is_visible and not event.box.refusal_of(event.box.group)
@@ -217,7 +217,11 @@ def select_hit(event: ToolEvent) -> None:
         session.selected.set_group(
             points_of(hit.curve if hit.curve >= 0 else session.active_index, [hit.index])
         )
-    several = name_or_count(session.document, session.selected.chosen) if session.selected.chosen else ""
+    several = (
+        name_or_count(session.document, session.selected.whole_curves)
+        if session.selected.whole_curves
+        else ""
+    )
     session.say(
         f"Editing {several} now." if several else f"Editing “{session.active_view.source.display_name}” now."
     )
@@ -225,7 +229,7 @@ def select_hit(event: ToolEvent) -> None:
 
 def selected_curves(session: EditingSession) -> str:
     """Return a sentence about the curves that the tools act on."""
-    chosen, active = session.selected.chosen, session.active_view.source.display_name
+    chosen, active = session.selected.whole_curves, session.active_view.source.display_name
     if not session.selected.is_editing:
         if name := common_name(session.document, chosen):
             return f"“{name}” is chosen"
@@ -294,7 +298,8 @@ class PointBand(RubberBand, kw_only=True):
         """Select the points inside, while the band is drawn."""
         session, (low, high) = event.session, self._corners(event)
         inside = group_points(
-            (curve, _points_inside(session.views[curve], low, high)) for curve in session.selected.edited
+            (curve, _points_inside(session.views[curve], low, high))
+            for curve in session.selected.active_curves
         )
         session.selected.show_group(self.before.points.joined(inside) if event.pointer.shift else inside)
 
@@ -317,8 +322,8 @@ class CurveBand(RubberBand, kw_only=True):
 
     def move(self, event: ToolEvent) -> None:
         """Select the curves inside, while the band is drawn."""
-        before = self.before.chosen if event.pointer.shift else frozenset()
-        event.session.selected.show_choice(before | self._inside(event))
+        before = self.before.whole_curves if event.pointer.shift else frozenset()
+        event.session.selected.show_whole(before | self._inside(event))
 
     def _inside(self, event: ToolEvent) -> frozenset[int]:
         views, document = event.session.views, event.session.document
@@ -334,7 +339,7 @@ class CurveBand(RubberBand, kw_only=True):
 
     def release(self, event: ToolEvent) -> None:
         """Keep the curves selected."""
-        event.session.selected.choose(event.session.selected.chosen)
+        event.session.selected.select_whole(event.session.selected.whole_curves)
 
     def status(self, event: ToolEvent) -> str:
         """Return which curves are selected."""

@@ -186,7 +186,7 @@ class Toolbox:
         self.tool.activate(self.event)
         if self.tool.edits_points and not self._session.selected.is_editing:
             # Whole curves are selected with the tool that selects alone; the others work on the active one.
-            self._session.selected.take_up()
+            self._session.selected.edit_active()
 
     def hover(self, pointer: Pointer) -> Hint:
         """Return what a press here would do."""

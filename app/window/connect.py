@@ -255,7 +255,9 @@ class Rendering(QObject):
     def _draw_others(self) -> None:
         session, selected = self._session, self._session.selected
         active = session.active_index if selected.is_editing else None
-        self._canvas.drawing.render_others(session.views, active, selected.chosen, selected.edited)
+        self._canvas.drawing.render_others(
+            session.views, active, selected.whole_curves, selected.active_curves
+        )
 
     def _render_selected_curves(self) -> None:
         # What was said was about the curves that were selected before.

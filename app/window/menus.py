@@ -182,7 +182,9 @@ class ContextMenus:
             if session.selected.is_editing or hit.index in selected:
                 session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)
             else:
-                session.selected.choose(pressed_curves(session.document, hit.index, session.selected.state))
+                session.selected.select_whole(
+                    pressed_curves(session.document, hit.index, session.selected.state)
+                )
             self._open_on_edited(position)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(position)
@@ -196,9 +198,9 @@ class ContextMenus:
     def _on_active_curve(self, hit: Hit) -> Hit:
         """Activate the curve of a point or handle; a curve that is selected as a whole stays so."""
         selected = self._context.session.selected
-        if hit.curve in selected.chosen and hit.index not in selected.group.of(hit.curve):
+        if hit.curve in selected.whole_curves and hit.index not in selected.group.of(hit.curve):
             return replace(hit, part=Part.OTHER_CURVE, index=hit.curve)
-        selected.go_to(hit.curve)
+        selected.switch_active(hit.curve)
         return hit.as_own
 
     def _open_on_edited(self, position: QPoint) -> None:
@@ -212,7 +214,7 @@ class ContextMenus:
 
     def _open_on_curves(self, position: QPoint) -> None:
         """Open the menu of the selected curves, or of the edited curve."""
-        is_whole = bool(self._context.session.selected.chosen)
+        is_whole = bool(self._context.session.selected.whole_curves)
         bar_menu(self._context, WHOLES_MENU if is_whole else CURVE_MENU, is_short=is_whole).popup(position)
 
     def _curve_menu(self, t: float) -> QMenu:

@@ -44,7 +44,7 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
     focus, selected = QApplication.focusWidget(), context.session.selected
     if isinstance(focus, ListsCurves):
         return focus.target_curves
-    return selected.highlight(whole_curves=True).curves or selected.whole
+    return selected.highlight(whole_curves=True).curves or selected.with_shapes
 
 
 def remove(
@@ -55,7 +55,7 @@ def remove(
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
     session = context.session
-    document, active, edited_curves = session.document, session.active_index, session.selected.edited
+    document, active, edited_curves = session.document, session.active_index, session.selected.active_curves
     gone, deleted = what.curves_of(document), list[Deletion]()
 
     def without(document: Document, curve: int, indices: Collection[int]) -> Document:

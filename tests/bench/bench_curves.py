@@ -105,7 +105,7 @@ def whole(qtbot, count: int, style: Style) -> float:
     session.commit(document(count, style), "Open", active=count - 1)
     editor.show_dock("styleDock")
     editor.fit()
-    session.selected.choose(())
+    session.selected.select_whole(())
     paints, places = Paints(), list[object]()
     canvas = editor.window.canvas
     canvas.painted.connect(paints.counter("canvas"))

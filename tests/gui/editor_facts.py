@@ -19,7 +19,7 @@ def names(editor):
 def chosen(editor):
     """The names of the curves that are chosen whole, as one word."""
     curves = editor.session.document.curves
-    return "".join(curves[place].name for place in sorted(editor.session.selected.chosen))
+    return "".join(curves[place].name for place in sorted(editor.session.selected.whole_curves))
 
 
 def undo_text(editor):

@@ -153,7 +153,7 @@ class KeptEditor:
         self._reset_settings()
         self._reset_drawing()
         self._reset_layout()
-        session.selected.is_lent, session.selected.next_style = False, None
+        session.selected.is_implicit, session.selected.next_style = False, None
         window.commands.messages.greet()
         # Again, below the message that has come by now.
         window.canvas.framing.fit()

@@ -41,7 +41,7 @@ def test_actions_are_as_if_rendered_anew_after_each_edit(editor):
 
     def select_curves():
         curves = range(len(session.document.curves))
-        session.selected.choose(choose.sample(curves, choose.randint(0, len(curves))))
+        session.selected.select_whole(choose.sample(curves, choose.randint(0, len(curves))))
 
     def edit_curve():
         session.selected.activate(choose.randrange(len(session.document.curves)))

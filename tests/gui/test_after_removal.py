@@ -28,7 +28,7 @@ def four(waves):
 def state(editor):
     """Return which curves there are, whether one is edited, which are chosen, and the active one."""
     selected, curves = editor.session.selected, editor.session.document.curves
-    chosen = "".join(curves[place].name for place in sorted(selected.chosen))
+    chosen = "".join(curves[place].name for place in sorted(selected.whole_curves))
     return names(editor), selected.is_editing, chosen, editor.curve.name if selected.is_editing else ""
 
 
@@ -58,7 +58,7 @@ def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_
     four.trigger("undo")
     assert state(four) == ("ABCD", True, "", "B")
     assert four.session.selection == {0, 1, 2, 3}
-    four.session.selected.choose([1])
+    four.session.selected.select_whole([1])
     four.key(DELETE)
     four.trigger("undo")
     assert state(four) == ("ABCD", False, "B", "")
@@ -67,7 +67,7 @@ def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_
 @pytest.mark.parametrize("name", ["duplicateSelection", "duplicateCurve", "newCurve"])
 def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
     """Nothing was chosen, and the next key said so."""
-    four.session.selected.choose([1, 2])
+    four.session.selected.select_whole([1, 2])
     four.trigger(name)
     assert state(four)[2] != "BC"
     four.trigger("undo")
@@ -75,9 +75,9 @@ def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
 
 
 def test_what_was_chosen_since_stays_so_when_copies_go(four):
-    four.session.selected.choose([1])
+    four.session.selected.select_whole([1])
     four.trigger("duplicateSelection")
-    four.session.selected.choose([0])
+    four.session.selected.select_whole([0])
     four.trigger("undo")
     assert state(four) == ("ABCD", False, "A", "")
 
@@ -102,7 +102,7 @@ def test_all_points_deleted_of_one_part_leave_the_rest_of_the_shape_edited(four)
 
 def test_of_several_that_are_edited_those_left_are_still(four):
     selected = four.session.selected
-    selected.choose({0, 3})
+    selected.select_whole({0, 3})
     four.key(Qt.Key.Key_Return)
     gone, left = ("A", "D") if four.curve.name == "A" else ("D", "A")
     four.select([0, 1, 2, 3])
@@ -145,7 +145,7 @@ def test_a_pen_that_has_lost_its_curve_takes_back_a_beginning(four):
 def test_the_last_curve_leaves_one_to_draw(waves):
     one = waves("AB")
     one.key(DELETE)
-    one.session.selected.choose({0})
+    one.session.selected.select_whole({0})
     one.key(Qt.Key.Key_Return)
     one.key(DELETE)
     assert one.curve.points == ()

@@ -89,7 +89,7 @@ def test_the_largest_is_another_one_than_that_edited(four):
 
 
 def test_one_curve_is_aligned_to_the_drawing(four):
-    four.session.selected.choose({1})
+    four.session.selected.select_whole({1})
     assert not four.action("alignCentre").isEnabled()
     four.trigger("alignToDrawing")
     before = whole(boxes(four))
@@ -132,7 +132,7 @@ def test_a_shape_is_aligned_as_one(four):
             ),
         ),
     )
-    four.session.selected.choose({0, 2})
+    four.session.selected.select_whole({0, 2})
     before = boxes(four)
     four.trigger("alignBottom")
     after = boxes(four)
@@ -156,7 +156,7 @@ def with_groups(editor, letters):
 
 def test_a_group_is_aligned_as_one(four):
     with_groups(four, "ABC")
-    four.session.selected.choose(range(4))
+    four.session.selected.select_whole(range(4))
     before = boxes(four)
     four.trigger("alignTop")
     after = boxes(four)
@@ -167,9 +167,9 @@ def test_a_group_is_aligned_as_one(four):
 def test_a_group_that_is_alone_is_aligned_as_one(four):
     """To all curves; to each other, and spaced, it is one thing, and nothing is offered."""
     with_groups(four, "ABC")
-    four.session.selected.choose([])
+    four.session.selected.select_whole([])
     four.click(tuple(four.session.views[0].curve.evaluate(0.4).tolist()))
-    assert four.session.selected.chosen == {0, 1, 2}
+    assert four.session.selected.whole_curves == {0, 1, 2}
     for action in ("alignCentre", "distributeHorizontally", "distributeGapsVertically"):
         assert not four.action(action).isEnabled()
     assert "(a group counts as one)" in four.action("alignCentre").toolTip()
@@ -233,7 +233,7 @@ def test_the_buttons_of_the_panel_align(four):
 
 def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four):
     """Also where it lies between the others in the list, and after the list was turned round."""
-    four.session.selected.choose({0})
+    four.session.selected.select_whole({0})
     for place in (3, 1):
         on = tuple(four.session.views[place].curve.evaluate(0.4).tolist())
         four.click(on, keys=Qt.KeyboardModifier.ShiftModifier)
@@ -244,7 +244,7 @@ def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four)
     four.trigger("undo")
     four.session.change("Turn", lambda document: replace(document, curves=document.curves[::-1]))
     assert four.session.selected.last == 2
-    four.session.selected.choose({1, 2, 3})
+    four.session.selected.select_whole({1, 2, 3})
     before = boxes(four)
     four.trigger("alignToSmallest")
     four.trigger("alignTop")
@@ -253,11 +253,11 @@ def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four)
 
 
 def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
-    four.session.selected.choose({2})
+    four.session.selected.select_whole({2})
     four.click(
         tuple(four.session.views[3].curve.evaluate(0.4).tolist()), keys=Qt.KeyboardModifier.ShiftModifier
     )
-    assert four.session.selected.chosen == {2, 3}
+    assert four.session.selected.whole_curves == {2, 3}
     before = boxes(four)
     four.trigger("alignToFirst")
     four.trigger("alignBottom")

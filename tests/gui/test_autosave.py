@@ -392,7 +392,7 @@ def test_what_is_locked_or_hidden_is_not_edited_when_it_comes_back(editor, looks
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     press(editor, "restoreWork0")
     selected = editor.session.selected
-    assert (selected.is_editing, selected.chosen) == (False, frozenset())
+    assert (selected.is_editing, selected.whole_curves) == (False, frozenset())
 
 
 def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):

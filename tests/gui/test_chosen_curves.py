@@ -745,7 +745,7 @@ def fine_lines(editor, count):
     style = Style(stroke=GREEN, width=3 / editor.window.canvas.camera.pixel_map.sx)
     styled = tuple(replace(curve, style=style) for curve in curves)
     editor.session.commit(Document(styled), "Style")
-    editor.session.selected.choose(range(count))
+    editor.session.selected.select_whole(range(count))
     editor.settle()
     editor.wait_for_rest()
     return editor
@@ -762,7 +762,7 @@ def test_many_chosen_curves_keep_their_colours_and_boxes_mark_them(editor):
         left, top = (canvas.to_pixel(k, 0.5) - QPoint(3, 3)).toTuple()
         near = {image.pixelColor(left + dx, top + 20 + dy).name() for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
         assert accent.name() in near
-    editor.session.selected.choose([])
+    editor.session.selected.select_whole([])
     editor.settle()
     after = canvas.viewport().grab().toImage()
     assert accent.name() not in {after.pixelColor(x, top + 20).name() for x in range(left - 2, left + 3)}
@@ -770,7 +770,7 @@ def test_many_chosen_curves_keep_their_colours_and_boxes_mark_them(editor):
 
 def test_the_box_is_as_large_as_what_it_is_around_and_its_grips_lie_beside_it(five):
     """They lay sixteen pixels off, where nothing but a line can be pressed."""
-    five.session.selected.choose([0, 1])
+    five.session.selected.select_whole([0, 1])
     five.settle()
     box, scale = five.window.canvas.marks.box, five.window.canvas.pixel_map.sx
     outline = np.concatenate([five.session.views[at].polyline for at in (0, 1)])

@@ -21,7 +21,7 @@ def whole(waves):
 def chosen(editor):
     document, selected = editor.session.document, editor.session.selected
     assert not selected.is_editing
-    return "".join(document.curves[place].name for place in sorted(selected.chosen))
+    return "".join(document.curves[place].name for place in sorted(selected.whole_curves))
 
 
 def test_a_drag_chooses_what_it_moves_and_keys_go_on_with_it(whole):
@@ -82,11 +82,11 @@ def test_a_drag_of_one_of_a_group_chooses_the_group(whole):
 def test_all_are_those_that_are_seen_and_free(whole):
     """What was hidden was deleted unseen, and what was locked refused everything."""
     selected = whole.session.selected
-    selected.choose({0})
+    selected.select_whole({0})
     whole.trigger("curveLocked")
-    selected.choose({2})
+    selected.select_whole({2})
     whole.trigger("curveVisible")
-    selected.choose(())
+    selected.select_whole(())
     whole.window.canvas.setFocus()
     whole.trigger("selectAll")
     assert chosen(whole) == "B"

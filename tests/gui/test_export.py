@@ -519,7 +519,7 @@ def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypa
     other = make_curve([(7, 22), (23, 38)], name="other", family=HERMITE)
     document = Document((icon, other), unit="mm")
     editor.session.commit(document, "Begin")
-    editor.session.selected.choose({0})
+    editor.session.selected.select_whole({0})
     for what, points in (("Selected curves", icon.points),):
         editor.trigger("exportPicture")
         dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
@@ -549,7 +549,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
         dialog.export_requested.emit(dialog.form.choice())
         return Path(asked[-1]).name
 
-    selected.choose({0})
+    selected.select_whole({0})
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     choose_format(dialog, ".svg")
@@ -561,7 +561,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
         ({1, 2}, "Selected curves", name),
         ({0, 1}, "Selected curves", whole),
     ):
-        selected.choose(chosen)
+        selected.select_whole(chosen)
         settled(editor, dialog)
         assert (what.currentText(), entry.isEnabled(), proposed(dialog)) == (
             text,
@@ -569,9 +569,9 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
             f"{stem}.svg",
         )
     # What a part was called is not what the next export of all is.
-    selected.choose({1, 2})
+    selected.select_whole({1, 2})
     export(editor, settled(editor, dialog), tmp_path / f"{name}.svg", monkeypatch)
-    selected.choose(())
+    selected.select_whole(())
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     assert dialog.form.fields["extent"].widget.currentText() == "All curves"
@@ -677,7 +677,7 @@ def test_a_document_whose_curves_were_all_exported_offers_that_again_though_some
 ):
     """It fell back to what was chosen, and files held a part of the drawing."""
     editor = waves("ABC")
-    editor.session.selected.choose({0})
+    editor.session.selected.select_whole({0})
 
     def dialog():
         editor.trigger("exportPicture")

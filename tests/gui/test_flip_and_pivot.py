@@ -238,7 +238,7 @@ def test_it_is_taken_over_the_fill_or_line_of_what_is_chosen_once_the_grips_turn
     """The curve was dragged instead; before that, who presses in the middle means what lies there."""
     document = two.session.document
     two.session.commit(document.with_curve(0, replace(document.curves[0], **look)), "Look")
-    two.session.selected.choose({0})
+    two.session.selected.select_whole({0})
     two.session.box.set_turns(turns)
     before, middle = two.session.document, pivot(two)
     if turns:
@@ -270,12 +270,12 @@ def test_a_click_on_it_reaches_what_lies_there(editor, turns, keys):
     editor.trigger("selectTool")
     *_, rectangle, ellipse = range(len(editor.session.document.curves))
     selected = editor.session.selected
-    selected.choose([rectangle])
+    selected.select_whole([rectangle])
     editor.session.box.set_turns(turns)
     editor.settle()
     document = editor.session.document
     editor.click((0.0, 0.0), keys=keys)
-    assert selected.chosen == ({rectangle, ellipse} if keys else {ellipse})
+    assert selected.whole_curves == ({rectangle, ellipse} if keys else {ellipse})
     assert editor.session.document is document
     assert editor.session.box.pivot is None
 
@@ -290,7 +290,7 @@ def shows_cross(editor):
 def test_a_cross_that_is_seen_is_one_that_a_drag_takes(two):
     """In a small box it was seen and a drag moved the object; with grips that turn, it is what matters."""
     two.window.canvas.camera.show_box((-60, 60), (-36, 36))
-    two.session.selected.choose({0})
+    two.session.selected.select_whole({0})
     assert not shows_cross(two)
     two.session.box.set_turns(True)
     two.settle()
@@ -303,7 +303,7 @@ def test_a_cross_that_is_seen_is_one_that_a_drag_takes(two):
 
 def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
     two.window.canvas.camera.show_box((-100, 100), (-60, 60))
-    two.session.selected.choose({0})
+    two.session.selected.select_whole({0})
     before, middle = points(two), pivot(two)
     two.drag(middle, (middle[0] + 20, middle[1]))
     assert points(two)[:, 0] == pytest.approx(before[:, 0] + 20, abs=two.pixel)
@@ -314,9 +314,9 @@ def test_with_nothing_chosen_there_is_none(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     place = pivot(two)
-    two.session.selected.choose({0})
+    two.session.selected.select_whole({0})
     assert pivot(two) == place, "the curve as a whole has that of its points"
-    two.session.selected.choose(())
+    two.session.selected.select_whole(())
     assert pivot(two) is None
     document = two.session.document
     two.key(Key.Key_H)
@@ -378,7 +378,7 @@ def test_what_is_drawn_or_chosen_in_its_place_has_none(two):
     two.session.selected.activate(place + 1)
     two.trigger("selectAll")
     assert pivot(two) == own, "it is still that of the first"
-    two.session.selected.choose([place + 1])
+    two.session.selected.select_whole([place + 1])
     two.trigger("deleteCurve")
     middle = draw((-3.0, -4.0), (0.0, 3.0))
     assert two.session.active_index == place + 1
@@ -465,11 +465,11 @@ def test_the_pivot_of_a_turn_is_marked_also_without_a_box(two):
 
 def test_one_of_several_does_not_turn_about_the_pivot_of_all(two):
     """Each of them did, and its place was told as that of a corner far away."""
-    two.session.selected.choose([0, 1])
+    two.session.selected.select_whole([0, 1])
     two.session.box.set_turns(True)
     drag_pivot(two, (6.0, 4.0))
     chosen = pivot(two)
-    two.session.selected.choose([0])
+    two.session.selected.select_whole([0])
     assert pivot(two) == pytest.approx((2, 1), abs=0.3)
-    two.session.selected.choose([0, 1])
+    two.session.selected.select_whole([0, 1])
     assert pivot(two) == pytest.approx(chosen)

@@ -206,7 +206,7 @@ def test_one_point_and_all_points_mean_the_curve(three, selected):
 
 @pytest.mark.parametrize(("how", "left"), [("copy", "ABC"), ("cut", "BC"), ("delete", "BC")])
 def test_a_curve_chosen_as_a_whole_is_what_is_meant(three, how, left):
-    three.session.selected.choose({0})
+    three.session.selected.select_whole({0})
     three.key(*KEYS[how])
     assert names(three) == left
     assert "“A”" in three.status
@@ -214,7 +214,7 @@ def test_a_curve_chosen_as_a_whole_is_what_is_meant(three, how, left):
 
 @pytest.mark.parametrize("how", ["copy", "cut", "delete"])
 def test_with_nothing_chosen_nothing_is_meant(three, how):
-    three.session.selected.choose(())
+    three.session.selected.select_whole(())
     three.session.say("An older answer.")
     three.key(*KEYS[how])
     assert names(three) == "ABC"
@@ -225,13 +225,13 @@ def test_what_was_pasted_is_chosen_as_a_whole(three):
     three.key(*KEYS["copy"])
     three.key(Qt.Key.Key_V, CTRL | ALT)
     assert not three.session.selected.is_editing
-    assert three.session.selected.chosen == {3}
+    assert three.session.selected.whole_curves == {3}
     three.key(*KEYS["delete"])
     assert names(three) == "ABC"
 
 
 def test_points_pasted_while_no_curve_is_edited_are_a_curve_of_their_own(three):
-    three.session.selected.choose({0})
+    three.session.selected.select_whole({0})
     three.paste_text("0 0\n1 1\n2 0")
     three.key(Qt.Key.Key_V, CTRL)
     assert len(three.session.document.curves) == 4

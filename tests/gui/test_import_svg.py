@@ -138,7 +138,7 @@ def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(ed
         assert (title_of(session), session.files.is_modified) == ("inkscape_logo", True)
         # Whole, as what comes to others: ready to be moved. What nobody may move stays out.
         free = {place for place, curve in enumerate(document.curves) if curve.is_selectable}
-        assert session.selected.chosen == free < set(range(len(document.curves)))
+        assert session.selected.whole_curves == free < set(range(len(document.curves)))
         before = document.curves[min(free)].points[0].x
         editor.key(Qt.Key.Key_Right)
         assert session.document.curves[min(free)].points[0].x > before
@@ -295,11 +295,11 @@ def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_pat
     path.write_text(LAYERS)
     document = imported(editor, path)
     selected = editor.session.selected
-    assert selected.chosen == {place for place in range(5) if document.curves[place].is_selectable}
+    assert selected.whole_curves == {place for place in range(5) if document.curves[place].is_selectable}
     assert editor.session.active_curve.is_selectable
     document = imported(editor, path)
-    assert selected.chosen == {place for place in range(5, 10) if document.curves[place].is_selectable}
-    assert len(selected.chosen) == 4
+    assert selected.whole_curves == {place for place in range(5, 10) if document.curves[place].is_selectable}
+    assert len(selected.whole_curves) == 4
     # In the same place.
     assert [curve.points for curve in document.curves[5:]] == [curve.points for curve in document.curves[:5]]
 

@@ -30,7 +30,7 @@ def press(editor):
 
 def test_a_key_turns_the_choice_around_of_curves_and_of_points(row):
     selected = row.session.selected
-    selected.choose([0])
+    selected.select_whole([0])
     press(row)
     assert chosen(row) == "BC"
     press(row)
@@ -47,6 +47,6 @@ def test_a_key_turns_the_choice_around_of_curves_and_of_points(row):
 def test_nothing_is_turned_around_where_all_is_locked(row):
     curves = tuple(replace(curve, locked=True) for curve in row.session.document.curves)
     row.session.commit(Document(curves), "Lock")
-    row.session.selected.choose([])
+    row.session.selected.select_whole([])
     press(row)
     assert row.status == NONE_SELECTABLE

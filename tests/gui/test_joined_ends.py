@@ -174,7 +174,7 @@ def test_chosen_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor):
     show(editor, *(hermite(points, name) for points, name in zip(pieces, "acbd", strict=True)))
     editor.key(Key.Key_Escape)
     editor.key(Key.Key_A, CTRL)
-    assert len(editor.session.selected.chosen) == 4
+    assert len(editor.session.selected.whole_curves) == 4
     editor.key(Key.Key_J, CTRL)
     assert len(editor.session.document.curves) == 1
     assert editor.curve.is_closed
@@ -186,9 +186,9 @@ def test_chosen_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor):
 
 
 def test_two_chosen_curves_are_joined_at_their_nearest_ends(arcs):
-    arcs.session.selected.choose({1, 0})
+    arcs.session.selected.select_whole({1, 0})
     arcs.key(Key.Key_J, CTRL)
     assert len(arcs.session.document.curves) == 2
     assert len(arcs.curve.points) == 6
     assert not arcs.curve.is_closed
-    assert arcs.session.selected.chosen == {arcs.session.active_index}
+    assert arcs.session.selected.whole_curves == {arcs.session.active_index}

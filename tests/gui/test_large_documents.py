@@ -194,7 +194,7 @@ def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_the
     editor.window.open_file(large)
     editor.wait_for_work()
     editor.show_dock("curvesDock")
-    editor.session.selected.choose(range(COUNT))
+    editor.session.selected.select_whole(range(COUNT))
     editor.settle()
     views = editor.session.views
     moved = calls_of(lambda: editor.key(Qt.Key.Key_Right))
@@ -218,7 +218,7 @@ def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, m
     """A step of a drag of 2,000 curves took 0.8 s, a flip 1.6 s: each was made and flattened anew."""
     editor.window.open_file(large)
     editor.wait_for_work()
-    editor.session.selected.choose(range(COUNT))
+    editor.session.selected.select_whole(range(COUNT))
     editor.settle()
     session = editor.session
     x, y = session.views[0].polyline[1].tolist()
@@ -253,7 +253,7 @@ def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(edit
     editor.window.open_file(large)
     editor.wait_for_work()
     session = editor.session
-    session.selected.choose(range(COUNT))
+    session.selected.select_whole(range(COUNT))
     editor.trigger("copyPoints")
 
     def pasted() -> None:
@@ -275,11 +275,11 @@ def test_many_curves_are_duplicated_and_drawn_once(editor, large, monkeypatch):
     editor.window.open_file(large)
     editor.wait_for_work()
     session = editor.session
-    session.selected.choose(range(COUNT))
+    session.selected.select_whole(range(COUNT))
     editor.settle()
     drawn = noted_calls(monkeypatch, type(editor.window.canvas.drawing), "render_others")
     calls = calls_of(lambda: editor.trigger("duplicateCurve"))
-    assert session.selected.chosen == frozenset(range(COUNT, 2 * COUNT))
+    assert session.selected.whole_curves == frozenset(range(COUNT, 2 * COUNT))
     assert len(drawn) == 1
     # 779 now.
     assert calls < 935 * COUNT

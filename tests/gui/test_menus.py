@@ -215,7 +215,7 @@ def test_the_menu_of_a_row_has_what_can_be_done_alone(row_menu):
 
 
 def test_the_menu_of_a_row_has_what_is_done_to_shapes(row_menu, editor):
-    editor.session.selected.choose((0, 1))
+    editor.session.selected.select_whole((0, 1))
     editor.trigger("combineCurves")
     menu = row_menu(1)
     (shape,) = [each.menu() for each in menu.actions() if plain(each.text()) == "Shape"]

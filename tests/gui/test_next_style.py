@@ -59,12 +59,12 @@ def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(empty):
     style_set(empty, "strokePaintHex", "none")
     style_set(empty, "fillPaintHex", "none")
     empty.key(Qt.Key.Key_V)
-    empty.session.selected.choose(())
+    empty.session.selected.select_whole(())
     drawn = rectangle(empty, 120)
     assert drawn.has_stroke or drawn.has_fill
     # With nothing chosen it is what was asked for.
     empty.key(Qt.Key.Key_V)
-    empty.session.selected.choose(())
+    empty.session.selected.select_whole(())
     empty.settle()
     for field in ("fillPaintHex", "strokePaintHex"):
         style_set(empty, field, "none")
@@ -76,7 +76,7 @@ def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(empty):
 def test_what_is_set_while_a_tool_holds_a_curve_that_nobody_chose_is_for_the_next_one(empty):
     first = rectangle(empty, 20)
     empty.key(Qt.Key.Key_V)
-    empty.session.selected.choose(())
+    empty.session.selected.select_whole(())
     style_set(empty, "strokePaintHex", RED)
     empty.trigger("addTool")
     style_set(empty, "fillPaintHex", BLUE)
@@ -85,7 +85,7 @@ def test_what_is_set_while_a_tool_holds_a_curve_that_nobody_chose_is_for_the_nex
     assert (drawn.stroke, drawn.fill) == (RED, BLUE)
     # From then on it is the style of the curve that is chosen.
     empty.key(Qt.Key.Key_V)
-    empty.session.selected.choose([0])
+    empty.session.selected.select_whole([0])
     assert empty.session.model.style == first
 
 
@@ -94,7 +94,7 @@ def test_what_is_drawn_after_a_curve_was_deleted_looks_like_it(empty):
     rectangle(empty, 120)
     empty.key(Qt.Key.Key_V)
     style_set(empty, "fillPaintHex", BLUE)
-    empty.session.selected.choose([1])
+    empty.session.selected.select_whole([1])
     empty.key(Qt.Key.Key_Delete)
     assert [curve.style for curve in empty.session.document.curves] == [first]
     assert empty.session.model.style.fill == BLUE
@@ -139,5 +139,5 @@ def test_what_is_drawn_after_an_import_was_undone_looks_as_before_it(imported):
 
 
 def test_what_is_drawn_looks_like_an_imported_curve_that_was_chosen(imported):
-    imported.session.selected.choose([1])
+    imported.session.selected.select_whole([1])
     assert rectangle(imported, 120).fill == RED

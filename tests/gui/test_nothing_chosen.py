@@ -28,7 +28,7 @@ def none(waves):
     three.escape()
     three.escape()
     assert not three.session.selected.is_editing
-    assert not three.session.selected.chosen
+    assert not three.session.selected.whole_curves
     return three
 
 
@@ -39,7 +39,7 @@ def test_no_action_changes_a_curve_that_nobody_chose(none):
         elsewhere = each.section.menu not in {EDIT, CURVE, ANALYSIS} or each.name in BY_THEMSELVES
         if elsewhere or action.text().endswith("…") or each.field:
             continue
-        session.selected.choose(())
+        session.selected.select_whole(())
         if action.isEnabled():
             action.trigger()
             session.interrupt()
@@ -73,7 +73,7 @@ def test_the_menu_of_curves_offers_nothing_and_says_why(none):
     for name in offered:
         assert not none.action(name).isEnabled(), name
         assert none.action(name).toolTip().endswith(NO_CURVE), name
-    none.session.selected.choose((0,))
+    none.session.selected.select_whole((0,))
     assert none.action("deleteCurve").isEnabled()
     assert NO_CURVE not in none.action("deleteCurve").toolTip()
     none.trigger("deleteCurve")
@@ -97,7 +97,7 @@ def test_the_bar_and_the_form_show_that_there_is_no_curve_and_take_nothing(none)
     assert (box.currentIndex(), name.text(), start.text(), rule.currentIndex()) == (-1, "", "", -1)
     assert facts.text() == box.toolTip() == NO_CURVE
     assert not none.action("familyHermite").isChecked()
-    session.selected.choose((1,))
+    session.selected.select_whole((1,))
     assert (box.currentText(), name.text(), start.text()) == ("Chord length", "B", "0")
     assert none.action("familyHermite").isChecked()
     name.selectAll()
@@ -109,9 +109,9 @@ def test_enter_edits_what_was_chosen_also_when_the_pointer_has_left(none):
     """It sought a point below a pointer at infinity, and warned of numbers that are none."""
     none.hover(none.point(1))
     QApplication.sendEvent(none.window.canvas, QEvent(QEvent.Type.Leave))
-    none.session.selected.choose((1,))
+    none.session.selected.select_whole((1,))
     none.key(Qt.Key.Key_Return)
-    assert (none.session.selected.edited, none.session.selection) == ({1}, frozenset())
+    assert (none.session.selected.active_curves, none.session.selection) == ({1}, frozenset())
     assert none.status == "Editing “B” now."
 
 
@@ -126,7 +126,7 @@ def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(
 
 
 def test_a_digit_leaves_curves_that_are_chosen_as_wholes_and_the_toolbar_changes_them(none):
-    none.session.selected.choose((0, 2))
+    none.session.selected.select_whole((0, 2))
     before = none.session.document
     none.key(Qt.Key.Key_5)
     assert none.session.document is before
@@ -150,7 +150,7 @@ def test_all_curves_can_be_chosen_also_where_there_is_one(waves):
     one.escape()
     assert not one.session.selected.marked
     one.key(Qt.Key.Key_A, CTRL | SHIFT)
-    assert one.session.selected.chosen == {0}
+    assert one.session.selected.whole_curves == {0}
 
 
 def test_measuring_takes_up_no_curve(none):
@@ -167,10 +167,10 @@ def test_measuring_takes_up_no_curve(none):
 
 
 def test_measuring_leaves_what_is_edited_or_chosen(none):
-    none.session.selected.choose((0, 1))
+    none.session.selected.select_whole((0, 1))
     none.key(Qt.Key.Key_M)
-    assert none.session.selected.chosen == {0, 1}
+    assert none.session.selected.whole_curves == {0, 1}
     none.session.selected.activate(2)
     none.key(Qt.Key.Key_V)
     none.key(Qt.Key.Key_M)
-    assert none.session.selected.edited == {2}
+    assert none.session.selected.active_curves == {2}

@@ -55,7 +55,7 @@ def panels(editor):
     )
     editor.session.commit(Document(curves), "Begin")
     editor.fit()
-    editor.session.selected.choose([])
+    editor.session.selected.select_whole([])
     editor.show_dock("styleDock")
     return editor
 
@@ -67,10 +67,10 @@ def test_nothing_moves_when_other_curves_are_chosen(panels, panel):
     before = places(panels, panel)
     assert len(before) > 12
     for chosen in ([0], [1], [0, 1], [2], [0, 1, 2], []):
-        panels.session.selected.choose(chosen)
+        panels.session.selected.select_whole(chosen)
         assert moved(before, places(panels, panel)) == set(), chosen
-    panels.session.selected.choose([0])
-    panels.session.selected.edit_chosen()
+    panels.session.selected.select_whole([0])
+    panels.session.selected.edit_selected()
     panels.session.selected.set_points([0])
     assert moved(before, places(panels, panel)) == set()
 

@@ -18,7 +18,7 @@ def paper(waves):
     editor = waves("AB")
     letters = [replace(curve, groups=("Text",)) for curve in editor.session.document.curves]
     editor.session.commit(Document(tuple(letters)), "Begin")
-    editor.session.selected.choose(())
+    editor.session.selected.select_whole(())
     editor.window.canvas.camera.show_box((0, 210), (0, 148))
     editor.trigger("addTool")
     editor.key(Qt.Key.Key_Return)

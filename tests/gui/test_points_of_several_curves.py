@@ -210,7 +210,7 @@ def test_points_of_chosen_curves_are_selected_together_too(letter):
 def test_points_are_selected_of_no_curve_that_is_edited_no_longer(letter):
     letter.key(Key.Key_A, CTRL)
     letter.trigger("breakApart")
-    assert set(selected(letter)) <= letter.session.selected.edited
+    assert set(selected(letter)) <= letter.session.selected.active_curves
     letter.trigger("undo")
     letter.session.selected.activate(0)
     letter.key(Key.Key_A, CTRL)
@@ -236,7 +236,7 @@ def test_points_of_both_contours_are_copied_and_doubled_as_curves(letter):
     letter.key(Key.Key_D, CTRL)
     curves = letter.session.document.curves
     assert [len(curve.points) for curve in curves] == [4, 4, 2, 2, 4]
-    assert letter.session.selected.edited == {2, 3}
+    assert letter.session.selected.active_curves == {2, 3}
     letter.trigger("undo")
     letter.session.selected.activate(0)
     letter.drag((-4.0, 4.0), (0.5, -0.7))
@@ -341,7 +341,7 @@ def test_curves_are_split_at_all_selected_points(letter):
     assert letter.status.startswith("Split at 6 points: shape kept, largest change ")
     assert undo_text(letter) == "Split 1 shape and 1 curve"
     # All of it is still edited, and its ends can be dragged apart.
-    assert letter.session.selected.edited == set(range(6))
+    assert letter.session.selected.active_curves == set(range(6))
     letter.trigger("undo")
     assert letter.session.document == document
 

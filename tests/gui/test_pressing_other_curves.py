@@ -157,7 +157,7 @@ def locked(three, request):
     if request.param:
         three.session.selected.activate(2)
     else:
-        three.session.selected.choose(())
+        three.session.selected.select_whole(())
     return three
 
 
@@ -178,7 +178,7 @@ def test_what_is_locked_with_nothing_below_says_so_and_is_not_taken(locked):
         "Delete D", lambda document: replace(document, curves=document.curves[1:]), active=1
     )
     if not locked.session.selected.is_editing:
-        locked.session.selected.choose(())
+        locked.session.selected.select_whole(())
     before, choice = locked.session.document, locked.session.selected.state
     at = on_curve(locked, 2)
     locked.hover(at)
@@ -245,7 +245,7 @@ def test_a_right_click_on_one_of_several_chosen_leaves_them_chosen(three):
 def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     """It was that of a curve whose points are edited, of thirty entries, half of them grey."""
     selected = three.session.selected
-    selected.choose([0, 1])
+    selected.select_whole([0, 1])
     found = entries(three.open_menu(on_curve(three, 1)))
     assert all(found.values())
     assert {"insertPointHere", "splitHere", "ungroupCurves", "breakApart"}.isdisjoint(found)
@@ -259,15 +259,15 @@ def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
     three.choose("groupCurves")
     # Something that is not chosen is chosen first, with the group that it is in.
     found = entries(three.open_menu(on_curve(three, 2)))
-    assert selected.chosen == {2}
+    assert selected.whole_curves == {2}
     assert "ungroupCurves" not in found
     assert "groupCurves" in found
     three.choose("lowerToBottom")
     assert [curve.name for curve in three.session.document.curves] == ["C", "A", "B"]
     three.trigger("undo")
-    assert selected.chosen == {2}
+    assert selected.whole_curves == {2}
     found = entries(three.open_menu(on_curve(three, 0)))
-    assert selected.chosen == {0, 1}
+    assert selected.whole_curves == {0, 1}
     assert "ungroupCurves" in found
     three.choose("deleteCurve")
     assert [curve.name for curve in three.session.document.curves] == ["C"]

@@ -102,16 +102,16 @@ class Gestures(RuleBasedStateMachine):
         assert self.session.document == self.values[self.at]
         assert not self.tool.is_pressed
         selected, curves = self.session.selected, self.session.document.curves
-        assert selected.group.curves <= selected.edited
+        assert selected.group.curves <= selected.active_curves
         assert bool(selected.points) == bool(selected.group.parts)
         for curve, indices in selected.group.parts:
             assert 0 <= min(indices) <= max(indices) < len(curves[curve].points)
         assert {self.session.active_index} <= selected.curves <= {*range(len(curves))}
         if selected.is_editing:
-            assert selected.chosen == (selected.curves if len(selected.curves) > 1 else set())
+            assert selected.whole_curves == (selected.curves if len(selected.curves) > 1 else set())
         else:
             # Whole curves are chosen, or none: no point of them.
-            assert selected.chosen in (set(), selected.curves)
+            assert selected.whole_curves in (set(), selected.curves)
             assert not selected.points
             # Tools that begin no curve and find no other ones have a curve that is edited.
             assert Part.OTHER_CURVE in self.tool.tool.hits or self.tool.record.empty_message
@@ -166,7 +166,7 @@ class Gestures(RuleBasedStateMachine):
         handles = handles_at(view, chosen), facing(view, chosen)
         polyline = view.flattened(TOLERANCE, SHOWN.box) if view.curve is not None else None
         hit = hit_test(pointer.pixel, SHOWN, view, polyline, chosen, *handles)
-        if Part.OTHER_POINT in parts and self.other in self.session.selected.edited:
+        if Part.OTHER_POINT in parts and self.other in self.session.selected.active_curves:
             places = PixelPoints([(self.other, self.session.views[self.other])], SHOWN)
             found = places.nearest(pointer.pixel, self.session.selected.group)
             hit = nearer(found, hit, pointer.pixel, SHOWN)
@@ -266,7 +266,7 @@ class Gestures(RuleBasedStateMachine):
     @rule(chosen=st.sets(st.integers(0, 1)))
     def leave_the_curve(self, chosen):
         if self.tool.record is SELECT:
-            self.session.selected.choose(chosen)
+            self.session.selected.select_whole(chosen)
 
     @rule(step=st.sampled_from([-1, 1]))
     def walk(self, step):
@@ -346,7 +346,9 @@ class Gestures(RuleBasedStateMachine):
 
     @rule()
     def select_all(self):
-        self.session.selected.set_group(all_points(self.session.document, self.session.selected.edited))
+        self.session.selected.set_group(
+            all_points(self.session.document, self.session.selected.active_curves)
+        )
 
     @rule(curve=st.integers(0, 1))
     def activate(self, curve):

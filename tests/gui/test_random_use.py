@@ -116,7 +116,7 @@ def assert_history_is_exact(session, edited: dict[int, int]) -> None:
         # An equal one where a change has taken its own step back: the step before has what was there first.
         assert session.committed is document or session.committed == document
         # Whole curves that are chosen stay so; a curve that is edited is the one that was behind the step.
-        assert session.active_index in {edited[stack.index()], *session.selected.chosen}
+        assert session.active_index in {edited[stack.index()], *session.selected.whole_curves}
     assert stack.index() == steps
 
 

@@ -86,10 +86,10 @@ def test_all_is_selected_once_more_without_a_word(line):
     line.key(Qt.Key.Key_A, CTRL)
     assert len(line.session.selected.points) == 3
     assert not line.window.status_line.is_refusal
-    line.session.selected.choose([0])
+    line.session.selected.select_whole([0])
     for held in (CTRL, CTRL, CTRL | SHIFT, CTRL | SHIFT):
         line.key(Qt.Key.Key_A, held)
-        assert line.session.selected.chosen == {0}
+        assert line.session.selected.whole_curves == {0}
         assert not line.window.status_line.is_refusal
 
 

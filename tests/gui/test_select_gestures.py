@@ -22,12 +22,12 @@ def paper(editor):
         editor.trigger(tool)
         editor.drag(start, (start[0] + 40, start[1] + 40))
     editor.trigger("selectTool")
-    editor.session.selected.choose([])
+    editor.session.selected.select_whole([])
     return editor
 
 
 def test_shift_click_puts_the_pivot_back(paper):
-    paper.session.selected.choose([0])
+    paper.session.selected.select_whole([0])
     paper.click((40, 20))
     paper.drag((40, 40), (70, 90))
     target = paper.window.canvas.tools.box

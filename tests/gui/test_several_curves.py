@@ -351,7 +351,7 @@ def test_new_duplicate_and_delete(three):
     three.trigger("deleteCurve")
     assert names(three) == "ABC"
     assert not three.session.selected.marked
-    three.session.selected.choose({0, 1, 2})
+    three.session.selected.select_whole({0, 1, 2})
     three.trigger("deleteCurve")
     assert three.curve.points == ()
     assert len(three.session.document.curves) == 1
@@ -388,9 +388,9 @@ def test_a_hidden_curve_that_is_edited_is_explained(three):
     assert three.message == "“B” is hidden. It is drawn faintly while you edit it."
     # It is not edited while it is only chosen.
     active = three.session.active_index
-    three.session.selected.choose([active])
+    three.session.selected.select_whole([active])
     assert three.message == ""
-    three.session.selected.edit_chosen()
+    three.session.selected.edit_selected()
     assert three.message.startswith("“B” is hidden")
     three.trigger("curveVisible")
     assert three.message == ""
@@ -596,7 +596,7 @@ def test_a_press_and_release_of_another_button_does_nothing(three):
 def test_all_that_is_chosen_whole_is_reversed_and_closed(three):
     """One of a group, or of a shape with holes, was, and the others not."""
     before = three.session.document.curves
-    three.session.selected.choose([0, 2])
+    three.session.selected.select_whole([0, 2])
     three.trigger("reverseCurve")
     assert three.session.undo_stack.undoText() == "Reverse 2 curves"
     now = three.session.document.curves
@@ -609,4 +609,4 @@ def test_all_that_is_chosen_whole_is_reversed_and_closed(three):
     three.trigger("undo")
     three.trigger("undo")
     assert three.session.document.curves == before
-    assert three.session.selected.chosen == {0, 2}
+    assert three.session.selected.whole_curves == {0, 2}

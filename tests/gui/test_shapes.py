@@ -208,10 +208,10 @@ def test_one_curve_is_grouped_and_ungrouped(rings):
 
 
 def test_with_nothing_chosen_there_is_nothing_to_combine_or_group(ring):
-    ring.session.selected.choose({0})
+    ring.session.selected.select_whole({0})
     assert ring.action("breakApart").isEnabled()
     assert ring.action("groupCurves").isEnabled()
-    ring.session.selected.choose(())
+    ring.session.selected.select_whole(())
     for name in ("combineCurves", "breakApart", "groupCurves", "ungroupCurves"):
         assert not ring.action(name).isEnabled()
 
@@ -342,7 +342,7 @@ def test_a_title_says_what_of_a_shape_is_meant(ring):
     titles = [ring.action(name) for name in ("deleteCurve", "duplicateCurve")]
     ring.session.selected.activate(0)
     assert [each.text() for each in titles] == ["Delete Shape", "Duplicate Shape"]
-    ring.session.selected.choose(())
+    ring.session.selected.select_whole(())
     fold(ring, "Shape 1")
     click_row(ring, "Inner")
     assert [each.text() for each in titles] == ["Delete Contour", "Duplicate Contour"]
@@ -361,10 +361,10 @@ def test_a_new_curve_does_not_tear_a_shape(ring):
 
 def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
     """The canvas shows a box around it and not around its shape, and every key is about that."""
-    ring.session.selected.choose(())
+    ring.session.selected.select_whole(())
     fold(ring, "Shape 1")
     click_row(ring, "Inner")
-    assert (ring.session.selected.is_editing, ring.session.selected.chosen) == (False, {1})
+    assert (ring.session.selected.is_editing, ring.session.selected.whole_curves) == (False, {1})
     before = ring.session.document
     ring.drag((0.5, 0.3), (0.5, 0.8))
     after = ring.session.document
@@ -374,14 +374,14 @@ def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
     assert names(ring) == ["Outer", "Side"]
     ring.trigger("undo")
     ring.click((2.2, 0.3))
-    assert ring.session.selected.chosen == {0, 1}
+    assert ring.session.selected.whole_curves == {0, 1}
 
 
 def test_what_is_folded_tells_that_a_part_of_it_is_chosen(ring):
     """By a fainter mark with a dot, and in words; not the one that is opened, and not where all of it is."""
     image = [seen_in_list(ring, "Shape 1")]
     fold(ring, "Shape 1")
-    ring.session.selected.choose(())
+    ring.session.selected.select_whole(())
     click_row(ring, "Inner")
     assert heard(ring, 1).endswith(", selected")
     fold(ring, "Shape 1")
@@ -581,17 +581,17 @@ def test_what_is_drawn_or_pasted_comes_on_top_of_all(ring, how):
 @pytest.fixture
 def whole(rings):
     """Outer and Inner a shape, with Side in a group; none is edited, and none chosen."""
-    rings.session.selected.choose({0, 1})
+    rings.session.selected.select_whole({0, 1})
     rings.trigger("combineCurves")
-    rings.session.selected.choose({0, 1, 2})
+    rings.session.selected.select_whole({0, 1, 2})
     rings.trigger("groupCurves")
-    rings.session.selected.choose(())
+    rings.session.selected.select_whole(())
     rings.settle()
     return rings
 
 
 def chosen_as_wholes(editor):
-    return {editor.session.document.curves[place].name for place in editor.session.selected.chosen}
+    return {editor.session.document.curves[place].name for place in editor.session.selected.whole_curves}
 
 
 ALL = {"Outer", "Inner", "Side"}
@@ -621,7 +621,7 @@ def test_with_ctrl_a_click_passes_over_the_group(whole):
 def test_shift_click_chooses_whole_shapes_too_and_no_longer(whole):
     whole.trigger("selectAllCurves")
     whole.trigger("ungroupCurves")
-    whole.session.selected.choose(())
+    whole.session.selected.select_whole(())
     for at, expected in (((6.0, 0.3), {"Side"}), ((2.2, 0.3), ALL), ((2.2, 0.3), {"Side"})):
         whole.click(at, keys=SHIFT)
         assert chosen_as_wholes(whole) == expected
@@ -640,16 +640,16 @@ def test_a_drag_within_a_fill_moves_all_of_the_group(whole):
 def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     whole.drag((6.5, 0.2), (6.6, 0.4), keys=SHIFT)
     assert (chosen_as_wholes(whole), undo_text(whole)) == (set(), "Group 1 shape and 1 curve")
-    whole.session.selected.choose({2})
+    whole.session.selected.select_whole({2})
     whole.trigger("ungroupCurves")
-    whole.session.selected.choose(())
+    whole.session.selected.select_whole(())
     whole.drag((4.5, -1.5), (7.5, 1.5), keys=SHIFT)
     assert chosen_as_wholes(whole) == {"Side"}
 
 
 def test_what_is_counted_are_shapes_and_groups_and_not_their_curves(whole):
     """A word and a circle were "15 curves"."""
-    whole.session.selected.choose({0, 1, 2})
+    whole.session.selected.select_whole({0, 1, 2})
     whole.trigger("ungroupCurves")
     assert whole.action("deleteCurve").text() == "Delete 1 Shape and 1 Curve"
     whole.drag((2.2, 0.3), (2.2, 1.3))
@@ -749,7 +749,7 @@ def test_the_points_of_the_other_curves_of_the_shape_are_seen(edited):
 def test_groups_are_aligned_whole(group):
     group.trigger("selectAllCurves")
     before = group.session.document
-    group.session.selected.choose({0, 1, 2})
+    group.session.selected.select_whole({0, 1, 2})
     group.trigger("alignLeft")
     ways = [
         np.subtract(new.points[0].position, old.points[0].position)

@@ -52,12 +52,12 @@ def test_a_group_is_shown_together_with_its_choice(editor, shown):
     """Of thousands of curves all was drawn, listed and enabled twice, for 170 ms."""
     session = editor.session
     session.commit(Document((SQUARE, LINE, SQUARE)), "Begin", active=0)
-    session.selected.choose((0, 2))
+    session.selected.select_whole((0, 2))
     for each in shown:
         each.clear()
     editor.trigger("groupCurves")
     assert [curve.groups for curve in session.document.curves] == [(), ("Group 1",), ("Group 1",)]
-    assert session.selected.chosen == {1, 2}
+    assert session.selected.whole_curves == {1, 2}
     assert [len(each) for each in shown] == [1, 1]
 
 

@@ -27,7 +27,7 @@ def drawing(editor):
         svg = f'<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">{text}</svg>'
         document = read_svg(svg.encode(), None).document
         editor.session.commit(document, "Begin", active=0)
-        editor.session.selected.choose(range(len(document.curves)))
+        editor.session.selected.select_whole(range(len(document.curves)))
         editor.fit()
         return editor
 

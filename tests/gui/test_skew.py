@@ -31,7 +31,7 @@ def arch(editor):
     )
     editor.session.commit(Document(curves), "Begin")
     editor.window.canvas.camera.show_box((-5, 9), (-5, 6))
-    editor.session.selected.choose({0})
+    editor.session.selected.select_whole({0})
     editor.settle()
     return editor
 
@@ -74,18 +74,18 @@ def test_a_second_click_has_grips_that_rotate_and_skew_and_a_third_such_that_sca
         arch.click(on_curve(arch))
         assert box(arch).turns is turns
         assert arch.action("turnGrips").isChecked() is turns
-    assert arch.session.selected.chosen == {0}
+    assert arch.session.selected.whole_curves == {0}
     turned(arch)
     arch.click(on_curve(arch, 1))
-    assert arch.session.selected.chosen == {1}
+    assert arch.session.selected.whole_curves == {1}
     assert not box(arch).turns, "of what is chosen next the grips scale"
     assert arch.session.document is document
 
 
 def test_a_click_on_one_of_several_turns_the_grips_of_all(arch):
-    arch.session.selected.choose({0, 1})
+    arch.session.selected.select_whole({0, 1})
     turned(arch)
-    assert arch.session.selected.chosen == {0, 1}
+    assert arch.session.selected.whole_curves == {0, 1}
 
 
 def test_ctrl_click_still_chooses_one_of_a_group_that_is_chosen(arch):
@@ -95,9 +95,9 @@ def test_ctrl_click_still_chooses_one_of_a_group_that_is_chosen(arch):
             document, curves=tuple(replace(curve, groups=("Pair",)) for curve in document.curves)
         ),
     )
-    arch.session.selected.choose({0, 1})
+    arch.session.selected.select_whole({0, 1})
     arch.click(on_curve(arch), keys=CTRL)
-    assert arch.session.selected.chosen == {0}
+    assert arch.session.selected.whole_curves == {0}
     assert not box(arch).turns
 
 

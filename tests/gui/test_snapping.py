@@ -460,7 +460,7 @@ def boxes(editor):
     names = ("Line", "Card", "Egg")
     curves = [replace(each, name=name) for each, name in zip(document.curves, names, strict=True)]
     editor.session.commit(replace(document, curves=tuple(curves)), "Begin")
-    editor.session.selected.choose([0])
+    editor.session.selected.select_whole([0])
     editor.window.canvas.camera.show_box((-2, 8), (-3, 5))
     editor.trigger("toggleSnap")
     return editor
@@ -468,7 +468,7 @@ def boxes(editor):
 
 def test_a_point_finds_midpoints(boxes):
     place, label = (1.0, 0.0), "midpoint of Card"
-    boxes.session.selected.edit_chosen()
+    boxes.session.selected.edit_selected()
     boxes.window.store.change(snap_kinds=frozenset({SnapKind.MIDDLES}))
     boxes.press(boxes.point(0))
     boxes.move(near(boxes, place))

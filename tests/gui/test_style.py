@@ -419,7 +419,7 @@ def test_a_style_is_copied_and_pasted_to_all_chosen_curves(editor, panel):
     enter(editor, panel, "strokeWidth", "0.5")
     # As in Inkscape: what was copied as a curve gives its style; and the style alone has keys of its own.
     for copying in (CTRL, CTRL | SHIFT | Qt.KeyboardModifier.AltModifier):
-        editor.session.selected.choose([1])
+        editor.session.selected.select_whole([1])
         QTest.keyClick(editor.window, Qt.Key.Key_C, copying)
         editor.session.selected.set_curves([0, 2])
         QTest.keyClick(editor.window, Qt.Key.Key_V, CTRL | SHIFT)
@@ -625,7 +625,7 @@ def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
 
 def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor, panel):
     editor.escape()
-    assert editor.session.selected.chosen == {1}
+    assert editor.session.selected.whole_curves == {1}
     assert child(panel, QLabel, "styleSubject").text() == "Stem"
     editor.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in editor.session.document.curves] == ["Leaf", "Root"]
@@ -687,7 +687,7 @@ def test_fill_and_stroke_change_places_with_their_opacities_for_all_that_is_chos
         replace(curve, style=look) for curve, look in zip(editor.session.document.curves, looks, strict=True)
     )
     begin(editor, *curves, unit="cm")
-    editor.session.selected.choose({0, 1, 2})
+    editor.session.selected.select_whole({0, 1, 2})
     click(panel, "swapFillAndStrokeButton")
     first, second, third = (curve.style for curve in editor.session.document.curves)
     assert first == Style(fill=BLUE, fill_opacity=0.8, stroke=RED, stroke_opacity=0.5, width=0.3)
@@ -699,7 +699,7 @@ def test_fill_and_stroke_change_places_with_their_opacities_for_all_that_is_chos
 
 
 def test_what_is_drawn_next_has_its_paints_swapped_where_nothing_is_chosen(editor, panel):
-    editor.session.selected.choose(())
+    editor.session.selected.select_whole(())
     before, style = editor.session.document, editor.session.model.style
     editor.key(Qt.Key.Key_X, Qt.KeyboardModifier.ShiftModifier)
     now = editor.session.model.style

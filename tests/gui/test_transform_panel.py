@@ -416,7 +416,7 @@ def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
 
 def test_the_lock_binds_the_grips_at_the_corners(leaf):
     """A corner stretched what the lock of the panel said keeps its proportions."""
-    leaf.session.selected.choose({1})
+    leaf.session.selected.select_whole({1})
     leaf.settle()
     before = size(leaf, 1)
     leaf.trigger("keepProportions")
@@ -490,7 +490,7 @@ def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_
 
 def test_enter_goes_back_to_the_canvas_whose_keys_work_at_once(leaf):
     session, canvas = leaf.session, leaf.window.canvas
-    session.selected.choose([0])
+    session.selected.select_whole([0])
     for name in ("X", "Width", "Angle"):
         enter(leaf, name, "17")
         assert canvas.hasFocus(), name

@@ -273,7 +273,7 @@ def test_a_family_for_several_curves_is_told(waves):
     """Only one of them, and without a word."""
     editor = waves("ABC")
     count = editor.session.undo_stack.count()
-    editor.session.selected.choose((0, 1, 2))
+    editor.session.selected.select_whole((0, 1, 2))
     editor.trigger("familyQuinticHermite")
     families = [curve.family for curve in editor.session.document.curves]
     assert families == [QUINTIC_HERMITE] * 3

@@ -74,13 +74,13 @@ def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
 @pytest.mark.parametrize("places", [{2}, {0, 2}])
 def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
     """It opened that of the canvas."""
-    whole.session.selected.choose(places)
+    whole.session.selected.select_whole(places)
     menu = whole.press_menu_key()
     found = {entry.objectName() for entry in menu.actions()}
     menu.close()
     assert "deleteSelection" in found or "deleteCurve" in found
     assert not {"toggleGrid", "selectAllCurves"} & found
-    assert whole.session.selected.chosen == places
+    assert whole.session.selected.whole_curves == places
 
 
 def test_leaving_is_said_and_no_points_are_shown(three):
@@ -180,7 +180,7 @@ def test_a_click_in_the_list_chooses_as_the_arrow_does(whole):
     assert found == ["C", "A", "AC", "C", "", "A", "ABC"]
     click_row(whole, "C")
     assert state(whole) == (False, "C", "C")
-    assert whole.session.meant_view is whole.session.views[2]
+    assert whole.session.target_view is whole.session.views[2]
     before = whole.session.document
     whole.drag(on_curve(whole, 2), np.add(on_curve(whole, 2), (0.5, 0.0)))
     assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
@@ -332,11 +332,11 @@ def test_shift_adds_and_escape_brings_back_what_was_chosen(whole):
 
 
 def test_hidden_and_locked_curves_are_not_taken(whole):
-    whole.session.selected.choose({2})
+    whole.session.selected.select_whole({2})
     whole.trigger("curveLocked")
-    whole.session.selected.choose({1})
+    whole.session.selected.select_whole({1})
     whole.trigger("curveVisible")
-    whole.session.selected.choose(())
+    whole.session.selected.select_whole(())
     whole.drag((3.6, -0.6), (-0.7, 7.6))
     assert chosen(whole) == "A"
 
@@ -383,7 +383,7 @@ def test_the_box_hugs_what_it_is_around_and_its_grips_stand_outside(three):
 
 
 def test_a_drag_inside_the_box_of_curves_moves_them(whole):
-    whole.session.selected.choose({1, 2})
+    whole.session.selected.select_whole({1, 2})
     before = whole.session.document
     whole.drag((0.5, 5.2), (0.9, 5.4))
     for row, expected in ((0, (0, 0)), (1, (0.4, 0.2)), (2, (0.4, 0.2))):
@@ -407,7 +407,7 @@ def test_a_click_inside_the_box_lets_go(three):
     three.select([0, 1, 2, 3])
     three.click((0.3, 3.9))
     assert (state(three), three.session.selection) == ((True, "", "B"), frozenset())
-    three.session.selected.choose({1, 2})
+    three.session.selected.select_whole({1, 2})
     three.click((0.5, 5.2))
     assert state(three)[:2] == (False, "")
 
@@ -481,7 +481,7 @@ def pixels_of(canvas):
 def test_dragged_curves_are_painted_in_their_places_of_the_order_and_the_others_are_not(pile, chosen):
     """Of curves apart in the order, or more than eight, all were painted in every frame."""
     if chosen is not None:
-        pile.session.selected.choose(chosen)
+        pile.session.selected.select_whole(chosen)
     others, canvas = pile.window.canvas.drawing.others, pile.window.canvas
     layers = others, pile.window.canvas.drawing.curves.above
     x, y = pile.session.views[4].curve.evaluate(0.99)
@@ -506,7 +506,7 @@ def test_dragged_curves_are_painted_in_their_places_of_the_order_and_the_others_
 
 
 def test_what_was_dragged_is_in_the_picture_again_when_something_else_is_painted(pile):
-    pile.session.selected.choose(range(1, 10))
+    pile.session.selected.select_whole(range(1, 10))
     x, y = pile.session.views[4].curve.evaluate(0.99)
     others = pile.window.canvas.drawing.others
     pile.press((float(x), float(y)))
@@ -558,7 +558,7 @@ def test_still_shapes_are_in_as_few_sheets_as_are_worth_it(changed, still):
 
 
 def test_a_duplicate_looks_as_what_it_is_made_from_and_is_chosen(whole):
-    whole.session.selected.choose({2})
+    whole.session.selected.select_whole({2})
     click_swatch(whole, 2, "colour_Vermillion")
     whole.trigger("duplicateCurve")
     assert [curve.style.stroke for curve in whole.session.document.curves] == ["", "", "#d55e00", "#d55e00"]

@@ -258,7 +258,7 @@ def test_another_document_has_no_views_of_the_one_before(drawing):
 
 
 def test_with_nothing_chosen_there_is_nothing_to_zoom_to(drawing):
-    drawing.session.selected.choose(())
+    drawing.session.selected.select_whole(())
     before = drawing.window.canvas.pixel_map.box
     assert not drawing.action("fitSelection").isEnabled()
     drawing.key(Qt.Key.Key_3, CTRL)

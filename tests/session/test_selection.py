@@ -106,7 +106,7 @@ def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_som
     assert dict(selected.group.parts) == {0: {0, 1}, 1: {0, 1}}
     selected.set_group(points_of(1, [1]))
     assert (session.active_index, session.selection, selected.curves) == (1, {1}, {1})
-    selected.choose({0, 1})
+    selected.select_whole({0, 1})
     assert told[-1] == frozenset()
     selected.set_group(everywhere)
     assert (selected.is_editing, dict(selected.group.parts)) == (True, {0: {0, 1}, 1: {0, 1}})
@@ -117,7 +117,7 @@ def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_som
 
 def test_selected_points_go_along_with_their_curves():
     session = session_with(C, replace(A, shape="S"), replace(B, shape="S"), active=1)
-    session.selected.set_group(all_points(session.document, session.selected.edited))
+    session.selected.set_group(all_points(session.document, session.selected.active_curves))
     c, a, b = session.document.curves
     longer = replace(b, points=(*b.points, Point(5.0, 5.0)))
     session.change("A point more", lambda _document: Document((c, a, longer)))

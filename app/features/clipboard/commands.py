@@ -114,7 +114,7 @@ class HighlightCommands:
         arrival, words = with_parts(session.document, parts, session.active_index), what.points.count_label
         if session.change(f"Duplicate {words}", lambda _: arrival.document, active=arrival.indices.start):
             session.selected.set_curves(arrival.indices)
-            session.selected.set_group(all_points(session.document, session.selected.edited))
+            session.selected.set_group(all_points(session.document, session.selected.active_curves))
             name = name_or_count(session.document, arrival.indices)
             it = f"“{name}”, which lies" if len(parts) == 1 else f"{name}, which lie"
             session.say(f"{words} as {it} on the original; drag one to move it.")

@@ -159,7 +159,7 @@ class PasteCommands:
         with session.batch:
             if not session.change(f"Paste {name}", lambda _: document, active=indices.start):
                 return
-            session.selected.choose_brought(indices, style)
+            session.selected.select_imported(indices, style)
         is_one = common_name(document, indices) is not None
         message = f"Pasted “{name}”; it is selected." if is_one else f"Pasted {name}; they are selected."
         if not framing.shows_curves(indices):

@@ -155,7 +155,7 @@ class CurveListCommands:
         is_done = session.change(
             f"Delete {name_or_count(document, free)}",
             lambda document: remove_curves(document, free),
-            active=active_after_removal(document, free, session.active_index, session.selected.edited),
+            active=active_after_removal(document, free, session.active_index, session.selected.active_curves),
         )
         if is_done and stays:
             session.say(f"{stays}.")
@@ -294,7 +294,7 @@ class RowEdits:
         elif node.kind is NodeKind.CURVE:
             selected.set_curves(node.indices)
         else:
-            selected.choose(node.indices)
+            selected.select_whole(node.indices)
 
     def _select_rows(self, indices: frozenset[int]) -> None:
         """Select these curves together; an empty selection keeps an edited curve."""
@@ -302,7 +302,7 @@ class RowEdits:
         if indices or selected.is_editing:
             selected.set_curves(indices)
         else:
-            selected.choose(())
+            selected.select_whole(())
 
     def _select_row(self, node: Node) -> None:
         session, indices = self._session, frozenset(node.indices)

@@ -86,7 +86,7 @@ class CurveSettingsCommands:
     @Panel("curveDock", "Curve", built_at_start=True)
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the form."""
-        self._rendered = self._session.meant_view
+        self._rendered = self._session.target_view
         self.panel = CurveSettings(self._rendered, parent)
         self._edits = FormEdits(self._session, self.panel)
         self.panel.settings.rebuilt.connect(self._connect_sliders)
@@ -122,7 +122,7 @@ class CurveSettingsCommands:
 
     def render_panel(self, view: CurveView) -> None:
         """Show the curve to edit; a change of the selected points leaves the form as it is."""
-        if (view_to_show := self._session.meant_view) is not self._rendered:
+        if (view_to_show := self._session.target_view) is not self._rendered:
             self._rendered = view_to_show
             self.panel.render_view(view_to_show)
 

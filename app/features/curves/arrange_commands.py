@@ -117,7 +117,10 @@ class OrderCommands:
 
     def _commit_gathered(self, name: str, arrange: Arrange, step: int, where: str) -> None:
         """Move the selected curves in the order, as one step."""
-        session, what = self._session, name_or_count(self._session.document, self._session.selected.whole)
+        session, what = (
+            self._session,
+            name_or_count(self._session.document, self._session.selected.with_shapes),
+        )
         document = reorder_curves(session.document, arrange(session.document, session.selected.curves, step))
         active = index_of(document, session.active_curve)
         if session.change(name.format(what), lambda _: document, active=active):
@@ -280,4 +283,4 @@ class ShapeCommands:
         return is_done
 
     def _choose(self, curves: Collection[int]) -> None:
-        self._session.selected.choose(curves)
+        self._session.selected.select_whole(curves)

@@ -218,7 +218,7 @@ class CurveCommands:
     @property
     def _several_whole(self) -> list[int]:
         """The selected curves with at least two points, where several curves are selected."""
-        session, selected = self._session, self._session.selected.meant
+        session, selected = self._session, self._session.selected.target_curves
         several = [index for index in sorted(selected) if len(session.document.curves[index].points) > 1]
         return several if len(selected) > 1 else []
 

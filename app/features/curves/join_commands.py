@@ -70,7 +70,7 @@ class JoinCommands:
             self._join_ends(link)
         elif len(session.selected.group.parts) > 1:
             session.refuse("Select only one end of each of two open curves to join them there.")
-        elif len(session.selected.chosen) > 1:
+        elif len(session.selected.whole_curves) > 1:
             self._join_selected()
         else:
             self._join_to_nearest_start()
@@ -113,7 +113,7 @@ class JoinCommands:
 
     def _join_selected(self) -> None:
         session, views = self._session, self._session.views
-        is_open = (index for index in session.selected.chosen if not views[index].source.is_closed)
+        is_open = (index for index in session.selected.whole_curves if not views[index].source.is_closed)
         curves = sorted(index for index in is_open if len(views[index].points))
         if len(curves) < 2:
             session.refuse("Select at least two open curves to join them. Closed curves have no ends.")
@@ -162,7 +162,7 @@ class JoinCommands:
         if session.selected.is_editing:
             session.selected.set_points(results[0].seams)
         else:
-            session.selected.choose([session.active_index])
+            session.selected.select_whole([session.active_index])
         what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
         shapes = "shapes kept" if keeps_shape(results[0].residual, (results[0].curve,)) else "shapes changed"
         session.say(f"Joined {what}: {shapes}, largest change {number(results[0].residual, 2)}.")

@@ -51,7 +51,9 @@ class HelpCommands:
             tool=context.store.state.tool,
             point_count=selected.group.count,
             has_derivatives=context.session.active_curve.family.derivatives > 0,
-            curves=count_label(context.session.document, selected.chosen) if selected.chosen else "",
+            curves=count_label(context.session.document, selected.whole_curves)
+            if selected.whole_curves
+            else "",
         )
         self._sheet.open(state, [(menu.title, context.actions.shortcuts(menu)) for menu in MENUS])
 

@@ -266,9 +266,11 @@ class ImportCommands:
         added, document, selected = arrival.indices, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):
             # Added curves are selected, ready to be moved as a whole, except locked ones.
-            selected.choose_brought([index for index in added if document.curves[index].is_selectable], style)
+            selected.select_imported(
+                [index for index in added if document.curves[index].is_selectable], style
+            )
         elif len(added) > 1:
-            selected.choose_brought((), self._session.files.blank().curves[0].style)
+            selected.select_imported((), self._session.files.blank().curves[0].style)
 
     def _show_added(self, done: str, path: Path, arrival: AddedCurves, deviation: float, rest: str) -> None:
         """Show the imported curves, and describe them in the status line."""

@@ -60,7 +60,7 @@ class ExportCommands:
         if of_document := remembered.choice_of(session.files.last_export):
             return of_document
         usual = remembered.choice_from(self._preferences.export_choice)
-        return usual.of_selected() if session.selected.chosen else usual
+        return usual.of_selected() if session.selected.whole_curves else usual
 
     @property
     def _dialog_signals(self) -> tuple[SignalInstance, ...]:
@@ -202,7 +202,7 @@ class CopyCommands:
         put: Callable[[Any, str], None],
     ) -> None:
         """Do work on the copied curves beside the window, and put the result on the clipboard."""
-        document, selected = self._session.document, self._session.selected.chosen
+        document, selected = self._session.document, self._session.selected.whole_curves
         what = "the drawing"
         if selected:
             document, what = extract_curves(document, selected), name_or_count(document, selected)

@@ -238,11 +238,11 @@ class PointCommands:
         """Select all points of the edited curves; while none is edited, all visible, unlocked curves."""
         session, selected = self._session, self._session.selected
         if selected.is_editing:
-            selected.set_group(all_points(session.document, selected.edited))
+            selected.set_group(all_points(session.document, selected.active_curves))
             if len(selected.group.parts) > 1:
                 session.say(f"{selected.group.count_label} selected.")
         else:
-            selected.choose(free := selectable_curves(session.document))
+            selected.select_whole(free := selectable_curves(session.document))
             if not free:
                 session.refuse(NONE_SELECTABLE)
 
@@ -264,11 +264,11 @@ class PointCommands:
             selected.set_group(
                 group_points(
                     (curve, frozenset(range(len(curves[curve].points))) - selected.group.of(curve))
-                    for curve in selected.edited
+                    for curve in selected.active_curves
                 )
             )
         elif free := selectable_curves(session.document):
-            selected.choose(free - selected.chosen)
+            selected.select_whole(free - selected.whole_curves)
         else:
             session.refuse(NONE_SELECTABLE)
 
@@ -285,9 +285,9 @@ class PointCommands:
         """Show and edit the points of the selected curves (Enter), or return to whole curves (Escape)."""
         selected = self._session.selected
         if selected.is_editing:
-            selected.choose(selected.curves)
+            selected.select_whole(selected.curves)
         else:
-            selected.edit_chosen()
+            selected.edit_selected()
 
     @action(
         "resetVelocities",

@@ -120,7 +120,7 @@ class RuleCommands:
 
     def render_panel(self, view: CurveView) -> None:
         """Show the rule of the edited or selected curve in the toolbar."""
-        self._bar.render_view(self._session.meant_view)
+        self._bar.render_view(self._session.target_view)
 
     @action_for_each(
         FAMILIES,
@@ -141,7 +141,7 @@ class RuleCommands:
     @also_for_each(lambda family: (_position_of(family),))
     def _use_family(self, family: Family) -> None:
         session = self._session
-        selected = sorted(session.selected.meant)
+        selected = sorted(session.selected.target_curves)
         several = f"{name_or_count(session.document, selected)} to " if len(selected) > 1 else ""
         before = list[CurveView]()
 

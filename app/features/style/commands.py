@@ -121,7 +121,7 @@ class StyleCommands:
         An empty curve is what is drawn next.
         """
         session, selected = self._session, self._session.selected
-        if selected.marked and not selected.is_lent:
+        if selected.marked and not selected.is_implicit:
             return selected.marked
         return frozenset() if session.active_curve.points else frozenset({session.active_index})
 

@@ -74,11 +74,11 @@ def _can_align(state: ActionState) -> bool:
 
 def _curves(session: Session) -> frozenset[int]:
     """Return the curves to align while no points are selected: those chosen, or the one that is edited."""
-    return session.selected.chosen or expand_to_shapes(session.document, session.selected.marked)
+    return session.selected.whole_curves or expand_to_shapes(session.document, session.selected.marked)
 
 
 def _say_what_stays(session: Session, change: Change) -> None:
-    if change and (stays := locked_remark(session.document, session.selected.chosen)):
+    if change and (stays := locked_remark(session.document, session.selected.whole_curves)):
         session.say(f"{stays}.")
 
 
@@ -155,7 +155,7 @@ class AlignCommands:
                 lambda document: distribute_points(document, group, each.axis),
             )
             return
-        curves = unlocked_curves(session.document, session.selected.chosen)
+        curves = unlocked_curves(session.document, session.selected.whole_curves)
         change = session.change(
             f"Distribute {each.what.lower()}{'of ' if each.what else ''}"
             f"{name_or_count(session.document, curves)} "

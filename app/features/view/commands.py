@@ -120,12 +120,12 @@ class ViewCommands:
         """Choose the curves that are edited as wholes that are edited no longer, then none."""
         session, selected = self._session, self._session.selected
         if not selected.is_editing:
-            if selected.chosen:
-                selected.choose(())
+            if selected.whole_curves:
+                selected.select_whole(())
                 session.say("No curve is selected.")
             return
-        selected.choose(selected.curves)
-        session.say(self._told_whole(selected.chosen))
+        selected.select_whole(selected.curves)
+        session.say(self._told_whole(selected.whole_curves))
 
     def _told_whole(self, chosen: Collection[int]) -> str:
         """Return the sentence that curves are chosen as wholes, and how their points are edited."""
@@ -170,7 +170,7 @@ class ViewCommands:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)
         self._store.change(tool=tool, moves_image=False)
-        chosen = self._session.selected.chosen if tool is SELECT else frozenset()
+        chosen = self._session.selected.whole_curves if tool is SELECT else frozenset()
         self._context.status_line.show_hint(self._told_whole(chosen) if chosen else tool.hint)
 
     @action_for_each(

@@ -107,9 +107,9 @@ class SelectTool(Tool):
     def key(self, event: ToolEvent, key: str) -> bool:
         """Edit the selected curves with Enter."""
         selected = event.session.selected
-        if key != "enter" or selected.is_editing or not selected.chosen:
+        if key != "enter" or selected.is_editing or not selected.whole_curves:
             return super().key(event, key)
-        selected.edit_chosen()
+        selected.edit_selected()
         select_hit(event)
         return True
 
@@ -186,7 +186,12 @@ def _deselect(event: ToolEvent) -> None:
 def _click_at_pivot(event: ToolEvent) -> Click | None:
     """Return what a click on the pivot of selected curves means: another curve that lies there."""
     hit, selected = event.hit, event.session.selected
-    if hit is None or hit.part is not Part.OTHER_CURVE or selected.is_editing or hit.index in selected.chosen:
+    if (
+        hit is None
+        or hit.part is not Part.OTHER_CURVE
+        or selected.is_editing
+        or hit.index in selected.whole_curves
+    ):
         return None
     return lambda _release: click_curve(event, hit)
 
