@@ -1,6 +1,6 @@
 """Curve families that a person wrote in a file of Python, checked before they are used.
 
-The least that such a file says::
+The least that such a file defines::
 
     name = "gaussian"                  # what documents store
 
@@ -8,12 +8,16 @@ The least that such a file says::
         ...
 
 Where `B_i(t_j)` is not 1 for i = j and 0 else, the curve misses its points; that is measured and reported,
-unless the file says so itself. It may say more: ``title``, what people read; ``basis(t, parameters, order)``
-for derivatives, which else are differences; ``breaks(parameters)``, where they jump; ``interpolates = False``
-where the curve is meant to pass its points by, ``can_close = True`` where a curve whose last point is its
-first goes on smoothly there; a docstring: its first line says what its curves are; ``settings``, a list of
-`FamilySetting`, whose values those functions get by name that take them: ``basis(t, parameters, width)``.
-Classes derived from `curvecore.ParametricCurve` with a name are families, too.
+unless the file says so itself. It may define more:
+
+- ``title``, the name that people read; a docstring, whose first line says what its curves are;
+- ``basis(t, parameters, order)`` for derivatives, which are differences without it;
+- ``breaks(parameters)``: the parameters at which derivatives jump;
+- ``interpolates = False``, where the curve passes beside its points on purpose;
+- ``can_close = True``, where a curve whose last point is its first is smooth there;
+- ``settings``, a list of `FamilySetting`: functions get the values by name: ``basis(t, parameters, width)``.
+
+Classes derived from `curvecore.ParametricCurve` with a name are families as well.
 """
 
 from __future__ import annotations

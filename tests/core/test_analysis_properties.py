@@ -57,7 +57,7 @@ def test_boxes_lengths_and_nearest_points(curve):
 
 @profile
 @given(curves)
-def test_places_are_in_the_domain_and_ordered(curve):
+def test_parameters_of_results_are_in_the_domain_and_ordered(curve):
     first, last = curve.domain
     t, _, _ = samples(curve)
     bends = curvature(curve, t)

@@ -129,7 +129,7 @@ def test_derivatives_by_differences_of_the_basis(twins, order, digits):
     assert np.abs(bare.evaluate(WHERE, order) - exact).max() < 10.0**-digits * np.abs(exact).max()
 
 
-def test_derivatives_of_what_is_no_polynomial(rng):
+def test_derivatives_of_curves_that_are_no_polynomials(rng):
     t = uniform(9)
     curve = BasisCurve(rng.standard_normal((9, 2)), t, GAUSSIANS)
     step = 1e-4
@@ -151,7 +151,7 @@ def test_differences_keep_their_digits_far_from_zero(order, error):
     assert np.abs(found - exact).max() < error
 
 
-def test_derivatives_of_its_own_are_used():
+def test_derivatives_that_a_scheme_gives_are_used():
     curve = BasisCurve([[1.0, 0.0], [0.0, 1.0]], [2.0, 4.0], QUARTER)
     assert curve.evaluate([3.0], 1)[0] == pytest.approx([-np.sqrt(0.5) * np.pi / 4, np.sqrt(0.5) * np.pi / 4])
     assert curvature(curve, [2.3, 3.9]) == pytest.approx([1.0, 1.0])
@@ -268,7 +268,7 @@ def test_chains(points):
     assert moved.evaluate(places + 3.0) == pytest.approx(chain.evaluate(places), abs=1e-12)
 
 
-def test_what_needs_polynomials_says_so(points):
+def test_functions_that_need_polynomials_refuse_other_curves(points):
     curve = BasisCurve(points, chebyshev(6), GAUSSIANS)
     with pytest.raises(CurveError, match="polynomials whose data are known"):
         bezier_stretch(curve, 0.0, 0.5)

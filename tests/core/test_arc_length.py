@@ -123,7 +123,7 @@ def test_lagrange_lengths_decade_by_decade(rng, exact, n):
 
 
 @each_row("tolerance", TOLERANCES)
-def test_a_cusp_is_within_the_bound_too(tolerance):
+def test_the_length_of_a_cusp_is_within_the_bound(tolerance):
     length = arc_length(CUSP, tolerance)
     assert abs(length.value - CUSP_LENGTH) <= length.error
     assert length.error <= tolerance

@@ -85,7 +85,7 @@ def test_a_value_at_a_parameter_and_the_points_that_are_missed():
     assert curve.evaluate(0.25) == pytest.approx(POINTS[1] + 0.4 * POINTS[2])
 
 
-def test_a_function_that_is_too_low_at_its_own_parameter():
+def test_a_function_below_one_at_its_parameter_is_a_defect():
     curve = curve_of(lambda t, parameters: hats(t, parameters) * np.array([1.0, 1.0, 1.0, 0.25, 1.0]))
     assert cardinal_defect(curve) == CardinalDefect(3, 3, 0.25)
     assert cardinal_defect(curve).wanted == 1

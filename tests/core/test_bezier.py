@@ -121,7 +121,7 @@ def test_cubic_path_keeps_the_tolerance(rng, tolerance):
 
 
 @pytest.mark.parametrize("degree", [3, 5, 12, 30])
-def test_between_the_samples_a_polynomial_is_no_larger_than_said(rng, degree):
+def test_a_polynomial_stays_below_the_bound_between_samples(rng, degree):
     """For random ones and those that swing most between their zeros (Ehlich and Zeller 1964)."""
     samples, margin = chebyshev_samples(degree)
     series = np.vstack([np.eye(degree + 1)[-1], rng.standard_normal((200, degree + 1))])
@@ -132,7 +132,7 @@ def test_between_the_samples_a_polynomial_is_no_larger_than_said(rng, degree):
     assert margin < 1.3
 
 
-def test_what_is_said_to_be_a_bound_is_one(rng):
+def test_deviations_stay_below_the_reported_bound(rng):
     points = np.vstack([rng.standard_normal((11, 2)), [[5.0, 5.0], [5.0, 5.0 + 1e-6]]])
     for curve in (LagrangeCurve(points, chord_length(points)), *curves(rng)):
         path = cubic_path(curve, 1e-5)

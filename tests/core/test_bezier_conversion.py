@@ -60,7 +60,7 @@ def test_the_condition_number_is_that_of_the_matrix(t):
     assert found == pytest.approx(np.linalg.cond(matrix, np.inf), rel=1e-9)
 
 
-def test_the_condition_number_is_what_errors_may_grow_by():
+def test_errors_grow_by_the_condition_number_at_most():
     t = uniform(7)
     matrix = lagrange_to_bezier(LagrangeCurve(np.eye(7), t)).control_points
     worst = int(np.argmax(np.abs(matrix).sum(axis=1)))
@@ -68,13 +68,13 @@ def test_the_condition_number_is_what_errors_may_grow_by():
     assert np.abs(moved.control_points).max() == pytest.approx(moved.condition, rel=1e-14)
 
 
-def test_two_points_are_their_own_control_points():
+def test_the_control_points_of_two_points_are_these_points():
     found = lagrange_to_bezier(LagrangeCurve([[0.0, 1.0], [2.0, 5.0]], [3.0, 4.5]))
     assert found.control_points.tolist() == [[0.0, 1.0], [2.0, 5.0]]
     assert found.condition == 1.0
 
 
-def test_hermite_segments_and_parts_of_them(rng):
+def test_control_points_of_hermite_segments_and_of_parts(rng):
     t = np.array([0.0, 0.25, 1.0, 1.5])
     data = rng.standard_normal((3, 4, 2))
     for curve in (HermiteCurve(*data[:2], t), QuinticHermiteCurve(*data, t)):

@@ -311,7 +311,7 @@ def test_a_jump_across_the_value_counts_if_it_shall():
     assert step.roots(discontinuity=False).tolist() == []
 
 
-def test_derivatives_of_what_has_kinks_are_solved_from_both_sides_of_them():
+def test_derivatives_of_curves_with_kinks_are_solved_on_both_sides():
     """At a break the piece behind it counts: a polygon's slope was followed by 300 wild pieces."""
 
     def hats(t, parameters, order):
@@ -479,14 +479,14 @@ def test_polynomials_of_another_kind_are_refused(family, polynomial, message):
         family.from_bpoly(given)
 
 
-def test_what_is_no_polynomial_has_no_bpoly():
+def test_a_curve_that_is_no_polynomial_has_no_bpoly():
     with pytest.raises(CurveError, match="cubic_path approximates others"):
         CURVES["gaussian"].to_bpoly()
     with pytest.raises(CurveError, match="polynomials of a moderate degree"):
         LagrangeCurve(np.zeros((65, 1)), uniform(65)).to_bpoly()
 
 
-def test_without_scipy_one_sentence_says_what_is_missing(monkeypatch):
+def test_without_scipy_one_sentence_names_it(monkeypatch):
     plain = builtins.__import__
 
     def without(name, *arguments, **keywords):

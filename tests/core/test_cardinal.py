@@ -223,7 +223,7 @@ def test_a_closed_curve_is_one_of_its_points(rng):
         assert (random.jets[:, 0, 0] == random.jets[:, -1, 0]).all()
 
 
-def test_corners_have_two_sides_and_what_was_set_stays(rng):
+def test_corners_have_two_sides_and_given_velocities_stay(rng):
     t, corner = DYADIC, 3
     parts = (slice(0, corner + 1), slice(corner, 7))
     velocity = np.array([[1.0, 2.0]])
@@ -253,7 +253,7 @@ def test_corners_have_two_sides_and_what_was_set_stays(rng):
     assert lebesgue_constant(cardinal) > 1.1
 
 
-def test_without_estimates_they_are_the_functions_of_the_family(rng):
+def test_without_estimates_cardinal_functions_are_those_of_the_family(rng):
     at = between(DYADIC)
     points = rng.standard_normal((7, 2))
     curves = [LagrangeCurve(points, DYADIC), HermiteCurve(points, points, DYADIC)]
@@ -302,7 +302,7 @@ def test_any_six_neighbours_have_errors_of_all_signs(count):
             assert len(np.unique(window, axis=1).T) == 2**width
 
 
-def test_what_cannot_be_is_refused():
+def test_effects_that_do_not_fit_the_curve_are_refused():
     curve = HermiteCurve(UNEVEN, UNEVEN, chord_length(UNEVEN))
     with pytest.raises(CurveError, match="follow must return"):
         CardinalBasis(curve, lambda moves: (moves, moves))

@@ -42,7 +42,7 @@ def test_the_basis_and_the_data_give_the_curve_also_at_a_corner():
     assert joint_of_row(chain).tolist() == [0, 1, 2, 2, 3, 4]
 
 
-def test_at_a_corner_the_piece_after_it_counts():
+def test_at_a_corner_the_later_piece_counts():
     chain = corner_at_two()
     assert chain.evaluate(2.5).tolist() == [3.0, 1.0]
     assert chain.evaluate(2.5, 1).tolist() == [2.0, 2.0]

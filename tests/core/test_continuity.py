@@ -274,7 +274,7 @@ def near_points(gap):
     return HermiteCurve(points, natural_spline_velocities(points, t), t)
 
 
-def test_what_rounding_hides_is_not_decided():
+def test_a_class_hidden_by_rounding_is_left_open():
     """Velocities of the natural spline: c'' goes on, but 1e-12 apart nobody sees that in doubles."""
     for joint in joint_report(near_points(1e-12)):
         assert (joint.label, joint.parametric, joint.geometric) == ("≥C1", 1, 1)
@@ -304,7 +304,7 @@ def test_beyond_the_range_of_doubles_nothing_is_certain(size, duration, label):
         ((-1, -1), (False, False), "break"),
     ],
 )
-def test_labels_say_what_is_not_decided(orders, is_open, label):
+def test_labels_mark_classes_that_are_left_open(orders, is_open, label):
     (joint,) = joint_report(HermiteCurve(POINTS[:3], POINTS[:3], T[:3]))
     names = ("parametric", "geometric", "is_parametric_open", "is_geometric_open")
     assert joint._replace(**dict(zip(names, (*orders, *is_open), strict=True))).label == label

@@ -232,7 +232,7 @@ KINDS = [*ENDS, "b_spline", "bessel", "quintic", "septic", "line", "natural velo
 
 
 @each_row("kind", KINDS)
-def test_what_is_certain_is_true(kind, rng):
+def test_certain_classes_are_true(kind, rng):
     """A jump was none below 1e-9 of its terms, which are 1e20 times the values beside a short piece."""
     decided = 0
     ctx.prec, was = 400, ctx.prec

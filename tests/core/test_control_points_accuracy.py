@@ -198,7 +198,7 @@ def test_ends_and_positive_functions(rng, make, n):
 
 @each_row("n", [2, 3, 4, 5, 9])
 @each_row("make", CLASSES)
-def test_places_reproduce_t(rng, make, n):
+def test_nodes_reproduce_t(rng, make, n):
     """With the Greville abscissae as points the curve is t itself (linear precision)."""
     parameters = np.sort(rng.random(n))
     places = make(rng.standard_normal((n, 2)), parameters).nodes

@@ -182,7 +182,7 @@ def test_many_parameters_at_once_change_nothing(rng, order, ends):
 
 
 @each_row("ends", ENDS)
-def test_it_is_the_hermite_curve_with_its_velocities(rng, ends):
+def test_a_spline_is_the_hermite_curve_with_its_velocities(rng, ends):
     t = np.sort(rng.random(12))
     curve = CubicSplineCurve(rng.standard_normal((12, 3)), t, ends=ends)
     velocities = [*(each.jets[0, 1] for each in curve.interpolants()), curve.interpolants()[-1].jets[1, 1]]
@@ -198,7 +198,7 @@ def test_it_is_the_hermite_curve_with_its_velocities(rng, ends):
 
 
 @each_row("ends", ENDS)
-def test_its_joints_are_smooth_to_the_second_derivative(rng, ends):
+def test_joints_of_a_spline_are_smooth_to_the_second_derivative(rng, ends):
     t = np.sort(rng.random(12))
     points = rng.standard_normal((12, 2))
     points[-1] = points[0]
@@ -215,7 +215,7 @@ def test_its_joints_are_smooth_to_the_second_derivative(rng, ends):
         assert (edges == 0.0).all() == (ends is same)
 
 
-def test_it_bends_least(rng):
+def test_the_natural_spline_bends_least(rng):
     """Of all curves through the points the natural spline has the least integral of c''^2."""
     t = np.sort(rng.random(8))
     points = rng.standard_normal((8, 1))
@@ -332,7 +332,7 @@ def test_copies_and_pickles_keep_the_ends(rng):
     assert curve.with_jets(curve.jets).ends is curve.with_data(curve.jets, uniform(5)).ends is again.ends
 
 
-def test_what_is_refused():
+def test_wrong_arguments_of_a_spline_are_refused():
     points = [[0.0], [1.0], [0.0]]
     with pytest.raises(CurveError, match=r"ends must be one of natural, .*, periodic, not 'free'"):
         CubicSplineCurve(points, [0.0, 0.5, 1.0], ends="free")

@@ -74,14 +74,14 @@ def test_the_names_are_those_of_the_stub(package):
 
 
 @each_row("name", NAMES)
-def test_it_has_an_example_and_names_its_kin(name):
+def test_a_public_name_has_an_example_and_a_see_also(name):
     sections = sections_of(OBJECTS[name])
     assert ">>> " in sections.get("Examples", ""), "no example"
     assert sections.get("See Also"), "no See Also"
 
 
 @each_row("name", DESCRIBED)
-def test_its_arguments_and_results_are_described(name):
+def test_arguments_and_results_are_described(name):
     thing = DESCRIBED[name]
     sections = sections_of(thing)
     missing = set(parameters_of(thing)) - described_in(sections.get("Parameters", ""))
@@ -94,7 +94,7 @@ def test_its_arguments_and_results_are_described(name):
 
 
 @each_row("name", [*DESCRIBED, "curvecore"])
-def test_its_examples_run(name):
+def test_examples_run(name):
     # A finder would look for the thing's module among all that are imported.
     text = DESCRIBED.get(name, curvecore).__doc__
     examples = doctest.DocTestParser().get_doctest(text, {}, name, filename=None, lineno=0)
@@ -104,7 +104,7 @@ def test_its_examples_run(name):
 
 
 @each_row("name", NAMES)
-def test_what_it_names_is_there(name):
+def test_names_in_docstrings_exist(name):
     """Names in See Also lines and in single quotes of `curvecore` itself."""
     section = sections_of(OBJECTS[name]).get("See Also", "")
     named = [

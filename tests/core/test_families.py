@@ -59,7 +59,7 @@ def test_inputs_are_copied(family, rng):
 
 
 @every_interpolant
-def test_goes_through_its_points_exactly(family, rng):
+def test_a_curve_goes_through_its_points_exactly(family, rng):
     for parameters in (PARAMETERS, PARAMETERS * 1e150, PARAMETERS * 1e-150, 1e6 + PARAMETERS, PARAMETERS / 3):
         curve = build(family, rng, parameters=parameters)
         assert (curve.evaluate(parameters) == curve.points).all()
@@ -110,7 +110,7 @@ def test_parameters_of_any_shape_lead_the_shape_of_the_result(family, rng, shape
 
 
 @every_family
-def test_parameters_in_any_order_of_memory_keep_their_places(family, rng):
+def test_parameters_in_any_memory_order_keep_their_indices(family, rng):
     curve = build(family, rng)
     t = np.asfortranarray(rng.uniform(0.0, 1.0, (4, 3)))
     assert curve.evaluate(t)[2, 1] == pytest.approx(curve.evaluate(t[2, 1]), rel=1e-12)
@@ -145,7 +145,7 @@ def test_a_period_that_rounding_fills_up_stays_inside_the_domain(family, rng):
 
 
 @each_row("wrong", ["Periodic", None, 1, "no"])
-def test_other_ways_to_extrapolate_are_refused(rng, wrong):
+def test_unknown_values_of_extrapolate_are_refused(rng, wrong):
     curve = build("lagrange", rng)
     with pytest.raises(CurveError, match=r"extrapolate must be True, False or 'periodic', not"):
         curve.evaluate([0.5], extrapolate=wrong)

@@ -153,7 +153,7 @@ def test_smooth_bends_are_no_corners(noise):
     assert sharp_turns(data, 0.1) == []
 
 
-def test_errors_of_dense_data_do_not_lengthen_the_way():
+def test_errors_of_dense_data_do_not_lengthen_the_path():
     """The polyline through these data is 20 times as long as the wave: joints by its length lay anywhere."""
     data = wave(10_000, turns=1.0) + 0.01 * NUMBERS.normal(size=(10_000, 2))
     found = fit(data, HermiteCurve, tolerance=0.06)
@@ -171,7 +171,7 @@ def test_given_parameters_stay():
     assert set(found.curve.parameters) <= set(t)
 
 
-def test_what_cannot_be_reached_is_told():
+def test_a_tolerance_out_of_reach_is_reported():
     noisy = wave(200) + 0.05 * NUMBERS.normal(size=(200, 2))
     found = fit(noisy, LagrangeCurve, tolerance=1e-6)
     assert found.deviation > 1e-6
@@ -241,7 +241,7 @@ def test_a_tolerance_below_the_errors_gives_few_points_and_says_so(family, noisy
     assert found.root_mean_square <= 0.011
 
 
-def test_what_has_a_trend_is_not_taken_for_errors():
+def test_residuals_with_a_trend_do_not_count_as_errors():
     """A wave too fine for few points is off as far as noise would be, but neighbours to the same side."""
     x = np.linspace(0.0, 6.0, 3000)
     ripple = np.stack([x, 0.05 * np.sin(40.0 * x)], axis=1)

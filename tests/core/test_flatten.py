@@ -237,7 +237,7 @@ def test_of_a_curve_too_wild_for_its_vertices_nothing_is_measured_between_them()
         ("lagrange", 40, 1.0, 1e-3),
     ],
 )
-def test_how_far_a_polyline_of_too_few_vertices_is_off_is_said(rng, name, n, size, tolerance):
+def test_a_polyline_of_too_few_vertices_reports_its_deviation(rng, name, n, size, tolerance):
     """It missed the tolerance up to 45 times without a sign, and its bounds were those of longer pieces."""
     points = size * rng.standard_normal((n, 2))
     curve = family(name, points, chebyshev(n) if n == 1000 else uniform(n))

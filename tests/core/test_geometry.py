@@ -280,7 +280,7 @@ def test_an_ellipse_has_four_vertices():
     assert max(near) < 1e-3
 
 
-def test_straight_lines_have_none_of_it():
+def test_straight_lines_have_no_curvature():
     t = np.array([0.0, 0.1, 0.5, 0.7, 1.0])
     for name in FAMILIES:
         curve = family(name, np.outer(t, [3.0, 1.0]) + 0.1, t)
@@ -345,7 +345,7 @@ def exact_curvature(exact, curve, t):
     return float((unit[0] / (unit[1] * unit[1].sqrt())).mid())
 
 
-def test_the_curvature_between_near_points_is_told_with_its_error(exact):
+def test_the_curvature_between_near_points_has_an_error_bound(exact):
     """Between points 1e-9 apart 1.5 was told, where it is -1.5: no rounding was mentioned."""
     for gap in (1e-3, 1e-6, 1e-9, 1e-12):
         points = np.array([[0.0, 0.0], [1.0, 1.0], [1.0 + gap, 1.0], [2.0, 0.0]])
@@ -387,7 +387,7 @@ def test_where_estimates_cancel_the_curvature_has_no_bound(family):
     assert np.isinf(curvature_error(curve, t[1])).all()
 
 
-def test_beside_a_cusp_the_error_of_the_curvature_grows_and_at_it_there_is_no_bound(exact):
+def test_the_error_of_the_curvature_grows_beside_a_cusp_and_has_no_bound_at_the_cusp(exact):
     # Control points (0, 0), (1, 1), (0, 1), (1, 0): c'(1/2) = 0.
     cusp = HermiteCurve([[0, 0], [1, 0]], [[3, 3], [3, -3]], [0, 1])
     where = 0.5 + np.array([1e-3, 1e-5, 1e-8, 1e-12])

@@ -85,7 +85,7 @@ def test_a_copy_cannot_be_changed_and_says_the_same(name, way, used):
 
 @each_row("name", OBJECTS)
 @each_row("way", WAYS)
-def test_what_holds_the_same_is_equal(name, way):
+def test_curves_with_the_same_data_are_equal(name, way):
     original = OBJECTS[name]
     values_of(original)
     other = WAYS[way](original)
@@ -133,7 +133,7 @@ def test_a_zero_is_a_zero():
         (LINE.antiderivative(), "Antiderivative(HermiteCurve(n=2, dim=2, domain=(0, 1)))"),
     ],
 )
-def test_a_curve_says_in_short_what_it_is(curve, text):
+def test_the_repr_of_a_curve_is_short(curve, text):
     assert repr(curve) == text
 
 
@@ -144,7 +144,7 @@ def test_a_curve_is_no_array_of_numbers():
         assert np.asarray(curve).dtype == object
 
 
-def test_a_curve_is_of_what_was_chosen_for_its_functions():
+def test_curves_with_other_settings_are_not_equal():
     class Tense(LagrangeCurve):
         __slots__ = ()
         name = title = "tense"

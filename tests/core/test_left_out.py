@@ -67,7 +67,7 @@ def test_a_thousand_points():
     assert np.abs(samples.points - other.evaluate(at)).max() <= samples.rounding
 
 
-def test_what_was_left_out_may_be_anywhere():
+def test_points_that_were_left_out_may_be_anywhere():
     t, points = chebyshev(9), points_of(9)
     at = np.linspace(0.0, 1.0, 50)
     known = LeftOut(LagrangeCurve(points, t), np.array([4]), at)

@@ -133,7 +133,7 @@ def test_changes_are_those_of_small_moves(rng, name, n):
 
 
 @every_rule
-def test_they_are_local(rng, name):
+def test_limited_tangents_are_local(rng, name):
     """A far point changes nothing, to the last bit."""
     velocities = RULES[name][0]
     points = rng.standard_normal((20, 2))

@@ -75,7 +75,7 @@ def test_one_cubic_of_every_shape(velocities, places, scale, tolerance):
 
 
 @pytest.mark.parametrize("tolerance", [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12])
-def test_points_of_the_curve_are_found_again(rng, tolerance):
+def test_points_of_the_curve_are_their_nearest_points(rng, tolerance):
     for curve in curves(rng, 8, 2):
         for t in (0.0, 0.123, 0.7, 1.0):
             found = nearest(curve, curve.evaluate(t), tolerance)
@@ -104,7 +104,7 @@ def test_the_parameter_is_as_accurate_as_newtons_method_makes_it(rng):
         assert abs(found.parameter) == pytest.approx(np.sqrt(a - 0.5), abs=1e-14)
 
 
-def test_the_centre_of_a_circle_is_as_near_to_all_of_it():
+def test_the_centre_of_a_circle_is_equally_near_to_all_points():
     angle = 2.0 * np.pi * uniform(65)
     point = np.stack((np.cos(angle), np.sin(angle)), axis=1)
     velocity = 2.0 * np.pi * np.stack((-point[:, 1], point[:, 0]), axis=1)
@@ -169,7 +169,7 @@ def test_within_a_reach_no_sample_is_nearer(rng, n, reach):
 
 
 @pytest.mark.parametrize("reach", [9.0, 0.01])
-def test_points_of_a_curve_that_runs_to_and_fro_are_found_on_it(reach):
+def test_points_of_a_curve_that_runs_to_and_fro_are_their_nearest_points(reach):
     """A place on the curve was told to be 3.48 away: the nearest chord was that of another branch."""
     points = np.array([(0, 0), (4, 0.001), (1, 0.002), (3, 0.003)])
     for t in (uniform(4), chord_length(points)):

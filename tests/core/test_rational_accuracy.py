@@ -169,7 +169,7 @@ def test_the_usual_formula_would_not_do(exact, rng):
 
 @each_row("name", NAMES)
 @each_row(("n", "degree"), [(5, 0), (6, 2), (20, 3), (60, 3)])
-def test_derivatives_to_draw_are_off_by_what_is_said(exact, rng, n, degree, name):
+def test_quick_derivatives_are_within_their_stated_error(exact, rng, n, degree, name):
     parameters = exact.parameter_sets(n, rng)[name]
     curve = curve_of(rng, parameters, degree)
     t = np.clip(exact.probes(parameters, rng, 10), *curve.domain)
@@ -195,7 +195,7 @@ def test_curvature_beside_near_points():
 
 @each_row("degree", [0, 1, 3, 5])
 @each_row("n", [6, 40])
-def test_it_is_what_scipy_computes(rng, n, degree):
+def test_values_agree_with_scipy(rng, n, degree):
     parameters = uniform(n)
     curve = curve_of(rng, parameters, degree)
     t = rng.uniform(-0.1, 1.1, 200)
@@ -240,7 +240,7 @@ def test_the_lebesgue_constant_is_within_its_bounds(degree):
 
 
 @pytest.mark.parametrize("n", [2, 3, 6])
-def test_with_few_points_it_is_the_one_polynomial(rng, n):
+def test_a_rational_curve_of_few_points_is_the_one_polynomial(rng, n):
     parameters, points = np.sort(rng.random(n)), rng.standard_normal((n, 2))
     curve, polynomial = FloaterHormannCurve(points, parameters, degree=9), LagrangeCurve(points, parameters)
     assert curve.chosen == {"degree": 9}
@@ -251,7 +251,7 @@ def test_with_few_points_it_is_the_one_polynomial(rng, n):
 
 @each_row("degree", [0, 1, 3, 9])
 @each_row("beyond", [0, 1, 2])
-def test_it_is_a_polynomial_of_up_to_two_points_more_than_the_degree(degree, beyond):
+def test_a_rational_curve_of_up_to_degree_plus_two_points_is_a_polynomial(degree, beyond):
     """n = d + 1 points: one polynomial. n = d + 2: two, blended as by Neville. Beyond: a quotient."""
     n = max(degree + 1 + beyond, 2)
     nodes = [fmpq(k * k) for k in range(n)]
@@ -267,7 +267,7 @@ def test_it_is_a_polynomial_of_up_to_two_points_more_than_the_degree(degree, bey
 
 
 @pytest.mark.parametrize("n", [2, 3, 5])
-def test_where_it_is_a_polynomial_its_pieces_are_known(rng, n):
+def test_a_rational_curve_that_is_a_polynomial_has_exact_pieces(rng, n):
     points, parameters = rng.standard_normal((n, 2)), np.sort(rng.random(n))
     curve, polynomial = FloaterHormannCurve(points, parameters), LagrangeCurve(points, parameters)
     np.testing.assert_array_equal(curve.exact_pieces(), polynomial.exact_pieces())
@@ -286,7 +286,7 @@ def test_points_are_passed_exactly(rng):
         assert np.array_equal(curve.basis(parameters)[:, :, 0], np.eye(30))
 
 
-def test_many_points_at_once_take_no_matrix_of_them(rng):
+def test_many_parameters_at_once_take_no_full_matrix(rng):
     """Two thousand points at two thousand t: parts of t are worked on one after the other."""
     n = 2000
     curve = curve_of(rng, uniform(n), 3)
@@ -298,7 +298,7 @@ def test_many_points_at_once_take_no_matrix_of_them(rng):
     assert (np.abs(curve.evaluate(t)[:5] - curve.evaluate(t[:5])) <= 2 * LIMIT * 2.0**-53 * scale).all()
 
 
-def test_far_outside_it_stays_finite(rng):
+def test_a_rational_curve_stays_finite_far_outside(rng):
     curve = curve_of(rng, uniform(9), 3)
     for order in (0, 1, 2):
         assert np.isfinite(curve.evaluate(np.array([-1e300, -1e9, 1e9, 1e300]), order)).all()

@@ -147,7 +147,7 @@ def test_sixteen_digits_of_the_coefficients_are_enough_away_from_powers_of_t(rng
     assert np.abs(found - truth).max() < 1e-14
 
 
-def test_what_cannot_be_is_refused():
+def test_wrong_arguments_of_rounding_are_refused():
     close = np.append([0.0, 1e-90, 2e-90], np.arange(1.0, 58.0))
     with pytest.raises(CurveError, match="further apart"):
         evaluate_rounded(np.zeros((60, 2)), close, [0.5], "newton", 6, rounding="coefficients")

@@ -397,7 +397,7 @@ def test_operations_are_counted_right(rng, derivatives, n, dim):
             assert operation_counts(method, n, dim, derivatives).total(count) == counting.count
 
 
-def test_cost_grows_as_it_should():
+def test_costs_grow_by_the_stated_power_of_the_points():
     big, small = (operation_counts("monomial", n).setup for n in (200, 100))
     assert big / small == pytest.approx(8.0, rel=0.05)
     big, small = (operation_counts("lagrange", n).per_point for n in (200, 100))
@@ -406,7 +406,7 @@ def test_cost_grows_as_it_should():
         operation_counts("newton", 5, 2, 1)
 
 
-def test_twice_the_places_are_at_most_twice_the_work(rng):
+def test_twice_the_parameters_are_at_most_twice_the_work(rng):
     n = 12
     points, t = rng.standard_normal((n, 2)), uniform(n)
     velocities, accelerations = natural_spline_velocities(points, t), natural_spline_accelerations(points, t)

@@ -117,7 +117,7 @@ def test_a_cubic_hermite_curve_is_quintic_where_nothing_jumps():
     assert np.abs(HermiteCurve.same_shape_as(made).jets - smooth.jets).max() < 1e-12
 
 
-def test_what_jumps_is_told():
+def test_the_message_names_the_derivative_that_jumps():
     curve = HermiteCurve(points(4), points(4, 9), [0.0, 1.0, 2.5, 3.0])
     with pytest.raises(CurveError, match="its acceleration jumps at t = 1, where that of a"):
         BSplineCurve.same_shape_as(curve)
@@ -180,7 +180,7 @@ def test_a_degree_that_is_surely_too_high(n, degree):
     assert huge.surely_exceeds(degree) is (n - 1 > degree)
 
 
-def test_what_can_be_told_without_writing_it():
+def test_check_shape_refuses_without_writing_the_curve():
     """A jerk that jumps where the acceleration does not is a reason, which no corner is made for."""
     t, p = times(6), points(6)
     spline = HermiteCurve(p, natural_spline_velocities(p, t), t)

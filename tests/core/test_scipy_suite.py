@@ -190,7 +190,7 @@ def test_a_large_jump_leaves_akima_finite():
 
 @pytest.mark.usefixtures("faces")
 @pytest.mark.parametrize("name", ["TestKrogh.test_lagrange", "TestCubicSpline.test_three_points"])
-def test_it_is_the_curves_that_are_tried(name, monkeypatch):
+def test_the_suite_of_scipy_tries_the_curves(name, monkeypatch):
     plain = Face.__call__
     monkeypatch.setattr(Face, "__call__", lambda self, *given, **more: plain(self, *given, **more) + 1.0)
     with pytest.raises(AssertionError):

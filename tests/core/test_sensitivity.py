@@ -179,7 +179,7 @@ def test_the_farthest_sum_of_signed_moves(rng):
     assert band.distance == pytest.approx(np.linalg.norm(sums, axis=2).max(axis=1), rel=1e-12, abs=1e-16)
 
 
-def test_errors_of_their_own_for_each_point_and_of_derivatives(rng):
+def test_points_and_derivatives_may_have_different_errors(rng):
     jets = rng.standard_normal((4, 3, 3))
     curve = build("quintic_hermite", jets, uniform(4))
     t = np.linspace(0.0, 1.0, 9)

@@ -70,7 +70,7 @@ def test_zeros_that_are_doubles_are_zeros():
 
 @pytest.mark.parametrize("family", FAMILIES.values())
 @pytest.mark.parametrize("order", range(4))
-def test_in_what_order_and_how_densely_they_are_asked_for_changes_nothing(rng, family, order):
+def test_order_and_density_of_parameters_change_no_value(rng, family, order):
     """Searched, found by intervals and counted; at once and in pieces."""
     n = 400
     joints = np.cumsum(rng.random(n) + 0.01)

@@ -100,7 +100,7 @@ def test_bad_evaluation(curve, t, order, message):
             method(t, order)
 
 
-def test_where_results_have_an_axis_for_t_it_is_a_number_or_a_row():
+def test_t_of_results_with_an_axis_for_t_is_a_number_or_a_row():
     for ask in (parameter_sensitivity, HermiteCurve.local_basis):
         with pytest.raises(
             CurveError, match=re.escape("t must be a number or have the shape (m,), not (1, 1)")
@@ -138,7 +138,7 @@ def test_importing_the_core_loads_nothing_but_numpy():
     assert set(loaded.stdout.split()) <= {"curvecore", "numpy"}
 
 
-def test_a_number_is_taken_while_another_thread_imports_masked_arrays(monkeypatch):
+def test_a_number_is_accepted_while_another_thread_imports_masked_arrays(monkeypatch):
     """The module was there, but not yet its classes: AttributeError in the middle of a drag."""
     monkeypatch.setitem(sys.modules, "numpy.ma", ModuleType("numpy.ma"))
     curve = LagrangeCurve([(0, 0), (1, 2)], [0, 1])

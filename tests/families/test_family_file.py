@@ -99,7 +99,7 @@ def write(tmp_path):
     return written
 
 
-def test_the_least_and_what_a_title_adds(write):
+def test_a_name_and_a_basis_are_enough_and_a_title_is_optional(write):
     (family,) = families_in(write(GAUSSIAN))
     assert (family.name, family.title, family.action_name) == ("my_gaussian", "Gaussian", "familyMyGaussian")
     assert family.tip == "Bells that are made cardinal"
@@ -187,7 +187,7 @@ def test_the_order_may_stand_anywhere(write):
         ('"width", "width', '"breadth", "width', "no function takes the setting “breadth”, as basis(t, par"),
     ],
 )
-def test_a_mistake_in_settings_is_told(write, before, after, said):
+def test_a_mistake_in_settings_is_reported(write, before, after, said):
     with pytest.raises(FamilyFileError, match=re.escape(said)):
         families_in(write(BELLS.replace(before, after)))
 
@@ -197,7 +197,7 @@ def test_a_class_of_the_core_s_kind(write):
     assert (family.name, family.derivatives, family.curve_class.can_close) == ("stiff", 1, True)
 
 
-def test_a_curve_may_pass_its_points_by(write):
+def test_a_curve_may_pass_beside_its_points(write):
     text = GAUSSIAN.replace('title = "Gaussian"', "interpolates = False").replace(
         "@ np.linalg.inv(_bells(parameters, parameters))", "/ len(parameters)"
     )
@@ -263,7 +263,7 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-def test_a_mistake_is_told_with_file_and_line_and_no_family_is_there(write, mistake, capsys):
+def test_a_mistake_is_reported_with_file_and_line_and_adds_no_family(write, mistake, capsys):
     text, complaint = MISTAKES[mistake]
     complaint = complaint.replace("{reason}", os.strerror(errno.ENOENT))
     good = write(HATS, "good.py")
@@ -294,7 +294,7 @@ def short_limits(monkeypatch):
     monkeypatch.setattr(PATIENCE, "overdue", None)
 
 
-def test_a_loop_without_end_is_stopped_and_its_line_told(write, short_limits):
+def test_an_endless_loop_is_stopped_and_its_line_reported(write, short_limits):
     path = write(GAUSSIAN.replace("import numpy", "while True: pass\nimport numpy"))
     with pytest.raises(FamilyFileError, match=r"line 6: it ran for longer than 0\.2 s and was stopped"):
         families_in(path)
@@ -340,7 +340,7 @@ def test_a_loop_that_passes_over_mistakes_is_stopped_as_well(write, short_limits
         families_in(path)
 
 
-def test_a_call_that_waits_is_stopped_too(write, short_limits, monkeypatch):
+def test_a_call_that_waits_is_stopped(write, short_limits, monkeypatch):
     monkeypatch.setattr(time_limit, "_longest_wait", lambda seconds: 1.5 * seconds)
     path = write(
         GAUSSIAN.replace("    return _bells(t", "    import time; time.sleep(60)\n    return _bells(t")
@@ -503,7 +503,7 @@ def test_the_file_of_the_readme_is_a_family(write):
     assert family.name == "gaussian"
 
 
-def test_the_core_s_families_are_found_in_its_folder():
+def test_the_families_of_the_core_are_found_in_its_folder():
     modules = [import_module(f"curvecore.families.{each.name}") for each in iter_modules(families.__path__)]
     found = {each.name for module in modules for each in families_of_module(module)}
     assert found == {family.name for family in FAMILIES} >= {"lagrange", "hermite", "quintic_hermite"}

@@ -92,7 +92,7 @@ def test_a_chain_has_the_settings_of_its_pieces(swaying):
         ({"speed": 1}, "swaying has no setting speed"),
     ],
 )
-def test_what_is_not_allowed_is_refused(swaying, settings, words):
+def test_a_value_outside_of_its_limits_is_refused(swaying, settings, words):
     with pytest.raises(CurveError, match=words):
         make(swaying, **settings)
 
@@ -158,14 +158,14 @@ def test_a_real_setting_outside_of_its_limits_is_refused(spline_document):
         decode(with_settings(spline_document, '{"tension": "tight"}'))
 
 
-def test_the_document_holds_what_is_not_the_default(document):
+def test_the_document_holds_values_that_are_not_defaults(document):
     chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     assert dict(chosen.curves[0].settings) == {"amount": 5}
     assert rule_edits.set_family_setting(chosen, 0, "amount", 2) == document
     assert rule_edits.set_family_setting(document, 0, "amount", 2) is document
 
 
-def test_an_edit_refuses_what_the_family_does(document):
+def test_an_edit_refuses_values_that_the_family_refuses(document):
     with pytest.raises(limits.EditError, match=r"^Amount of sway must be a whole number from 0 to 9\.$"):
         rule_edits.set_family_setting(document, 0, "amount", 10)
     with pytest.raises(limits.EditError, match="has no setting"):
@@ -198,7 +198,7 @@ def test_the_view_follows_the_settings(document):
     assert other.growth > view.growth
 
 
-def test_facts_tell_all_settings(document):
+def test_facts_have_all_settings(document):
     facts = facts_of(rule_edits.set_family_setting(document, 0, "amount", 7))[0]
     assert {setting.name: value for setting, value in facts.settings.items()} == {
         "amount": 7,
@@ -247,7 +247,7 @@ def test_files_leave_out_defaults(document):
 
 
 @pytest.mark.parametrize("text", ["{}", '{"amount": 2}', '{"first_side": "left", "amount": 2}'])
-def test_defaults_in_a_file_are_no_choice(document, text):
+def test_defaults_in_a_file_are_left_out(document, text):
     assert decode(with_settings(document, text)) == document
 
 
@@ -300,7 +300,7 @@ def test_files_are_strict_about_other_families(document, text, words):
     assert words in str(problem.value)
 
 
-def test_what_a_missing_family_had_is_kept_for_it(document):
+def test_settings_of_a_missing_family_are_kept(document):
     away = rule_edits.set_family(rule_edits.set_family_setting(document, 0, "amount", 5), 0, LAGRANGE)
     text = encode(away).replace(b"tests_swaying", b"not_here")
     assert b'"other_settings": [["not_here", {"amount": 5}]]' in text

@@ -256,10 +256,10 @@ def test_it_is_offered_wherever_families_are(using):
 # Settings
 
 
-def with_width(text, limits="limits=(1, 9)"):
+def with_width(text, limits="limits=(0.2, 5.0)"):
     """The template with the setting that it shows in a comment."""
     (record,) = re.findall(r"# settings = \[(FamilySetting\(.*?\))\]", text)
-    setting = record.replace("limits=(1, 9)", limits)
+    setting = record.replace("limits=(0.2, 5.0)", limits)
     head = f"from curvecore import FamilySetting\nsettings = [{setting}]\nname ="
     text = text.replace("name =", head, 1)
     return text.replace("basis(t, parameters):", "basis(t, parameters, width):", 1)
@@ -273,15 +273,15 @@ def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save,
     field = using.window.findChild(QLineEdit, "settingWidth")
     field.setFocus()
     field.selectAll()
-    using.type_text(field, "7")
+    using.type_text(field, "2.5")
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert dict(using.curve.settings) == {"width": 7}
-    assert using.session.active_view.curve.chosen == {"width": 7}
-    assert using.session.undo_stack.undoText() == "Set width of a bell to 7"
+    assert dict(using.curve.settings) == {"width": 2.5}
+    assert using.session.active_view.curve.chosen == {"width": 2.5}
+    assert using.session.undo_stack.undoText() == "Set width of a bell to 2.5"
     assert decode(encode(using.session.document)).curves[0].settings == using.curve.settings
-    # A file that no longer allows what was chosen draws by its default.
-    save(with_width(template(path), "limits=(1, 5)"))
-    until(lambda: using.session.active_view.curve.chosen == {"width": 3})
+    # A file that no longer allows the value draws by its default.
+    save(with_width(template(path), "limits=(0.2, 2.0)"))
+    until(lambda: using.session.active_view.curve.chosen == {"width": 1.0})
     save(template(path))
     until(lambda: using.session.active_view.curve.chosen == {})
     assert using.session.active_view.is_current

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 _TEXT = '''\
-"""Lagrange's functions, written as in the course. Save this file, and the curve is drawn anew."""
+"""Lagrange's functions, written as in the course. Save this file, and the curve is redrawn."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ title = "{title}"  # what the buttons say
 
 
 def basis(t, parameters):
-    """Return B_i(t_k), shape (m, n): t (m,) are places, parameters (n,) the t_i, ascending."""
+    """Return B_i(t_k), shape (m, n), of t (m,) and the ascending parameters t_i (n,)."""
     columns = []
     for i in range(len(parameters)):
         others = np.delete(parameters, i)
@@ -27,13 +27,14 @@ def basis(t, parameters):
 # Try bells instead of polynomials: np.exp(-((t[:, None] - parameters) * len(parameters)) ** 2).
 # Then divide them by their sum, or make them 1 and 0 at the parameters by np.linalg.solve.
 #
-# A file may say more:
+# A file may define more:
 # def basis(t, parameters, order): ...    the order-th derivatives; without it they are differences
 # def breaks(parameters): ...             where derivatives jump, as return parameters
-# interpolates = False                    the curve is meant to pass its points by
-# can_close = True                        it goes on smoothly where its last point is its first
-# settings = [FamilySetting("width", "width of a bell", 3, limits=(1, 9))]
-#     a field in the form of the curve, for basis(t, parameters, width); from curvecore import FamilySetting
+# interpolates = False                    the curve passes beside its points, as over control points
+# can_close = True                        a closed curve is smooth where it closes
+# settings = [FamilySetting("width", "width of a bell", 1.0, limits=(0.2, 5.0), step=0.1)]
+#     a field and a slider in the form of the curve, for basis(t, parameters, width); whole numbers where the
+#     default is whole; from curvecore import FamilySetting
 '''
 
 
