@@ -62,6 +62,8 @@ PASSING = {
         "CrestNames._sides_basis",
         "InkCache._key",
         "ImageLayer._key",
+        "ColumnWidths._cache",
+        "TeachingCommands._cached",
     ),
     *("_origin", "_pause", "_pens", "_pixels_of", "_room", "_seconds", "_stamps", "_stroke", "_strokes"),
     *("_upright", "_watcher", "__dict__", "is_due", "_autoRangeNeedsUpdate", "_painterPathCache"),
@@ -72,7 +74,7 @@ PASSING = {
     *("FunctionLines._pixel_map", "FunctionLines._stretches", "FunctionLines._widths"),
     *("GridLayer._pixel_map", "MotionLayer._plates"),
     *("MotionStage._courses", "MotionStage._rivals", "MotionStage._rivals_of", "MotionStage._scales"),
-    *("PixelMap._known_rows", "PixelMap.box", "PlotCommands._own", "PlotCommands._plotted"),
+    *("PixelMap._known_rows", "PixelMap.box", "PlotCommands._curve_plots", "PlotCommands._plotted"),
     *("PlotCommands._was_calm", "PlotLayer._strokes_of", "PointLayer._discs", "PointLayer._kinds_key"),
     *("PointLayer._roles", "PointLayer._roles_arrays", "PointLayer._roles_key", "PointLayer.numbers"),
     *(

@@ -367,6 +367,7 @@ def test_a_lesson_begins_with_all_analysis_off(editor, qtbot):
     editor.window.analysis.set_value(COUNT, 7)
     editor.window.analysis.change(laboratory=LaboratorySettings(on=True, shift=100.0))
     editor.trigger("overlayEnsemble")
+    editor.fit()
     editor.drag_point(1, to=(1.2, 1.5))
     editor.window.commands[LessonCommands].open("01_basis_functions")
     assert editor.window.analysis.settings == AnalysisSettings()
