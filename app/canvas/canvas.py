@@ -23,10 +23,10 @@ from .scene import CanvasScene
 
 
 class SteadyView:
-    """Keeps scale and place of the drawing while panels and borders beside the canvas move.
+    """Keeps scale and position of the drawing while panels beside the canvas are resized.
 
-    Only with a window of another size it is fitted again, as long as nobody has zoomed, panned or drawn since
-    it was fitted.
+    Only when the window is resized, the drawing is fitted again, unless the user has zoomed, panned or drawn
+    since it was fitted.
     """
 
     def __init__(self, canvas: QWidget, camera: Camera, framing: Framing) -> None:
@@ -37,10 +37,10 @@ class SteadyView:
         camera.resized = self._follow_size
 
     def _remember(self) -> None:
-        self._seen, self._corner = self._camera.pixel_map, self._corner_now()
+        self._pixel_map, self._corner = self._camera.pixel_map, self._drawing_corner()
 
-    def _corner_now(self) -> QPointF:
-        """Return where the drawing begins in the window."""
+    def _drawing_corner(self) -> QPointF:
+        """Return the corner of the drawing in the window."""
         return self._camera.origin + QPointF(self._canvas.mapTo(self._canvas.window(), QPoint()))
 
     def _follow_size(self) -> None:
@@ -49,8 +49,8 @@ class SteadyView:
         if is_new and self._framing.is_as_fitted:
             self._framing.fit()
         else:
-            moved = self._corner_now() - self._corner
-            self._camera.keep(self._seen, (moved.x(), moved.y()))
+            moved = self._drawing_corner() - self._corner
+            self._camera.keep(self._pixel_map, (moved.x(), moved.y()))
         self._remember()
 
 
@@ -60,7 +60,7 @@ class DrawnCanvas(CanvasQueries):
     Parameters
     ----------
     plot, drawing
-        Where it is drawn, and what lies there.
+        The plot, and the scene with all layers.
     """
 
     def __init__(self, plot: ToolPlot, drawing: CanvasScene) -> None:
@@ -77,23 +77,23 @@ class DrawnCanvas(CanvasQueries):
 
 
 class Canvas(ToolPlot):
-    """The drawing area: equal aspect, the tools that a person chooses, menus.
+    """The drawing area: a plot of equal aspect with the tools of the toolbar, menus and rulers.
 
     Attributes
     ----------
     drawing
-        The scene: what is drawn.
+        The scene with all layers.
     framing
         Fits the drawing into the view.
 
     Signals
     -------
     menu_requested
-        A menu is wanted: for what lies there (a Hit or None), at a place of the screen.
+        A menu is requested: for a Hit or None, at a position of the screen.
     guide_drawn
-        A press on a ruler draws a guide from now on.
+        A press on a ruler has begun to draw a guide.
     guide_opened
-        A guide, by its place in the document, shall be given a place; or a new one, by its axis.
+        The position of a guide, given by its index, shall be typed; or of a new one, given by its axis.
     """
 
     menu_requested = Signal(object, QPoint)
@@ -110,11 +110,11 @@ class Canvas(ToolPlot):
         tools.canvas = DrawnCanvas(self, self.drawing)
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
-        self._asked_at: Pointer | None = None
+        self._menu_pointer: Pointer | None = None
         self._edge = EdgeScroll(self.camera, self.move_again)
         self.camera.changed.connect(self.hover_again)
 
-    # What is shown
+    # Display
 
     @property
     def marks(self) -> Marks:
@@ -137,7 +137,7 @@ class Canvas(ToolPlot):
         self._mark_rulers()
 
     def _mark_rulers(self) -> None:
-        """Mark the pointer and what is selected on the rulers."""
+        """Mark the pointer and the selection on the rulers."""
         if self.rulers.are_visible:
             box = self.tools.box.rectangle
             extent = Extent(box.low, box.high) if box is not None else None
@@ -146,7 +146,7 @@ class Canvas(ToolPlot):
     # Tools
 
     def choose_tool(self, record: ToolRecord) -> None:
-        """Use another tool from now on."""
+        """Choose the tool in use."""
         self.tools.choose(record)
         self._show_tool()
 
@@ -160,7 +160,7 @@ class Canvas(ToolPlot):
         self.viewport().update()
 
     def begin_transform(self, kind: TransformKind) -> None:
-        """Let the selected points, or else all, follow the pointer until Enter, a click or Escape."""
+        """Transform the selected points, or else all, by the pointer until Enter, a click or Escape."""
         self.setFocus(Qt.FocusReason.OtherFocusReason)
         pointer, tools = self._pointer_now(), self.tools
         if tools.is_buttonless:
@@ -174,23 +174,23 @@ class Canvas(ToolPlot):
             self._pointer = self._pointer or pointer
             self._show_progress()
 
-    def place_of(self, pointer: Pointer) -> object:
-        """Return where the pointer is; of a point that snaps or keeps to an axis, where that is."""
+    def position_of(self, pointer: Pointer) -> object:
+        """Return the position of the dragged point, which may be snapped, or of the pointer."""
         return self.tools.dragged_position() or pointer.position
 
     @property
-    def pointed_place(self) -> Vector:
-        """The place under the pointer, or of the menu that covers it; elsewhere the middle of the view."""
-        if self._pointer is None and self._asked_at is not None:
-            return self._asked_at.position
+    def pointed_position(self) -> Vector:
+        """The position under the pointer or its menu; the middle of the view if the mouse is elsewhere."""
+        if self._pointer is None and self._menu_pointer is not None:
+            return self._menu_pointer.position
         return self._pointer_now().position
 
     # Guides out of the rulers
 
     def _axis_at(self, pointer: Pointer) -> Axis | None:
-        """Return which coordinate the guides hold that are drawn out of the ruler under the pointer."""
+        """Return the axis of guides from the ruler under the pointer; None elsewhere."""
         ruler = None if self.tools.is_buttonless else self.rulers.axis_at(pointer.pixel)
-        # Guides lie along the ruler that they come from.
+        # Guides are parallel to their ruler.
         return None if ruler is None else (Axis.Y, Axis.X)[ruler]
 
     def _pressed(self, pointer: Pointer) -> None:
@@ -205,7 +205,7 @@ class Canvas(ToolPlot):
         self._show_progress()
 
     def _hovered_at(self, pointer: Pointer) -> None:
-        self._asked_at = None
+        self._menu_pointer = None
         axis = self._axis_at(pointer)
         if axis is None:
             super()._hovered_at(pointer)
@@ -232,33 +232,33 @@ class Canvas(ToolPlot):
     # Menus and keys
 
     def _menu_wanted(self, event: QContextMenuEvent) -> None:
-        """Ask for a menu: for what lies under the pointer; by the Menu key, for what is selected."""
+        """Request a menu for the hit under the pointer or, by the Menu key, for the selection."""
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
-        place = self.framing.selected_pixel() if by_key else QPointF(event.pos())
-        hit = self._hit_at(place) if place is not None else None
+        pixel = self.framing.selected_pixel() if by_key else QPointF(event.pos())
+        hit = self._hit_at(pixel) if pixel is not None else None
         group = self.tools.box.group
-        if by_key and place is None and group is not None and group.is_whole:
+        if by_key and pixel is None and group is not None and group.is_whole:
             middle = self.tools.box.bounds.centre
-            pixel = self.camera.to_pixel(*middle)
-            place = QPointF(pixel) if self.viewport().rect().contains(pixel) else None
+            centre = self.camera.to_pixel(*middle)
+            pixel = QPointF(centre) if self.viewport().rect().contains(centre) else None
             hit = Hit(Part.OTHER_CURVE, self.tools.event.session.active_index, middle)
-        corner = (place or self.camera.centre()).toPoint()
-        self._asked_at = self.pointer_at(QPointF(corner))
+        corner = (pixel or self.camera.centre()).toPoint()
+        self._menu_pointer = self.pointer_at(QPointF(corner))
         self.menu_requested.emit(hit, self.viewport().mapToGlobal(corner))
 
-    def hit_at(self, place: QPoint) -> Hit | None:
-        """Return what lies at a place of the screen."""
-        return self._hit_at(QPointF(self.viewport().mapFromGlobal(place)))
+    def hit_at(self, position: QPoint) -> Hit | None:
+        """Return the hit at a position of the screen."""
+        return self._hit_at(QPointF(self.viewport().mapFromGlobal(position)))
 
     def give_key(self, key: str, event: QKeyEvent | None = None) -> bool:
-        """Give the tool a key, and keep in view what arrows and Tab move and select."""
+        """Give the tool a key, and keep the points visible that arrows and Tab move or select."""
         had_effect = super().give_key(key, event)
         if had_effect and key in MOVING_KEYS and Part.IMAGE not in self.tools.tool.hits:
             self.framing.reveal_selected()
         return had_effect
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        # A transform that keys drive ends with the keys; a menu or another window only borrows them.
+        # A transform without a button ends with the focus, unless a menu or another window borrows it.
         borrowed = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
         if self.tools.is_buttonless and event.reason() not in borrowed:
             self.cancel_gesture()

@@ -33,7 +33,7 @@ from .scrolling import Panning, Scrolling
 
 _FOCUS_WIDTH = 2
 
-# Whatever a plot is made of: Qt calls their overrides as it calls ours.
+# pyqtgraph's classes below the plot: Qt calls their overrides as it calls those of the program.
 guard_library(pg.GraphicsView, pg.GraphicsScene, pg.ViewBox, ChildGroup)
 
 
@@ -43,18 +43,18 @@ class PaintedPlot(SafeOverrides, pg.GraphicsView):  # type: ignore[misc]  # pyqt
     Attributes
     ----------
     camera
-        Which part of the plane is seen.
+        The visible part of the plane.
     layers
-        What is painted.
+        The layers that are painted.
     rulers
-        Marks on the axes, while these are rulers.
+        Marks on the axes while these are rulers.
 
     Signals
     -------
     painted
         The viewport has been painted.
     style_changed
-        Layers have another theme or scale.
+        Theme or scale have changed.
     """
 
     painted = Signal()
@@ -80,11 +80,11 @@ class PaintedPlot(SafeOverrides, pg.GraphicsView):  # type: ignore[misc]  # pyqt
         self.setCentralItem(self._axes.frame)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.enableMouse(False)
-        # The paper is in the picture of what is still; Qt need not keep another one of it.
+        # The picture of the still layers contains the paper; Qt need not cache another one.
         self.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
-        # Every pixel is painted here: Qt need not paint paper below.
+        # Every pixel is painted here: Qt need not fill the background.
         self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        # A dropped file is the window's business.
+        # The window handles dropped files.
         self.setAcceptDrops(False)
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
@@ -111,17 +111,17 @@ class PaintedPlot(SafeOverrides, pg.GraphicsView):  # type: ignore[misc]  # pyqt
         """Return the point of the plane at a viewport pixel."""
         return self.camera.to_plane(pixel)
 
-    def show_rulers(self, shown: bool) -> None:
+    def show_rulers(self, visible: bool) -> None:
         """Show the axes as rulers, the one along x above the drawing, or as plain axes."""
-        if shown != self._axes.are_rulers:
-            self._axes.set_rulers(shown)
+        if visible != self._axes.are_rulers:
+            self._axes.set_rulers(visible)
             self.camera.follow_area()
             self.camera.changed.emit()
 
     # Painting
 
     def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
+        """Use the colours of `theme`."""
         self._axes.set_theme(theme)
         self.layers.theme = theme
         self.setBackground(theme.paper)
@@ -142,12 +142,12 @@ class PaintedPlot(SafeOverrides, pg.GraphicsView):  # type: ignore[misc]  # pyqt
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         if hasattr(self, "layers"):
-            # pyqtgraph resizes while it is being built.
+            # pyqtgraph resizes the view in its constructor.
             self.camera.reset_origin()
             self.layers.reset_ground()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        # Nothing is an item of Qt's graphics scene: neither Qt's view nor pyqtgraph is asked to paint.
+        # Nothing is an item of Qt's graphics scene, so neither Qt's view nor pyqtgraph paints.
         origin, area, shown = self.camera.origin, self.camera.area, self.camera.pixel_map
         region = event.region()
         with QPainter(self.viewport()) as painter:
@@ -168,10 +168,10 @@ class PaintedPlot(SafeOverrides, pg.GraphicsView):  # type: ignore[misc]  # pyqt
         painter.drawRect(QRectF(self.viewport().rect()).adjusted(inset, inset, -inset, -inset))
         painter.end()
 
-    def _show_focus(self, shown: bool) -> None:
-        """Frame the plot while it has the keyboard's focus, or not."""
-        if shown != self._shows_focus:
-            self._shows_focus = shown
+    def _show_focus(self, visible: bool) -> None:
+        """Draw a frame around the plot for the focus of the keyboard, or none."""
+        if visible != self._shows_focus:
+            self._shows_focus = visible
             self.viewport().update()
 
 
@@ -183,7 +183,7 @@ _MODIFIERS = {
     Qt.Key.Key_Control: ("ctrl", Qt.KeyboardModifier.ControlModifier),
     Qt.Key.Key_Alt: ("alt", Qt.KeyboardModifier.AltModifier),
 }
-"""Keys that change what a gesture does, which part of a pointer tells, and Qt's flag."""
+"""Modifier keys with their field of a pointer and Qt's flag."""
 
 _BY_KEYS = (
     Qt.FocusReason.TabFocusReason,
@@ -192,9 +192,9 @@ _BY_KEYS = (
 )
 
 
-def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> Pointer:
-    """Return the pointer with the modifier keys that are held, but for `changes`."""
-    bits = held.value
+def _with_keys(pointer: Pointer, modifiers: Qt.KeyboardModifier, **changes: bool) -> Pointer:
+    """Return the pointer with the pressed modifier keys, except for `changes`."""
+    bits = modifiers.value
     if not (bits or changes):
         return pointer
     flags = {name: bool(bits & flag.value) for name, flag in _MODIFIERS.values()}
@@ -202,18 +202,18 @@ def _with_keys(pointer: Pointer, held: Qt.KeyboardModifier, **changes: bool) -> 
 
 
 class PlotWidget(PaintedPlot):
-    """A plot that pans and zooms by mouse, wheel and trackpad, and hands everything else on."""
+    """A plot that pans and zooms by mouse, wheel and trackpad; a subclass handles everything else."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._panning = Panning(self.camera, self.viewport())
         self._scrolling = Scrolling(self.camera, self.viewport())
         self._menu_refused = False
-        # Where the mouse was heard of last, None once it has left; and whether its left button was down.
+        # The last pointer, None once the mouse has left; and whether its left button is down.
         self._pointer: Pointer | None = None
         self._is_held = False
 
-    # A subclass fills in these.
+    # Overridden by subclasses
 
     def _pressed(self, pointer: Pointer) -> None:
         """Handle a press of the left button."""
@@ -232,7 +232,7 @@ class PlotWidget(PaintedPlot):
 
     @property
     def zoom_centre(self) -> QPointF:
-        """The pixel of the viewport about which keys zoom: under the pointer, else in the middle."""
+        """The pixel of the viewport about which keys zoom: under the pointer, or in the middle."""
         if self._pointer is None:
             return self.camera.centre()
         return self.camera.origin + QPointF(*self._pointer.pixel)
@@ -247,40 +247,40 @@ class PlotWidget(PaintedPlot):
         return False
 
     def _menu_wanted(self, event: QContextMenuEvent) -> None:
-        """Handle the wish for a menu, while no gesture is in flight."""
+        """Handle the request of a menu, while no gesture is in flight."""
 
     # Events
 
     def pointer_at(self, event: QMouseEvent | QPointF) -> Pointer:
-        """Return the record of a mouse event (or of a bare viewport position)."""
-        position, held = (
+        """Return the pointer of a mouse event, or of a viewport position."""
+        position, modifiers = (
             (event, _NO_KEYS) if isinstance(event, QPointF) else (event.position(), event.modifiers())
         )
         shown, pixel = self.camera.pixel_map, self.camera.area_pixel(position)
         pointer = Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
-        # Python's own flags are slow, and every move of the mouse comes by here.
-        return pointer if held is _NO_KEYS else _with_keys(pointer, held)
+        # Python's flags are slow, and every move of the mouse runs through this.
+        return pointer if modifiers is _NO_KEYS else _with_keys(pointer, modifiers)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._press_by(event, is_double=False)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        # The second press of a double click is a press like any other, for quick clicks must all count; a
-        # tool may give it a meaning of its own where it hits what the first one did.
+        # The second press of a double click is an ordinary press, because quick clicks must all count; a tool
+        # may treat it differently.
         self._press_by(event, is_double=True)
 
     def _press_by(self, event: QMouseEvent, *, is_double: bool) -> None:
         if event.button() == Qt.MouseButton.RightButton:
-            # It takes a gesture back, a drag as well as a transform; it must not open a menu as well.
+            # It cancels a gesture, a drag or a transform, and must not open a menu then.
             self._menu_refused = self._panning.is_active or (self.is_dragging and self.cancel_gesture())
             if self._menu_refused:
                 event.accept()
                 return
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        # It may have had it: whoever goes on by mouse sees the pointer.
+        # The frame of the focus is for the keyboard only.
         self._show_focus(False)
         if self._is_held and event.button() == Qt.MouseButton.LeftButton:
-            self._release()  # the release was never heard of
+            self._drop_gesture()  # the release was never reported
         if not self._panning.press(event) and event.button() == Qt.MouseButton.LeftButton:
             self._pointer, self._is_held = self.pointer_at(event), True
             self._pressed(replace(self._pointer, is_double=is_double) if is_double else self._pointer)
@@ -295,18 +295,18 @@ class PlotWidget(PaintedPlot):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._panning.move(event):
             self._pointer = self.pointer_at(event)
-            held = event.buttons()
-            if held is _LEFT or held.value & _LEFT.value:
+            buttons = event.buttons()
+            if buttons is _LEFT or buttons.value & _LEFT.value:
                 self._moved(self._pointer)
-            elif not held.value:
+            elif not buttons.value:
                 if self._is_held:
-                    # The release went elsewhere: to a list that a key has opened, for instance.
-                    self._release()
+                    # The release went to another widget, for instance to a list that a key has opened.
+                    self._drop_gesture()
                 self._hovered_at(self._pointer)
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        # A drag with the left button ends with it, also while the middle one pans.
+        # A drag ends with the left button, even while the middle one pans.
         if not self._panning.release(event) and event.button() == Qt.MouseButton.LeftButton:
             self._pointer, self._is_held = self.pointer_at(event), False
             self._released(self._pointer)
@@ -314,15 +314,15 @@ class PlotWidget(PaintedPlot):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowBlocked:
-            # A dialog takes the mouse, and the release with it.
-            self._release()
+            # A dialog gets the mouse, and its release.
+            self._drop_gesture()
         if (
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
             and self.is_dragging
             and Qt.Key(event.key()) in _MODIFIERS
         ):
-            # Else Alt alone, let go, would go to the menu bar and take the keys along.
+            # Otherwise a release of Alt alone would focus the menu bar.
             event.accept()
             return True
         if isinstance(event, QNativeGestureEvent) and self._scrolling.pinch(event):
@@ -330,15 +330,15 @@ class PlotWidget(PaintedPlot):
             return True
         return bool(super().event(event))
 
-    def _release(self) -> None:
-        """Drop what the mouse is doing here, panning too."""
+    def _drop_gesture(self) -> None:
+        """Cancel the gesture or the pan of the mouse."""
         self._is_held = False
         self._panning.reset_key()
         self._panning.stop()
         if self.is_dragging:
             self.cancel_gesture()
 
-    def _hear_modifier(self, event: QKeyEvent, *, down: bool) -> None:
+    def _change_modifier(self, event: QKeyEvent, *, down: bool) -> None:
         key = Qt.Key(event.key())
         if key not in _MODIFIERS or event.isAutoRepeat() or self._pointer is None:
             return
@@ -347,11 +347,11 @@ class PlotWidget(PaintedPlot):
         self.move_again()
 
     def move_again(self) -> None:
-        """Go on as if the pointer had moved to where it is: another key is held, or the view has moved."""
+        """Repeat the last move after a modifier key or the view has changed."""
         if self._pointer is None or self._panning.is_active:
             return
-        shown, pixel = self.pixel_map, self._pointer.pixel
-        self._pointer = replace(self._pointer, position=shown.plane(*pixel), scale=shown.sx)
+        pixel_map, pixel = self.pixel_map, self._pointer.pixel
+        self._pointer = replace(self._pointer, position=pixel_map.plane(*pixel), scale=pixel_map.sx)
         if self.is_dragging:
             self._moved(self._pointer)
         elif not self._is_held:
@@ -362,13 +362,13 @@ class PlotWidget(PaintedPlot):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        self._panning.hear_key(event, down=True)
-        self._hear_modifier(event, down=True)
+        self._panning.change_key(event, down=True)
+        self._change_modifier(event, down=True)
         event.ignore()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        self._panning.hear_key(event, down=False)
-        self._hear_modifier(event, down=False)
+        self._panning.change_key(event, down=False)
+        self._change_modifier(event, down=False)
         event.ignore()
 
     def enterEvent(self, event: QEnterEvent) -> None:
@@ -381,7 +381,7 @@ class PlotWidget(PaintedPlot):
         event.accept()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        # Whoever came by mouse sees the pointer.
+        # With the mouse, no frame is needed.
         self._show_focus(event.reason() in _BY_KEYS)
         super().focusInEvent(event)
 

@@ -67,7 +67,7 @@ class Panning:
             self._from = None
             self._show_cursor()
 
-    def hear_key(self, event: QKeyEvent, *, down: bool) -> None:
+    def change_key(self, event: QKeyEvent, *, down: bool) -> None:
         """Record whether Space is down."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self._space_down = down

@@ -1,4 +1,4 @@
-"""A plot with tools: what the mouse and keys do goes to the tool in use, and what it says is told."""
+"""A plot with tools: mouse and keys go to the tool in use, and its status and hints are signalled."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _ARROWS = {
     Qt.Key.Key_Up: "up",
     Qt.Key.Key_Down: "down",
 }
-"""The names of the arrow keys, whatever modifiers are held."""
+"""Names of the arrow keys, with any modifiers."""
 
 _NAMES = {
     **{Qt.Key(Qt.Key.Key_0 + digit): str(digit) for digit in range(10)},
@@ -43,7 +43,7 @@ _NAMES = {
     Qt.Key.Key_Enter: "enter",
     **{Qt.Key(ord(letter.upper())): letter for letter in ascii_lowercase},
 }
-"""Keys that tools hear of, and their names."""
+"""Names of the keys that are passed to tools."""
 
 _WITH_SHIFT = {
     Qt.Key.Key_Backtab,
@@ -52,33 +52,33 @@ _WITH_SHIFT = {
     Qt.Key.Key_Enter,
     *(key for key, name in _NAMES.items() if name in "+*/()" or key == Qt.Key.Key_Semicolon),
 }
-"""Keys that mean the same with Shift: some keyboards have the characters there, and a hand may hold it."""
+"""Keys that mean the same with Shift: some keyboards need it for these characters."""
 
 
 def key_name(event: QKeyEvent) -> str | None:
-    """Return what a tool calls a key, a letter with Shift a capital; None for one that it never hears of."""
-    key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    """Return the name of a key for tools, with Shift a capital letter; None for keys that tools never get."""
+    key, modifiers = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
     if key in _ARROWS:
         return _ARROWS[key]
     if key in _WITH_SHIFT:
-        held &= ~Qt.KeyboardModifier.ShiftModifier
-    if held == Qt.KeyboardModifier.ShiftModifier and Qt.Key.Key_A <= key <= Qt.Key.Key_Z:
+        modifiers &= ~Qt.KeyboardModifier.ShiftModifier
+    if modifiers == Qt.KeyboardModifier.ShiftModifier and Qt.Key.Key_A <= key <= Qt.Key.Key_Z:
         return chr(key)
-    return _NAMES.get(key) if not held else None
+    return _NAMES.get(key) if not modifiers else None
 
 
 def cursor_of(cursor: Cursor, theme: Theme) -> QCursor:
-    """Return the shape of the pointer."""
+    """Return the cursor in Qt's terms."""
     if cursor.value in Qt.CursorShape.__members__:
         return QCursor(Qt.CursorShape[cursor.value])
     return QCursor(icon(cursor.value, theme).pixmap(20, 20))
 
 
 MOVING_KEYS = frozenset({*_ARROWS.values(), "next", "previous"})
-"""Keys that move or select points: the panels that follow tell what has changed, no hover is needed."""
+"""Keys that move or select points: panels show the change, so no hover is needed."""
 
-_WORDS_MS = 33
-"""Milliseconds between two readouts of a gesture."""
+_STATUS_MS = 33
+"""Milliseconds between two status texts of a gesture: nobody reads faster."""
 
 
 class ToolPlot(PlotWidget):
@@ -89,20 +89,20 @@ class ToolPlot(PlotWidget):
     tools
         The tools of this plot.
     jobs
-        What they do beside the window.
+        Background work of the tools.
 
     Signals
     -------
     hint_changed
-        What a press here would do (a sentence).
+        A sentence on the effect of a press here.
     progress_changed
-        How far the gesture in flight has come (a sentence); empty when it has ended.
+        The status of the gesture in flight, a sentence; empty when it has ended.
     gesture_began, gesture_ended
-        A press begins a gesture; none is in flight any more.
+        A press has begun a gesture; no gesture is in flight any more.
     background_changed
-        A tool has something more, or less, done beside the window.
+        Background work of a tool has begun or ended.
     pointed_at
-        The place under the pointer, or None when it has left: the position on a canvas, t over t.
+        The position under the pointer on a canvas, t on a plot over t; None when it has left.
     """
 
     hint_changed = Signal(str)
@@ -120,28 +120,28 @@ class ToolPlot(PlotWidget):
         self.jobs.progressed.connect(self._show_share)
         self.jobs.ended.connect(self._show_progress)
         tools.background.jobs, tools.background.changed = self.jobs, self._show_background
-        # Later: whoever has ended it may be within a change of the document.
+        # Queued: the gesture may end within a change of the document.
         self.gesture_ended.connect(tools.background.hand_over, Qt.ConnectionType.QueuedConnection)
-        # Words that wait; at first they come at once, then as the timer runs out.
-        self._has_words = False
-        self._words_due = QTimer(self, singleShot=True)
-        self._words_due.timeout.connect(self.tell)
-        # Later, but before Qt paints: one paint shows the change and what lies under the pointer now.
+        # Whether a status text is due: the first one after the paint, the others when the timer runs out.
+        self._is_status_due = False
+        self._status_timer = QTimer(self, singleShot=True)
+        self._status_timer.timeout.connect(self.show_status)
+        # Queued, but before the paint: one paint shows the change and the new hover.
         self._is_hover_due = False
         self._hover_wanted.connect(self._hover_if_due, Qt.ConnectionType.QueuedConnection)
 
-    # A subclass fills in these.
+    # Overridden by subclasses
 
-    def _hit_at(self, place: QPointF) -> Hit | None:
-        """Return what lies at a place of the viewport."""
-        return self.tools.canvas.hit(self.pointer_at(place), self.tools.tool.hits)
+    def _hit_at(self, pixel: QPointF) -> Hit | None:
+        """Return the hit at a pixel of the viewport."""
+        return self.tools.canvas.hit(self.pointer_at(pixel), self.tools.tool.hits)
 
-    def place_of(self, pointer: Pointer) -> object:
-        """Return what is told of the place under the pointer: t."""
+    def position_of(self, pointer: Pointer) -> object:
+        """Return the value of `pointed_at` for a pointer: t."""
         return pointer.position[0]
 
     def show_marks(self) -> None:
-        """Draw what the tool shows over the plot."""
+        """Draw the marks of the tool over the plot."""
 
     def _show_background(self) -> None:
         self.show_marks()
@@ -155,23 +155,23 @@ class ToolPlot(PlotWidget):
         return self.tools.is_pressed
 
     def cancel_gesture(self) -> bool:
-        """Take the gesture in flight back; return whether there was one."""
+        """Cancel the gesture in flight; return whether there was one."""
         cancelled = self.tools.cancel()
         self._end_gesture()
         return cancelled
 
     def abandon_gesture(self) -> None:
-        """Drop the gesture in flight, if there is one; the document is another one."""
+        """Drop the gesture in flight, if any: another document is open."""
         is_any = self.is_dragging
         self.tools.abandon()
         if is_any:
             self._end_gesture()
 
     def dismiss(self) -> bool:
-        """Remove what the tool has left on the plot; return whether there was something."""
-        found = self.tools.dismiss()
+        """Remove marks that the tool has left on the plot; return whether there were any."""
+        has_removed = self.tools.dismiss()
         self.show_marks()
-        return found
+        return has_removed
 
     def _pressed(self, pointer: Pointer) -> None:
         self.gesture_began.emit()
@@ -181,10 +181,10 @@ class ToolPlot(PlotWidget):
     def _moved(self, pointer: Pointer) -> None:
         self.tools.move(pointer)
         self.show_marks()
-        # The eye is on the curve: words come once that has been painted, and no faster than they are read.
-        self._has_words = True
-        if not self._words_due.isActive():
-            self._words_due.start(0)
+        # The curve is painted first; the status text follows, at most every 33 ms.
+        self._is_status_due = True
+        if not self._status_timer.isActive():
+            self._status_timer.start(0)
 
     def _released(self, pointer: Pointer) -> None:
         self.tools.release(pointer)
@@ -204,15 +204,15 @@ class ToolPlot(PlotWidget):
         self._show_cursor(hint)
         self.hint_changed.emit(hint.text)
         self.show_marks()
-        self.pointed_at.emit(self.place_of(pointer))
+        self.pointed_at.emit(self.position_of(pointer))
 
     def hover_again(self) -> None:
-        """Tell anew what lies under a pointer that rests while the view moves, or the document."""
+        """Hover again with a resting pointer after the view or the document has changed."""
         if self._pointer is not None and not self.is_dragging and not self._panning.is_active:
             self._hovered_at(self._pointer_now())
 
     def hover_soon(self) -> None:
-        """Do that once all has been told that has changed; a release does by itself."""
+        """Hover again after all signals of a change; a release hovers by itself."""
         if not self._is_hover_due:
             self._is_hover_due = True
             self._hover_wanted.emit()
@@ -231,14 +231,16 @@ class ToolPlot(PlotWidget):
             self.pointed_at.emit(None)
 
     def _pointer_now(self) -> Pointer:
-        """Return where the pointer is in the plane as it is shown now; in the middle if it is elsewhere."""
-        shown = self.pixel_map
-        pixel = self._pointer.pixel if self._pointer is not None else (shown.width / 2, shown.height / 2)
-        return Pointer(shown.plane(*pixel), pixel, scale=shown.sx)
+        """Return the pointer in the present view; in the middle if the mouse is elsewhere."""
+        pixel_map = self.pixel_map
+        pixel = (
+            self._pointer.pixel if self._pointer is not None else (pixel_map.width / 2, pixel_map.height / 2)
+        )
+        return Pointer(pixel_map.plane(*pixel), pixel, scale=pixel_map.sx)
 
     def _end_gesture(self) -> None:
-        self._words_due.stop()
-        self._has_words = False
+        self._status_timer.stop()
+        self._is_status_due = False
         self.show_marks()
         self.progress_changed.emit("")
         self.gesture_ended.emit()
@@ -248,19 +250,19 @@ class ToolPlot(PlotWidget):
         self.progress_changed.emit(self.tools.status())
 
     def _show_share(self, share: float, word: str) -> None:
-        """Tell how far work beside the window has come, which takes long enough to be read of."""
+        """Show the progress of background work that takes long enough to be read."""
         if self.jobs.is_long and not self.is_dragging:
             self.progress_changed.emit(f"{word}: {share:.0%} · Escape cancels")
 
-    def tell(self) -> None:
-        """Say how far the gesture has come, and where the pointer is, if it has moved since."""
-        if not self._has_words:
+    def show_status(self) -> None:
+        """Show the status of the gesture and the position of the pointer, if it has moved since."""
+        if not self._is_status_due:
             return
-        self._has_words = False
-        self._words_due.start(_WORDS_MS)
+        self._is_status_due = False
+        self._status_timer.start(_STATUS_MS)
         self.progress_changed.emit(self.tools.status())
         if self._pointer is not None:
-            self.pointed_at.emit(self.place_of(self._pointer))
+            self.pointed_at.emit(self.position_of(self._pointer))
 
     def _show_cursor(self, hint: Hint) -> None:
         if not self._panning.owns_cursor:
@@ -270,7 +272,7 @@ class ToolPlot(PlotWidget):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            # While an amount is typed, digits and letters are its own and no shortcuts.
+            # While an amount is typed, digits and letters belong to it and are no shortcuts.
             key = key_name(event)
             if key is not None and self.tools.wants_key(key):
                 event.accept()
@@ -287,7 +289,7 @@ class ToolPlot(PlotWidget):
             super().keyPressEvent(event)
 
     def give_key(self, key: str, event: QKeyEvent | None = None) -> bool:
-        """Give the tool a key by name; return whether it is the tool's, also where it means nothing now."""
+        """Give the tool a key by name; return whether the tool handles it, even without an effect."""
         is_wanted, was_dragging = self.tools.wants_key(key), self.is_dragging
         had_effect = self.tools.key(key, self._pointer_of_key(event))
         if had_effect and was_dragging:
@@ -298,15 +300,15 @@ class ToolPlot(PlotWidget):
 
     def _pointer_of_key(self, event: QKeyEvent | None) -> Pointer:
         """Return the pointer with the modifier keys of a key event."""
-        held = event.modifiers() if event is not None else Qt.KeyboardModifier.NoModifier
+        modifiers = event.modifiers() if event is not None else Qt.KeyboardModifier.NoModifier
         shift, ctrl = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
-        return replace(self._pointer_now(), shift=bool(held & shift), ctrl=bool(held & ctrl))
+        return replace(self._pointer_now(), shift=bool(modifiers & shift), ctrl=bool(modifiers & ctrl))
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         if not self.hasFocus():
-            # Asked by a field on top of it: by Tab there, or when it goes with the focus.
+            # Called by a field on top of the plot: at Tab, or when the field with the focus is hidden.
             return bool(super().focusNextPrevChild(forward))
-        # Tab belongs to a transform in flight; no gesture lets it lead elsewhere.
+        # Tab belongs to a transform in flight, and leaves the plot during no gesture.
         self.give_key("tab")
         if self.is_dragging or self.give_key("next" if forward else "previous"):
             return True

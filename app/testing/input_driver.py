@@ -216,7 +216,7 @@ class InputDriver:
         QGuiApplication.processEvents()
         deliver_events()
         for plot in filter(None, (self.window.canvas, self.window.basis_panel)):
-            plot.tell()
+            plot.show_status()
 
     def wait_for_rest(self, *, up_to_ms: int = SHORT_MS) -> None:
         """Wait until numbers, panels and the table have followed the hand: those of this pace or quicker."""

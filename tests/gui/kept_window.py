@@ -196,7 +196,7 @@ class KeptEditor:
         # What a menu or the palette has found out of the curve of the sketch, which comes again.
         window.actions_by_name._opened_of = None
         # Where a menu was opened; it goes with the next movement over the canvas.
-        window.canvas._asked_at = None
+        window.canvas._menu_pointer = None
         for plot in window.central.plots:
             # Of a press of the right button that took a gesture back, in a test that opens no menu.
             plot._menu_refused = False

@@ -326,4 +326,4 @@ class BasisPanel(ToolPlot, CanvasQueries):
         if down != was_down and self._pointer is not None:
             self._pointer = replace(self._pointer, ripple=down)
             self.move_again()
-            self.tell()
+            self.show_status()

@@ -60,7 +60,7 @@ class PasteCommands:
     @also(CANVAS_MENU(20), WHOLES_MENU(12), CURVE_LIST_MENU(38))
     def _paste_here(self) -> None:
         """Paste curves or SVG at the pointer; points (x y, or t x y) are appended to the curve."""
-        position = self._context.central.canvas.pointed_place
+        position = self._context.central.canvas.pointed_position
         self._paste(position, partial(self._append, position))
 
     @action("pasteInPlace", "Paste in Place", EDIT_CLIPBOARD, "Ctrl+Alt+V")
@@ -73,7 +73,7 @@ class PasteCommands:
     @also(CANVAS_MENU(22))
     def _paste_as_curve(self) -> None:
         """Create a curve from the points on the clipboard."""
-        self._paste(self._context.central.canvas.pointed_place, self._add_curve)
+        self._paste(self._context.central.canvas.pointed_position, self._add_curve)
 
     def _paste(self, position: Vector | None, add_points: Callable[[PointsContent], None]) -> None:
         data = clipboard_data()
