@@ -150,7 +150,7 @@ def monomial_condition(curve: ParametricCurve, norm: float = 2) -> float:
     """
     interpolants = curve.interpolants()
     if interpolants is None:
-        raise CurveError("curve must be of polynomials whose data are known")
+        raise CurveError("curve must consist of polynomials whose data are known")
     return max(
         vandermonde_condition(piece.parameters, norm, piece.jets.shape[1] - 1) for piece in interpolants
     )

@@ -235,7 +235,7 @@ def _powers(curve: ParametricCurve, start: float, end: float, most: float = math
 def _interpolant_over(curve: ParametricCurve, low: float, high: float) -> Interpolant:
     interpolants = curve.interpolants()
     if interpolants is None:
-        raise CurveError("curve must be of polynomials whose data are known to be converted exactly")
+        raise CurveError("curve must consist of polynomials whose data are known to be converted exactly")
     ends = np.array([piece.parameters[-1] for piece in interpolants[:-1]])
     interpolant = interpolants[int(np.searchsorted(ends, low, side="right"))]
     if high > interpolant.parameters[-1]:

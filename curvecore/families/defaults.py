@@ -334,7 +334,7 @@ class FamilyDefaults(_Curve):
         CurveError
             If there is none, or no way to it is known: the message says why.
         """
-        raise CurveError(f"no curve is known to be a {cls.title} curve as well")
+        raise CurveError(f"no curve of another family can be written as a {cls.title} curve")
 
     @classmethod
     def near(cls, curve: ParametricCurve, tolerance: float) -> ParametricCurve:

@@ -101,7 +101,9 @@ def check_smooth_joints(chain: BezierChain, derivatives: int, wanted: str) -> No
         count = int(np.count_nonzero(jumps[order] & ~is_corner))
         if count:
             joints = "1 joint" if count == 1 else f"{count} joints"
-            raise CurveError(f"its {_NAMES[order]} jumps at {joints}, where that of a {wanted} curve goes on")
+            raise CurveError(
+                f"its {_NAMES[order]} jumps at {joints}, and that of a {wanted} curve is continuous"
+            )
 
 
 def joint_jets(chain: BezierChain, derivatives: int, wanted: str) -> FloatArray:
@@ -114,14 +116,14 @@ def joint_jets(chain: BezierChain, derivatives: int, wanted: str) -> FloatArray:
     """
     for order, jumps in enumerate(_jumps(chain, derivatives)):
         if jumps.any():
-            what = f"its {_NAMES[order]}" if order else "the curve"
+            jumping, like = (f"its {_NAMES[order]}", "that of ") if order else ("the curve", "")
             t = float(chain.breaks[1 + int(np.argmax(jumps))])
-            raise CurveError(f"{what} jumps at t = {t:.6g}, where that of a {wanted} curve goes on")
+            raise CurveError(f"{jumping} jumps at t = {t:.6g}, and {like}a {wanted} curve is continuous")
     return np.concatenate([_end_jets(chain, derivatives, 0), _end_jets(chain, derivatives, 1)[-1:]])
 
 
 def smooth_stretches(chain: BezierChain, derivatives: int) -> list[BezierChain]:
-    """Divide a chain at the joints where the curve goes on and one of its first derivatives jumps."""
+    """Divide a chain at the joints where the curve is continuous and one of its first derivatives jumps."""
     breaks, *jumps = _jumps(chain, derivatives)
     cuts = np.flatnonzero(np.any(jumps, axis=0) & ~breaks) + 1
     ends = [0, *cuts.tolist(), len(chain.controls)]

@@ -311,7 +311,9 @@ class Fitter:
         worst = int(np.argmax(distance))
         largest = float(distance[worst])
         if not np.isfinite(largest):
-            raise CurveError(f"a curve of {self._family.name} through so many points leaves all numbers")
+            raise CurveError(
+                f"a curve of {self._family.name} through so many points exceeds the largest number"
+            )
         mean = largest * float(np.sqrt(np.mean((distance / largest) ** 2))) if largest else 0.0
         return Attempt(Fit(curve, at, largest, mean, worst), data, joints, off)
 

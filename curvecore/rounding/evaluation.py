@@ -183,7 +183,7 @@ def evaluate_rounded(
     Raises
     ------
     CurveError
-        If data are unusable, the method is unknown or does not go with the
+        If data are unusable, the method is unknown or does not apply to the
         data, digits is out of range, parameters become equal by rounding the
         data, or are so close together that exact coefficients would need
         more than 3000 digits.

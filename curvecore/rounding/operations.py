@@ -84,7 +84,7 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
     Raises
     ------
     CurveError
-        If the method does not go with the derivatives.
+        If the method does not apply to data with so many derivatives.
 
     See Also
     --------
@@ -110,7 +110,7 @@ def operation_counts(method: str, n: int, dim: int = 2, derivatives: int = 0) ->
         return OperationCounts((count - 1) * (entries + _elimination(size, space)), 2 * space * (size - 1))
     if width in _OF_FUNCTIONS and name == "basis":
         return OperationCounts(0, 6 + 2 * _OF_FUNCTIONS[width] + space * (4 * width - 1))
-    raise CurveError(f"method {name!r} does not go with {width - 1} derivatives")
+    raise CurveError(f"method {name!r} does not apply to data with {width - 1} derivatives")
 
 
 def _elimination(n: int, dim: int) -> int:

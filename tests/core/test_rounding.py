@@ -402,7 +402,7 @@ def test_costs_grow_by_the_stated_power_of_the_points():
     assert big / small == pytest.approx(8.0, rel=0.05)
     big, small = (operation_counts("lagrange", n).per_point for n in (200, 100))
     assert big / small == pytest.approx(4.0, rel=0.05)
-    with pytest.raises(CurveError, match="does not go with 1 derivatives"):
+    with pytest.raises(CurveError, match="does not apply to data with 1 derivatives"):
         operation_counts("newton", 5, 2, 1)
 
 

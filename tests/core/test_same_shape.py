@@ -119,7 +119,7 @@ def test_a_cubic_hermite_curve_is_quintic_where_nothing_jumps():
 
 def test_the_message_names_the_derivative_that_jumps():
     curve = HermiteCurve(points(4), points(4, 9), [0.0, 1.0, 2.5, 3.0])
-    with pytest.raises(CurveError, match="its acceleration jumps at t = 1, where that of a"):
+    with pytest.raises(CurveError, match="its acceleration jumps at t = 1, and that of a"):
         BSplineCurve.same_shape_as(curve)
 
 
@@ -184,7 +184,7 @@ def test_check_shape_refuses_without_writing_the_curve():
     """A jerk that jumps where the acceleration does not is a reason, which no corner is made for."""
     t, p = times(6), points(6)
     spline = HermiteCurve(p, natural_spline_velocities(p, t), t)
-    with pytest.raises(CurveError, match="its jerk jumps at 4 joints, where that of a septic Hermite curve"):
+    with pytest.raises(CurveError, match="its jerk jumps at 4 joints, and that of a septic Hermite curve"):
         SepticHermiteCurve.check_shape(spline)
     jumping = HermiteCurve(p, points(6, 9), t)
     for make in (QuinticHermiteCurve, SepticHermiteCurve):

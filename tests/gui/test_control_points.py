@@ -290,7 +290,7 @@ def test_a_menu_tells_before_what_a_conversion_does(drawn, conversions):
     assert conversions("Hermite").isEnabled()
     for name, why in (
         ("Bezier", "is one polynomial from end to end, and this curve has 3 pieces."),
-        ("SepticHermite", "its jerk jumps at 2 joints, where that of a septic Hermite curve goes on."),
+        ("SepticHermite", "its jerk jumps at 2 joints, and that of a septic Hermite curve is continuous."),
         ("Lagrange", "is one polynomial from end to end, and this curve has 3 pieces."),
     ):
         action = conversions(name)

@@ -123,7 +123,7 @@ def test_a_conversion_that_is_possible_gives_the_same_curve(one, other, count):
         (
             "b_spline",
             "septic_hermite",
-            "its jerk jumps at 2 joints, where that of a septic Hermite curve goes on.",
+            "its jerk jumps at 2 joints, and that of a septic Hermite curve is continuous.",
         ),
         ("floater_hormann", "bezier", "it does not consist of polynomials, and a Bézier curve does."),
     ],
