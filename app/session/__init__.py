@@ -1,4 +1,4 @@
-"""The one owner of what is open: the document, its history, the selection and the file behind it.
+"""The owner of the open document, its history, the selection and the file behind it.
 
 - ``session``: the QObject with its signals, composed of the objects below. `Session.change` is the one door
   by which the document changes; `preview`, `commit` and `cancel` make a gesture.

@@ -40,7 +40,7 @@ def raiser_of(reason: EditError) -> str:
 
 
 def why_safe(before: Document, after: Document) -> str:
-    """Return which locked curve of `before` must not be as in `after`, as a sentence; empty where none is."""
+    """Return the sentence about a locked curve of `before` that is changed in `after`; empty for none."""
     try:
         refuse_locked(before, after)
     except EditError as reason:
@@ -49,7 +49,7 @@ def why_safe(before: Document, after: Document) -> str:
 
 
 def why_not_kept(before: Document, after: Document) -> str:
-    """Return why no file may hold what is new in `after`, which no edit should make; empty where one may."""
+    """Return why no file may hold the values that are new in `after`; empty where one may."""
     try:
         validate_changes(before, after)
     except FormatError as reason:

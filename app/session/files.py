@@ -64,12 +64,12 @@ class Files:
 
     @property
     def is_modified(self) -> bool:
-        """Whether what is here is not in the file: changed here, or changed, damaged or deleted there."""
+        """Whether document and file differ: changed here, or changed, damaged or deleted there."""
         return self.has_changes or (self.file is not None and self.file.has_lost_document)
 
     @property
     def is_untouched(self) -> bool:
-        """Whether this is the first sketch or an empty document, as it came."""
+        """Whether this is the first sketch or an empty document, unchanged."""
         is_as_it_came = not self._session.undo_stack.canUndo() and not self.is_modified
         return self.origin.gives_way and self.path is None and is_as_it_came
 
@@ -209,7 +209,7 @@ class Files:
         session.file_changed.emit()
 
     def reload(self) -> None:
-        """Take over what the file holds now, as a step of the history; raises as `open` does."""
+        """Reload the document from its file, as a step of the history; raises as `open` does."""
         session = self._session
         if self.file is None:
             return
@@ -223,12 +223,12 @@ class Files:
         session.file_changed.emit()
 
     def check(self) -> None:
-        """Take note of what the file holds at this moment; before the document goes, for one."""
+        """Read the state of the file at this moment, for instance before the document is replaced."""
         if self.file is not None:
             self.note(self.file.check())
 
     def note(self, change: FileChange) -> None:
-        """Take note of what the file holds."""
+        """Note the content of the file."""
         if self.file is not None and change is not self.file.change:
             self.file.change = change
             _log.info("the file is seen as %s", change.name)

@@ -92,7 +92,7 @@ class UndoStep(SafeOverrides, QUndoCommand):
         return True
 
     def redo(self) -> None:
-        """Bring back the state after the step; called by Qt, when it is pushed too."""
+        """Bring back the state after the step; called by Qt, also when it is pushed."""
         self._restore(self._after)
 
     def undo(self) -> None:

@@ -1,4 +1,4 @@
-"""What is selected: points, curves, the box around them, the scrub line; neither saved nor undone."""
+"""The selection: points, curves, the box around them, the scrub line; neither saved nor undone."""
 
 from __future__ import annotations
 
@@ -92,13 +92,13 @@ class Selection:
 
     @property
     def target_curves(self) -> frozenset[int]:
-        """The curves that an act on whole curves is for: chosen, of selected points, or the edited shape."""
+        """Target of actions on curves: whole curves, those of selected points, or the active shape."""
         active = self._session.active_index
         return self.whole_curves or self.group.curves or expand_to_shapes(self._session.document, (active,))
 
     @property
     def marked(self) -> frozenset[int]:
-        """The curves that are seen to be selected: the edited one or several, those chosen, or none."""
+        """The curves that are marked as selected: the edited ones, those selected as wholes, or none."""
         return self.curves if self.is_editing else self._whole_curves
 
     def highlight(self, *, whole_curves: bool = False) -> ClipboardSelection:
@@ -149,7 +149,7 @@ class Selection:
         self._put(self._existing(group))
 
     def keep_group(self, group: PointGroup) -> None:
-        """Select what exists of some points: nothing, where that is nothing of the active curve."""
+        """Select the existing ones of some points: none, unless there is one of the active curve."""
         existing = self._existing(group)
         self._put(existing if existing.of(self._session.active_index) else NO_POINTS)
 
@@ -181,7 +181,7 @@ class Selection:
         self._take((index,), index, is_editing=True)
 
     def edit_selected(self) -> None:
-        """Edit what is chosen: several shapes together, or the active curve with its shape."""
+        """Edit the selected whole curves: several shapes together, or the active curve with its shape."""
         active = self._session.active_index
         others = self._whole_curves - expand_to_shapes(self._session.document, (active,))
         self._take((*self._whole_curves, active) if others else (active,), active, is_editing=True)
@@ -196,22 +196,22 @@ class Selection:
         self._take((*(self.curves if len(self.curves) > 1 else ()), index), index, is_editing=True)
 
     def select_whole(self, indices: Collection[int]) -> None:
-        """Choose curves as wholes, those that exist, or none at all; no curve is edited any more.
+        """Select curves as wholes, those that exist, or none at all; no curve is edited any more.
 
-        Curves of one shape are chosen together. The active one is one of them, as `set_curves` has it.
+        Curves of one shape are selected together. The active one is one of them, as in `set_curves`.
         """
         document = self._session.document
         places = [index for index in indices if 0 <= index < len(document.curves)]
         self._take(expand_to_shapes(document, places), is_editing=False)
 
     def edit_active(self) -> None:
-        """Edit the active curve, for a tool that needs one; where nobody chose it, it is lent."""
+        """Edit the active curve, because the tool needs one; it is implicit where nobody selected it."""
         is_lent, style = self.is_implicit or not self.marked, self.next_style
         self.activate(self._session.active_index)
         self.is_implicit, self.next_style = is_lent, style
 
     def select_imported(self, indices: Collection[int], style: Style) -> None:
-        """Choose curves that were brought here; what is drawn next has this style, not theirs."""
+        """Select imported curves as wholes; the next curve drawn has this style, not theirs."""
         self.select_whole(indices)
         self.next_style = style
 
@@ -268,12 +268,12 @@ class Selection:
             session.selected_curves_changed.emit(self.curves)
 
     def restore(self, state: SelectionState) -> None:
-        """Select what was selected before; the active curve is the one of then already."""
+        """Restore a selection; its active curve is the active one already."""
         self._take(state.curves if state.is_editing else state.whole_curves, is_editing=state.is_editing)
         self.set_group(state.points)
 
     def make_active(self, index: int) -> None:
-        """Make curve `index` the active one; what belonged to the other is put away."""
+        """Make curve `index` the active one; points of the other are deselected."""
         self.set_points([])
         self.set_hovered(-1)
         self._session.active_index = index
@@ -288,7 +288,7 @@ class Selection:
     # To another document
 
     def clear(self) -> None:
-        """Put away what is selected of a document that goes."""
+        """Deselect everything: the document is replaced."""
         self.set_points([])
         self.edit_active()
         self.next_style = None
@@ -318,7 +318,7 @@ class Selection:
         self.is_implicit = True
 
     def settle(self) -> None:
-        """Take what a gesture showed as selected, and which was dropped, for what is: as far as it may be."""
+        """Keep the selection that a dropped gesture has shown, as far as it is valid."""
         if not self.is_editing and self.whole_curves and self.whole_curves != self.curves:
             self.set_curves(self.whole_curves)
         self.keep_group(self.group)
@@ -327,7 +327,7 @@ class Selection:
 
     @contextmanager
     def following(self, before: Document) -> Iterator[None]:
-        """Go along from a document to the one that is shown now, around what tells of it.
+        """Follow from a document to the present one, around the signal that reports it.
 
         Nobody who is told of the document finds something named that it does not have. Whoever draws it has
         to hear of the points first.
@@ -360,7 +360,7 @@ class Selection:
             session.selected_curves_changed.emit(self.curves)
 
     def select_returned(self, document: Document, then: SelectionState | None) -> None:
-        """Select points, or curves, that undo or redo has brought back; edit or choose what was `then`.
+        """Select the points or curves that undo or redo has brought back; restore the selection of `then`.
 
         That is so, too, where what was edited or chosen since goes with the step, as copies do.
         """
@@ -377,7 +377,7 @@ class Selection:
 
 
 def _comes_back(then: SelectionState, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
-    """Whether what was selected before a step is selected again, for undo has brought back some of it.
+    """Return whether the selection before a step is restored, because undo has brought back some of it.
 
     Likewise where nothing is selected any more, for what the step has made is gone: then points of what was
     edited, or what was chosen as a whole.
@@ -435,14 +435,14 @@ class ClipboardSelection(msgspec.Struct, frozen=True):
         return name_or_count(document, self.curves) if is_whole else self.points.label
 
     def said(self, document: Document) -> str:
-        """Return what it is within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
+        """Return its label within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
         if self.points.parts:
             return self.points.count_label
         name = common_name(document, self.curves)
         return name_or_count(document, self.curves) if name is None else f"“{name}”"
 
     def told(self, document: Document) -> str:
-        """Return the same, and what of it stays: "2 curves; 1 locked curve stays"."""
+        """Return the label with the remark: "2 curves; 1 locked curve stays"."""
         return "; ".join(filter(None, (self.said(document), self.stays)))
 
     def removed_from(self, document: Document, delete: PointsEdit) -> Document:
@@ -455,7 +455,7 @@ class ClipboardSelection(msgspec.Struct, frozen=True):
 
 
 class BoxState:
-    """What a person has chosen of the box around what is selected; neither saved nor undone.
+    """The pivot and the grips of the box around the selection; neither saved nor undone.
 
     Parameters
     ----------
@@ -465,7 +465,7 @@ class BoxState:
     Attributes
     ----------
     pivot
-        What was chosen to turn, scale and mirror about, with what it was chosen for; None for the middle.
+        The pivot that was set, with the points that it was set for; None for the middle.
     turns
         Whether its grips rotate and skew; until something else is selected.
     """

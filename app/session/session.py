@@ -1,4 +1,4 @@
-"""The QObject that owns what is open, and tells what becomes of it."""
+"""The QObject that owns the open document, and the signals by which it reports changes."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _log = logging.getLogger("curvebench.session")
 
 
 class Batch:
-    """Whether a session is about to tell more of what it does.
+    """A batch of signals that belong together: true while it is entered.
 
     A step changes the document, what is selected and the history, and each has a signal of its own. Who shows
     all of them together, at every one of these, would show the same several times, and what never was in
@@ -65,7 +65,7 @@ class Batch:
 
 
 class SessionSignals(QObject):
-    """What a session tells.
+    """Signals of a session, and messages to the person.
 
     Signals
     -------
@@ -191,7 +191,7 @@ class Session(SessionSignals):
         self.history_changed.emit()
 
     def _follow_history(self) -> None:
-        """Turn to what the history says is there, where undo or redo has failed on its way to it.
+        """Adopt the state of the history, where undo or redo has failed on its way to it.
 
         The history goes on whatever a step raises; what a step does besides may be what failed.
         """
@@ -248,7 +248,7 @@ class Session(SessionSignals):
         return self._views.of(self._shown.curves)
 
     def expect(self, views: Sequence[CurveView]) -> None:
-        """Have views of curves that the next change brings; what many of them take is done by then."""
+        """Accept views of curves that the next change adds, computed beforehand."""
         self._views.expect(views)
 
     @property
@@ -258,7 +258,7 @@ class Session(SessionSignals):
 
     @property
     def model(self) -> Curve:
-        """The curve that what is drawn next is like: the active one, but for a style that was set for it.
+        """The curve that gives a new one its family, rules and style: the active one, but for a style set.
 
         Nobody means to draw what has no paint, unless it was set so.
         """
@@ -296,7 +296,7 @@ class Session(SessionSignals):
         active: int | None = None,
         run: Hashable = None,
     ) -> Change:
-        """Make what `edit` returns for the document the current one, as the step `text` of the history.
+        """Make the document that `edit` returns the current one, as the step `text` of the history.
 
         A gesture in flight is dropped first. Where `edit` raises `EditError` the status line says why.
 
@@ -375,7 +375,7 @@ class Session(SessionSignals):
         return Change(is_done=True)
 
     def cancel(self) -> None:
-        """Drop the preview; nothing is left of it, and what was selected before it is selected again."""
+        """Drop the preview, and restore the selection before it."""
         home, self._home, self._asked, self._selects = self._home, None, None, None
         if home is None:
             return
@@ -396,7 +396,7 @@ class Session(SessionSignals):
         return was_previewing
 
     def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
-        """Say why nothing changes; log `by` what, for the reason may name something."""
+        """Say why nothing changes; log the function that refused."""
         _log.info("a change was refused by %s", by)
         self._views.expect(())
         (self.say if is_so else self.refuse)(reason)
@@ -430,14 +430,14 @@ class Session(SessionSignals):
         return is_previewed and state.active == self.active_index
 
     def _settle(self, state: HistoryState) -> None:
-        """Make what is previewed the current document; it is drawn already."""
+        """Make the previewed document the current one; it is drawn already."""
         self.history.end_run()
         self.interrupted.emit()
         self._committed = state.document
         self.settled.emit()
 
     def _turn_to(self, origin: DocumentOrigin) -> None:
-        """Put away what belonged to the document before this one."""
+        """Close the document before this one, with its file, selection and scrub line."""
         self.files.origin = origin
         if self.files.path is not None:
             # Its file holds the other document: nothing of this one may go there unasked.
@@ -469,7 +469,7 @@ class Session(SessionSignals):
             self.document_changed.emit(document)
 
     def renew(self, families: Collection[Family]) -> None:
-        """Show curves of these families anew: what the families are has changed, not the document."""
+        """Show curves of these families anew: the families have changed, not the document."""
         self.interrupt()
         self._views.renew(families)
         self.document_changed.emit(self._shown)

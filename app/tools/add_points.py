@@ -1,4 +1,4 @@
-"""Add points with the pen: what it draws, what a press means, and each drag to its undo step."""
+"""Add points with the pen: the curves it draws, the meaning of a press, and each drag to its undo step."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ CurveKey = tuple[int, str]
 
 
 class PenSession:
-    """Curves that are finished, and those that have been drawn since the pen was taken in hand.
+    """Curves that are finished, and those drawn since the pen was activated.
 
-    Curves are known by their places and names.
+    Curves are known by their indices and names.
     """
 
     def __init__(self) -> None:
@@ -43,50 +43,50 @@ class PenSession:
         self.begin()
 
     def begin(self) -> None:
-        """Forget which curves are drawn: the pen is taken in hand."""
+        """Forget which curves are drawn: the pen is activated."""
         self._drawn.clear()
 
     @property
     def has_drawn(self) -> bool:
-        """Whether anything has been drawn since the pen was taken in hand."""
+        """Whether anything has been drawn since the pen was activated."""
         return bool(self._drawn)
 
     def is_finished(self, session: EditingSession) -> bool:
-        """Whether the person has finished the curve that is edited, so that the next press begins another."""
+        """Return whether the active curve is finished: the next press begins another one."""
         return key_of(session) in self._finished and can_finish(session.active_view)
 
     def goes_on_at(self, hit: Hit, session: EditingSession) -> bool:
-        """Whether a click on what is hit goes on with the curve: on either end of one that is not drawn."""
+        """Return whether a click continues the curve: on either end of one that the pen is not drawing."""
         view = session.active_view
         is_either = is_end(hit, view) or is_beginning(hit, view)
         return is_either and not self.is_drawn(session) and not view.source.locked
 
     def is_drawn(self, session: EditingSession) -> bool:
-        """Whether the pen is drawing the curve that is edited."""
+        """Return whether the pen is drawing the active curve."""
         return (
             session.selected.is_editing and key_of(session) in self._drawn and not self.is_finished(session)
         )
 
     def finish(self, session: EditingSession) -> None:
-        """Take note that the curve that is edited is finished."""
+        """Finish the active curve."""
         self._finished.add(key_of(session))
 
     def draw(self, key: CurveKey, count: int) -> None:
-        """Take note that a curve is drawn, which has had so many points before."""
+        """Begin to draw a curve, which has had `count` points before."""
         if key in self._finished:
             self._drawn.pop(key, None)
         self._finished.discard(key)
         self._drawn.setdefault(key, count)
 
     def own_points(self, session: EditingSession) -> int:
-        """Return how many points at the end of the curve that is edited the pen has drawn."""
+        """Return the number of points at the end of the active curve that the pen has drawn."""
         if not self.is_drawn(session) or session.active_view.source.is_closed:
             return 0
         return max(0, len(session.active_view.source.points) - self._drawn[key_of(session)])
 
 
 def key_of(session: EditingSession) -> tuple[int, str]:
-    """Return the place and the name of the curve that is edited."""
+    """Return the index and the name of the active curve."""
     return session.active_index, session.active_view.source.name
 
 
@@ -94,30 +94,30 @@ def key_of(session: EditingSession) -> tuple[int, str]:
 
 
 def can_finish(view: CurveView) -> bool:
-    """Whether there is a curve with an end, so that the pen can finish it and begin another one."""
+    """Return whether there is a curve with an end: the pen can finish it and begin another one."""
     return not view.source.is_closed and len(view.source.points) > 1
 
 
 def can_end_at(hit: Hit | None, view: CurveView) -> bool:
-    """Whether the curve might end at what is hit: its first point, and there are others to go around."""
+    """Return whether the first point is hit, and there are others to close the curve around."""
     curve = view.source
     is_first = hit is not None and is_beginning(hit, view)
     return is_first and len(curve.points) >= curve.family.least_to_close
 
 
 def is_beginning(hit: Hit, view: CurveView) -> bool:
-    """Whether the first point of an open curve is hit."""
+    """Return whether the first point of an open curve is hit."""
     return hit.part is Part.POINT and hit.index == 0 and not view.source.is_closed
 
 
 def is_end(hit: Hit, view: CurveView) -> bool:
-    """Whether the last point of an open curve is hit."""
+    """Return whether the last point of an open curve is hit."""
     is_last = hit.part is Part.POINT and hit.index == len(view.source.points) - 1
     return is_last and not view.source.is_closed
 
 
 def is_no_part(hit: Hit | None) -> bool:
-    """Whether neither a point nor a handle is hit: the curve itself, or nothing."""
+    """Return whether neither a point nor a handle is hit: the curve itself, or nothing."""
     return hit is None or hit.part is Part.CURVE
 
 
@@ -130,10 +130,10 @@ class PenAct(Enum):
 
 
 def pen_act(hit: Hit | None, view: CurveView, *, shift: bool, finished: bool = False) -> PenAct:
-    """Return what a press does: on the curve insert, beside it append; with Shift append everywhere.
+    """Return the act of a press: on the curve insert, beside it append; with Shift append everywhere.
 
-    A closed curve has no end to go on from, and that of a finished one is left alone: beside them another
-    curve begins.
+    A closed curve has no end to continue from, and a finished one is not continued: beside them another curve
+    begins.
     """
     if shift:
         return PenAct.APPEND
@@ -143,7 +143,7 @@ def pen_act(hit: Hit | None, view: CurveView, *, shift: bool, finished: bool = F
 
 
 def position_in_steps(view: CurveView, pointer: Pointer) -> Vector | None:
-    """Return where Ctrl puts the next point: at a step of 15°, seen from the one before."""
+    """Return the position of the next point with Ctrl: at a step of 15°, seen from the one before."""
     points = view.source.points
     if not (pointer.ctrl and points and pointer.is_there) or view.source.is_closed:
         return None
@@ -152,7 +152,7 @@ def position_in_steps(view: CurveView, pointer: Pointer) -> Vector | None:
 
 
 def _is_away(pointer: Pointer, press: Pointer) -> bool:
-    """Whether the pointer is no longer where it was pressed."""
+    """Return whether the pointer has left the position of the press."""
     (x, y), (at_x, at_y) = pointer.pixel, press.pixel
     return max(abs(x - at_x), abs(y - at_y)) >= 3
 
@@ -232,7 +232,7 @@ class AppendPoint(Drag, kw_only=True):
 
     @staticmethod
     def _offset(pointer: Pointer, position: Vector) -> Vector:
-        """Return how far the handle is drawn out, and where to: with Ctrl or Shift in steps."""
+        """Return the offset by which the handle is drawn out: with Ctrl or Shift in steps of 15°."""
         offset = pointer.offset_from(position)
         return in_steps(offset) if pointer.holds_line else offset
 
@@ -264,7 +264,7 @@ class AppendPoint(Drag, kw_only=True):
         return f"{STEP_KEYS} · Alt: the handle ahead alone"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return where the point is added, and where its velocity points."""
+        """Return the position of the new point and the direction of its velocity."""
         position = self._position(pointer)
         text = f"{self.undo_text(pointer)} at {words.pair_text(position)}"
         if not self._sets_velocity(pointer):
@@ -329,7 +329,7 @@ class InsertPoint(Drag, kw_only=True, dict=True):
         return f"Insert point {self.hit.index}"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return where the point is inserted."""
+        """Return the position of the new point, or its parameter on the curve."""
         if self._is_on_curve(pointer):
             return f"{self.undo_text(pointer)} at t = {words.number(self.hit.t)}"
         return f"{self.undo_text(pointer)} at {words.pair_text(self.snapper.at(pointer))}"

@@ -1,4 +1,4 @@
-"""Work of a tool that takes longer than a moment: beside the window, one thing after the other. No Qt."""
+"""Work of a tool that takes longer than a moment: in a thread, one task after the other. No Qt."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Jobs(Protocol):
 
     @property
     def is_busy(self) -> bool:
-        """Whether something is being done."""
+        """Whether work is in progress."""
 
     def start(
         self,
@@ -25,10 +25,10 @@ class Jobs(Protocol):
         done: Callable[[Any], object],
         failed: Callable[[Exception], object],
     ) -> bool:
-        """Do `work`, and hand its result to `done` or what it raised to `failed`."""
+        """Do `work`; call `done` with its result, or `failed` with its exception."""
 
     def cancel(self) -> bool:
-        """Take the work back."""
+        """Cancel the work; return whether there was any."""
 
 
 class BackgroundTask(msgspec.Struct, frozen=True):
@@ -37,9 +37,9 @@ class BackgroundTask(msgspec.Struct, frozen=True):
     Attributes
     ----------
     title, work, done
-        Its name, the work itself, and what takes its result.
+        Its name, the work itself, and the function that gets its result.
     line
-        What is seen on the plot until then.
+        Line drawn on the plot until then.
     """
 
     title: str
@@ -54,9 +54,9 @@ class Background:
     Attributes
     ----------
     jobs
-        Does them beside the window; whoever shows the plot sets it. Without, each is done at once.
+        The thread; the widget of the plot sets it. Without, each task is done at once.
     changed
-        Called when there is one more or one less.
+        Called when a task is added or removed.
     """
 
     def __init__(self, is_free: Callable[[], bool]) -> None:
@@ -68,16 +68,16 @@ class Background:
 
     @property
     def is_busy(self) -> bool:
-        """Whether there are tasks."""
+        """Whether tasks are waiting or in progress."""
         return bool(self._tasks)
 
     @property
     def lines(self) -> tuple[tuple[Vector, ...], ...]:
-        """The lines of the tasks, to be seen meanwhile."""
+        """The lines of the tasks, drawn meanwhile."""
         return tuple([task.line for task in self._tasks]) if self._tasks else ()
 
     def do(self, task: BackgroundTask) -> None:
-        """Do this after those that there are."""
+        """Do a task after those that are waiting."""
         if self.jobs is None:
             task.done(task.work(silent))
             return
@@ -86,7 +86,7 @@ class Background:
         self._begin()
 
     def cancel(self) -> bool:
-        """Drop all of them; return whether there were any."""
+        """Cancel all tasks; return whether there were any."""
         found = bool(self._tasks)
         self._tasks, self._results = [], []
         if self.jobs is not None and found:
@@ -95,7 +95,7 @@ class Background:
         return found
 
     def cancel_last(self) -> str:
-        """Drop the one that was begun last; return its title, empty where there is none."""
+        """Cancel the task that was added last; return its title, empty for none."""
         if not self._tasks:
             return ""
         title = self._tasks[-1].title
@@ -107,7 +107,7 @@ class Background:
         return title
 
     def hand_over(self) -> None:
-        """Hand the result to whom it is for, unless a gesture is in flight; then begin the next."""
+        """Finish the task with its result, unless a gesture is in flight; then begin the next one."""
         if self._results and self._is_free():
             task, result = self._tasks.pop(0), self._results.pop()
             self.changed()

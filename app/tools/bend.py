@@ -71,7 +71,7 @@ class BendCurve(Drag, kw_only=True):
         return _keys(self.view)
 
     def amount(self, pointer: Pointer) -> str:
-        """Return where the curve is grabbed, and what changes."""
+        """Return the parameter of the grabbed point, and the effect."""
         # Which data change most is decided by weights; the grabbed point follows exactly.
         is_weighted = self.view.linearised and bend_with(self.view, pointer) is BendWith.POINTS
         weights = f", by weights {self.view.linearised}" if is_weighted else ""
@@ -79,14 +79,14 @@ class BendCurve(Drag, kw_only=True):
 
 
 def bend_with(view: CurveView, pointer: Pointer) -> BendWith:
-    """Return which data a bend changes with the keys that are held."""
+    """Return the data that a bend changes with the keys that are held."""
     if pointer.ctrl or not has_handles(view):
         return BendWith.POINTS
     return BendWith.ALL if pointer.alt else BendWith.DERIVATIVES
 
 
 def _effect(view: CurveView, pointer: Pointer) -> str:
-    """Return what a bend does to the points."""
+    """Return the effect of a bend on the points."""
     if not has_handles(view):
         return f"this family has no handles: the {view.source.family.point}s move"
     return bend_with(view, pointer).value
@@ -100,7 +100,7 @@ def _keys(view: CurveView) -> str:
 
 
 def click_segment(event: ToolEvent, hit: Hit, *, is_added: bool) -> None:
-    """Select the ends of the segment hit, alone or added to the selection; say what c(t) is there."""
+    """Select the ends of the segment hit, alone or added to the selection; say the value of c(t)."""
     session, selected = event.session, event.session.selected
     ends = _ends_of(session.active_view, session.active_index, hit.t)
     if ends.parts:
@@ -110,7 +110,7 @@ def click_segment(event: ToolEvent, hit: Hit, *, is_added: bool) -> None:
 
 
 def _ends_of(view: CurveView, curve: int, t: float) -> PointGroup:
-    """Return the points at both ends of the segment at `t`; none where the curve passes by its points."""
+    """Return both ends of the segment at `t`; none where the curve does not interpolate its points."""
     if not view.source.family.interpolates:
         return NO_POINTS
     start, count = segment_at(view.parameters, t), len(view.source.points)
@@ -148,7 +148,7 @@ def hint_on_line(view: CurveView, pointer: Pointer) -> Hint:
 
 
 def _clicks(view: CurveView, pointer: Pointer) -> str:
-    """Return what a click on the line selects, and what a second one does."""
+    """Return the effects of a click on the line, and of a second one."""
     selects = view.source.family.interpolates
     if pointer.shift:
         return "Click: select both ends, too" if selects else ""

@@ -121,9 +121,9 @@ class TransformBox(Bounds, frozen=True):
         )
 
     def is_roomy(self, scale: float) -> bool:
-        """Whether its middle is a pivot to take: a press in a smaller one moves what is in it.
+        """Return whether a press takes its middle as pivot: in a smaller one it moves the contents.
 
-        So does one in whole curves before their grips turn: who clicks there means what lies there.
+        So it does in the box of whole curves that scales: who presses there means the curve there.
         """
         if self.turns:
             return max(self.size) * scale >= _LEAST_TURNING_BOX
@@ -221,7 +221,7 @@ class SelectionBox:
 
     @property
     def curves(self) -> PointGroup | None:
-        """The curves that are chosen as wholes, whatever points are selected; None for none.
+        """The points of the selected whole curves, whatever points are selected; None for none.
 
         Of several, those that are not locked.
         """
@@ -237,12 +237,12 @@ class SelectionBox:
 
     @property
     def for_keys(self) -> PointGroup:
-        """The target of the keys: the same, or else all points of the shape that is edited."""
+        """The points that keys transform: the same, or else all points of the active shape."""
         return self.group or self._edited
 
     @property
     def _edited(self) -> PointGroup:
-        """All points of the active curve, and of the others of its shape: what has a hole is one thing."""
+        """All points of the active curve, and of the others of its shape: outline and holes are one."""
         document, active = self._session.document, self._session.active_index
         places = shape_of(document, active)
         return PointGroup(
@@ -251,19 +251,19 @@ class SelectionBox:
 
     @property
     def words(self) -> str:
-        """The words for that: "3 curves", "2 points", "all 5 points"."""
+        """Their label: "3 curves", "2 points", "all 5 points"."""
         group = self.for_keys
         return f"{'all ' if self.group is None and group.only_point is None else ''}{group.label}"
 
     @property
     def is_nothing(self) -> bool:
-        """Whether nothing is selected, and no curve is edited or has no points."""
+        """Whether nothing is selected, and no curve is edited or it has no points."""
         is_there = self.group is not None or self._session.selected.is_editing
         return not is_there or not any(indices for _, indices in self.for_keys.parts)
 
     @property
     def refusal_of_keys(self) -> str:
-        """Why keys cannot transform anything: it is locked, or there is nothing."""
+        """Why keys cannot transform: the points are locked, or there are none."""
         if self.group is None and not self._session.selected.is_editing:
             return NONE_SELECTED
         group, source = self.for_keys, self._session.active_view.source
@@ -272,7 +272,7 @@ class SelectionBox:
         return self.refusal_of(group)
 
     def refusal_of(self, group: PointGroup | None) -> str:
-        """Return why a group cannot be changed: what of it is locked; empty where nothing is."""
+        """Return why a group cannot be changed: a part of it is locked; empty where none is."""
         try:
             if group is not None:
                 group.refuse_locked(self._session.document)
@@ -282,7 +282,7 @@ class SelectionBox:
 
     @property
     def bounds(self) -> Bounds:
-        """The bounds of what keys transform; there must be points."""
+        """The bounds of the points that keys transform; there must be some."""
         group, box = self._now()
         if box is not None:
             return box
@@ -296,14 +296,14 @@ class SelectionBox:
 
     @property
     def centre(self) -> Vector:
-        """Place that keys turn, scale and mirror about: the pivot, or else the middle."""
+        """Position that keys rotate, scale and mirror about: the pivot, or else the middle."""
         return self.pivot or self.bounds.centre
 
     # Pivot
 
     @property
     def pivot(self) -> Vector | None:
-        """The pivot that was chosen for it, where it is by now; None for the middle."""
+        """The pivot that was set for the points, at its present position; None for the middle."""
         pivot = self._session.box.pivot
         if pivot is None or self.is_nothing:
             return None
@@ -315,7 +315,7 @@ class SelectionBox:
         self._session.box.set_pivot(Pivot(place, self.anchored()) if place is not None else None)
 
     def anchored(self) -> Anchor:
-        """Return what keys transform as it is now."""
+        """Return the points that keys transform, as anchor of a pivot."""
         return self._anchored(self.for_keys)
 
     def _anchored(self, group: PointGroup) -> Anchor:
@@ -323,9 +323,9 @@ class SelectionBox:
         return anchored(session.views, group, live=session.is_previewing)
 
     def keep_pivot(self) -> None:
-        """Take the pivot along with what it was chosen for, or with a copy of that which lies there.
+        """Move the pivot along with the points it was set for, or with a copy of them in their place.
 
-        Where that is gone the pivot goes, too: what is drawn in its place has none.
+        Where they are gone, the pivot is removed: points drawn in their place have none.
         """
         session, pivot = self._session, self._session.box.pivot
         if pivot is None or session.is_previewing:

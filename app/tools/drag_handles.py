@@ -119,7 +119,7 @@ class DragHandle(Drag, kw_only=True, dict=True):
         return self.snapper.snap(tip, pointer)
 
     def undo_text(self, pointer: Pointer) -> str:
-        """Return "Set velocity of point 2", or what Alt does."""
+        """Return "Set velocity of point 2", or with Alt "Break handles of point 2"."""
         if self._breaks(pointer):
             return f"Break handles of point {self.hit.index}"
         return f"Set {label_of_handle(self.hit, self.view)}"

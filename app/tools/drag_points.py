@@ -149,7 +149,7 @@ class MovePoints(Drag, kw_only=True):
         return document
 
     def offset(self, pointer: Pointer) -> Vector:
-        """Return how far the points move, so that the grabbed one snaps."""
+        """Return the offset of the points, with the grabbed one snapped."""
         offset = pointer.offset_from(self.start)
         axis = axis_held(offset, pointer) if self.axis is None else self.axis
         offset = along_axis(offset, axis)
@@ -172,7 +172,7 @@ class MovePoints(Drag, kw_only=True):
 
     @property
     def remark(self) -> str:
-        """What of the group is locked."""
+        """The locked part of the group."""
         return self.group.remark
 
     def amount(self, pointer: Pointer) -> str:
@@ -187,7 +187,7 @@ class MovePoints(Drag, kw_only=True):
 
 
 def label_of_moved(event: ToolEvent, hit: Hit) -> str:
-    """Return what a drag of the point hit moves: "point 2", or "4 points" if it is one of those selected."""
+    """Return the label of the points that a drag moves: "point 2", or "4 points" if it is one of them."""
     session = event.session
     curve, group = hit.curve if hit.part is Part.OTHER_POINT else session.active_index, session.selected.group
     if hit.index in group.of(curve) and group.count > 1:
@@ -207,7 +207,7 @@ def hint_on_point(hit: Hit, view: CurveView, moves: str, pointer: Pointer, *, sn
 
 
 def kind_on_double_click(hit: Hit, view: CurveView, pointer: Pointer) -> str:
-    """Return what a double click makes of the point hit, to follow a hint; empty for nothing."""
+    """Return the effect of a double click on the point hit, to follow a hint; empty for none."""
     has_kind = view.source.family.derivatives and hit.part is Part.POINT
     if not has_kind or pointer.alt or not inner_points(view.source, [hit.index]):
         return ""

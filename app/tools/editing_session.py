@@ -29,20 +29,20 @@ class EditingSelection(Protocol):
 
     @property
     def whole_curves(self) -> frozenset[int]:
-        """The curves that are acted on as wholes."""
+        """The curves that are selected as wholes."""
 
     @property
     def state(self) -> SelectionState:
-        """All that is selected now."""
+        """The present selection."""
 
     def restore(self, state: SelectionState) -> None:
-        """Select what was selected before."""
+        """Restore a selection."""
 
     def select_whole(self, indices: Collection[int]) -> None:
-        """Choose curves as wholes, or none at all; no curve is edited any more."""
+        """Select curves as wholes, or none at all; no curve is edited any more."""
 
     def show_whole(self, indices: Collection[int]) -> None:
-        """Show curves as chosen while a gesture goes on."""
+        """Show curves as selected during a gesture."""
 
     def set_points(self, indices: Collection[int]) -> None:
         """Select points of the active curve alone."""
@@ -51,38 +51,38 @@ class EditingSelection(Protocol):
         """Select points of the curves that are edited."""
 
     def show_group(self, group: PointGroup) -> None:
-        """Show points as selected while a gesture goes on."""
+        """Show points as selected during a gesture."""
 
     def switch_active(self, index: int) -> None:
-        """Make another of the curves that are edited the active one; the same points are selected."""
+        """Make another of the edited curves the active one; the same points stay selected."""
 
     def set_curves(self, indices: Collection[int]) -> None:
         """Select curves to work on together."""
 
     def set_hovered(self, index: int) -> None:
-        """Take note of the point under the pointer."""
+        """Set the point under the pointer."""
 
     def activate(self, index: int) -> None:
         """Edit another curve."""
 
     def edit_active(self) -> None:
-        """Edit the active curve, for a tool that needs one."""
+        """Edit the active curve, because the tool needs one."""
 
     def edit_selected(self) -> None:
-        """Edit what is chosen."""
+        """Edit the selected whole curves."""
 
 
 class EditingBox(Protocol):
-    """Box around what is selected in a session, as the tools use it."""
+    """Box around the selection of a session, as the tools use it."""
 
     pivot: Pivot | None
     turns: bool
 
     def set_pivot(self, pivot: Pivot | None) -> None:
-        """Turn, scale and mirror about another place; None for the middle."""
+        """Rotate, scale and mirror about another position; None for the middle."""
 
     def set_turns(self, turns: bool) -> None:
-        """Have grips that rotate and skew, or such that scale."""
+        """Use grips that rotate and skew, or grips that scale."""
 
 
 class EditingScrub(Protocol):
@@ -91,7 +91,7 @@ class EditingScrub(Protocol):
     t: float | None
 
     def set(self, t: float | None) -> None:
-        """Move the line, or put it away (None)."""
+        """Move the line, or hide it (None)."""
 
 
 class EditingSession(Protocol):
@@ -105,7 +105,7 @@ class EditingSession(Protocol):
 
     @property
     def box(self) -> EditingBox:
-        """What was chosen of the box around what is selected."""
+        """The pivot and the grips of the box around the selection."""
 
     @property
     def scrub(self) -> EditingScrub:
@@ -117,7 +117,7 @@ class EditingSession(Protocol):
 
     @property
     def is_previewing(self) -> bool:
-        """Whether a gesture in flight shows another document."""
+        """Whether a gesture in flight previews another document."""
 
     @property
     def views(self) -> list[CurveView]:
@@ -129,7 +129,7 @@ class EditingSession(Protocol):
 
     @property
     def model(self) -> Curve:
-        """The curve that what is drawn next is like."""
+        """The curve that gives a new one its family, rules and style."""
 
     def preview(
         self, document: Document, *, active: int | None = None, selects: SelectionState | None = None
@@ -140,7 +140,7 @@ class EditingSession(Protocol):
         """
 
     def commit(self, document: Document, text: str, *, active: int | None = None) -> object:
-        """End the gesture with this document as a step of the history; true where it is one."""
+        """End the gesture with a document as a step of the history; true where it is one."""
 
     def change(
         self,
@@ -150,16 +150,16 @@ class EditingSession(Protocol):
         active: int | None = None,
         run: Hashable = None,
     ) -> object:
-        """Make what `edit` returns a step of the history; true where it is one.
+        """Make the document that `edit` returns a step of the history; true where it is one.
 
-        Quick steps of the same run are one; `active` is the curve to edit from then on, where that changes.
+        Quick changes of the same run are one step; `active` is another curve to edit from then on.
         """
 
     def cancel(self) -> None:
-        """Drop the preview, and select what was selected before it."""
+        """Drop the preview, and restore the selection before it."""
 
     def say(self, text: str) -> None:
         """Show a sentence in the status line."""
 
     def refuse(self, text: str) -> None:
-        """Say that something was not done, and why."""
+        """Say why something was not done."""

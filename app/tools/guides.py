@@ -79,7 +79,7 @@ class MoveGuide(Drag, kw_only=True):
         return f"{'Guide at' if self.is_new else 'Move guide to'} {where}"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return where the guide is."""
+        """Return the label of the guide."""
         if _is_beyond(pointer):
             return "Drag onto the drawing for a guide" if self.is_new else "Let go to remove the guide"
         return f"Guide {guide_label(self._guide_at(pointer), self.unit)}"
@@ -89,7 +89,7 @@ class MoveGuide(Drag, kw_only=True):
         return self._guide_at(pointer).nearest_position(pointer.position)
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the guide, and what it snaps to."""
+        """Return the guide, and its snap."""
         return replace(super().marks(event), guide=self.index)
 
 

@@ -12,12 +12,12 @@ from .snapping import Snap
 
 
 class Note(msgspec.Struct, frozen=True):
-    """A few words beside a place.
+    """A few words beside a position.
 
     Attributes
     ----------
     work
-        The middle of what is worked on: the words stand on the side of the place where that is not.
+        The middle of the selection: the words stand on the other side.
     """
 
     position: Vector
@@ -34,7 +34,7 @@ class Ruler(msgspec.Struct, frozen=True):
 
 
 class Marks(msgspec.Struct, frozen=True):
-    """All marks at once; None for what is not there.
+    """All marks at once; None for those that are not drawn.
 
     Attributes
     ----------
@@ -43,13 +43,13 @@ class Marks(msgspec.Struct, frozen=True):
     box, frame
         The box with grips around the selected points; the box without them, while they are dragged.
     pivot
-        What is turned, scaled and mirrored about.
+        The position that is rotated, scaled and mirrored about.
     pivot_box
-        The box that it is the middle of, where nobody chose it: without room there it is not seen.
+        The box that it is the middle of, where it was not set: without room there it is not drawn.
     snap
-        What the pointer has snapped to.
+        The snap of the pointer.
     ruler
-        What is measured.
+        The measured distance.
     note
         The amount of a transform, beside the pointer.
     axis
@@ -59,11 +59,11 @@ class Marks(msgspec.Struct, frozen=True):
     spot
         Where on the curve the pen would insert a point; the point of another curve under the pointer.
     line
-        What the pencil has drawn so far.
+        The line that the pencil has drawn so far.
     waiting
-        Lines of which curves are being made.
+        Lines from which curves are being computed.
     guide
-        The guide under the pointer, or that is dragged: its place in the document.
+        Index of the guide under the pointer, or of the one that is dragged.
     """
 
     band: tuple[Vector, Vector] | None = None

@@ -78,9 +78,9 @@ class MovePivot(Gesture, kw_only=True):
         super().cancel(event)
 
     def status(self, event: ToolEvent) -> str:
-        """Return where the pivot is."""
+        """Return the position of the pivot."""
         return f"Pivot {words.pair_text(event.box.centre)} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the frame, the pivot, and what it has snapped to."""
+        """Return the frame, the pivot, and its snap."""
         return replace(super().marks(event), snap=event.snapping.caught)

@@ -1,4 +1,4 @@
-"""Offsets in the plane: from the press to the pointer, along an axis, in steps of 15°."""
+"""Offsets in the plane: their sum, their part along an axis, their angle in steps of 15°."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from .pointer import ORIGIN, Cursor, Hint, Hit, Part, Pointer
 from .tool import Drag, Gesture, Tool, ToolEvent, ToolRecord
 
 _LEAST_GAP = 1e-3
-"""Part of the whole interval that stays between two ticks: it can be seen, and the curve be computed."""
+"""Part of the whole interval that stays between two ticks: visible, and enough for the curve."""
 
 # The scrub line
 
@@ -86,15 +86,15 @@ class ScrubTool(Tool):
         return False
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint."""
         return Hint("Drag, or press ← →, to scrub (Shift: ten times as far) · Wheel zooms along t")
 
 
 class ScrubAlongTool(ScrubTool):
-    """Tool that drags the scrub line to the nearest position of what is drawn."""
+    """Tool that drags the scrub line along a drawn curve."""
 
     def parameter_at(self, event: ToolEvent) -> float | None:
-        """Return the parameter of what is nearest."""
+        """Return the parameter of the nearest point of the curve."""
         hit = event.with_hit().hit
         return hit.t if hit is not None else None
 
@@ -126,7 +126,7 @@ class RailTool(ScrubTool):
         return True
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint."""
         hit = event.hit
         if hit is None or hit.part is Part.SCRUB:
             return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
@@ -231,7 +231,7 @@ class DragTicks(Drag, kw_only=True):
         return knot
 
     def _offset(self, pointer: Pointer) -> tuple[float, frozenset[int]]:
-        """Return how far the ticks move, and which."""
+        """Return the offset of the ticks, and the knots that move."""
         by = pointer.position[0] - self.start
         count = len(self.parameters)
         moving = self.knots
@@ -259,7 +259,7 @@ class DragTicks(Drag, kw_only=True):
         return f"Change t of {len(self.knots)} points"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return where the grabbed tick is, and how many move along."""
+        """Return t of the grabbed tick, and the number of ticks that move along."""
         by, moving = self._offset(pointer)
         if moving <= self.idle:
             return _idle_words(self.point)

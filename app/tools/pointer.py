@@ -1,4 +1,4 @@
-"""The pointer: its place, the keys that are held, and what lies under it."""
+"""The pointer: position and modifier keys, the part of the drawing under it, and the hint about it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..document.model import Vector
 AXIS_KEYS = "Ctrl or Shift: one axis"
 STEP_KEYS = "Ctrl or Shift: steps of 15°"
 SNAP_KEY = "%: snap, or not"
-"""Words of what keys do in all drags; `Pointer.holds_line` tells whether one of the first is held."""
+"""Effects of keys in all drags; `Pointer.holds_line` is whether Ctrl or Shift is held."""
 
 
 class Part(Enum):
@@ -39,14 +39,14 @@ class Hit(msgspec.Struct, frozen=True):
     Attributes
     ----------
     part
-        Which kind of thing.
+        The kind of part.
     index
         The point it belongs to; for the curve, the point before which a new one would be inserted; for
-        another curve and a guide, its place in the document.
+        another curve and a guide, its index in the document.
     curve
         For a point or a handle of another curve that is edited: that curve.
     position
-        Where exactly the thing lies, in the plane (on the curve: the nearest point of it).
+        Its exact position in the plane (on the curve: the nearest point of it).
     ahead
         For a handle: whether it lies on the segment after the point.
     t
@@ -85,15 +85,15 @@ class Pointer(msgspec.Struct, frozen=True):
     Attributes
     ----------
     position
-        In the plane of the plot: (x, y) on the canvas, (t, value) in the basis panel.
+        Its position in the plane of the plot: (x, y) on the canvas, (t, value) in the basis panel.
     pixel
-        In pixels of the plot area.
+        Its position in pixels of the plot area.
     shift, ctrl, alt
         Modifier keys.
     scale
-        Pixels per unit of the plane, for what is measured on the screen.
+        Pixels per unit of the plane, for lengths on the screen.
     ripple
-        Whether E is held: on the t-rail, the ticks ahead go along.
+        Whether E is held: on the t-rail, the ticks ahead move along.
     is_double
         Whether a press is the second one of a double click.
     """
@@ -109,12 +109,12 @@ class Pointer(msgspec.Struct, frozen=True):
 
     @property
     def holds_line(self) -> bool:
-        """Whether what is dragged keeps to one axis, or an angle goes in steps of 15°: with Ctrl or Shift."""
+        """Whether Ctrl or Shift is held: a drag keeps to one axis, or an angle to steps of 15°."""
         return self.ctrl or self.shift
 
     @property
     def is_there(self) -> bool:
-        """Whether it is anywhere: not once it has left."""
+        """Whether it is over the plot."""
         return math.isfinite(self.position[0])
 
     def offset_from(self, position: Vector) -> Vector:
@@ -123,14 +123,14 @@ class Pointer(msgspec.Struct, frozen=True):
 
 
 ELSEWHERE = Pointer((math.inf, math.inf), (math.inf, math.inf))
-"""The pointer once it has left."""
+"""The pointer after it has left the plot."""
 
 ORIGIN = Pointer((0.0, 0.0), (0.0, 0.0))
-"""The pointer of what is done with no mouse: of keys."""
+"""The pointer of an edit by keys."""
 
 
 class Cursor(Enum):
-    """Shape of the pointer, of a tool or of what a press would do: its name in Qt, or that of an icon."""
+    """Shape of the pointer: its name in Qt, or the name of an icon."""
 
     ARROW = "ArrowCursor"
     CROSS = "CrossCursor"

@@ -18,7 +18,7 @@ _LEAST_FACTOR = 1e-3
 
 
 def corner_of(image: ReferenceImage, corner: int) -> Vector:
-    """Return where a corner of the image lies."""
+    """Return the position of a corner of the image."""
     share_x, share_y = CORNERS[corner]
     return (image.x + share_x * image.width, image.y + share_y * image.height)
 
@@ -88,7 +88,7 @@ class MoveImageTool(Tool):
         return True
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint."""
         hit = event.hit
         if hit is None:
             return Hint("Moving the image · Drag it, or one of its corners to scale it · Escape goes back")

@@ -110,7 +110,7 @@ def _verb(session: EditingSession) -> str:
 
 
 def _click_words(event: ToolEvent, hit: Hit, *, is_chosen: bool) -> str:
-    """Return what a click on a curve does, and what Shift would change of drag and click."""
+    """Return the effect of a click on a curve, and of Shift on drag and click."""
     session = event.session
     name, is_editing = _name(event, hit), session.selected.is_editing
     if event.pointer.shift:
@@ -127,7 +127,7 @@ def _click_words(event: ToolEvent, hit: Hit, *, is_chosen: bool) -> str:
 
 
 def _words_inside(event: ToolEvent, hit: Hit) -> str:
-    """Return what a click in what a curve fills does, where a drag is a rubber band."""
+    """Return the effect of a click inside a filled curve, where a drag is a rubber band."""
     name = _name(event, hit)
     if not event.pointer.shift:
         return f"Click to edit “{name}” · Shift+click: choose it too"
@@ -136,14 +136,14 @@ def _words_inside(event: ToolEvent, hit: Hit) -> str:
 
 
 def _name(event: ToolEvent, hit: Hit) -> str:
-    """Return the name of what a click is about: the curve that it edits, or what it chooses."""
+    """Return the name of the curves that a click edits or selects."""
     session = event.session
     is_one = session.selected.is_editing and not event.pointer.shift
     return name_or_count(session.document, (hit.index,) if is_one else _intended(event, hit))
 
 
 def _intended(event: ToolEvent, hit: Hit) -> frozenset[int]:
-    """Return the curves that a press on one of them means; with Ctrl its shape, whatever group it is in."""
+    """Return the curves that a press on one of them acts on; with Ctrl its shape without its group."""
     session = event.session
     if event.pointer.ctrl:
         return expand_to_shapes(session.document, (hit.index,))
@@ -157,21 +157,21 @@ def _moved_group(event: ToolEvent, hit: Hit) -> PointGroup:
 
 
 def _locked_words(event: ToolEvent) -> str:
-    """Return why a press on a line does nothing to it: it is locked; empty where none is."""
+    """Return that the curve under the pointer is locked; empty where none is."""
     document, pointer = event.session.document, event.pointer
     place = event.canvas.locked_at(pointer) if pointer.is_there else -1
     return hints.LOCKED.format(name_or_count(document, shape_of(document, place))) if place >= 0 else ""
 
 
 def _is_of_edited_shape(event: ToolEvent, hit: Hit) -> bool:
-    """Whether the line of another curve of the shape that is edited is hit."""
+    """Return whether the line of another curve of the active shape is hit."""
     session, selected = event.session, event.session.selected
     is_line = hit.part is Part.OTHER_CURVE and not hit.inside and hit.index not in selected.whole_curves
     return is_line and selected.is_editing and hit.index in shape_of(session.document, session.active_index)
 
 
 def click_curve(event: ToolEvent, hit: Hit) -> None:
-    """Edit the curve hit, or choose what it is in; with Shift choose it too, or no longer."""
+    """Edit the curve hit, or select its group; with Shift add it to the selection, or remove it."""
     session, selected = event.session, event.session.selected
     if event.pointer.shift and selected.is_editing:
         selected.set_curves(_toggled(selected.curves, _intended(event, hit)))
@@ -193,7 +193,7 @@ def click_curve(event: ToolEvent, hit: Hit) -> None:
 
 
 def _turns_grips(event: ToolEvent, hit: Hit) -> bool:
-    """Whether a click has the box take other grips: on what is chosen already, where there is a box."""
+    """Return whether a click switches the grips of the box: on curves that are selected already."""
     meant, chosen = _intended(event, hit), event.session.selected.whole_curves
     # With Ctrl a part of what is chosen is wanted alone.
     is_chosen = meant == chosen if event.pointer.ctrl else meant <= chosen
@@ -205,13 +205,13 @@ def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:
 
 
 def edit_curve(event: ToolEvent, curve: int) -> None:
-    """Edit a curve from now on, and select the point of it that lies under the pointer."""
+    """Edit a curve, and select its point under the pointer."""
     event.session.selected.activate(curve)
     select_hit(event)
 
 
 def select_hit(event: ToolEvent) -> None:
-    """Select the point under the pointer of the curves that are edited now, and say which are."""
+    """Select the point under the pointer, and say which curves are edited."""
     session, hit = event.session, event.with_hit().hit
     if hit is not None and hit.part is Part.POINT:
         session.selected.set_group(
@@ -228,7 +228,7 @@ def select_hit(event: ToolEvent) -> None:
 
 
 def selected_curves(session: EditingSession) -> str:
-    """Return a sentence about the curves that the tools act on."""
+    """Return a sentence about the selected curves."""
     chosen, active = session.selected.whole_curves, session.active_view.source.display_name
     if not session.selected.is_editing:
         if name := common_name(session.document, chosen):
@@ -264,21 +264,21 @@ def press_with_band(event: ToolEvent, on_click: Click, *, is_on_curve: bool = Fa
 
 
 class RubberBand(Gesture, kw_only=True):
-    """Rubber band: selects what is inside, live; with Shift added to what was selected before.
+    """Rubber band: selects the contents, live; with Shift in addition to the selection before.
 
     Attributes
     ----------
     start
         The corner where the press was.
     before
-        What was selected before.
+        The selection before.
     """
 
     start: Vector
     before: SelectionState
 
     def cancel(self, event: ToolEvent) -> None:
-        """Select what was selected before."""
+        """Restore the selection before."""
         event.session.selected.restore(self.before)
         super().cancel(event)
 
@@ -308,7 +308,7 @@ class PointBand(RubberBand, kw_only=True):
         event.session.selected.set_group(event.session.selected.group)
 
     def status(self, event: ToolEvent) -> str:
-        """Return how many points are selected."""
+        """Return the number of selected points."""
         return f"{hints.selected(event.session.selected.group)} · {_BAND_KEYS} · Escape cancels"
 
 

@@ -1,4 +1,4 @@
-"""Snapping: what a point that is dragged or added is drawn to, and the exact position there.
+"""Snapping: the targets that attract a point that is dragged or added, and the exact position there.
 
 `Snapper` snaps one point; `SnapTargets` makes the snapper of a gesture when that begins.
 """
@@ -32,7 +32,7 @@ REACH = 8.0
 
 
 class SnapKind(NamedEnum):
-    """Kind of thing to snap to."""
+    """Kind of target."""
 
     GRID = "grid", "Grid"
     GUIDES = "guides", "Guides"
@@ -43,24 +43,24 @@ class SnapKind(NamedEnum):
 
 
 class Snapping(msgspec.Struct, frozen=True):
-    """The person's choice: whether to snap, and to what."""
+    """Whether to snap, and the kinds of targets."""
 
     on: bool = False
     kinds: frozenset[SnapKind] = frozenset(SnapKind)
 
 
 class Snap(msgspec.Struct, frozen=True):
-    """A catch: the place that something has snapped to.
+    """A catch: the exact position on a target.
 
     Attributes
     ----------
     position
-        The exact place.
+        The exact position.
     label
         Its name, such as "point 3", "grid" (a crossing of it), "grid x" (one line), "guide x = 20",
         "level with point 2".
     guides
-        The points that the place is level with or straight above; a line is drawn from each.
+        The points that it is level with or straight above; a line is drawn from each.
     axes
         Which coordinates were caught.
     grid_line
@@ -75,12 +75,12 @@ class Snap(msgspec.Struct, frozen=True):
 
 
 def with_snap(text: str, caught: Snap | None) -> str:
-    """Return a sentence about a gesture, with what it has snapped to."""
+    """Return a sentence about a gesture, followed by its snap."""
     return f"{text} · snapped to: {caught.label}" if caught is not None and text else text
 
 
 class SnapPlaces(msgspec.Struct, frozen=True, eq=False):
-    """Places to snap to, (k, 2); `name` tells what each is called."""
+    """Positions to snap to, (k, 2); `name` returns the label of each."""
 
     positions: FloatArray
     name: Callable[[int], str]
@@ -131,12 +131,12 @@ class Targets(msgspec.Struct, frozen=True):
 
 
 class Snapper:
-    """Snapping of one point to what is near, with what it caught last.
+    """Snapping of one point to the targets near it, with the last catch.
 
     Attributes
     ----------
     caught
-        What the last `snap` caught, None for nothing.
+        The catch of the last `snap`, None for none.
     """
 
     def __init__(
@@ -153,7 +153,7 @@ class Snapper:
         self.caught: Snap | None = None
 
     def snap(self, position: Vector, pointer: Pointer, axis: int | None = None) -> Vector:
-        """Return where `position` snaps to, itself if nothing is near; with `axis` only along that."""
+        """Return the position that `position` snaps to, itself if no target is near; `axis` restricts it."""
         # Whether to snap is asked each time: a key turns it on and off in mid-drag.
         question = (position, pointer.scale, axis, self._settings().on)
         if question != self._asked:
@@ -163,11 +163,11 @@ class Snapper:
         return self.caught.position if self.caught is not None else position
 
     def at(self, pointer: Pointer) -> Vector:
-        """Return where the pointer is, or what it snaps to."""
+        """Return the position of the pointer, snapped."""
         return self.snap(pointer.position, pointer)
 
     def reset(self) -> None:
-        """Forget what was caught."""
+        """Forget the last catch."""
         self.caught = self._asked = None
 
     def _find(self, position: Vector, reach: float, axis: int | None) -> Snap | None:
@@ -214,7 +214,7 @@ class Snapper:
 
 
 def stepped_from(fixed: Vector, pointer: Pointer, snapper: Snapper) -> Vector:
-    """Return where a line from a fixed position ends: with Ctrl or Shift its angle goes in steps of 15°."""
+    """Return the end of a line from a fixed position: with Ctrl or Shift at a step of 15°."""
     if not pointer.holds_line:
         return snapper.at(pointer)
     # An angle that is held leaves nothing to be drawn elsewhere.
@@ -231,7 +231,7 @@ def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) ->
 
 
 def _nearest(found: Iterable[tuple[float, Snap] | None]) -> Snap | None:
-    """Return the nearest of what was found at some distances."""
+    """Return the snap with the least distance."""
     nearest = min((each for each in found if each is not None), key=lambda each: each[0], default=None)
     return nearest[1] if nearest is not None else None
 
@@ -254,13 +254,13 @@ def grid_value(value: float, spacing: float) -> float:
 # Targets of each gesture
 
 Moving = Mapping[int, Collection[int]]
-"""Points that move along and are nothing to snap to, by their curves."""
+"""Points that move along and are no targets, by their curves."""
 
 
 def targets_of(
     views: Sequence[CurveView], curve: int, moving: Moving, place: int, kinds: Collection[SnapKind]
 ) -> Targets:
-    """Collect what a point of a curve can snap to.
+    """Collect the targets of a point of a curve.
 
     Parameters
     ----------
@@ -283,7 +283,7 @@ def targets_of(
 def targets_of_handle(
     views: Sequence[CurveView], active: int, point: int, kinds: Collection[SnapKind]
 ) -> Targets:
-    """Collect what the end of a handle of `point` can snap to: level with its point it is a flat tangent."""
+    """Collect the targets of the end of a handle: level with its point it is a flat tangent."""
     # Not on its own point: a handle of no length has no direction.
     return _targets(views, active, {active: {point}}, [point, *_neighbours(views[active], (), point)], kinds)
 
@@ -310,7 +310,7 @@ def _targets(
 def targets_of_side(
     views: Sequence[CurveView], active: int, moving: Moving, kinds: Collection[SnapKind]
 ) -> Targets:
-    """Collect what a side of the box around `moving` can snap to: it meets points that it is level with."""
+    """Collect the targets of a side of the box around `moving`: points that it is level with."""
     points: tuple[tuple[Vector, str], ...] = ()
     if SnapKind.POINTS in kinds:
         for index, view in enumerate(views):
@@ -345,7 +345,7 @@ def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[in
 
 
 def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, moving: Moving) -> Targets:
-    """Return the targets with midpoints of segments; those of what moves are none."""
+    """Return the targets with midpoints of segments, except those that move."""
     found = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
     for place, view in enumerate(views):
         if place != curve and view.source.visible:
@@ -403,7 +403,7 @@ class SnapTargets:
         return self.settings.on
 
     def for_new_point(self, place: int) -> Snapper:
-        """Return the snapper of a point that is put at `place`, −1 for the first of another curve."""
+        """Return the snapper of a point that is added at `index`, −1 for the first of another curve."""
         # What there is before the press: later the new point would be drawn to itself.
         views, active = self._session.views, self._session.active_index
         return self._make(lambda: targets_of(views, active, {}, place, self._kinds))
@@ -414,7 +414,7 @@ class SnapTargets:
         return self._make(lambda: targets_of_handle(session.views, session.active_index, point, self._kinds))
 
     def for_points(self, group: PointGroup, grip: tuple[int, int] | None = None) -> Snapper:
-        """Return the snapper of what moves together: of one of its points, the curve and the index given."""
+        """Return the snapper of points that move together, of which the grabbed one snaps."""
         session, moving = self._session, dict(group.parts)
         # Level with its neighbours is a point; of whole curves none has any that stay.
         curve, place = (session.active_index, -1) if grip is None or group.is_whole else grip
@@ -422,7 +422,7 @@ class SnapTargets:
         return self._make(lambda: targets_of(views, curve, moving, place, self._kinds))
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
-        """Return the snapper of the pivot of what has these bounds, whose nine places it snaps to."""
+        """Return the snapper of a pivot: it snaps also to the nine positions of the bounds."""
         views, active = self._session.views, self._session.active_index
         return self._make(
             lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_positions(bounds))
@@ -444,7 +444,7 @@ class SnapTargets:
         )
 
     def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
-        """Return a snapper to what `collect` returns and to guides, by default those of the document."""
+        """Return a snapper to the targets of `collect` and to guides, by default those of the document."""
         # Guides as they are at the press.
         guides = self._session.document.guides if guides is None else guides
         self.now = Snapper(lambda: self.settings, self._grid, collect, guides)
@@ -455,7 +455,7 @@ class SnapTargets:
         return self.settings.kinds
 
     def show_before_press(self, pointer: Pointer, place: int) -> None:
-        """Show where a press at `pointer` would put the point of index `place`."""
+        """Show the snap of a press at `pointer` that adds the point of index `index`."""
         session, settings = self._session, self.settings
         made_for = (session.document, session.active_index, place, settings)
         if self._hovered is None or self._hovered[0] != made_for:
@@ -469,5 +469,5 @@ class SnapTargets:
         return self.now.caught if self.now is not None else None
 
     def reset(self) -> None:
-        """Use none."""
+        """Use no snapper."""
         self.now = None

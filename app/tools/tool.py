@@ -66,13 +66,13 @@ _LEAST_PIXELS = 2.0
 
 
 class CanvasQueries:
-    """What a tool can ask of its plot as `event.canvas`; by default nothing lies anywhere.
+    """Questions of a tool to its plot, as `event.canvas`; by default nothing lies anywhere.
 
     A further question is a method here, answered by the plots that know.
     """
 
     def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
-        """Return what lies at the pointer, of the parts that a tool hits."""
+        """Return the part of the drawing at the pointer, of those that a tool hits."""
         return None
 
     def locked_at(self, pointer: Pointer) -> int:
@@ -138,7 +138,7 @@ class ToolEvent(msgspec.Struct, frozen=True, dict=True):
         return replace(self, pointer=pointer, hit=None)
 
     def with_hit(self) -> ToolEvent:
-        """Return the event with what lies under the pointer now."""
+        """Return the event with the part of the drawing that is under the pointer now."""
         hit = self.canvas.hit(self.pointer, self.tool.hits) if self.pointer.is_there else None
         return replace(self, hit=hit)
 
@@ -150,12 +150,12 @@ class ToolEvent(msgspec.Struct, frozen=True, dict=True):
         return Marks(frame=box, pivot=pivot or (box.centre if box is not None else None))
 
     def preview_snap(self, index: int) -> None:
-        """Show where a press would put the point of an index, −1 for none in particular."""
+        """Preview the snap of a point that a press would add at an index, −1 for none in particular."""
         if self.snapping.is_on and self.pointer.is_there:
             self.snapping.show_before_press(self.pointer, index)
 
     def key_step(self, *, on_grid: bool = True) -> float:
-        """Return how far an arrow key moves: a step of the grid that snaps, or a round number.
+        """Return the step of an arrow key: a step of the grid that snaps, or a round number.
 
         With Shift ten times as far, with Ctrl a tenth; it is a short decimal number each time.
         """
@@ -168,16 +168,19 @@ class ToolEvent(msgspec.Struct, frozen=True, dict=True):
 
 
 class Gesture(msgspec.Struct, kw_only=True):
-    """What happens from a press to the release. Escape calls `cancel`; three pixels make a drag of a click.
+    """The reaction to the mouse from a press to the release; the tool in use returns it.
+
+    Escape calls `cancel`; three pixels make a drag of a click. Data of the press are fields, so that `click`,
+    `move` and `release` read in order of time.
 
     Attributes
     ----------
     starts_at_press
-        Whether it moves from the press on, and is never a click: the pen, whose effect is seen at once.
+        Whether it moves from the press on, and is never a click: the pen, whose effect is visible at once.
     scrolls_view
         Whether the view moves on where the pointer comes to the edge.
     on_click
-        What a click does; None for nothing.
+        The effect of a click; None for none.
     pressed_at, has_moved
         Pixel of the press; whether the pointer has travelled far enough for a drag. The toolbox sets them.
     """
@@ -200,7 +203,7 @@ class Gesture(msgspec.Struct, kw_only=True):
         """End; the last move has been made."""
 
     def cancel(self, event: ToolEvent) -> None:
-        """Restore what was there before the press."""
+        """Restore the state before the press."""
         event.session.say(CANCELLED)
 
     def wants_key(self, key: str) -> bool:
@@ -216,7 +219,7 @@ class Gesture(msgspec.Struct, kw_only=True):
         return ""
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return what is drawn over the plot: by default the frame around the selection."""
+        """Return the marks over the plot: by default the frame around the selection."""
         return event.frame_marks()
 
     def position_at(self, pointer: Pointer) -> Vector | None:
@@ -236,7 +239,7 @@ class Drag(Gesture, kw_only=True):
     refusal
         Why the last move changed nothing; empty where it did.
     keys, remark
-        Effects of the modifier keys; what of the selection is locked and stays.
+        Effects of the modifier keys; the locked part of the selection.
     """
 
     document: Document
@@ -250,7 +253,7 @@ class Drag(Gesture, kw_only=True):
 
     @property
     def remark(self) -> str:
-        """What of the selection stays as it is, for the status line; empty for nothing."""
+        """Remark for the status line: the locked part of the selection; empty for none."""
         return ""
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -262,7 +265,7 @@ class Drag(Gesture, kw_only=True):
         raise NotImplementedError
 
     def amount(self, pointer: Pointer) -> str:
-        """Return how far the drag has come, such as "Rotate 30°"; empty where nothing is to be said."""
+        """Return the amount of the drag, such as "Rotate 30°"; empty for none."""
         return ""
 
     def move(self, event: ToolEvent) -> None:
@@ -277,7 +280,7 @@ class Drag(Gesture, kw_only=True):
         event.session.preview(document, selects=self.selects)
 
     def release(self, event: ToolEvent) -> None:
-        """Make what is previewed a step of the history."""
+        """Make the previewed document a step of the history."""
         session = event.session
         if self.refusal:
             session.refuse(self.refusal)
@@ -285,7 +288,7 @@ class Drag(Gesture, kw_only=True):
             self.committed(event)
 
     def committed(self, event: ToolEvent) -> None:
-        """Say what stays as it is, after the step has been made."""
+        """Say the remark, after the step has been made."""
         if self.remark:
             event.session.say(f"{self.remark}.")
 
@@ -295,14 +298,14 @@ class Drag(Gesture, kw_only=True):
         super().cancel(event)
 
     def status(self, event: ToolEvent) -> str:
-        """Return the amount, what stays, and the keys; or why nothing changes."""
+        """Return the amount, the remark and the keys; or why nothing changes."""
         amount = self.amount(event.pointer)
         if self.refusal or not amount:
             return self.refusal
         return " · ".join(filter(None, (amount, self.remark, self.keys, "Escape cancels")))
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the frame around the selection, and what the drag has snapped to."""
+        """Return the frame around the selection, and the snap of the drag."""
         return replace(super().marks(event), snap=event.snapping.caught)
 
 
@@ -334,7 +337,7 @@ class TypedDrag(Drag, kw_only=True):
         return True
 
     def release(self, event: ToolEvent) -> None:
-        """Make what is previewed a step, unless the amount is no number yet."""
+        """Make the previewed document a step, unless the amount is no number yet."""
         if refusal := self.typed.refusal:
             event.session.cancel()
             event.session.refuse(refusal)
@@ -343,7 +346,7 @@ class TypedDrag(Drag, kw_only=True):
 
 
 class Refusal(Gesture, kw_only=True):
-    """Drag of what cannot be changed: it says why; a click is a click."""
+    """Drag of a locked curve: it says why nothing moves; a click is a click."""
 
     reason: str
 
@@ -357,7 +360,10 @@ class Refusal(Gesture, kw_only=True):
 
 
 class Tool:
-    """Decides what a press means. Every method has a default; most tools have `press` and `hover`.
+    """A tool of a plot: `press` returns the gesture that a press begins, `hover` says so in advance.
+
+    Every method has a default; most tools have `press` and `hover`. The state of a gesture belongs to the
+    gesture; a tool keeps what outlives it, such as a ruler that stays.
 
     Attributes
     ----------
@@ -383,7 +389,7 @@ class Tool:
         return None
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint: the effect of a press here."""
         return Hint()
 
     def key(self, event: ToolEvent, key: str) -> bool:
@@ -404,7 +410,7 @@ class Tool:
         return False
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return what is drawn over the plot while no gesture is in flight."""
+        """Return the marks over the plot while no gesture is in flight."""
         return Marks(snap=event.snapping.caught)
 
     def activate(self, event: ToolEvent) -> None:
@@ -415,12 +421,12 @@ class Tool:
         self.dismiss(event)
 
     def dismiss(self, event: ToolEvent) -> bool:
-        """Remove what was left on the plot; return whether there was something."""
+        """Remove the marks that a gesture has left on the plot; return whether there were any."""
         return False
 
 
 class GestureRow(msgspec.Struct, frozen=True):
-    """A row of the sheet of keys and mouse: a gesture in words, and what must be there for it.
+    """A row of the sheet of keys and mouse: a gesture in words, and its conditions.
 
     Attributes
     ----------
@@ -445,13 +451,13 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     name
-        Its name in the program.
+        Its name in the program, in keys of settings as well.
     make
         Makes the tool of one plot.
     hint
-        What the status line says when it has been selected.
+        The message in the status line after it was chosen.
     empty_message
-        What the canvas says while it is empty; empty where another tool has to be chosen first.
+        The message on an empty canvas; empty where another tool has to be chosen first.
     doing, gestures
         What a person does who uses it, such as "measuring", and how: what the sheet of keys and mouse says.
     rank

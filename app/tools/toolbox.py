@@ -36,7 +36,7 @@ class Toolbox:
     record
         The tool that is chosen.
     canvas
-        The plot: answers what lies under the pointer, for one; whoever shows it sets it.
+        The plot: knows what lies under the pointer; its widget sets it.
     settings
         Values of the settings of all tools.
     snapping
@@ -189,7 +189,7 @@ class Toolbox:
             self._session.selected.edit_active()
 
     def hover(self, pointer: Pointer) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint: the effect of a press here."""
         event = self._at(pointer).with_hit()
         self.snapping.reset()
         hint, highlighted = self.tool.hover(event), -1
@@ -201,20 +201,20 @@ class Toolbox:
         return hint
 
     def leave(self) -> None:
-        """Show nothing of what a press would do: the pointer has left."""
+        """Remove the preview of a press: the pointer has left."""
         self._session.selected.set_hovered(-1)
         self.snapping.reset()
         self.tool.hover(self._at(ELSEWHERE))
 
     def dismiss(self) -> bool:
-        """Cancel work beside the window, or remove what the tool has left; return whether there was any."""
+        """Cancel background work, or remove marks that the tool has left; return whether there were any."""
         if self.background.cancel():
             self._session.say(CANCELLED)
             return True
         return self.tool.dismiss(self.event)
 
     def reset(self) -> None:
-        """Forget what concerns the document: another one is open."""
+        """Forget the state that belongs to the document: another one is open."""
         self.background.cancel()
         self._made = {}
 
@@ -247,7 +247,7 @@ class Toolbox:
     # What is drawn and said
 
     def marks(self) -> Marks:
-        """Return what is drawn over the plot."""
+        """Return the marks over the plot."""
         event, gesture = self.event, self._gesture
         marks = self.tool.marks(event) if gesture is None else gesture.marks(event)
         if self._is_buttonless:
@@ -261,7 +261,7 @@ class Toolbox:
         return marks
 
     def status(self) -> str:
-        """Return the sentence about the gesture in flight, with what it has snapped to."""
+        """Return the sentence about the gesture in flight, with its snap."""
         if self._gesture is None or not self._gesture.has_moved:
             return ""
         return with_snap(self._gesture.status(self.event), self.snapping.caught)

@@ -152,7 +152,7 @@ class ScaleBox(Drag, kw_only=True):
         return self.even or pointer.ctrl
 
     def _offset(self, pointer: Pointer) -> Vector:
-        """Return how far the corner moves, after snapping."""
+        """Return the offset of the corner, after snapping."""
         corner, arm = self._corner, self._arm(pointer)
         offset = pointer.offset_from(self.start)
         axis = None if self.grip.x and self.grip.y else 0 if self.grip.x else 1
@@ -183,7 +183,7 @@ class ScaleBox(Drag, kw_only=True):
 
     @property
     def remark(self) -> str:
-        """What of the group is locked."""
+        """The locked part of the group."""
         return self.group.remark
 
     def amount(self, pointer: Pointer) -> str:
@@ -192,7 +192,7 @@ class ScaleBox(Drag, kw_only=True):
         return f"Scale {words.number(x)}" if x == y else f"Scale {words.number(x)} × {words.number(y)}"
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the frame, what has snapped, and the factors beside the pointer."""
+        """Return the frame, the snap, and the factors beside the pointer."""
         return replace(super().marks(event), note=_note(event, self))
 
 
@@ -263,15 +263,15 @@ class Transform(TypedDrag, kw_only=True):
     Attributes
     ----------
     centre
-        What is scaled, rotated and skewed about.
+        The fixed position of scale, rotation and skew.
     hold
-        What a skew takes along with the pointer: a corner or side of the box.
+        The corner or side of the box that follows the pointer in a skew.
     start
         Where the pointer was when it began.
     snapper, grabbed
-        For a move: what snaps, and which point of which curve.
+        For a move: the snapper, and the curve and index of the point that snaps.
     opposite
-        What a grip rotates or skews about with Shift: the other side; None where Shift means steps.
+        The fixed position with Shift, on the other side of the box; None where Shift means steps.
     axis
         0 or 1 where an axis is locked.
     typed
@@ -301,7 +301,7 @@ class Transform(TypedDrag, kw_only=True):
         return not self.by_grip and (key in _KEYS or self.typed.claims(key))
 
     def key(self, event: ToolEvent, key: str) -> bool:
-        """Take a key of what is typed, "tab", "x", "y", or "g", "s", "r", "R" for another transform.
+        """Take a typed character, "tab", "x", "y", or "g", "s", "r", "R" for another transform.
 
         Raises
         ------
@@ -384,7 +384,7 @@ class Transform(TypedDrag, kw_only=True):
         return _STEP * round(turned / _STEP) if self._is_stepped(pointer) else turned
 
     def _skewed(self, pointer: Pointer) -> float:
-        """Return the degrees by which what is held follows the pointer."""
+        """Return the degrees by which the held corner or side follows the pointer."""
         if self.typed.counts:
             return self.typed.number(0.0)
         axis = self.axis or 0
@@ -400,7 +400,7 @@ class Transform(TypedDrag, kw_only=True):
         return pointer.holds_line if self.opposite is None else pointer.ctrl
 
     def _about(self, pointer: Pointer) -> Vector:
-        """Return what is rotated or skewed about; nothing can be skewed about the side that is held."""
+        """Return the centre of rotation or skew; nothing can be skewed about the side that is held."""
         if self.opposite is None:
             return self.centre
         across = 1 - (self.axis or 0)
@@ -415,7 +415,7 @@ class Transform(TypedDrag, kw_only=True):
 
     @property
     def remark(self) -> str:
-        """What of the group is locked."""
+        """The locked part of the group."""
         return self.group.remark
 
     @property
@@ -439,7 +439,7 @@ class Transform(TypedDrag, kw_only=True):
         return f"{text} · {words.point_at(one[1], self._moved(self._offset(pointer)))}"
 
     def _amount_at(self, pointer: Pointer) -> str:
-        """Return the amount in words; with what is typed where that is an expression, or no number yet."""
+        """Return the amount in words; with the typed text where that is an expression, or no number yet."""
         mark = self.typed.mark
         if self.kind is TransformKind.ROTATE:
             return f"{words.angle(self._degrees(pointer))}{mark}"
@@ -464,7 +464,7 @@ class Transform(TypedDrag, kw_only=True):
         return self._moved(self._offset(pointer)) if self.kind is TransformKind.MOVE else None
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the amount beside the pointer, the locked axis, the pivot, and what has snapped."""
+        """Return the amount beside the pointer, the locked axis, the pivot, and the snap."""
         if self.by_grip:
             marks = super().marks(event)
             pivot = self._about(event.pointer) if self.kind.is_angle else marks.pivot

@@ -39,22 +39,22 @@ class TypedAmount(msgspec.Struct, frozen=True):
 
     @property
     def is_pair(self) -> bool:
-        """Whether there is a number for x and one for y."""
+        """Whether there are two numbers, for x and for y."""
         return len(self.fields) > 1
 
     @property
     def counts(self) -> bool:
-        """Whether it gives the amount, rather than the pointer."""
+        """Whether the amount is typed, and not that of the pointer."""
         return self.is_pair or bool(self.fields[0])
 
     # Keys
 
     def claims(self, key: str) -> bool:
-        """Whether a key belongs to the amount, also where it means nothing: once begun, all do."""
+        """Return whether a key belongs to the amount, even without effect: once begun, all do."""
         return key in _FIRST or key == "backspace" or (self.counts and len(key) == 1)
 
     def continues_unit(self, key: str) -> bool:
-        """Whether a key is a further letter of a unit, whatever else it means."""
+        """Return whether a key is a further letter of a unit."""
         if not self.fields[self.at][-1:].isalpha():
             return False
         try:
@@ -114,12 +114,12 @@ class TypedAmount(msgspec.Struct, frozen=True):
         return self._number(0, default)
 
     def pair(self, default: float) -> Vector:
-        """Return the numbers for x and y, `default` for what is none yet."""
+        """Return the numbers for x and y, `default` for a text that is none yet."""
         return (self._number(0, default), self._number(1, default))
 
     @property
     def refusal(self) -> str:
-        """Why what is typed is no number yet; empty where it is one, or nothing is typed."""
+        """Why the typed text is no number yet; empty where it is one, or nothing is typed."""
         for at, text in enumerate(self.fields):
             try:
                 if text:

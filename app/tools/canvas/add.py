@@ -42,7 +42,7 @@ from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 _ENTER = "Enter, double click: finish the curve"
 
 _TAKING_BACK = ("backspace", "delete")
-"""Keys that take back the last point."""
+"""Keys that remove the last point."""
 
 
 class AddTool(Tool):
@@ -70,14 +70,14 @@ class AddTool(Tool):
     # Finished curves
 
     def wants_key(self, event: ToolEvent, key: str) -> bool:
-        """Return whether a key takes back what the pen has drawn, and nothing else is selected."""
+        """Return whether a key removes the last point drawn, and nothing else is selected."""
         if key not in _TAKING_BACK or not self._pen.has_drawn:
             return False
         last = len(event.view.source.points) - 1
         return event.session.selected.group in (NO_POINTS, points_of(event.session.active_index, [last]))
 
     def key(self, event: ToolEvent, key: str) -> bool:
-        """Finish the curve that is edited with Enter, or say why not; take back its last point."""
+        """Finish the active curve with Enter, or say why not; remove its last point with Backspace."""
         session = event.session
         if self.wants_key(event, key):
             self._take_back(event)
@@ -91,14 +91,14 @@ class AddTool(Tool):
         return True
 
     def _finish(self, event: ToolEvent) -> None:
-        """Finish the curve that is edited: the next press begins another one."""
+        """Finish the active curve: the next press begins another one."""
         session = event.session
         self._pen.finish(session)
         session.selected.set_points([])
         session.say(f"“{session.active_view.source.name}” is finished; the next press begins another curve.")
 
     def _take_back(self, event: ToolEvent) -> None:
-        """Take back the last point that was drawn, and with the first of all the curve."""
+        """Remove the last point that was drawn, and with the first point the curve."""
         session = event.session
         place, last = session.active_index, len(session.active_view.source.points) - 1
 
@@ -112,12 +112,12 @@ class AddTool(Tool):
             )
 
     def _ends_at(self, hit: Hit, session: EditingSession) -> bool:
-        """Whether a double click on what is hit finishes the curve: on the point that it has added."""
+        """Return whether a double click finishes the curve: on the point that it has added."""
         view = session.active_view
         return is_end(hit, view) and can_finish(view) and not self._pen.is_finished(session)
 
     def _go_on(self, event: ToolEvent, index: int) -> None:
-        """Go on with a curve from its end at point `index`; from the first it runs the other way."""
+        """Continue a curve from its end at point `index`; from the first point it is reversed."""
         session = event.session
         curve, view = session.active_index, session.active_view
         last = len(view.source.points) - 1
@@ -133,7 +133,7 @@ class AddTool(Tool):
     # Presses
 
     def press(self, event: ToolEvent) -> Gesture | None:
-        """Begin what a press here does."""
+        """Return the gesture that begins here."""
         session, hit = event.session, event.hit
         if (part := self._part(event)) is not None:
             return self._press_on_part(event, part)
@@ -146,7 +146,7 @@ class AddTool(Tool):
         return _insert(event, hit) if act is PenAct.INSERT and hit is not None else self._append(event)
 
     def _part(self, event: ToolEvent) -> Hit | None:
-        """Return the point or handle that a press is about; None for none."""
+        """Return the point or handle that a press acts on; None for none."""
         session, hit = event.session, event.hit
         if hit is None or is_no_part(hit) or _begins_anew(session):
             return None
@@ -184,7 +184,7 @@ class AddTool(Tool):
         )
 
     def _close(self, event: ToolEvent, *, by_line: bool) -> None:
-        """Close the curve that is edited, or say why it cannot be closed."""
+        """Close the active curve, or say why it cannot be closed."""
         session, name = event.session, event.view.source.name
         session.change(f"Close {name}", lambda _document: self._closed(event, by_line=by_line))
 
@@ -194,7 +194,7 @@ class AddTool(Tool):
         return close(document, event.session.active_index, view)
 
     def _start(self, event: ToolEvent) -> tuple[Document, CurveView]:
-        """Return the document, and the view of the curve that is edited, that a press goes on from."""
+        """Return the document, and the view of the active curve, that a press continues."""
         session = event.session
         document = session.document
         if not event.view.source.points:
@@ -223,7 +223,7 @@ class AddTool(Tool):
     # What a press would do
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do, and show it."""
+        """Return the hint, and preview the curve with the point."""
         view = event.view
         part = self._part(event)
         act = self._act(event) if part is None else None
@@ -243,7 +243,7 @@ class AddTool(Tool):
         return _hint_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
 
     def _update_preview(self, event: ToolEvent, act: PenAct | None) -> None:
-        """Find out what a press here would make of the curve."""
+        """Compute the curve as a press here would make it."""
         session, view, hit, caught = event.session, event.view, event.hit, event.snapping.caught
         is_here = math.isfinite(event.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
@@ -263,7 +263,7 @@ class AddTool(Tool):
         )
 
     def _view_closed(self, event: ToolEvent) -> CurveView | None:
-        """Return the view of the curve as a click here closes it; None where that is none, or takes long."""
+        """Return the view of the curve closed by a click here; None where it is none, or takes long."""
         if not is_quick(event.view):
             return None
         try:
@@ -286,18 +286,18 @@ class AddTool(Tool):
 
 
 def _appending(event: ToolEvent) -> Appending:
-    """Return what a click makes: with Alt a point after a straight line."""
+    """Return the edit of a click: with Alt a point after a straight line."""
     return with_line_appended if event.pointer.alt else with_point_appended
 
 
 def _fresh(event: ToolEvent) -> Curve:
-    """Return another curve to begin, as the one that is edited."""
+    """Return a new curve like the active one."""
     model = event.session.model
     return new_curve_like(event.session.document, model, model.parametrization)
 
 
 def _begins_anew(session: EditingSession) -> bool:
-    """Whether no curve is edited that a press could go on with: the one that was is gone."""
+    """Return whether no curve is edited that a press could continue."""
     return not session.selected.is_editing and bool(session.document.curves[session.active_index].points)
 
 
@@ -324,7 +324,7 @@ def _hint_on_part(
     snaps: bool,
     goes_on: bool,
 ) -> Hint:
-    """Return the hint of the Add tool over a point or a handle; `goes_on`: what a click on an end does."""
+    """Return the hint over a point or a handle; `goes_on` where a click continues the curve."""
     if goes_on:
         end = "" if is_end(hit, view) else " from its first point"
         return Hint(f"Click to go on with this curve{end} · Drag to move point {hit.index}", grab=True)
@@ -345,7 +345,7 @@ def _hint_beside(
     snaps: bool,
     goes_on: bool = True,
 ) -> Hint:
-    """Return the hint of the Add tool, on the curve or beside it.
+    """Return the hint on the curve or beside it.
 
     `fresh` is a curve that would be begun; `goes_on` tells whether Shift adds to the curve that is seen.
     """

@@ -1,4 +1,4 @@
-"""The tools that draw a curve in a box, which a drag opens from corner to corner: a rectangle, an ellipse."""
+"""The tools that draw a rectangle or an ellipse in a box, by a drag from corner to corner."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
     plural
         Several of them.
     regular
-        What it is in a square, with the article.
+        Its name in a square, with the article.
     pieces
         Returns its pieces by the lower left and the upper right corner of the box.
     """
@@ -55,7 +55,7 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def hint(self) -> str:
-        """What draws it."""
+        """Hint of the tool."""
         return f"Drag to draw {self.phrase}"
 
     @property
@@ -70,7 +70,7 @@ class DrawInBox(TypedDrag, kw_only=True):
     Attributes
     ----------
     drawn
-        What it draws.
+        The curve that it draws.
     active
         The curve that was edited at the press.
     start
@@ -78,7 +78,7 @@ class DrawInBox(TypedDrag, kw_only=True):
     unit
         The name of the unit of length.
     style
-        Of what is drawn.
+        Style of the curve.
     """
 
     drawn: BoxCurve
@@ -118,7 +118,7 @@ class DrawInBox(TypedDrag, kw_only=True):
 
     @property
     def keys(self) -> str:
-        """Effects of the modifier keys, and what else can be typed."""
+        """Effects of the modifier keys, and the sides that can be typed."""
         at = self.typed.at
         return f"{self.drawn.keys} · digits: {_SIDES[at]}, Tab: {_SIDES[1 - at]}"
 
@@ -131,7 +131,7 @@ class DrawInBox(TypedDrag, kw_only=True):
         return f"{' × '.join(sides)} {self.unit}".rstrip()
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return what has snapped, and width and height beside the pointer."""
+        """Return the snap, and width and height beside the pointer."""
         marks, pointer = super().marks(event), event.pointer
         return (
             replace(marks, note=Note(pointer.position, self.amount(pointer), self.start))
@@ -152,7 +152,7 @@ class DrawInBox(TypedDrag, kw_only=True):
         return (_after(start, (-way[0], -way[1])) if pointer.shift else start), end
 
     def _as_typed(self, way: Vector, pointer: Pointer) -> Vector:
-        """Return a way as long across and up as was typed, towards the pointer; what was not typed stays."""
+        """Return an offset with the typed width and height, towards the pointer."""
         if self.typed.is_pair:
             width, height = self.typed.pair(math.nan)
         else:
@@ -211,7 +211,7 @@ class BoxCurveTool(Tool):
         return True
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint."""
         event.preview_snap(-1)
         return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
 

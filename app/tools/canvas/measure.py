@@ -21,7 +21,7 @@ class Measuring(Gesture, kw_only=True):
     Attributes
     ----------
     ruler
-        The line with the text of what is measured; None once it is cancelled.
+        The line with distance and angle in words; None once it is cancelled.
     """
 
     starts_at_press = True
@@ -51,11 +51,11 @@ class Measuring(Gesture, kw_only=True):
         return self.ruler if self.ruler is not None and self.ruler.start != self.ruler.end else None
 
     def status(self, event: ToolEvent) -> str:
-        """Return what is measured, and what the keys would change."""
+        """Return the distance, the angle and the effects of the keys."""
         return f"{self.visible_ruler.text} · {_KEYS}" if self.visible_ruler is not None else ""
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the ruler, and what its end has snapped to."""
+        """Return the ruler, and the snap of its end."""
         return Marks(ruler=self.visible_ruler, snap=event.snapping.caught)
 
 
@@ -75,7 +75,7 @@ class MeasureTool(Tool):
         return self._measured
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint, and preview the snap."""
         event.preview_snap(-1)
         return Hint(f"Drag to measure a distance and an angle · {_KEYS} · V goes back to Select")
 
@@ -85,7 +85,7 @@ class MeasureTool(Tool):
         return measured is not None and measured.ruler is not None
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the ruler, or what a press would snap to."""
+        """Return the ruler, or the snap of a press."""
         if self._measured is None or self._measured.ruler is None:
             return Marks(snap=event.snapping.caught)
         return Marks(ruler=self._measured.visible_ruler)

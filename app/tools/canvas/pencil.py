@@ -58,7 +58,8 @@ _LEAST_ROUND = 5.0
 """Times that length, from which on a line can return."""
 
 _PATIENCE_S = 0.8
-"""Seconds of computing that a hand waits for. Smooth lines take a tenth; 50 teeth take a Bézier curve two."""
+"""Seconds of computing before local pieces are used. Smooth lines take a tenth; 50 teeth take a
+Bézier curve two."""
 
 _HINT = "Drag to draw freehand; the curve gets few points"
 
@@ -120,7 +121,7 @@ class PencilLine(Gesture, kw_only=True):
             super().cancel(event)
 
     def status(self, event: ToolEvent) -> str:
-        """Return how the line becomes a curve."""
+        """Return the detail, and how to close the curve."""
         if not self.line:
             return ""
         detail = event.value(DETAIL).label.lower()
@@ -141,7 +142,7 @@ def _begun(session: EditingSession) -> NewCurve:
 
 
 def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Report) -> Fitted | str:
-    """Return the curve near a line; where the family takes long, as one of local pieces, which never do."""
+    """Return the curve near a line; where the family takes long, one of local pieces instead."""
     began = thread_time()
 
     def hurry(share: float, word: str) -> None:
@@ -159,13 +160,13 @@ def _fitted(model: Curve, line: Sequence[Vector], tolerance: float, report: Repo
 
 
 class _TooLong(Exception):  # noqa: N818 - nothing has gone wrong
-    """The family takes longer than a hand waits for."""
+    """The family takes longer than a person waits for."""
 
 
 def _take(
     session: EditingSession, model: Curve, press: Pointer, tolerance: float, made: Fitted | str
 ) -> None:
-    """Put the curve of a line into the document, as that is by now."""
+    """Add the curve of a line to the present document."""
     if isinstance(made, str):
         session.refuse(made)
         return
@@ -185,7 +186,7 @@ def _take(
 
 
 def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
-    """Return how many points the curve has, and how near it came."""
+    """Return the message: the number of points and the largest deviation."""
     points, family = count_of(len(made.curve.points), "point"), made.curve.family
     pixels = with_decimals(made.deviation * press.scale, 1)
     text = f"{points}; largest deviation {pixels} px ({number(made.deviation, 2)})."
@@ -210,7 +211,7 @@ class PencilTool(Tool):
         return PencilLine(press=pointer, positions=[pointer.position], last=pointer.pixel)
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint."""
         detail = event.value(DETAIL).label.lower()
         return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V goes back to Select")
 

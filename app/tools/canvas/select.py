@@ -81,7 +81,7 @@ class SelectTool(Tool):
         return press_on_line(event, hit, is_second=is_second)
 
     def _line_clicked_twice(self, event: ToolEvent) -> Hit | None:
-        """Return where the line is that a double click is on; None where it is on none."""
+        """Return the hit on the line that is double-clicked; None for any other press."""
         pointer, pressed = event.pointer, self._pressed
         if not pointer.is_double or pointer.shift or pointer.ctrl or pointer.alt or pressed is None:
             return None
@@ -116,7 +116,7 @@ class SelectTool(Tool):
     # What a press would do
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
+        """Return the hint, and note the point or guide that a press would act on."""
         hit, grip, box = event.hit, _grip_at(event), event.rectangle
         is_pivot, group = self._is_on_pivot(event), event.box.group
         is_guide = hit is not None and hit.part is Part.GUIDE and grip is None and not is_pivot
@@ -135,7 +135,7 @@ class SelectTool(Tool):
         return _hint_beside(event)
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the box with grips, its pivot, and what a press would act on."""
+        """Return the box with grips, its pivot, and the point or guide that a press would act on."""
         box, pivot = event.rectangle, event.box.pivot
         return Marks(
             box=box,
@@ -148,7 +148,7 @@ class SelectTool(Tool):
 
 
 def _press_inside(event: ToolEvent, area: Hit) -> Gesture:
-    """Begin in what another curve fills: to move it, or a rubber band over it, or a click on it."""
+    """Begin inside another filled curve: move it, draw a rubber band over it, or click it."""
     if _is_for_box(event):
         return _press_beside(event)
     if not event.session.selected.is_editing and not event.pointer.shift:
@@ -157,26 +157,26 @@ def _press_inside(event: ToolEvent, area: Hit) -> Gesture:
 
 
 def _press_beside(event: ToolEvent) -> Gesture:
-    """Begin to move what the box is around, or a rubber band."""
+    """Begin to move the contents of the box, or a rubber band."""
     if (group := _group_inside(event)) is not None:
         return press_on_group(event, group, _deselect)
     return press_with_band(event, deselect_curves)
 
 
 def _is_for_box(event: ToolEvent) -> bool:
-    """Return whether a press in what another curve fills is about the box around the selection."""
+    """Return whether a press inside another filled curve acts on the box around the selection."""
     is_choosing = not event.session.selected.is_editing and not event.pointer.shift
     return not is_choosing and _group_inside(event) is not None
 
 
 def _group_inside(event: ToolEvent) -> PointGroup | None:
-    """Return what a drag from inside the box moves, None beside it; Shift draws a rubber band there."""
+    """Return the points that a drag inside the box moves, None beside it, or with Shift."""
     box = None if event.pointer.shift else event.rectangle
     return event.box.group if box is not None and box.holds(event.pointer) else None
 
 
 def _deselect(event: ToolEvent) -> None:
-    """Deselect what the box is around: a click inside it means the empty place there."""
+    """Deselect the contents of the box: a click inside it is one on the empty plane."""
     if event.session.selected.points:
         event.session.selected.set_points([])
     else:
@@ -184,7 +184,7 @@ def _deselect(event: ToolEvent) -> None:
 
 
 def _click_at_pivot(event: ToolEvent) -> Click | None:
-    """Return what a click on the pivot of selected curves means: another curve that lies there."""
+    """Return the click on the pivot of selected curves: another curve may lie there."""
     hit, selected = event.hit, event.session.selected
     if (
         hit is None
@@ -202,7 +202,7 @@ def _grip_at(event: ToolEvent) -> Grip | None:
 
 
 def _is_below_grips(hit: Hit | None) -> bool:
-    """Return whether a grip of the box comes before what is hit."""
+    """Return whether a grip of the box has precedence over the hit."""
     return hit is None or hit.inside or hit.part in (Part.CURVE, Part.GUIDE)
 
 
