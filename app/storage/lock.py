@@ -1,12 +1,12 @@
-"""Advisory lock files: a file that names its owner, locked by the system while the owner runs.
+"""Advisory lock file beside a document or a snapshot; it names its owner, who holds a system lock on it.
 
-The lock of ``name.curve.json`` is ``.name.curve.json.lock``; snapshots have one too. It is made by the system
-in one step, so that of two who come at once one gets it; one whose owner has ended is taken over. It is a
-courtesy between people, not what keeps files whole: where no lock can be made, work goes on without.
+The lock file of ``name.curve.json`` is ``.name.curve.json.lock``. It is created in one step, so that only one
+of two programs gets it; the lock of an owner that has ended is taken over. Lock files inform people, they do
+not protect files: where no lock file can be made, work continues without.
 
-Whether an owner still runs is told by the lock of the system that it holds on the file: it means the same in
-every container, and a later process with the same number has it not. Where the file system knows no such
-locks, the process that the file names is asked for.
+An owner still runs if it holds its lock of the system: that works across containers, and a later process with
+the same number does not hold the lock. Where the file system has no such locks, the process named in the file
+is looked up.
 """
 
 from __future__ import annotations
@@ -29,32 +29,32 @@ if sys.platform != "win32":
     import pwd
 
 OLD = 24 * 3600.0
-"""Seconds after which an owner who cannot be asked may have forgotten the document."""
+"""Seconds after which an owner that cannot be looked up may have left the document open by mistake."""
 
 _READING = (
     os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 )
-"""A pipe or a link in the place of a lock is nothing to wait for or to follow."""
+"""Flags that do not wait for a pipe or follow a link in path of a lock file."""
 
 _LONGEST = 4096
 _LONGEST_NAME = 60
 _BEING_WRITTEN = 10.0
-"""Seconds that an empty lock file is taken for one that is just being written, where nobody can lock it."""
+"""Seconds during which an empty lock file counts as being written, where the system has no locks."""
 
 
 class Owner(msgspec.Struct, frozen=True):
-    """The process that has a document open, and whose it is.
+    """Owner of a lock file: the process that has a document open, and its user.
 
     Attributes
     ----------
     user, host
-        Whom to ask, and where; as the lock file has them, for people.
+        Names of the user and the computer, for messages.
     machine, pid, started
-        The process, see `processes.Process`.
+        The process, see `system.Process`.
     since
-        When it was opened, in seconds of Unix time.
+        Time at which the document was opened, in seconds of Unix time.
     mark
-        Tells this lock from every other; empty for a lock file that cannot be read.
+        Unique mark of the lock; empty for a lock file that cannot be read.
     is_held
         Whether the owner also holds a lock of the system on the file.
     """
@@ -70,66 +70,66 @@ class Owner(msgspec.Struct, frozen=True):
 
     @property
     def process(self) -> Process:
-        """The process that has it."""
+        """The process of the owner."""
         return Process(self.machine, self.pid, self.started)
 
     @property
     def is_this_process(self) -> bool:
-        """Whether another window of this process has it."""
+        """Whether the owner is this process, in another window."""
         return self.process == this_process()
 
     @property
     def is_same_person(self) -> bool:
-        """Whether the person at this computer has it."""
+        """Whether the owner is the same user on the same computer."""
         return self.machine == this_process().machine and self.user == _user()
 
     @property
     def may_have_forgotten(self) -> bool:
-        """Whether the lock is so old that its owner may be gone without a trace."""
+        """Whether the lock is so old that its owner may have left the document open by mistake."""
         return time.time() - self.since > OLD
 
 
 class ProcessLock:
-    """A lock file of this process; `release` gives it up, and so does the end of the process.
+    """Lock file of this process, until `release` or the end of the process.
 
-    Raises FileExistsError where there is one, OSError where none can be made.
+    Raises FileExistsError if the file exists, OSError if it cannot be created.
     """
 
-    def __init__(self, place: Path) -> None:
-        self.place, self._owner = place, _new_owner()
-        self._descriptors = [_create(place, self._owner)]
-        self._finalizer = weakref.finalize(self, _release, place, self._owner, self._descriptors)
+    def __init__(self, path: Path) -> None:
+        self.path, self._owner = path, _new_owner()
+        self._descriptors = [_create(path, self._owner)]
+        self._finalizer = weakref.finalize(self, _release, path, self._owner, self._descriptors)
 
     def lost_to(self) -> Owner | None:
-        """Return who has taken it over meanwhile; None while it is ours.
+        """Return the owner that has taken the lock over, or None while this process owns it.
 
-        One that somebody deleted is made anew.
+        A deleted lock file is created again.
         """
         with suppress(OSError):
-            found = _read(self.place)
+            found = _read(self.path)
             if found is None:
-                with folder_lock(self.place.parent):  # not while somebody takes it over
-                    self._descriptors.append(_create(self.place, self._owner))
+                with folder_lock(self.path.parent):  # not while another process takes it over
+                    self._descriptors.append(_create(self.path, self._owner))
             elif found.mark != self._owner.mark:
                 return found
         return None
 
     def release(self) -> None:
-        """Give it up; the file goes."""
+        """Release the lock and remove its file."""
         self._finalizer()
 
 
 class LockResult(msgspec.Struct, frozen=True):
-    """Result of asking for a lock: one of the three is there.
+    """Result of a request for a lock: one of the three attributes is set.
 
     Attributes
     ----------
     lock
-        The lock, if it is ours now.
+        The lock, if this process owns it now.
     owner
-        Who has it, if somebody has.
+        The other owner, if there is one.
     problem
-        Why there can be no lock in this folder; empty where there can.
+        Reason why no lock can be made in this folder.
     """
 
     lock: ProcessLock | None = None
@@ -137,7 +137,7 @@ class LockResult(msgspec.Struct, frozen=True):
     problem: str = ""
 
     def __str__(self) -> str:
-        """Return what came of it without anybody's name."""
+        """Return the result for the log, without names."""
         if self.owner is None:
             return "ours" if self.lock is not None else f"impossible ({self.problem})"
         if self.owner.is_this_process:
@@ -146,87 +146,87 @@ class LockResult(msgspec.Struct, frozen=True):
 
 
 def lock_path(target: Path) -> Path:
-    """Return where the lock of the file `target`, whose links are resolved, lies."""
+    """Return the path of the lock file of `target`, whose links are resolved."""
     return target.with_name(f".{target.name}.lock")
 
 
-def acquire(place: Path, *, is_private: bool = False) -> LockResult:
-    """Ask for the lock whose file is `place`.
+def acquire(path: Path, *, is_private: bool = False) -> LockResult:
+    """Request the lock with the file `path`.
 
     Parameters
     ----------
     is_private
-        Only this person's programs on this computer come there: where it cannot be told whether the owner
-        still runs, the lock is given. (A computer may have had another name, a power cut may have torn the
-        file.) By default it is not.
+        Whether only programs of this user on this computer use the folder: the lock is then given even if it
+        is unknown whether its owner still runs. (The computer may have been renamed, a power cut may have
+        damaged the file.)
     """
     try:
-        with folder_lock(place.parent):
-            found = _read(place)
-            if found is not None:
-                is_stale = _is_stale(place, found, is_private=is_private)
-                if not is_stale or not _remove(place, found):
-                    return LockResult(owner=_read(place) or found)
-            return LockResult(lock=ProcessLock(place))
+        with folder_lock(path.parent):
+            owner = _read(path)
+            if owner is not None:
+                is_stale = _is_stale(path, owner, is_private=is_private)
+                if not is_stale or not _remove(path, owner):
+                    return LockResult(owner=_read(path) or owner)
+            return LockResult(lock=ProcessLock(path))
     except FileExistsError:
-        # Somebody was quicker, in a folder that cannot be locked.
-        return LockResult(owner=owner_of(place), problem="it is being opened elsewhere")
+        # Another process was faster, in a folder that cannot be locked.
+        return LockResult(owner=owner_of(path), problem="it is being opened elsewhere")
     except (OSError, ValueError) as problem:
         return LockResult(problem=reason_of(problem))
 
 
-def take_over(place: Path) -> LockResult:
-    """Take the lock whose file is `place`, whoever has it; they will notice.
+def take_over(path: Path) -> LockResult:
+    """Take over the lock with the file `path` from any owner, who will notice.
 
-    Windows removes no file that a running process holds: there that is the problem.
+    On Windows, a file that a running process holds cannot be removed: the result then has that problem.
     """
     try:
-        with folder_lock(place.parent):
-            place.unlink(missing_ok=True)
-            return LockResult(lock=ProcessLock(place))
+        with folder_lock(path.parent):
+            path.unlink(missing_ok=True)
+            return LockResult(lock=ProcessLock(path))
     except (OSError, ValueError) as problem:
         return LockResult(problem=reason_of(problem))
 
 
-def owner_of(place: Path) -> Owner | None:
-    """Return whom the lock file at `place` names; None where nobody, or nobody who still runs."""
+def owner_of(path: Path) -> Owner | None:
+    """Return the owner of the lock file `path`, or None if there is none that still runs."""
     try:
-        found = _read(place)
-        return None if found is None or _is_stale(place, found) else found
+        owner = _read(path)
+        return None if owner is None or _is_stale(path, owner) else owner
     except (OSError, ValueError):
         return None
 
 
-def _is_stale(place: Path, owner: Owner, *, is_private: bool = False) -> bool:
-    """Whether the owner of the lock at `place` has certainly ended."""
-    is_free = _is_free(place)
+def _is_stale(path: Path, owner: Owner, *, is_private: bool = False) -> bool:
+    """Return whether the owner of a lock file has certainly ended."""
+    is_free = _is_free(path)
     if is_free is False:
         return False
     if is_private:
         return bool(is_free and owner.is_held) or not is_alive(owner.process)
     if not owner.mark:
-        # A process was killed between making and writing it, or is doing that right now.
+        # A process was killed between creating and writing the file, or is doing that now.
         return owner.pid == 0 and (is_free is True or time.time() - owner.since > _BEING_WRITTEN)
     if is_free and owner.is_held and owner.machine == this_process().machine:
         return True
     return is_alive(owner.process) is False
 
 
-def _is_free(place: Path) -> bool | None:
-    """Whether nobody holds the file at `place`, as far as this computer's system knows."""
-    descriptor = os.open(place, _READING)
+def _is_free(path: Path) -> bool | None:
+    """Return whether no process holds the file, as far as this system knows."""
+    descriptor = os.open(path, _READING)
     try:
         return try_lock(descriptor, shared=True)
     finally:
         os.close(descriptor)
 
 
-def _remove(place: Path, stale: Owner) -> bool:
-    """Remove the lock of `stale`; return False if by now there is another one, which stays."""
-    found = _read(place)
-    if found is not None and (found.mark, found.since) != (stale.mark, stale.since):
+def _remove(path: Path, stale: Owner) -> bool:
+    """Remove the lock file of a stale owner; return False if it has another owner by now."""
+    owner = _read(path)
+    if owner is not None and (owner.mark, owner.since) != (stale.mark, stale.since):
         return False
-    place.unlink(missing_ok=True)
+    path.unlink(missing_ok=True)
     return True
 
 
@@ -243,19 +243,19 @@ def _new_owner() -> Owner:
     )
 
 
-def _create(place: Path, owner: Owner) -> int | None:
-    """Make the lock file and return what holds it, if it can be held.
+def _create(path: Path, owner: Owner) -> int | None:
+    """Create the lock file and return the descriptor that holds it, or None where the system has no locks.
 
-    Raises FileExistsError where there is one.
+    Raises FileExistsError if the file exists.
     """
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
-    descriptor = os.open(place, flags, 0o644)
+    descriptor = os.open(path, flags, 0o644)
     try:
         held = msgspec.structs.replace(owner, is_held=try_lock(descriptor) is True)
         os.write(descriptor, msgspec.json.encode(held))
     except BaseException:
         os.close(descriptor)
-        place.unlink(missing_ok=True)
+        path.unlink(missing_ok=True)
         raise
     if held.is_held:
         return descriptor
@@ -263,10 +263,10 @@ def _create(place: Path, owner: Owner) -> int | None:
     return None
 
 
-def _read(place: Path) -> Owner | None:
-    """Return whom the lock file names, None where there is none; raises OSError where it cannot be read."""
+def _read(path: Path) -> Owner | None:
+    """Return the owner in a lock file, None if there is no file; raise OSError if it cannot be read."""
     try:
-        descriptor = os.open(place, _READING)
+        descriptor = os.open(path, _READING)
     except FileNotFoundError:
         return None
     try:
@@ -277,18 +277,18 @@ def _read(place: Path) -> Owner | None:
     try:
         owner = msgspec.json.decode(data, type=Owner)
     except (msgspec.MsgspecError, UnicodeDecodeError):
-        # pid 0 marks an empty file, which a killed process leaves; anything else is somebody's.
+        # pid 0 marks an empty file, which a killed process leaves; any other content belongs to an owner.
         return Owner("", "", "", -1 if data else 0, "", status.st_mtime, "")
-    return msgspec.structs.replace(owner, user=_shown(owner.user), host=_shown(owner.host))
+    return msgspec.structs.replace(owner, user=_printable(owner.user), host=_printable(owner.host))
 
 
-def _shown(name: str) -> str:
-    """Return a name from a file, fit for a sentence."""
+def _printable(name: str) -> str:
+    """Return a name from a lock file, without unprintable characters and shortened."""
     return "".join(character for character in name if character.isprintable())[:_LONGEST_NAME]
 
 
 def _user() -> str:
-    """Return the name under which the person is logged in."""
+    """Return the login name of the user."""
     if sys.platform == "win32":
         return os.environ.get("USERNAME", "")
     with suppress(KeyError, OSError):
@@ -296,13 +296,13 @@ def _user() -> str:
     return os.environ.get("USER", "")
 
 
-def _release(place: Path, owner: Owner, descriptors: list[int | None]) -> None:
-    """Remove the lock file if it is still the one of `owner`, and this the process that made it."""
+def _release(path: Path, owner: Owner, descriptors: list[int | None]) -> None:
+    """Remove the lock file if it still belongs to `owner` and this process created it."""
     for descriptor in descriptors:
         if descriptor is not None:
             with suppress(OSError):
                 os.close(descriptor)
     if owner.pid != os.getpid():
-        return  # A fork that ends; the lock is its parent's.
-    with suppress(OSError), folder_lock(place.parent):
-        _remove(place, owner)
+        return  # A forked process ends; the lock belongs to its parent.
+    with suppress(OSError), folder_lock(path.parent):
+        _remove(path, owner)

@@ -1,4 +1,4 @@
-"""The file of an open document: its lock, what was seen of it last, and what has become of it since."""
+"""File of an open document: its lock, the version that was last read, and changes by other programs since."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ from .migration import NOTHING, LeftOut
 _log = logging.getLogger("curvebench.storage")
 
 _LARGE = 50_000
-"""Bytes from which a document is opened beside the window: about a hundred curves, a tenth of a second."""
+"""Bytes from which a document is opened in the background: about a hundred curves, a tenth of a second."""
 
 
 def is_large(path: Path) -> bool:
-    """Whether reading a document may take a while."""
+    """Return whether reading a document may take a while."""
     try:
         return path.stat().st_size >= _LARGE
     except OSError:
-        return False  # whoever opens it says what is wrong with it
+        return False  # opening it reports the problem
 
 
 class LockedError(StorageError):
-    """Somebody else has the file open; `owner` is who."""
+    """The file is open elsewhere, by `owner`."""
 
     def __init__(self, path: Path, owner: Owner) -> None:
         super().__init__(f"“{path.name}” is open elsewhere. Save under another name.")
@@ -42,32 +42,32 @@ class LockedError(StorageError):
 
 
 class FileChange(Enum):
-    """Change of a file since it was seen last; the value says it in words."""
+    """Change of a file since it was last read; the value is a sentence."""
 
     SAME = ""
     CHANGED = "Another program has changed the file."
-    """It holds another document than was seen last."""
+    """It contains another document."""
     UNREADABLE = "Another program has emptied or damaged the file."
-    """It holds no document, perhaps because another program is just writing it."""
-    GONE = "The file is gone from its folder."
+    """It contains no document, perhaps because another program is writing it."""
+    GONE = "The file is no longer in its folder."
 
 
 class OpenedDocument(msgspec.Struct, frozen=True):
-    """A document and the file it came from."""
+    """Document and the file that it was opened from."""
 
     document: Document
     file: OpenFile
 
 
 class LoadedDocument(msgspec.Struct, frozen=True):
-    """Document read from a file, with plain values alone, and the stamp of the file then.
+    """Document that was read from a file, with the stamp of the file.
 
     Attributes
     ----------
     version
-        The version of the format that the file is in.
+        Version of the file format.
     left_out
-        What it holds besides where that is an older one.
+        Features of an older version that were left out.
     """
 
     document: Document
@@ -77,31 +77,32 @@ class LoadedDocument(msgspec.Struct, frozen=True):
 
     @classmethod
     def of(cls, path: Path) -> LoadedDocument:
-        """Read the file at `path`; see `files.load` for what may be wrong."""
+        """Read the file at `path`; see `files.load` for the errors."""
         content = files.read_content(path)
-        found = files.document_in(content.data, path)
-        return cls(with_plain_numbers(found.document), content.stamp, _version(content.data), found.left_out)
+        decoded = files.document_in(content.data, path)
+        document = with_plain_numbers(decoded.document)
+        return cls(document, content.stamp, _version(content.data), decoded.left_out)
 
 
 class OpenFile:
-    """The file of a window's document, as far as the window knows it.
+    """File of a window's document.
 
     Attributes
     ----------
     path
-        Its name, as the person gave it.
+        Its path, as the person entered it.
     stamp
-        What it was when it was last read, written or accepted; None where it was not there.
+        Its stamp when it was last read, written or accepted; None if it did not exist.
     version
-        The version of the format that it is in, as far as is known.
+        Version of its format, as far as is known.
     left_out
-        What it holds besides the document where that is an older one.
+        Features of an older version that it has besides the document.
     owner
-        Who else has it open, so that it is not saved from here; None where it is ours.
+        The other owner of its lock, which prevents saving; None if the lock is ours.
     lock_problem
-        Why nobody can be told that it is open here; empty where they are.
+        Reason why others cannot see that it is open here; empty for none.
     change
-        What it holds, as far as the window has taken note of it.
+        The last noted change by another program.
     """
 
     def __init__(
@@ -115,7 +116,7 @@ class OpenFile:
         self.path, self.stamp, self.version, self.left_out = path, stamp, version, left_out
         self.change = FileChange.SAME
         self._lock: ProcessLock | None = None
-        self._seen: tuple[Stamp, FileChange, Document | None] | None = None
+        self._last_check: tuple[Stamp, FileChange, Document | None] | None = None
         self._take(result)
 
     def _take(self, result: LockResult) -> None:
@@ -125,26 +126,27 @@ class OpenFile:
 
     @classmethod
     def open(
-        cls, path: Path, previous: OpenFile | None = None, reading: LoadedDocument | None = None
+        cls, path: Path, previous: OpenFile | None = None, loaded: LoadedDocument | None = None
     ) -> OpenedDocument:
-        """Read the document at `path` and mark it as open; see `files.load` for what may be wrong.
+        """Read the document at `path` and lock it; see `files.load` for the errors.
 
-        `previous` is the file that was open in this window until now; its lock goes on where it is the same.
-        Where the file was read before, `reading` is what it held.
+        `previous` is the file that was open in this window; its lock is kept if it is the same file. `loaded`
+        is its content if it was read before.
         """
-        found = reading or LoadedDocument.of(path)
-        # What somebody writes between the reading and the lock is noticed like any later change.
+        loaded = loaded or LoadedDocument.of(path)
+        # A change between reading and locking is noticed like any later change.
         result = _lock_for(path, previous)
         remove_stale_files(_target(path).parent)
-        _log.info("opened a document, version %d, %s", found.version, _counts(found.document))
+        _log.info("opened a document, version %d, %s", loaded.version, _counts(loaded.document))
         _log.info("its lock is %s", str(result))
-        return OpenedDocument(found.document, cls(path, found.stamp, result, found.version, found.left_out))
+        file = cls(path, loaded.stamp, result, loaded.version, loaded.left_out)
+        return OpenedDocument(loaded.document, file)
 
     @classmethod
     def adopt(cls, path: Path, previous: OpenFile | None = None) -> OpenFile:
-        """Return the file at `path` for a document that did not come from it, such as one that was recovered.
+        """Return the file at `path` for a document that was not read from it, such as a recovered one.
 
-        What it holds now counts as seen. `previous` is as with `open`.
+        Its present content counts as read. `previous` is as in `open`.
         """
         stamp, version, left_out = None, VERSION, NOTHING
         with suppress(StorageError, FormatError):
@@ -158,19 +160,19 @@ class OpenFile:
     def saved(
         cls, path: Path, document: Document, previous: OpenFile | None = None, *, overwrite: bool = False
     ) -> OpenFile:
-        """Write `document` to `path` and return the file it lies in from then on.
+        """Write `document` to `path` and return its file from then on.
 
         Parameters
         ----------
         overwrite
-            Also where the file was changed since it was seen last.
+            Whether to replace a file that has changed since it was last read.
 
         Raises
         ------
         LockedError
-            If somebody else has that file open.
+            If the file is open elsewhere.
         StorageError, FormatError
-            As `files.save`; `previous` then still is the file of the document.
+            As `files.save`; `previous` then stays the file of the document.
         """
         if previous is not None and previous.is_at(path):
             previous._save(document, overwrite=overwrite)
@@ -202,7 +204,7 @@ class OpenFile:
             raise LockedError(self.path, self.owner)
 
     def take_if_free(self) -> bool:
-        """Make the file ours if nobody else has it open by now; return whether it is ours."""
+        """Lock the file if it has no other owner by now; return whether the lock is ours."""
         result = acquire(_lock_path(self.path))
         if result.owner is not None:
             self.owner = result.owner
@@ -211,43 +213,43 @@ class OpenFile:
         return True
 
     def is_at(self, path: Path) -> bool:
-        """Whether `path` leads to this file."""
+        """Return whether `path` leads to this file."""
         return _target(path) == _target(self.path)
 
     @property
     def is_older(self) -> bool:
-        """Whether it is of an older version of the format; the first save then keeps a copy beside it."""
+        """Whether the format is of an older version; the first save then makes a backup beside it."""
         return self.version < VERSION
 
-    # Whose it is
+    # The lock
 
     def check_lock(self) -> Owner | None:
-        """Return who has the file open now; None where it is ours or free. `owner` stays as it was."""
+        """Return the present other owner of the lock, or None; the attribute `owner` does not change."""
         if self._lock is not None:
             return self._lock.lost_to()
         return owner_of(_lock_path(self.path)) if self.owner is not None else None
 
     def lose_to(self, owner: Owner) -> None:
-        """Take note that somebody else has the file now."""
+        """Record another owner of the lock."""
         self.owner, self._lock = owner, None
         _log.info("the lock is %s now", str(LockResult(owner=owner)))
 
     def take_over(self) -> None:
-        """Make the file ours, whoever has it open."""
+        """Take the lock over from any owner."""
         if not self.take_if_free():
             self._take(take_over(_lock_path(self.path)))
             _log.info("the lock was taken over")
 
     def close(self) -> None:
-        """Tell the others that the file is open here no longer."""
+        """Release the lock."""
         if self._lock is not None:
             self._lock.release()
             self._lock = None
 
-    # What it holds
+    # Changes by other programs
 
     def check(self) -> FileChange:
-        """Return what has become of the file since it was seen last; quick where nothing has."""
+        """Return the change of the file since it was last read; fast if there is none."""
         try:
             status = _target(self.path).stat()
         except FileNotFoundError:
@@ -256,8 +258,8 @@ class OpenFile:
             return FileChange.UNREADABLE
         if self.stamp is not None and self.stamp.is_of(status):
             return FileChange.SAME
-        if self._seen is not None and self._seen[0].is_of(status):
-            return self._seen[1]
+        if self._last_check is not None and self._last_check[0].is_of(status):
+            return self._last_check[1]
         return self._read_again()
 
     def _read_again(self) -> FileChange:
@@ -268,7 +270,7 @@ class OpenFile:
         except StorageError:
             return FileChange.UNREADABLE
         if self.stamp is not None and content.stamp.digest == self.stamp.digest:
-            # Touched, copied or checked out again, with the same content.
+            # Touched, copied or checked out again: the content is the same.
             self.stamp = content.stamp
             return FileChange.SAME
         document = None
@@ -278,40 +280,40 @@ class OpenFile:
             change = FileChange.UNREADABLE
         else:
             change = FileChange.CHANGED
-        self._seen = (content.stamp, change, document)
+        self._last_check = (content.stamp, change, document)
         return change
 
     @property
     def has_lost_document(self) -> bool:
-        """Whether the document that came from it is in it no longer, and nobody else is to care for that."""
+        """Whether the file no longer contains the document, and no other owner is responsible for that."""
         is_for_owner = self.change is FileChange.CHANGED and self.owner is not None
         return self.change is not FileChange.SAME and not is_for_owner
 
     @property
     def other_document(self) -> Document | None:
-        """The document that the last look found in the file, where it was changed."""
-        return self._seen[2] if self._seen is not None else None
+        """The document that another program wrote to the file, as last read."""
+        return self._last_check[2] if self._last_check is not None else None
 
     def accept(self) -> None:
-        """Take what the file holds now as seen: the next save replaces it."""
+        """Accept the present content of the file: the next save replaces it."""
         change = self.check()
         if change is FileChange.GONE:
             self.stamp = None
-        elif change is not FileChange.SAME and self._seen is not None:
-            self.stamp = self._seen[0]
-        self.change, self._seen = FileChange.SAME, None
+        elif change is not FileChange.SAME and self._last_check is not None:
+            self.stamp = self._last_check[0]
+        self.change, self._last_check = FileChange.SAME, None
 
     def read_again(self) -> Document:
-        """Return the document that the file holds now, and take it as seen; see `files.load`."""
+        """Return the present document in the file, and accept it; see `files.load`."""
         content = files.read_content(self.path)
-        found = files.document_in(content.data, self.path)
-        self.stamp, self._seen, self.change = content.stamp, None, FileChange.SAME
-        self.version, self.left_out = _version(content.data), found.left_out
-        return found.document
+        decoded = files.document_in(content.data, self.path)
+        self.stamp, self._last_check, self.change = content.stamp, None, FileChange.SAME
+        self.version, self.left_out = _version(content.data), decoded.left_out
+        return decoded.document
 
 
 def _lock_for(path: Path, previous: OpenFile | None) -> LockResult:
-    """Return the lock of the file at `path`, from `previous` where that has it."""
+    """Return the lock of the file at `path`, that of `previous` if it is the same file."""
     if previous is None or previous._lock is None or not previous.is_at(path):
         return acquire(_lock_path(path))
     owner = previous._lock.lost_to()
@@ -331,12 +333,12 @@ def _counts(document: Document) -> str:
 
 
 def _version(data: bytes) -> int:
-    found = version_of(data)
-    return VERSION if found is None else found
+    version = version_of(data)
+    return VERSION if version is None else version
 
 
 def _target(path: Path) -> Path:
-    """Return the file itself where `path` is a link to it."""
+    """Return the path with links resolved, if that is possible."""
     try:
         return Path(os.path.realpath(path))
     except (OSError, ValueError):

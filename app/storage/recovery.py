@@ -1,7 +1,7 @@
-"""Snapshots of unsaved work: what is left when the program ends before the document is saved.
+"""Snapshots of unsaved work, for recovery after the program ended before the document was saved.
 
-A snapshot is one file in a folder of the program's own, written as whole as a document. Beside it lies a
-lock: as long as the process runs that writes the snapshot, nobody else is offered it.
+A snapshot is a file in the state folder of the program, written as safely as a document. A lock file beside
+it keeps other processes from offering it while its own process runs.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ _LOCK = ".claim"
 
 
 class _Record(msgspec.Struct, frozen=True):
-    """The content of a snapshot's file; the document is text, so that its checksum is that of its bytes."""
+    """Content of a snapshot file; the document is text, so that the checksum is that of its bytes."""
 
     format: Literal["curvebench snapshot"]
-    # Those of version 1 have no names.
+    # Version 1 has no title and no file_stem.
     version: Literal[1, 2]
     written: float
     path: bytes | None
@@ -50,16 +50,16 @@ _RECORDS = msgspec.json.Decoder(_Record)
 
 
 class SnapshotOrigin(msgspec.Struct, frozen=True):
-    """The file that a document came from, or what it is called without one.
+    """Origin of the document in a snapshot: its file, or its title if it was never saved.
 
     Attributes
     ----------
     path
-        Where it is; None for a document that was never saved.
+        The path of the file; None for a document that was never saved.
     stamp
-        What it was when it was last read or written; None where that is not known.
+        The stamp of the file when it was last read or written; None if unknown.
     title, file_stem
-        Its name until it is saved, and the one that its file would get; empty for none in particular.
+        Title of an unsaved document, and the suggested name of its file without ending; may be empty.
     """
 
     path: Path | None = None
@@ -69,7 +69,7 @@ class SnapshotOrigin(msgspec.Struct, frozen=True):
 
     @property
     def is_unchanged(self) -> bool:
-        """Whether the file still holds what it held."""
+        """Whether the file has the same content as then."""
         if self.path is None or self.stamp is None:
             return False
         try:
@@ -79,20 +79,20 @@ class SnapshotOrigin(msgspec.Struct, frozen=True):
 
 
 class Snapshot(msgspec.Struct, frozen=True):
-    """Unsaved work that was found.
+    """Snapshot of unsaved work from an earlier process.
 
     Attributes
     ----------
     document
-        The work.
+        The unsaved document.
     origin
-        The file that it is not saved to.
+        The file that it was not saved to.
     written
-        When, in seconds since 1970.
+        Time of the snapshot, in seconds since 1970.
     file
-        The file of the snapshot itself.
+        The snapshot file.
     left_out
-        What it holds besides where an older version of the program has written it.
+        Features of an older version that were left out.
     """
 
     document: Document
@@ -103,19 +103,19 @@ class Snapshot(msgspec.Struct, frozen=True):
     _lock: ProcessLock
 
     def discard(self) -> None:
-        """Delete it for good."""
+        """Delete the snapshot."""
         _remove(self.file)
         self._lock.release()
 
     def leave(self) -> None:
-        """Keep it for the next start."""
+        """Keep the snapshot for the next start."""
         self._lock.release()
 
 
 class SnapshotListing(msgspec.Struct, frozen=True):
-    """Snapshots in a folder: those of processes that have ended, latest first, and damaged ones.
+    """Snapshots of processes that have ended, the latest first, and damaged snapshots.
 
-    The damaged ones have been set aside under another name; nothing is deleted that might be of use.
+    Damaged snapshots were renamed, not deleted.
     """
 
     snapshots: tuple[Snapshot, ...] = ()
@@ -123,12 +123,12 @@ class SnapshotListing(msgspec.Struct, frozen=True):
 
 
 class SnapshotFile:
-    """The one snapshot of one document that is being edited; made when first written.
+    """Snapshot file of a document that is being edited; created by the first `write`.
 
     Parameters
     ----------
     folder
-        Where snapshots are kept; created where it is missing.
+        Folder of the snapshots; created if it is missing.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -137,16 +137,16 @@ class SnapshotFile:
         self._lock: ProcessLock | None = None
 
     def write(self, document: Document, origin: SnapshotOrigin, committed: Document | None = None) -> None:
-        """Replace the snapshot by one of `document`, or of `committed` where that cannot be written.
+        """Replace the snapshot by one of `document`, or of `committed` if `document` is not valid.
 
-        What a drag shows in flight may be what no file may hold.
+        A document during a drag may be invalid.
 
         Raises
         ------
         FormatError
             If neither is a valid document.
         OSError
-            If it cannot be written; the old snapshot is still there.
+            If the snapshot cannot be written; the old one is unchanged.
         """
         try:
             text = encode(document)
@@ -160,13 +160,13 @@ class SnapshotFile:
         if self._file is None:
             self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             file = self._folder / (os.urandom(8).hex() + SUFFIX)
-            # Without a lock, where none can be made, another start may offer it too.
+            # If no lock can be made, another start may offer the snapshot as well.
             self._lock = acquire(_lock_of(file), is_private=True).lock
             self._file = file
         return self._file
 
     def discard(self) -> None:
-        """Delete the snapshot, if there is one."""
+        """Delete the snapshot, if it exists."""
         if self._file is not None:
             _remove(self._file)
         self.leave()
@@ -179,16 +179,16 @@ class SnapshotFile:
 
 
 def list_snapshots(folder: Path) -> SnapshotListing:
-    """Return what processes that have ended left in `folder`; never raises because of what is in it.
+    """Return the snapshots of ended processes in `folder`; never raises because of its content.
 
-    The snapshots found are locked: until they are discarded or left, no other process is offered them.
+    The snapshots are locked: no other process is offered them until they are discarded or left.
     """
     _remove_orphans(folder)
     snapshots, damaged = [], []
     for file in _files(folder, SUFFIX):
         lock = acquire(_lock_of(file), is_private=True).lock
         if lock is None:
-            continue  # a running process has it, or the folder is not ours to write: who may, is offered it
+            continue  # a running process has it, or the folder is not writable for us
         try:
             snapshot = _load(file, lock)
             if _is_saved(snapshot):
@@ -196,11 +196,11 @@ def list_snapshots(folder: Path) -> SnapshotListing:
             else:
                 snapshots.append(snapshot)
         except FileNotFoundError:
-            lock.release()  # another start has just dealt with it
+            lock.release()  # another start has just handled it
         except (OSError, ValueError):
             damaged.append(_set_aside(file))
             lock.release()
-    snapshots.sort(key=lambda each: -each.written)
+    snapshots.sort(key=lambda snapshot: -snapshot.written)
     _log.info("found %d snapshots, and %d damaged ones", len(snapshots), len(damaged))
     return SnapshotListing(tuple(snapshots), tuple(damaged))
 
@@ -222,7 +222,7 @@ def _record_of(text: bytes, origin: SnapshotOrigin) -> bytes:
 
 
 def _bytes_of(path: Path | None) -> bytes | None:
-    """Return a path as bytes, for a file's name need not be text."""
+    """Return a path as bytes, because a file name need not be valid text."""
     return os.fsencode(path.absolute()) if path is not None else None
 
 
@@ -235,7 +235,7 @@ def _checksum(text: bytes) -> str:
 
 
 def _load(file: Path, lock: ProcessLock) -> Snapshot:
-    """Return the snapshot in `file`; raise ValueError (FormatError among them) if it is damaged."""
+    """Return the snapshot in `file`; raise ValueError, such as FormatError, if it is damaged."""
     if not file.exists():
         raise FileNotFoundError(file)
     try:
@@ -244,14 +244,14 @@ def _load(file: Path, lock: ProcessLock) -> Snapshot:
         raise ValueError(str(problem)) from None
     text = record.document.encode()
     if _checksum(text) != record.checksum or not math.isfinite(record.written):
-        raise ValueError("the checksum is another one")
+        raise ValueError("the checksum differs")
     origin = SnapshotOrigin(_path_of(record.path), record.stamp, record.title, record.file_stem)
-    found = decode_counting(text)
-    return Snapshot(found.document, origin, record.written, file, found.left_out, lock)
+    decoded = decode_counting(text)
+    return Snapshot(decoded.document, origin, record.written, file, decoded.left_out, lock)
 
 
 def _is_saved(snapshot: Snapshot) -> bool:
-    """Whether the file holds the work after all: the process ended between saving and tidying up."""
+    """Return whether the document is saved after all: the process ended between saving and cleaning up."""
     if snapshot.left_out:
         return False
     try:
@@ -261,7 +261,7 @@ def _is_saved(snapshot: Snapshot) -> bool:
 
 
 def _set_aside(file: Path) -> Path:
-    """Give a damaged snapshot another name and return that, or the old one where it cannot be changed."""
+    """Rename a damaged snapshot and return its path, the old one if it cannot be renamed."""
     other = file.with_name(file.name + DAMAGED)
     try:
         return file.replace(other)
@@ -270,10 +270,10 @@ def _set_aside(file: Path) -> Path:
 
 
 def _remove_orphans(folder: Path) -> None:
-    """Remove what ended processes left beside their snapshots."""
-    for place in _files(folder, _LOCK):
-        if not place.with_name(place.name.removesuffix(_LOCK)).exists():
-            lock = acquire(place, is_private=True).lock
+    """Remove lock files and temporary files that ended processes left."""
+    for path in _files(folder, _LOCK):
+        if not path.with_name(path.name.removesuffix(_LOCK)).exists():
+            lock = acquire(path, is_private=True).lock
             if lock is not None:
                 lock.release()
     remove_stale_files(folder)

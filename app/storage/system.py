@@ -27,16 +27,16 @@ _START_FIELD = 19
 
 
 class Process(msgspec.Struct, frozen=True):
-    """A process, told apart from all others, also from a later one with the same number.
+    """Identity of a process, different from that of a later process with the same number.
 
     Attributes
     ----------
     machine
-        Which computer it runs on.
+        The computer it runs on.
     pid
         Its number there.
     started
-        When it began, as the system tells it; empty where the system does not.
+        Its start time as the system writes it; empty where the system does not tell.
     """
 
     machine: str
@@ -45,11 +45,11 @@ class Process(msgspec.Struct, frozen=True):
 
 
 def this_process() -> Process:
-    """Return the process that asks."""
+    """Return the identity of this process."""
     return _process(os.getpid())
 
 
-# By the number, because a fork is another process.
+# Cached by the number, because a fork is another process.
 @lru_cache(maxsize=2)
 def _process(pid: int) -> Process:
     return Process(machine(), pid, _started(pid) or "")
@@ -57,7 +57,7 @@ def _process(pid: int) -> Process:
 
 @lru_cache(maxsize=1)
 def machine() -> str:
-    """Return a name of this computer that others hardly have: computers named “localhost” are many."""
+    """Return an identifier of this computer; its name alone, such as “localhost”, is not unique."""
     identity = ""
     with suppress(OSError, ValueError):
         identity = Path("/etc/machine-id").read_text(encoding="ascii").strip()
@@ -65,7 +65,7 @@ def machine() -> str:
 
 
 def is_alive(process: Process) -> bool | None:
-    """Return whether `process` still runs; None where that cannot be known from here."""
+    """Return whether `process` still runs, or None if that is unknown here."""
     if process.machine != machine() or not process.started:
         return None
     if _elsewhere(process.started):
@@ -75,24 +75,24 @@ def is_alive(process: Process) -> bool | None:
 
 
 def is_number_alive(pid: int) -> bool | None:
-    """Return whether a process of this computer has the number `pid`; None where it cannot be known."""
+    """Return whether a process of this computer has the number `pid`, or None if that is unknown."""
     started = _started(pid)
     return None if started == "" else started is not None
 
 
 def _elsewhere(started: str) -> bool:
-    """Whether that process counts its numbers apart from ours, as containers of one computer do."""
+    """Return whether a process has another numbering, as containers of one computer do."""
     boot, _, rest = started.partition("/")
     return bool(rest) and boot == _boot() and rest.partition("/")[0] != _numbering()
 
 
 def _started(pid: int) -> str | None:
-    """Return when process `pid` began; None if there is none, empty if the system does not say."""
+    """Return the start time of process `pid`; None if there is no such process, empty if it is unknown."""
     if sys.platform == "linux":
         return _started_on_linux(pid)
     if os.name == "posix":
         return storage.ps.started(pid)
-    return ""  # Windows: signals there end a process instead of asking for it.
+    return ""  # On Windows, the signal that asks for a process would end it.
 
 
 def _started_on_linux(pid: int) -> str | None:
@@ -104,7 +104,7 @@ def _started_on_linux(pid: int) -> str | None:
         return None
     except OSError:
         return ""
-    # The name stands in brackets, and may hold some itself.
+    # The name stands in parentheses, and may contain some itself.
     fields = text.rpartition(")")[2].split()
     if fields[0] in _ENDED:
         return None
@@ -113,7 +113,7 @@ def _started_on_linux(pid: int) -> str | None:
 
 @lru_cache(maxsize=1)
 def _boot() -> str:
-    """Return which run of the system this is: after a restart, everything from before has ended."""
+    """Return the identifier of the system start: after a restart, all earlier processes have ended."""
     with suppress(OSError):
         return (_PROC / "sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
     return ""
@@ -134,13 +134,12 @@ else:
 # Locks
 
 _PATIENCE = 10.0
-"""Seconds to wait for a folder. A look and a renaming take no longer beside busy programs; a process that was
-suspended may, and then the work goes on without the lock.
-"""
+"""Seconds to wait for the lock of a folder. Reading and renaming a file take less on a busy computer; a
+suspended process may take longer, and then the work continues without the lock."""
 
 _STEP = 0.01
 _BEYOND_THE_TEXT = 2**30
-"""Windows lets nobody read bytes that are locked, so one is locked that no file has."""
+"""Position of the locked byte: Windows forbids reading locked bytes, so it is beyond the end of any file."""
 
 
 def try_lock(descriptor: int, *, shared: bool = False) -> bool | None:
@@ -149,13 +148,13 @@ def try_lock(descriptor: int, *, shared: bool = False) -> bool | None:
     Parameters
     ----------
     shared
-        Let others share the lock: whoever only asks whether it is free is in the way of nobody who asks too.
+        Whether others may share the lock: processes that only ask whether it is free do not block each other.
 
     Returns
     -------
     bool or None
-        Whether it is locked now; False if somebody else, or another open file of this process, has it; None
-        where the file system knows no locks.
+        True if it is locked now; False if another process, or another open file of this process, holds it;
+        None if the file system has no locks.
     """
     try:
         if sys.platform == "win32":
@@ -173,10 +172,10 @@ def try_lock(descriptor: int, *, shared: bool = False) -> bool | None:
 
 @contextmanager
 def folder_lock(folder: Path) -> Iterator[None]:
-    """Let no other Curvebench work in `folder` meanwhile, where the system can do that.
+    """Keep other processes of Curvebench out of `folder` in a ``with`` block, where the system can.
 
-    Where it cannot (no locks on a network's file system, a folder that may not be read, Windows), the work
-    goes on without; it is written so that even then no file is ever damaged.
+    Where it cannot (a network file system without locks, an unreadable folder, Windows), the work continues
+    without; it is written so that even then no file is damaged.
     """
     descriptor = None if sys.platform == "win32" else _locked_folder(folder)
     try:
@@ -187,7 +186,7 @@ def folder_lock(folder: Path) -> Iterator[None]:
 
 
 def _locked_folder(folder: Path) -> int | None:
-    """Return what holds the lock of the folder, None where it cannot be had."""
+    """Return the descriptor that holds the lock of a folder, or None if it cannot be locked."""
     try:
         descriptor = os.open(folder, os.O_RDONLY)
     except OSError:

@@ -655,7 +655,10 @@ def test_what_an_older_program_copied_besides_is_told(five):
     QApplication.clipboard().setMimeData(data)
     five.key(Qt.Key.Key_V, CTRL)
     assert "Old" in [curve.name for curve in five.session.document.curves]
-    assert five.message == "What was copied was made with a version that had more: 2 texts were left out."
+    assert (
+        five.message
+        == "What was copied was made with a version that had more features: 2 texts were left out."
+    )
 
 
 @pytest.mark.usefixtures("drawings_read_here")

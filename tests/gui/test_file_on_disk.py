@@ -132,7 +132,7 @@ def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_bar.text)
-    words = "“drawing.curve.json” was changed on the disk by another program, and here too."
+    words = "Another program changed “drawing.curve.json” on disk, and you have unsaved changes here."
     assert saved.file_bar.text == words
     assert offered(saved) == ["reloadFile", "keepMine", "compareWithFile"]
     assert saved.session.document is mine
@@ -190,7 +190,7 @@ def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
     saved.trigger("reloadFile")
     assert saved.session.document == on_disk
     assert not saved.session.files.is_modified
-    assert saved.status == "Reloaded drawing.curve.json; Undo brings back what was here."
+    assert saved.status == "Reloaded drawing.curve.json. Undo restores your document."
     count = saved.session.undo_stack.count()
     saved.trigger("reloadFile")  # the same again is no step
     assert saved.session.undo_stack.count() == count
@@ -210,8 +210,8 @@ def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     before = saved.screenshot()
     saved.file_bar.answer("compareWithFile")
     canvas = saved.window.canvas
-    assert canvas.drawing.annotations.file_version == "drawing.curve.json on the disk"
-    assert [row.text for row in canvas.drawing.annotations.legend.rows] == ["drawing.curve.json on the disk"]
+    assert canvas.drawing.annotations.file_version == "drawing.curve.json on disk"
+    assert [row.text for row in canvas.drawing.annotations.legend.rows] == ["drawing.curve.json on disk"]
     assert saved.screenshot() != before
     save(path, OTHERS)  # another one: the ghost goes with it
     until(lambda: saved.window.canvas.drawing.annotations._file_layer._views[0][1].points[-1, 0] == 5.0)
@@ -232,7 +232,7 @@ def test_saving_over_an_unseen_change_asks(saved, path):
     assert load(path) == THEIRS
     assert saved.session.files.is_modified
     assert saved.session.document is mine
-    assert saved.file_bar.text.endswith("was changed by another program; it was not saved.")
+    assert saved.file_bar.text.endswith("was not saved, because another program changed it.")
     assert offered(saved) == ["overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"]
     saved.file_bar.answer("overwriteFile")
     assert load(path) == mine
@@ -260,7 +260,7 @@ def test_a_cancelled_save_as_changes_nothing(saved, path):
     saved.file_bar.answer("saveDocumentAs")
     assert saved.session.files.path == path
     assert saved.session.document is mine
-    assert saved.file_bar.text.endswith("was changed by another program; it was not saved.")
+    assert saved.file_bar.text.endswith("was not saved, because another program changed it.")
 
 
 def test_the_question_can_be_put_away_and_comes_again(saved, path):
@@ -294,7 +294,7 @@ LOST = {
     "emptied": (lambda path: path.write_bytes(b""), "emptied or damaged the file."),
     "damaged": (lambda path: path.write_bytes(path.read_bytes()[:-9]), "emptied or damaged the file."),
     "replaced": (lambda path: save(path, THEIRS), "Another program has changed the file."),
-    "deleted": (lambda path: path.unlink(), "The file is gone from its folder."),
+    "deleted": (lambda path: path.unlink(), "The file is no longer in its folder."),
 }
 
 
@@ -364,7 +364,7 @@ def test_half_a_file_is_waited_for(saved, path, until):
     assert saved.file_bar.text == ""
     path.write_bytes(content)
     until(lambda: saved.file_bar.text)
-    assert saved.file_bar.text.endswith("was changed on the disk by another program.")
+    assert saved.file_bar.text.endswith("program changed “drawing.curve.json” on disk.")
 
 
 @pytest.fixture
@@ -377,7 +377,7 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, few_checks):
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_bar.text)
-    assert "holds no document now. Yours is still here." in saved.file_bar.text
+    assert "damaged “drawing.curve.json”. Your document is still open here." in saved.file_bar.text
     assert not saved.action("reloadFile").isEnabled()
     saved.file_bar.answer("keepMine")
     saved.trigger("saveDocument")
@@ -387,7 +387,7 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, few_checks):
 def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, few_checks):
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_bar.text)
-    assert "is gone from its folder" in saved.file_bar.text
+    assert "is no longer in its folder" in saved.file_bar.text
     assert saved.session.files.is_modified
     saved.file_bar.answer("saveDocument")
     assert load(path) == saved.session.document
@@ -402,9 +402,9 @@ def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until,
     until(lambda: saved.file_bar.text)
     if tries_to_save:
         saved.trigger("saveDocument")
-        assert "it was not saved" in saved.file_bar.text
+        assert "was not saved, because another program" in saved.file_bar.text
     path.unlink()
-    until(lambda: "is gone from its folder" in saved.file_bar.text)
+    until(lambda: "is no longer in its folder" in saved.file_bar.text)
     assert offered(saved) == ["saveDocument", "saveDocumentAs"]
     saved.file_bar.answer("saveDocument")
     assert load(path) == mine
@@ -500,8 +500,8 @@ def test_a_second_window_opens_read_only(saved, path, qtbot):
     second = second_window(qtbot, path)
     assert second.session.files.is_read_only
     assert second.window.windowTitle() == "drawing.curve.json[*] (read-only) – Curvebench"
-    assert second.file_bar.text.startswith("You have this open in another window, since ")
-    assert second.file_bar.text.endswith("; opened read-only.")
+    assert second.file_bar.text.startswith("You have “drawing.curve.json” open in another window since ")
+    assert second.file_bar.text.endswith("; it is read-only here.")
     assert saved.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
     assert saved.file_bar.text == ""
 
@@ -510,7 +510,7 @@ def test_the_owner_is_named(editor, path):
     save(path, THEIRS)
     foreign_lock(path)
     editor.window.open_file(path)
-    assert editor.file_bar.text.startswith("Ada has this open on engine, since ")
+    assert editor.file_bar.text.startswith("Ada has “drawing.curve.json” open on engine since ")
     assert offered(editor) == ["takeOver", "saveDocumentAs"]
 
 
@@ -532,7 +532,7 @@ def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     changed = edit(second)
     assert saved.window.close()
-    until(lambda: "is free again" in second.file_bar.text)
+    until(lambda: "is no longer open elsewhere" in second.file_bar.text)
     assert offered(second) == ["takeOver"]
     second.file_bar.answer("takeOver")
     assert second.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
@@ -556,10 +556,10 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     )
     owner.stdout.readline()
     editor.window.open_file(path)
-    assert "in another Curvebench, since" in editor.file_bar.text
+    assert "in another process since" in editor.file_bar.text
     owner.kill()
     owner.communicate()
-    until(lambda: "is free again" in editor.file_bar.text)
+    until(lambda: "is no longer open elsewhere" in editor.file_bar.text)
     editor.file_bar.answer("takeOver")
     assert not editor.session.files.is_read_only
 
@@ -572,7 +572,7 @@ def test_two_windows_of_one_start(qtbot, path):
         session.open(path)
     editors = [Editor(qtbot, session) for session in sessions]
     assert [each.session.files.is_read_only for each in editors] == [False, True]
-    assert "opened read-only" in editors[1].file_bar.text
+    assert "read-only here" in editors[1].file_bar.text
 
 
 def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
@@ -592,7 +592,7 @@ def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, un
     theirs = saved.session.document
     saved.trigger("saveDocument")
     assert saved.window.close()
-    until(lambda: "is free again" in second.file_bar.text)
+    until(lambda: "is no longer open elsewhere" in second.file_bar.text)
     second.file_bar.answer("takeOver")
     assert offered(second) == ["reloadFile", "keepMine", "compareWithFile"]
     second.trigger("saveDocument")
@@ -614,7 +614,7 @@ def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
     second.file_bar.answer("takeOver")
     second.file_bar.answer("editAnyway")
     assert not second.session.files.is_read_only
-    until(lambda: "taken “drawing.curve.json” over" in saved.file_bar.text)
+    until(lambda: "taken over “drawing.curve.json”" in saved.file_bar.text)
     assert saved.window.windowTitle().endswith("[*] (read-only) – Curvebench")
     second.trigger("saveDocument")
     assert load(path) == changed
@@ -626,7 +626,7 @@ def test_one_who_has_forgotten_it_is_not_asked(editor, path):
     save(path, THEIRS)
     foreign_lock(path, since=time.time() - OLD - 60)
     editor.window.open_file(path)
-    assert editor.file_bar.text.endswith("opened read-only. Perhaps Ada forgot it.")
+    assert editor.file_bar.text.endswith("it is read-only here. It may have been left open by mistake.")
     editor.file_bar.answer("takeOver")
     assert not editor.session.files.is_read_only
 
@@ -642,7 +642,10 @@ def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_
     asked = confirm_replacing(other)
     other.trigger("saveDocumentAs")
     assert len(asked) == 1
-    assert "You have “drawing.curve.json” open in another window; it was not saved." in other.file_bar.text
+    assert (
+        "“drawing.curve.json” was not saved, because you have it open in another window."
+        in other.file_bar.text
+    )
     assert offered(other) == ["saveDocumentAs"]
     assert load(path) == kept
     assert other.session.document is document
@@ -688,7 +691,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
 def test_a_lock_file_cannot_break_the_words():
     owner = Owner("", "", "m", 7, "x", 1e300, "mark")
     text = lock_notice("a", Ownership.OPENED_ELSEWHERE, owner).text
-    assert text.startswith("Somebody has this open, since some time; opened read-only.")
+    assert text.startswith("Another user has “a” open since an unknown time; it is read-only here.")
 
 
 # Saving that fails
@@ -780,7 +783,7 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     editor.window.open_file(path)
     assert editor.session.document == THEIRS
     assert editor.status == (
-        "drawing.curve.json is of an older version; the first save keeps the old file beside it."
+        "drawing.curve.json is of an older version. The first save keeps a backup of the old file."
     )
     editor.session.commit(move_points(editor.session.document, 0, [0], (1.0, 0.0)), "Move")
     editor.trigger("saveDocument")
@@ -797,8 +800,8 @@ def test_what_is_left_out_of_an_older_version_is_told_before_it_is_saved(editor,
     editor.window.open_file(path)
     assert editor.session.document == THEIRS
     assert editor.file_bar.text == (
-        "“drawing.curve.json” was made with a version that had more: 2 texts and 1 picture were left out. "
-        "Save writes the file without them, and keeps the old one beside it."
+        "“drawing.curve.json” was made with a version that had more features: 2 texts and 1 picture were "
+        "left out. Saving removes them from the file, and keeps a backup of the old file."
     )
     edit(editor)
     assert path.read_bytes() == old

@@ -404,7 +404,7 @@ def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
 @posix_only
 def test_a_process_that_ends_gives_its_locks_up(target):
     code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_path\n"
-    code += "kept = acquire(lock_path(Path(sys.argv[1]))); print(kept.lock.place.exists())"
+    code += "kept = acquire(lock_path(Path(sys.argv[1]))); print(kept.lock.path.exists())"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(
         [sys.executable, "-c", code, str(target)], env=environment, capture_output=True, check=True

@@ -14,7 +14,7 @@ from app.storage import migration
 from app.storage.files import load
 from app.storage.format import decode, decode_counting, encode
 from app.storage.format_error import FormatError
-from app.storage.migration import Dropped, LeftOut, Place
+from app.storage.migration import Dropped, Holder, LeftOut
 from app.storage.open_file import OpenFile
 from app.storage.recovery import SnapshotFile, SnapshotOrigin, list_snapshots
 from tests.rows import each_row
@@ -87,8 +87,8 @@ def test_nothing_is_said_of_a_file_that_holds_no_more():
 @pytest.mark.parametrize(
     ("count", "words"),
     [
-        (1, "“a.json” was made with a version that had more: 1 text was left out."),
-        (3, "“a.json” was made with a version that had more: 3 texts were left out."),
+        (1, "“a.json” was made with a version that had more features: 1 text was left out."),
+        (3, "“a.json” was made with a version that had more features: 3 texts were left out."),
     ],
 )
 def test_the_sentence(count, words):
@@ -132,11 +132,11 @@ def test_a_file_of_this_version_cannot_hold_more():
 
 def test_fields_of_curves_styles_and_guides(with_rows):
     with_rows(
-        Dropped(Place.CURVE, "glow", "glow"),
-        Dropped(Place.STYLE, "order", "paint order", is_loss=lambda value: value != "normal"),
-        Dropped(Place.STYLE, "veils", "veil", is_shared=True),
-        Dropped(Place.GUIDE, "colour"),
-        Dropped(Place.DOCUMENT, "boxes", "box", "boxes"),
+        Dropped(Holder.CURVE, "glow", "glow"),
+        Dropped(Holder.STYLE, "order", "paint order", is_loss=lambda value: value != "normal"),
+        Dropped(Holder.STYLE, "veils", "veil", is_shared=True),
+        Dropped(Holder.GUIDE, "colour"),
+        Dropped(Holder.DOCUMENT, "boxes", "box", "boxes"),
     )
     found = decode_counting(
         older(
@@ -156,8 +156,8 @@ def test_one_field_is_counted_by_several_nouns_and_mended(with_rows):
         style["fill_opacity"] = style.get("fill_opacity", 1.0) * value["opacity"]
 
     with_rows(
-        Dropped(Place.STYLE, "paint", "mosaic", is_loss=lambda value: value["kind"] == "pattern", mend=fade),
-        Dropped(Place.STYLE, "paint", "wash", "washes", is_loss=lambda value: value["kind"] != "pattern"),
+        Dropped(Holder.STYLE, "paint", "mosaic", is_loss=lambda value: value["kind"] == "pattern", mend=fade),
+        Dropped(Holder.STYLE, "paint", "wash", "washes", is_loss=lambda value: value["kind"] != "pattern"),
     )
     styles = [{"paint": {"kind": kind, "opacity": 0.5}} for kind in ("linear", "pattern", "radial")]
     found = decode_counting(older(*(curve(str(at), style=style) for at, style in enumerate(styles))))
@@ -225,7 +225,9 @@ def test_a_snapshot_of_an_older_version_is_counted_and_kept(path, tmp_path, monk
     found.discard()
 
 
-SENTENCE = "“logo.curve.json” was made with a version that had more: 2 texts and 1 picture were left out."
+SENTENCE = (
+    "“logo.curve.json” was made with a version that had more features: 2 texts and 1 picture were left out."
+)
 
 
 def test_the_command_line_tells_it(path, tmp_path, capsys):

@@ -30,17 +30,17 @@ from ...workbench.message_bar import NoticeBar
 
 _RECHECK_MS = 100
 _MOST_CHECKS = 5
-"""Number of checks, each after twice as long, before a file counts as gone or broken: other programs may be
-just writing it."""
+"""Number of checks, each after twice the time, before a file counts as deleted or damaged: another program
+may be writing it."""
 
 _OWNER_MS = 2000
-"""Milliseconds between checks whether the owner of the document is still there; a crash gives no sign."""
+"""Milliseconds between checks whether the owner of the lock still runs; a crash sends no event."""
 
 _CHANGED_OUTSIDE = "a file that was changed outside this window"
 
 
 class DiskCommands(QObject):
-    """Keeps the line about the file in step with the disk, and does what it offers."""
+    """Actions on the file of the document, and the bar over the canvas that tells of its changes."""
 
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
@@ -58,13 +58,13 @@ class DiskCommands(QObject):
         self._reset()
         context.files.refused = self._show_refusal
         self._session.file_changed.connect(self._follow)
-        self._session.opened.connect(self._tell_of_file)
+        self._session.opened.connect(self._announce_file)
         self._follow()
-        # A document that was opened before there was a window.
-        self._tell_of_file()
+        # The document may have been opened before the window existed.
+        self._announce_file()
 
     def _reset(self) -> None:
-        """Begin anew, with what was just opened, saved or reloaded."""
+        """Reset after the document was opened, saved or reloaded."""
         self._recheck.stop()
         self.checks = 0
         self._change = FileChange.SAME
@@ -72,10 +72,10 @@ class DiskCommands(QObject):
         self._refusal: Notice | None = None
         self._hide_ghost()
 
-    # Keeping in step
+    # Following the file
 
     def _follow(self) -> None:
-        """Take note of another file, or of the same one saved."""
+        """Follow another file, or the same file after it was saved."""
         file = self._session.files.file
         stamp = file.stamp if file is not None else None
         if file is not self._file or stamp is not self._stamp:
@@ -90,26 +90,26 @@ class DiskCommands(QObject):
             self._path = self._session.files.path
             self._watch.watch(self._path)
         if file is not None and file.change is not self._change:
-            self._settle(file, file.change)  # somebody has looked before the watch did
+            self._note_change(file, file.change)  # another check was earlier than that of the watch
         self._show()
 
-    def _tell_of_file(self) -> None:
-        """Say what one should know about a file that was just opened."""
+    def _announce_file(self) -> None:
+        """Show a message about an older version or a missing lock of the opened file."""
         file = self._session.files.file
         if file is None:
             return
         if file.is_older and not file.left_out:
             self._context.status_line.say(
-                f"{file.path.name} is of an older version; the first save keeps the old file beside it."
+                f"{file.path.name} is of an older version. The first save keeps a backup of the old file."
             )
         elif file.lock_problem and file.owner is None:
             self._context.status_line.say(
-                f"Others cannot see that {file.path.name} is open here: no lock in its folder "
+                f"Others cannot see that {file.path.name} is open here: there is no lock file in its folder "
                 f"({file.lock_problem})."
             )
 
     def _check_file(self) -> None:
-        """Look at the file and at its lock."""
+        """Check the file and its lock."""
         file = self._file
         if file is None:
             return
@@ -123,11 +123,11 @@ class DiskCommands(QObject):
         self.checks = 0
         self._stamp = file.stamp
         if change is not self._change or change is FileChange.CHANGED:
-            self._settle(file, change)
+            self._note_change(file, change)
         self._show()
 
-    def _settle(self, file: OpenFile, change: FileChange) -> None:
-        """Take note of what has become of the file."""
+    def _note_change(self, file: OpenFile, change: FileChange) -> None:
+        """Record the change of the file by another program."""
         is_news = change is not self._change or self._other is not file.other_document
         self._change, self._other = change, file.other_document
         if is_news:
@@ -137,7 +137,7 @@ class DiskCommands(QObject):
             elif self._context.store.state.compares_with_file:
                 self._show_ghost()
         if change in (FileChange.GONE, FileChange.SAME) and self._is_refused_for_other_content:
-            self._refusal = None  # what it warns of is there no longer
+            self._refusal = None  # its reason no longer exists
         self._session.files.note(change)
 
     def _check_lock(self, file: OpenFile) -> None:
@@ -154,10 +154,10 @@ class DiskCommands(QObject):
             self._standing = Ownership.OPENED_ELSEWHERE
             file.lose_to(owner)
 
-    # What is shown
+    # The bar
 
     def _show(self) -> None:
-        """Show what matters most now."""
+        """Show the most urgent notice, or hide the bar."""
         self._watch.check_every(_OWNER_MS if self._session.files.is_read_only else 0)
         self._context.store.change(
             file=FileState(
@@ -167,7 +167,7 @@ class DiskCommands(QObject):
                 is_asked=self._standing is Ownership.ASKED,
             )
         )
-        notice = next((each for each in self._notices() if each not in self._dismissed), None)
+        notice = next((entry for entry in self._notices() if entry not in self._dismissed), None)
         if notice is not None:
             self._show_notice(notice)
         elif self._bar is not None:
@@ -186,9 +186,9 @@ class DiskCommands(QObject):
         return is_other and not self._session.files.is_read_only
 
     def _notices(self) -> list[Notice]:
-        """Return what there is to say, the most urgent first."""
+        """Return the present notices, the most urgent first."""
         file = self._file
-        found: list[Notice | None] = [self._refusal]
+        notices: list[Notice | None] = [self._refusal]
         if file is not None:
             name, owner = file.path.name, file.owner
             lock = lock_notice(name, self._standing, owner)
@@ -196,9 +196,9 @@ class DiskCommands(QObject):
                 name, self._change, modified=self._session.files.has_changes, owner=owner
             )
             is_urgent = self._standing in (Ownership.ASKED, Ownership.FREED, Ownership.TAKEN_AWAY)
-            found += [lock, content] if is_urgent else [content, lock]
-            found.append(left_out_notice(name, file.left_out))
-        return [each for each in found if each is not None]
+            notices += [lock, content] if is_urgent else [content, lock]
+            notices.append(left_out_notice(name, file.left_out))
+        return [notice for notice in notices if notice is not None]
 
     def _show_notice(self, notice: Notice) -> None:
         if self._bar is None:
@@ -206,30 +206,30 @@ class DiskCommands(QObject):
             self._bar = NoticeBar("file", central.canvas, central.message_bar)
             self._bar.clear_top = central.message_bar.clear_top
             self._bar.closed.connect(self._dismiss)
-        self._shown = notice
+        self._displayed = notice
         self._bar.show_notice(
             notice.text, [self._context.actions[name] for name in notice.actions], warns=notice.warns
         )
 
     def _dismiss(self) -> None:
-        """Dismiss the sentence; if there is another one behind it, show that."""
-        if self._shown is self._refusal:
+        """Dismiss the displayed notice, and show the next one if there is any."""
+        if self._displayed is self._refusal:
             self._refusal = None
         elif self._standing is Ownership.ASKED:
             self._standing = Ownership.OPENED_ELSEWHERE
         else:
-            self._dismissed.add(self._shown)
+            self._dismissed.add(self._displayed)
         self._show()
 
     def _show_refusal(self, path: Path, sentence: str, problem: StorageError) -> None:
-        """Say why the document was not saved, and offer a way."""
-        own = self._file is not None and self._file.is_at(path)
-        self._refusal = refusal_notice(path.name, sentence, problem, own=own)
-        if own:
+        """Show why the document was not saved, and offer actions."""
+        is_own_file = self._file is not None and self._file.is_at(path)
+        self._refusal = refusal_notice(path.name, sentence, problem, is_own_file=is_own_file)
+        if is_own_file:
             self._check_file()
         self._show()
 
-    # What can be done
+    # Actions
 
     @action(
         "reloadFile",
@@ -243,7 +243,7 @@ class DiskCommands(QObject):
         ),
     )
     def _reload(self) -> None:
-        """Take over what the file holds now; Undo brings back what was here."""
+        """Replace the document by the present content of the file; Undo restores it."""
         if self._file is None:
             return
         name = self._file.path.name
@@ -253,23 +253,23 @@ class DiskCommands(QObject):
             self._refusal = Notice(f"{name} was not reloaded: {problem}", ("saveDocumentAs",))
             self._show()
             return
-        self._session.say(f"Reloaded {name}; Undo brings back what was here.")
+        self._session.say(f"Reloaded {name}. Undo restores your document.")
 
     @action(
         "keepMine",
         "Keep Mine",
         FILE_DISK,
-        full_name="Keep Mine, not the File",
+        full_name="Keep My Document, Not the File",
         needs=Need(
             _CHANGED_OUTSIDE,
             lambda state: state.window.file.change in (FileChange.CHANGED, FileChange.UNREADABLE),
         ),
     )
     def _keep_mine(self) -> None:
-        """Go on with what is here; the next save replaces the changed file."""
+        """Keep the document in this window; the next save replaces the changed file."""
         if self._file is not None:
             self._file.accept()
-            # What is here is in no file.
+            # The document in the window is in no file.
             self._session.undo_stack.resetClean()
             self._follow()
 
@@ -283,7 +283,7 @@ class DiskCommands(QObject):
         checked=lambda state: state.window.compares_with_file,
     )
     def _compare(self) -> None:
-        """Show what the file holds now, dashed behind the drawing."""
+        """Show the present content of the file as a dashed ghost behind the curves."""
         if self._context.store.state.compares_with_file:
             self._hide_ghost()
         else:
@@ -297,7 +297,7 @@ class DiskCommands(QObject):
         self._context.store.change(compares_with_file=True)
         views = [view_of(curve) for curve in document.curves]
         self._context.central.canvas.drawing.annotations.show_file_version(
-            views, f"{self._path.name} on the disk"
+            views, f"{self._path.name} on disk"
         )
 
     def _hide_ghost(self) -> None:
@@ -313,7 +313,7 @@ class DiskCommands(QObject):
         needs=Need("", lambda state: state.window.file.may_overwrite),
     )
     def _overwrite(self) -> None:
-        """Replace the changed file by what is here."""
+        """Replace the changed file by the document in this window."""
         self._context.files.overwrite()
 
     @action(
@@ -325,7 +325,7 @@ class DiskCommands(QObject):
         needs=Need("a document that is open read-only", lambda state: state.window.file.is_read_only),
     )
     def _take_over(self) -> None:
-        """Make a document yours that is open elsewhere."""
+        """Take over a document that is open elsewhere, so that you can save it here."""
         file = self._file
         if file is None:
             return
@@ -346,13 +346,13 @@ class DiskCommands(QObject):
         needs=Need("", lambda state: state.window.file.is_asked),
     )
     def _edit_anyway(self) -> None:
-        """Take the document over although somebody may be editing it."""
+        """Take over the document although it may be edited elsewhere."""
         if self._file is None:
             return
         self._file.take_over()
         self._standing, self._refusal = Ownership.OURS, None
         self._session.file_changed.emit()
-        self._session.say(f"{self._file.path.name} can be saved from here now.")
+        self._session.say(f"You can save {self._file.path.name} in this window now.")
         self._check_file()
 
 
@@ -360,7 +360,7 @@ class DiskCommands(QObject):
 
 
 class Notice(msgspec.Struct, frozen=True):
-    """A sentence, the names of the actions that are offered with it, and whether it is a warning."""
+    """Notice in the bar: a text, the names of the offered actions, and whether it is a warning."""
 
     text: str
     actions: tuple[str, ...]
@@ -368,78 +368,83 @@ class Notice(msgspec.Struct, frozen=True):
 
 
 class Ownership(Enum):
-    """Relation of this window to the one that owns the document."""
+    """Ownership of the document: by this window or elsewhere."""
 
     OURS = auto()
     OPENED_ELSEWHERE = auto()
     ASKED = auto()
-    """The person wants to take it over, and has been told that somebody may be editing it."""
+    """The person wants to take it over, and was warned that it may be edited elsewhere."""
     TAKEN_AWAY = auto()
     FREED = auto()
 
 
 def content_notice(name: str, change: FileChange, *, modified: bool, owner: Owner | None) -> Notice | None:
-    """Return what there is to say when the file `name` holds something else than was seen last."""
+    """Return the notice about a change of the file `name` by another program."""
     if change is FileChange.CHANGED:
-        here = ", and here too" if modified else ""
-        text = f"“{name}” was changed on the disk by another program{here}."
+        here = ", and you have unsaved changes here" if modified else ""
+        text = f"Another program changed “{name}” on disk{here}."
         if owner is not None:
-            here = "; you have changes of your own here" if modified else ""
             text = f"{_who(owner)} saved changes to “{name}”{_where(owner)}{here}."
         return Notice(text, ("reloadFile", "keepMine", "compareWithFile"))
     if change is FileChange.UNREADABLE:
-        text = f"“{name}” was changed by another program and holds no document now. Yours is still here."
+        text = f"Another program damaged “{name}”. Your document is still open here."
         return Notice(text, ("keepMine", "saveDocumentAs"))
     if change is FileChange.GONE:
-        text = f"“{name}” is gone from its folder: deleted, moved or renamed. Saving writes it anew."
+        text = (
+            f"“{name}” is no longer in its folder: it was deleted, moved or renamed. Save to write it again."
+        )
         return Notice(text, ("saveDocument", "saveDocumentAs"))
     return None
 
 
 def lock_notice(name: str, standing: Ownership, owner: Owner | None) -> Notice | None:
-    """Return what there is to say about who owns the document `name`."""
+    """Return the notice about another owner of the document `name`."""
     if standing is Ownership.OURS or owner is None:
         return None
     who, have = _who(owner), _have(owner)
     if standing is Ownership.FREED:
-        text = f"“{name}” is free again; nobody else has it open now."
+        text = f"“{name}” is no longer open elsewhere. You can take it over."
         return Notice(text, ("takeOver",), warns=False)
     if standing is Ownership.ASKED:
-        text = f"{who} may still be editing “{name}”. If both save, one will have to choose between the two."
+        text = f"{who} may still be editing “{name}”. If you both save, one version replaces the other."
         return Notice(text, ("editAnyway", "saveDocumentAs"))
     if standing is Ownership.TAKEN_AWAY:
-        text = f"{who} {have} taken “{name}” over{_where(owner)}. Your changes can go to another file."
+        text = f"{who} {have} taken over “{name}”{_where(owner)}. Save your changes under another name."
         return Notice(text, ("saveDocumentAs", "takeOver"))
-    old = f" Perhaps {_who(owner, first=False)} forgot it." if owner.may_have_forgotten else ""
-    text = f"{who} {have} this open{_where(owner)}, since {_moment(owner.since)}; opened read-only.{old}"
+    old = " It may have been left open by mistake." if owner.may_have_forgotten else ""
+    since = f"{who} {have} “{name}” open{_where(owner)} since {_moment(owner.since)}"
+    text = f"{since}; it is read-only here.{old}"
     return Notice(text, ("takeOver", "saveDocumentAs"), warns=False)
 
 
 def left_out_notice(name: str, left_out: LeftOut) -> Notice | None:
-    """Return what there is to say when the file `name` of an older version holds more than the document."""
+    """Return the notice about features of an older version that were left out."""
     if not left_out:
         return None
     them = "it" if left_out.is_one else "them"
-    text = f"{left_out.sentence(name)} Save writes the file without {them}, and keeps the old one beside it."
+    text = (
+        f"{left_out.sentence(name)} Saving removes {them} from the file, and keeps a backup of the old file."
+    )
     return Notice(text, ("saveDocumentAs",))
 
 
-def refusal_notice(name: str, sentence: str, problem: StorageError, *, own: bool) -> Notice:
-    """Return what to say when the document was not saved to the file `name`, its own one or another."""
+def refusal_notice(name: str, sentence: str, problem: StorageError, *, is_own_file: bool) -> Notice:
+    """Return the notice that the document was not saved to the file `name`, its own or another one."""
     if isinstance(problem, ChangedOnDiskError):
-        text = f"“{name}” was changed by another program; it was not saved."
+        text = f"“{name}” was not saved, because another program changed it."
         return Notice(text, ("overwriteFile", "saveDocumentAs", "reloadFile", "compareWithFile"))
     if isinstance(problem, LockedError):
         owner = problem.owner
-        text = f"{_who(owner)} {_have(owner)} “{name}” open{_where(owner)}; it was not saved."
-        return Notice(text, ("saveDocumentAs", "takeOver") if own else ("saveDocumentAs",))
+        who = f"{_who(owner, first=False)} {_have(owner)}"
+        text = f"“{name}” was not saved, because {who} it open{_where(owner)}."
+        return Notice(text, ("saveDocumentAs", "takeOver") if is_own_file else ("saveDocumentAs",))
     return Notice(sentence, ("saveDocumentAs",))
 
 
 def _who(owner: Owner, *, first: bool = True) -> str:
     if owner.is_same_person:
         return "You" if first else "you"
-    return owner.user or ("Somebody" if first else "somebody")
+    return owner.user or ("Another user" if first else "another user")
 
 
 def _have(owner: Owner) -> str:
@@ -450,15 +455,15 @@ def _where(owner: Owner) -> str:
     if owner.is_this_process:
         return " in another window"
     if owner.is_same_person:
-        return " in another Curvebench"
+        return " in another process"
     return f" on {owner.host}" if owner.host else ""
 
 
 def _moment(seconds: float) -> str:
-    """Return a time of day, with the date where it is not today."""
+    """Return the time of day, with the date unless it is today."""
     try:
         then, now = time.localtime(seconds), time.localtime()
-    except (OverflowError, OSError, ValueError):  # whatever somebody wrote into the lock file
-        return "some time"
+    except (OverflowError, OSError, ValueError):  # the lock file may contain any number
+        return "an unknown time"
     same_day = then[:3] == now[:3]
     return time.strftime("%H:%M" if same_day else "%Y-%m-%d %H:%M", then)

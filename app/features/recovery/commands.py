@@ -102,7 +102,7 @@ class RecoveryCommands:
             snapshot.leave()  # rather offered twice than lost
         message = recovery.bar.restored_message(origin, is_unchanged=path is not None)
         if snapshot.left_out:
-            message = f"{message} {snapshot.left_out.said_of('It')}"
+            message = f"{message} {snapshot.left_out.message_about('It')}"
         session.say(message)
 
     def _discard(self, index: int) -> None:
