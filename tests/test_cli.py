@@ -909,7 +909,7 @@ def test_a_sharper_png_without_paper(tmp_path):
 def test_the_basis_of_a_curve_that_is_not_there(capsys, tmp_path):
     out = str(tmp_path / "a.svg")
     said = refusal(capsys, "render", LETTER, "-o", out, "--basis", "7")
-    assert said == "There is no curve 7; the document has 1 curve."
+    assert said == "There is no curve 7; the document has 1."
     assert not Path(out).exists()
 
 

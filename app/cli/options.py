@@ -9,7 +9,7 @@ from typing import Any
 
 from ..document.lengths import MILLIMETRES, known_unit
 from ..document.model import Document
-from ..document.words import count_of, enumerated
+from ..document.words import enumerated
 from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, Format, endings_of
@@ -128,9 +128,7 @@ def add_motion_options(render: argparse.ArgumentParser) -> None:
         "motion",
         "A dot that moves along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
     ).add_argument
-    add(
-        "--motion", choices=("once", "loop", "ping-pong"), help="what the dot does at the end (default: loop)"
-    )
+    add("--motion", choices=("once", "loop", "ping-pong"), help="the motion at the end (default: loop)")
     add("--pace", choices=("t", "length"), default="t", help="what grows evenly in time (default: t)")
     add("--fps", type=whole_number, default=25, metavar="N", help="frames per second (default: 25)")
     add(
@@ -167,7 +165,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     add(
         "--to",
         metavar="ENDING",
-        help=f"write a file for each file that is read, with a name that ends in {written}",
+        help=f"write a file for each one that is read; ends in {written}",
     )
     add(
         "-j",
@@ -263,9 +261,7 @@ def _some_of(option: SomeOf) -> Callable[[str], tuple[str, ...]]:
     def read(text: str) -> tuple[str, ...]:
         words = tuple(text.split(","))
         if not set(words) <= set(option.choices):
-            raise argparse.ArgumentTypeError(
-                f"“{text}” contains something other than {', '.join(option.choices)}"
-            )
+            raise argparse.ArgumentTypeError(f"“{text}” can only contain {', '.join(option.choices)}")
         return words
 
     return read
@@ -381,9 +377,7 @@ def _columns_to_write(options: argparse.Namespace) -> tuple[str, ...]:
 def picture_options(options: argparse.Namespace, document: Document) -> Options:
     """Return the options of the file to write."""
     if options.basis and options.basis > len(document.curves):
-        raise ExchangeError(
-            f"There is no curve {options.basis}; the document has {count_of(len(document.curves), 'curve')}."
-        )
+        raise ExchangeError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
     return Options(
         width=options.width,
         tolerance=options.tolerance,

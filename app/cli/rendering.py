@@ -54,9 +54,9 @@ def add_options(render: argparse.ArgumentParser) -> None:
 def _drawn_document(options: argparse.Namespace) -> Document:
     """Return the document to draw: all of it, or the curves that --only names."""
     document = document_of(options.file).document
-    return (
-        exchange.cubics_in.ImportResult(document).named(options.only).document if options.only else document
-    )
+    if options.only:
+        document = exchange.cubics_in.ImportResult(document).named(options.only).document
+    return document
 
 
 def render(options: argparse.Namespace) -> int:
@@ -73,9 +73,8 @@ def render(options: argparse.Namespace) -> int:
         raise RefusalError(f"“{options.output}” has no known file extension for pictures; use {known}.")
     document = _drawn_document(options)
     with TerminalProgress() as report:
-        picture = replace(
-            picture_options(options, document), format_options=options_of_formats(options, FORMATS.pictures)
-        )
+        values = options_of_formats(options, FORMATS.pictures)
+        picture = replace(picture_options(options, document), format_options=values)
         result = export(document, options.output, picture.reporting(report))
     tell(result.remarks)
     return 0

@@ -55,6 +55,7 @@ _TOO_LARGE = Loss("curve", f"with coordinates or velocities outside −1e12 to 1
 _TOO_DIFFERENT = Loss("curve", f"with pieces of too unequal lengths {LEFT_OUT}")
 _TOO_MANY = Loss("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
+_MANUAL = Parametrization(ParametrizationKind.MANUAL)
 _ROUNDING = 2.0**-48
 """Share of the coordinates, for each piece: a bound of the rounding where programs add steps up."""
 
@@ -283,9 +284,7 @@ def _dot(path: ImportedPath) -> _CurveOfPath:
     """Return a curve of no length, with both of its points at one place: its caps are seen."""
     x, y = path.pieces[0, 0].tolist()
     points = tuple(Point(x, y, t, (0.0, 0.0)) for t in (0.0, 1.0))
-    return _CurveOfPath(
-        _curve_with(replace(path, closed=False), Parametrization(ParametrizationKind.MANUAL), points)
-    )
+    return _CurveOfPath(_curve_with(replace(path, closed=False), _MANUAL, points))
 
 
 def _curve_through(path: PathThroughPoints) -> _CurveOfPath:
@@ -328,7 +327,7 @@ def _curve(path: ImportedPath) -> _CurveOfPath | Loss:
     except EditError:
         return _TOO_DIFFERENT
     is_rounding = cubics.moved <= _ROUNDING * np.abs(pieces).max()
-    curve = _curve_with(path, Parametrization(ParametrizationKind.MANUAL), cubics.points)
+    curve = _curve_with(path, _MANUAL, cubics.points)
     return _CurveOfPath(curve, path.deviation + (0.0 if is_rounding else cubics.moved))
 
 

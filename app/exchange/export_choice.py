@@ -167,9 +167,8 @@ def _usable(ending: object, values: Mapping[str, Any]) -> ExportChoice:
 def choice_with(ending: str, values: Mapping[Option[Any], Any]) -> ExportChoice:
     """Return a choice with the values of some options, or the defaults of those that cannot be used."""
     usable = {option: option.checked(value) for option, value in values.items()}
-    return ExportChoice(
-        ending, {option.name: value for option, value in usable.items() if value != option.default}
-    )
+    others = {option.name: value for option, value in usable.items() if value != option.default}
+    return ExportChoice(ending, others)
 
 
 def offered_options() -> tuple[Option[Any], ...]:

@@ -304,33 +304,22 @@ def _controls_of(piece: ParametricCurve) -> FloatArray | None:
 def _known_curves(pieces: tuple[ParametricCurve, ...]) -> tuple[ParametricCurve, ...]:
     """Return curves of one family that all writers know, with the interpolants of the pieces, or none."""
     for kind in (LagrangeCurve, HermiteCurve, QuinticHermiteCurve, SepticHermiteCurve):
-        curves = [
-            curve for piece in pieces if (curve := _known_curve(kind, piece.interpolants())) is not None
-        ]
+        known = (_known_curve(kind, piece.interpolants()) for piece in pieces)
+        curves = [curve for curve in known if curve is not None]
         if len(curves) == len(pieces):
             return tuple(curves)
     return ()
 
 
-def _known_curve(
-    kind: type[ParametricCurve], interpolants: list[Interpolant] | None
-) -> ParametricCurve | None:
+def _known_curve(kind: type[ParametricCurve], data: list[Interpolant] | None) -> ParametricCurve | None:
     """Return the curve of a family that has the same interpolants; None where there is none."""
-    if not interpolants or any(
-        interpolant.jets.shape[1] != kind.derivatives + 1 for interpolant in interpolants
-    ):
+    if not data or any(datum.jets.shape[1] != kind.derivatives + 1 for datum in data):
         return None
-    parameters, first = np.unique(
-        np.concatenate([interpolant.parameters for interpolant in interpolants]), return_index=True
-    )
-    curve = kind.from_jets(
-        np.concatenate([interpolant.jets for interpolant in interpolants])[first], parameters
-    )
+    parameters, first = np.unique(np.concatenate([datum.parameters for datum in data]), return_index=True)
+    curve = kind.from_jets(np.concatenate([datum.jets for datum in data])[first], parameters)
     actual = curve.interpolants() or []
-    pairs = [both for parts in zip(actual, interpolants, strict=False) for both in zip(*parts, strict=True)]
-    return (
-        curve if len(actual) == len(interpolants) and all(np.array_equal(*both) for both in pairs) else None
-    )
+    pairs = [both for parts in zip(actual, data, strict=False) for both in zip(*parts, strict=True)]
+    return curve if len(actual) == len(data) and all(np.array_equal(*both) for both in pairs) else None
 
 
 def _deviation(curve: ParametricCurve, piece: ParametricCurve) -> float:

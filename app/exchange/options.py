@@ -206,17 +206,15 @@ DARK_PAPER = OneOf(
 TRANSPARENT = Check(name="transparent", title="Transparent", tip="Omit the background", default=True)
 
 
-def _drawn_with_curves(name: str, title: str, tip: str) -> Check:
+def _extra(name: str, title: str, tip: str) -> Check:
     """Return the option to draw something with the curves; the check boxes share a row."""
     return Check(name=name, label="Show", title=title, tip=tip, widget=f"export_{name}", default=False)
 
 
-POINTS = _drawn_with_curves("points", "Points", "Draw the points")
-HANDLES = _drawn_with_curves("handles", "Handles", "Draw the Bézier control points beside the points")
-GRID = _drawn_with_curves("grid", "Grid", "Draw a grid behind the curves")
-BASIS = _drawn_with_curves(
-    "basis", "Basis functions", "Draw the basis functions of the active curve below the picture"
-)
+POINTS = _extra("points", "Points", "Draw the points")
+HANDLES = _extra("handles", "Handles", "Draw the Bézier control points beside the points")
+GRID = _extra("grid", "Grid", "Draw a grid behind the curves")
+BASIS = _extra("basis", "Basis functions", "Draw the basis functions of the active curve below the picture")
 TOLERANCE = Tolerance(
     name="tolerance",
     label="Tolerance",

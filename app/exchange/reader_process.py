@@ -167,9 +167,7 @@ class ReaderProcess:
                     env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
                 )
             except OSError as problem:
-                raise ExchangeError(
-                    f"The process that reads it could not be started ({problem.strerror})."
-                ) from None
+                raise ExchangeError(f"The reader could not be started ({problem.strerror}).") from None
         return self._process, Path(self._folder.name)
 
     def _awaited(self, report: Report) -> bytes:

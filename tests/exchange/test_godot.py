@@ -111,7 +111,7 @@ def test_resources_of_both_versions_are_read(text, tmp_path):
         (
             SCENE,
             "RSRC\x00\x00",
-            "The file contains no Curve2D. Save the curve or its scene as text (.tres, .tscn).",
+            "The file contains no Curve2D. Save it or its scene as text (.tres, .tscn).",
         ),
         ("10, 20, 1", "10, 20", "Line 8: a curve needs six numbers per point."),
         ("10, 20, 1", "10, 20, one", "Line 8: a curve needs six numbers per point."),

@@ -89,7 +89,7 @@ def test_points_without_a_later_time_are_left_out_and_counted(tmp_path):
     late = [WALK[0], (47.7, -122.3, 26), (47.7, -122.3, 20), *WALK[1:]]
     (curve,), said = read(tmp_path, track(late))
     assert [point.t for point in curve.points] == [0.0, 5.0, 8.0, 14.5]
-    assert " 2 points left out because their times do not increase." in said[0]
+    assert " 2 points left out, as their times do not increase." in said[0]
 
 
 @each_row(

@@ -203,10 +203,10 @@ SAMPLE = {"t": 0.0, "x": 0.0, "y": 0.0, "vx": 1.0, "vy": 0.0}
         (traj([{"t": 0.0, "x": 0.0}]), "Trajectory.samples[0].y is missing."),
         (traj([{"t": 0.5, "x": 0.0, "y": 0.0, "vx": 1.0}]), "Sample 1 has no velocity."),
         (traj([SAMPLE, {"x": 0.0, "y": 0.0, "vx": 1.0, "vy": 2.0}]), "Sample 2 has no time."),
-        (traj([]), "The file contains no trajectory. Generate one in Choreo and import its .traj file."),
+        (traj([]), "The file has no trajectory. Generate one in Choreo and import its .traj file."),
         (
             '{"name": "swerve", "version": 2, "type": "Swerve", "config": {}}',
-            "The file contains no trajectory. Generate",
+            "The file has no trajectory. Generate",
         ),
         (traj([SAMPLE | {"x": 3e13}]), "Row 1, column 3 must lie between −1e12 and 1e12."),
         ("", "It is not JSON; the file ends too early."),

@@ -214,7 +214,7 @@ def test_what_no_picture_can_hold_is_refused(nothing):
     wild = make_curve([(i, (-1) ** i) for i in range(150)], name="wild")
     assert refusal(Document((wild,))).startswith("“wild” swings beyond 1e+30 between its points")
     tiny = Document((make_curve([(0, 0), (1e-200, 1e-200)]),))
-    assert refusal(tiny) == "The drawing is 1e-200 across; a picture can be 1e-30 to 1e+30 across."
+    assert refusal(tiny) == "The drawing is 1e-200 across; pictures can be 1e-30 to 1e+30."
     far = Document((make_curve([(1e12, 0), (1e12 + 0.001, 0)]),))
     assert refusal(far).endswith("from the origin: too small for a picture.")
     assert refusal(nothing).startswith("There is nothing to draw. “dot”: ")

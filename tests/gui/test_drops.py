@@ -188,7 +188,7 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
     assert editor.session.files.path == files / "a.curve.json"
     assert editor.session.document.image is not None
     assert editor.message == (
-        "b.png was not traced: a document can have only one reference image. "
+        "b.png was not traced: a document has one reference image. "
         "1 link to no file of this computer left out."
     )
 

@@ -175,7 +175,7 @@ def test_options_of_every_kind_are_arguments_within_their_limits(tmp_path, capsy
     for flag, text, reason in (
         ("--pen", "99", "“99” is not a whole number from 1 to 8"),
         ("--shift", "nan", "“nan” is not a number from -8 to 8"),
-        ("--marks", "a,d", "“a,d” contains something other than a, b, c"),
+        ("--marks", "a,d", "“a,d” can only contain a, b, c"),
         ("--rough", "0", "“0” is not a number from"),
         ("--kind", "C", "invalid choice: 'C'"),
     ):

@@ -675,7 +675,7 @@ def test_paste_velocities(hermite):
 BAD_PASTES = [
     ((0, X), "1\t2\n3\t4\n5\tabc", "Row 3, column 2: “abc” is not a number."),
     ((0, X), "1\t2\n3\t", "Row 2, column 2 is empty."),
-    ((0, X), "1\t2\n3", "The rows differ in length: row 2 has 1 cells, the first has 2."),
+    ((0, X), "1\t2\n3", "Row 2 has 1 cell, but the first row has 2."),
     ((0, X), "1\t1/0", "Row 1, column 2: Division by zero."),
     ((0, X), "1\t2e12", "Row 1, column 2: Enter a number between"),
     ((0, X), "1,234\t1,000", "Row 1, column 1: “1,234” is ambiguous"),

@@ -527,7 +527,7 @@ def test_import_takes_one(editor, tmp_path, monkeypatch):
     editor.key(Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
     assert "*.png" in filters[0].split(";;")[0]
     assert image_of(editor).path == chosen[0]
-    assert editor.message == "b.PNG was not traced: a document can have only one reference image."
+    assert editor.message == "b.PNG was not traced: a document has one reference image."
 
 
 # Curves on a picture

@@ -592,7 +592,7 @@ NO_POINTS = (
     ("0.5 4 0", "Row 1: t must be greater than 1, the t of the last point, not 0.5."),
     ("t x y\n2 4 0\n2 5 1", "Row 3: t must be greater than 2, the t of the row before it, not 2."),
     ("4 0\n5 abc", "Row 2, column 2: “abc” is not a number."),
-    ("4 0\n5", "The rows differ in length: row 2 has 1, the first 2."),
+    ("4 0\n5", "Row 2 has 1 cell, but the first row has 2."),
     ("1 2 3 4", "Points have two columns, x y, or three, t x y; these are 4 columns."),
     ("7", "Points have two columns, x y, or three, t x y; this is one column."),
     ("", "There are no numbers on the clipboard."),

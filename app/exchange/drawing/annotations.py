@@ -77,19 +77,13 @@ def grid_step(frame: Frame) -> float:
 
 def _grid(frame: Frame) -> list[Annotation]:
     step, right = grid_step(frame), frame.left + frame.width
-    upright = [
-        (multiple, np.array([(x, frame.bottom), (x, frame.top)]))
-        for multiple, x in _lines(frame.left, right, step)
-    ]
-    level = [
-        (multiple, np.array([(frame.left, y), (right, y)]))
-        for multiple, y in _lines(frame.bottom, frame.top, step)
-    ]
+    upright = [(k, np.array([(x, frame.bottom), (x, frame.top)])) for k, x in _lines(frame.left, right, step)]
+    level = [(k, np.array([(frame.left, y), (right, y)])) for k, y in _lines(frame.bottom, frame.top, step)]
     lines = [*upright, *level]
     kinds = (
-        (_FINE, [line for multiple, line in lines if multiple % 5]),
-        (_COARSE, [line for multiple, line in lines if multiple % 5 == 0 and multiple]),
-        (_AXIS, [line for multiple, line in lines if multiple == 0]),
+        (_FINE, [line for k, line in lines if k % 5]),
+        (_COARSE, [line for k, line in lines if k % 5 == 0 and k]),
+        (_AXIS, [line for k, line in lines if k == 0]),
     )
     width = _THIN * frame.side
     return [Annotation("grid", tuple(group), width, opacity) for opacity, group in kinds if group]
@@ -97,8 +91,8 @@ def _grid(frame: Frame) -> list[Annotation]:
 
 def _lines(low: float, high: float, step: float) -> Iterator[tuple[int, float]]:
     """Yield the coordinates between two that are multiples of a step, each with which it is."""
-    for multiple in range(ceil(low / step), floor(high / step) + 1):
-        yield multiple, multiple * step
+    for k in range(ceil(low / step), floor(high / step) + 1):
+        yield k, k * step
 
 
 def _handles(document: Document) -> list[tuple[str, list[Handle]]]:

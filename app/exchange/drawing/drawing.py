@@ -113,14 +113,12 @@ class Drawing(msgspec.Struct, frozen=True):
     @property
     def deviation(self) -> float:
         """Largest distance of any outline from its true curve."""
-        return max(
-            outline.deviation for outline in (*self.outlines, *(outline for _, outline in self.hidden))
-        )
+        return max(outline.deviation for outline in (*self.outlines, *(hidden for _, hidden in self.hidden)))
 
     @property
     def is_bound(self) -> bool:
         """Whether no outline is anywhere farther away."""
-        return all(outline.is_bound for outline in (*self.outlines, *(outline for _, outline in self.hidden)))
+        return all(outline.is_bound for outline in (*self.outlines, *(hidden for _, hidden in self.hidden)))
 
     def fitted(self, width: float, height: float) -> Drawing:
         """Return the drawing moved and scaled to the frame (0, 0, width, height), centred in it.
@@ -235,9 +233,8 @@ def too_much(curve: Curve) -> str:
 def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
     """Return the visible curves that can be computed, as they are, and a sentence for each of the others."""
     curves, remarks = [], []
-    for curve in with_progress(
-        [curve for curve in document.curves if curve.visible], report, "Computing curves"
-    ):
+    visible = [curve for curve in document.curves if curve.visible]
+    for curve in with_progress(visible, report, "Computing curves"):
         reason = too_much(curve)
         view = view_of(curve) if not reason else None
         if view is not None and view.curve is not None:

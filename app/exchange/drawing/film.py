@@ -150,9 +150,7 @@ def write_film(
     with drawing.image.application():
         maker = drawing.motion_frames.FrameMaker(document, film)
         if film.frames * maker.width * maker.height > form.most_pixels or maker.height > 2 * LARGEST_WIDTH:
-            raise ExchangeError(
-                "The film would be too large. Make it smaller or shorter, or use fewer frames."
-            )
+            raise ExchangeError("The film is too large. Make it smaller or shorter, or use fewer frames.")
         data = form.write(maker, film, report)
     report(FINAL, "Writing")
     write(path, data)
@@ -165,7 +163,7 @@ def _refuse_size(film: Film) -> None:
         raise ExchangeError(f"A film must have 1 to {FASTEST} frames per second.")
     if not film.seconds * film.fps <= MOST_FRAMES:
         raise ExchangeError(
-            f"A film can have at most {MOST_FRAMES} frames. Make it shorter, or use fewer per second."
+            f"A film can have at most {MOST_FRAMES} frames. Shorten it, or use fewer per second."
         )
 
 

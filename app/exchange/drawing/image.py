@@ -131,11 +131,8 @@ def _preview(
 
 def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
     """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
-    moved = [
-        outline
-        for outline in drawing.outlines
-        if not outline.style.has_fill and style.adjustment_of(outline.colour)
-    ]
+    lines = (outline for outline in drawing.outlines if not outline.style.has_fill)
+    moved = [line for line in lines if style.adjustment_of(line.colour)]
     if not moved:
         return ""
     more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""

@@ -150,9 +150,7 @@ def frame_around(parts: list[FloatArray]) -> Frame:
     if size == 0:
         raise ExchangeError("There is nothing to draw: all points coincide.")
     if not SMALLEST <= size <= LARGEST:
-        raise ExchangeError(
-            f"The drawing is {size:.2g} across; a picture can be {SMALLEST:g} to {LARGEST:g} across."
-        )
+        raise ExchangeError(f"The drawing is {size:.2g} across; pictures can be {SMALLEST:g} to {LARGEST:g}.")
     if size < _RESOLUTION * reach:
         raise ExchangeError(
             f"The drawing is {size:.2g} across at a distance of {reach:.2g} from the origin: "

@@ -103,9 +103,8 @@ def _head(deviation: float, remarks: tuple[str, ...], imports: str) -> str:
 
 def _title(curve: ExportedCurve) -> str:
     start, end = curve.core.domain
-    return (
-        f"{one_line(curve.name)}: {curve.source.family.name.replace('_', ' ')}, t from {start!r} to {end!r}"
-    )
+    family = curve.source.family.name.replace("_", " ")
+    return f"{one_line(curve.name)}: {family}, t from {start!r} to {end!r}"
 
 
 def _listing(name: str, curve: ExportedCurve) -> str:

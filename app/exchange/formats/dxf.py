@@ -295,9 +295,7 @@ class _Reader:
             self._miss(spline, "with fewer than two points left out")
             return
         if not np.isfinite(distinct).all():
-            raise ExchangeError(
-                f"The SPLINE on layer “{spline.dxf.layer}” has coordinates that are not finite."
-            )
+            raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” has invalid coordinates.")
         self._miss(spline, "with fit points only imported as the natural spline through them")
         self.paths.append(PathThroughPoints(self._name(spline), self._look(spline), tuple(distinct), closed))
 
@@ -308,7 +306,7 @@ class _Reader:
     def _add(self, entity: DXFGraphic, pieces: FloatArray, closed: bool, deviation: float = 0.0) -> None:
         if not np.isfinite(pieces).all():
             raise ExchangeError(
-                f"The {entity.dxftype()} on layer “{entity.dxf.layer}” has coordinates that are not finite."
+                f"The {entity.dxftype()} on layer “{entity.dxf.layer}” has invalid coordinates."
             )
         if pieces.shape[1] > 4:
             pieces, deviation = self._as_cubics(pieces)
@@ -350,9 +348,7 @@ class _Reader:
                 elif command.type == library.Command.LINE_TO:
                     pieces.append(lines(np.array([pen, _flat(command.end)])))
                 else:
-                    raise ExchangeError(
-                        f"Entity {number} ({entity.dxftype()}) has an unsupported kind of curve."
-                    )
+                    raise ExchangeError(f"Entity {number} ({entity.dxftype()}) has an unsupported curve.")
                 pen = _flat(command.end)
             if pieces:
                 deviation = radius * error_of_arc(math.tau / count)

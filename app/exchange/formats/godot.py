@@ -44,9 +44,7 @@ def read_curves(data: bytes, _tolerance: float | None = None) -> ImportResult:
             if _PLACED.search(body):
                 losses.note(_NOT_APPLIED, head.start(), name)
     if not curves:
-        raise ExchangeError(
-            "The file contains no Curve2D. Save the curve or its scene as text (.tres, .tscn)."
-        )
+        raise ExchangeError("The file contains no Curve2D. Save it or its scene as text (.tres, .tscn).")
     paths = [
         ImportedPath(names.get(key, f"Curve {number}"), Look(), *_pieces(points))
         for number, (key, points) in enumerate(curves.items(), start=1)

@@ -48,35 +48,28 @@ def read_gpx(data: bytes) -> Table:
     starts = np.cumsum([0, *sizes[:-1]])
     words = np.repeat(np.array(numbered([name for name, _points in tracks]), dtype=object), sizes)
     points = [point for _name, segment in tracks for point in segment]
-    x, y, remark = _projected(
-        np.array([_degrees(number, point) for number, point in enumerate(points, start=1)])
-    )
+    x, y, remark = _projected(np.array([_degrees(k, point) for k, point in enumerate(points, start=1)]))
     t = np.array(list(map(_seconds, points)))
     latest = np.concatenate([np.maximum.accumulate(times) for times in np.split(t, starts[1:])])
-    is_later = np.append(True, t[1:] > latest[:-1])
-    is_later[starts] = True
-    skipped = len(points) - int(is_later.sum())
+    later = np.append(True, t[1:] > latest[:-1])
+    later[starts] = True
+    lost = len(points) - int(later.sum())
     values = {"curve": np.full(len(x), np.nan), "t": t - t[0], "x": x, "y": y}
-    if (
-        np.isfinite(t).all()
-        and 2 * skipped < len(points)
-        and np.add.reduceat(is_later, starts, dtype=int).min() > 1
-    ):
+    left = np.add.reduceat(later, starts, dtype=int).min()
+    if np.isfinite(t).all() and 2 * lost < len(points) and left > 1:
         remark += f" t is in seconds since {datetime.fromtimestamp(t[0], UTC).isoformat()}."
-        remark += (
-            f" {count_of(skipped, 'point')} left out because their times do not increase." if skipped else ""
-        )
+        remark += f" {count_of(lost, 'point')} left out, as their times do not increase." if lost else ""
     else:
         del values["t"]
-        is_later[:] = True
+        later[:] = True
         remark += " Times are left out because they do not increase." * bool(np.isfinite(t).any())
     remark += " Elevations are left out." * any(_text(point, "ele") for point in points)
     waypoints = sum(tag_of(child) == "wpt" for child in root)
     single = sum(len(points) == 1 for _, points in segments)
     remark += f" {count_of(waypoints, 'waypoint')} left out." if waypoints else ""
     remark += f" {count_of(single, 'single point')} left out." if single else ""
-    rows = np.column_stack(list(values.values()))[is_later]
-    return table_of(rows, tuple(values), words={0: words[is_later].tolist()}, remark=remark)
+    rows = np.column_stack(list(values.values()))[later]
+    return table_of(rows, tuple(values), words={0: words[later].tolist()}, remark=remark)
 
 
 def _tracks(root: Element) -> Iterator[tuple[str, list[Element]]]:

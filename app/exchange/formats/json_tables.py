@@ -75,9 +75,8 @@ def _records(content: list[dict[str, object]]) -> Table:
     titles = [str(key) for key, value in content[0].items() if not isinstance(value, str | list | dict)]
     others = [f"“{str(key)[:40]}”" for key in content[0] if key not in titles]
     remark = f"Columns that are not numbers were left out: {', '.join(others[:8])}." if others else ""
-    return table_of(
-        _numbers([[item.get(key) for key in titles] for item in content]), tuple(titles), remark=remark
-    )
+    rows = [[item.get(key) for key in titles] for item in content]
+    return table_of(_numbers(rows), tuple(titles), remark=remark)
 
 
 def _numbers(rows: Sequence[Sequence[object]]) -> FloatArray:
@@ -106,9 +105,8 @@ def _lines(content: dict[str, Any]) -> Table:
         raise ExchangeError(f"The GeoJSON file contains no lines. {_lost(lost)}".strip())
     titles = zip(numbered([name for name, _ in lines]), lines, strict=True)
     names = [title for title, (_, line) in titles for _point in line]
-    values = _numbers(
-        [point[:2] if isinstance(point, list) else [point] for _, line in lines for point in line]
-    )
+    points = [point for _, line in lines for point in line]
+    values = _numbers([point[:2] if isinstance(point, list) else [point] for point in points])
     if values.shape[1] != 2:
         raise ExchangeError("A point of the GeoJSON has no longitude and latitude.")
     whole = np.column_stack([np.full(len(values), np.nan), values])

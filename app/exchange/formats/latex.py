@@ -226,9 +226,7 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
     """Return the distance of the curve of the rounded numbers from the true one at the same t."""
     t = _rounded(piece.parameters, digits)
     if not (np.diff(t) > 0).all():
-        enough = (
-            count for count in range(digits, 17) if (np.diff(_rounded(piece.parameters, count)) > 0).all()
-        )
+        enough = (n for n in range(digits, 17) if (np.diff(_rounded(piece.parameters, n)) > 0).all())
         least = next(enough, 17)
         raise ExchangeError(
             f"With {digits} digits two parameters would be equal. Use {least} or more: the option “Digits” "

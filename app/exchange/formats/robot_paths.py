@@ -83,12 +83,10 @@ def read_pathplanner(data: bytes, _tolerance: float | None = None) -> ImportResu
 
 def _position(waypoints: list[_Waypoint], index: int, name: str) -> tuple[float, float]:
     waypoint = waypoints[index]
-    position: _Position | None = getattr(waypoint, name) or (
-        waypoint.anchor_point if name == "anchor" else None
-    )
-    if position is None:
+    at: _Position | None = getattr(waypoint, name) or (waypoint.anchor_point if name == "anchor" else None)
+    if at is None:
         raise ExchangeError(f"Waypoint {index + 1} has no {name.replace('_', ' ')}.")
-    return position.x, position.y
+    return at.x, at.y
 
 
 PATHPLANNER = Format(
@@ -302,14 +300,10 @@ def read_trajectories(data: bytes) -> Table:
     paths |= {name: path.trajectory or [] for name, path in content.paths.items()}
     trajectories = [(" ".join(name.split())[:200], samples) for name, samples in paths.items() if samples]
     if not trajectories:
-        raise ExchangeError(
-            "The file contains no trajectory. Generate one in Choreo and import its .traj file."
-        )
+        raise ExchangeError("The file has no trajectory. Generate one in Choreo and import its .traj file.")
     names = zip(numbered([name for name, _ in trajectories]), trajectories, strict=True)
     words = [name for name, (_, samples) in names for _sample in samples]
-    rows = [
-        (np.nan, *sample.row(k)) for _, samples in trajectories for k, sample in enumerate(samples, start=1)
-    ]
+    rows = [(np.nan, *sample.row(k)) for _, samples in trajectories for k, sample in enumerate(samples, 1)]
     return table_of(np.array(rows), _SAMPLE_TITLES, words={0: words}, remark=_LEFT_OUT)
 
 

@@ -80,9 +80,7 @@ def _array(data: bytes) -> npt.NDArray[Any]:
         raise ExchangeError("The array contains Python objects, which are never loaded. Save it as numbers.")
     count = int(np.prod([int(part) for part in shape], dtype=object))
     if count > MAX_ROWS * MAX_COLUMNS:
-        raise ExchangeError(
-            f"The array has {count:,} numbers; at most {MAX_ROWS * MAX_COLUMNS:,} can be read."
-        )
+        raise ExchangeError(f"The array has {count:,} numbers, more than {MAX_ROWS * MAX_COLUMNS:,}.")
     if count * dtype.itemsize != len(data) - file.tell():
         raise ExchangeError("The size of the .npy file does not match its header.")
     flat = np.frombuffer(data, dtype, count, file.tell())
@@ -138,11 +136,9 @@ def points_table(document: Document, options: Options = DEFAULT) -> ExportResult
     for curve in curves:
         words = [cell_of_name(curve.line_name, separator), family_cell(curve.source)]
         rows += [(words, row) for row in _rows(view_of(curve.source))]
-    used = [column for column in range(len(titles)) if any(not isnan(row[column]) for _, row in rows)]
-    lines = [separator.join([*WORDS, *(titles[column] for column in used)])]
-    lines += [
-        separator.join([*words, *(cell_of_number(row[column]) for column in used)]) for words, row in rows
-    ]
+    used = [k for k in range(len(titles)) if any(not isnan(row[k]) for _, row in rows)]
+    lines = [separator.join([*WORDS, *(titles[k] for k in used)])]
+    lines += [separator.join([*words, *(cell_of_number(row[k]) for k in used)]) for words, row in rows]
     return ExportResult("\n".join(lines) + "\n", 0.0, curves.remarks)
 
 

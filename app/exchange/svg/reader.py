@@ -173,7 +173,7 @@ class ElementContext:
     around: tuple[ET.Element, ...] = ()
     is_used: bool = False
     groups: tuple[Group, ...] = ()
-    clip_boxes: tuple[ClipBox, ...] = ()
+    clips: tuple[ClipBox, ...] = ()
     is_locked: bool = False
     copied: str = ""
 
@@ -211,9 +211,8 @@ class _Reader:
         """Return the paths of the file; of those that nobody painted only where there are no others."""
         drawn = list(self._drawn(self._root, ElementContext(self.page.matrix, self.page.viewport), depth=0))
         painted = [path for path in drawn if is_painted(path)]
-        loss = Loss(
-            "shape", "without stroke and fill " + ("left out" if painted else "imported with a plain stroke")
-        )
+        outcome = "left out" if painted else "imported with a plain stroke"
+        loss = Loss("shape", f"without stroke and fill {outcome}")
         unpainted = [path for path in drawn if not is_painted(path) and path.path.look.visible]
         for number in dict.fromkeys(path.element for path in unpainted):
             self.losses.note_of(self._shapes[number - 1], loss)
@@ -284,7 +283,7 @@ class _Reader:
         if key not in self._extents:
             probe = copy(self)
             probe._measuring, probe._shapes, probe.losses = self._measuring + 1, [], self.losses.emptied()
-            inner = probe._entered(element, declared, replace(context, matrix=np.eye(2, 3), clip_boxes=()))
+            inner = probe._entered(element, declared, replace(context, matrix=np.eye(2, 3), clips=()))
             try:
                 if self._measuring == _MAX_MEASURING:
                     raise UnknownLengthError
@@ -307,19 +306,19 @@ class _Reader:
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext
     ) -> ElementContext:
         context = replace(context, viewport=self._viewport(element, declared, context))
-        matrix, clip_boxes = context.matrix, context.clip_boxes
+        matrix, clips = context.matrix, context.clips
         if tag_of(element) in _WITH_LENGTHS and (invalid := invalid_lengths(element)):
             self.losses.note_at(element, _INVALID, enumerated(invalid))
         if tag_of(element) == "use":
             x, y = (self._length(element, name, context) or 0.0 for name in ("x", "y"))
             matrix = combined(matrix, shifting(x, y))
         if (box := clip_box(self._elements, declared, context.viewport)) is not None:
-            clip_boxes = (*clip_boxes, ClipBox(box, matrix, element, _CLIPPED))
+            clips = (*clips, ClipBox(box, matrix, element, _CLIPPED))
         return replace(
             context,
             matrix=matrix,
             around=(*context.around, element),
-            clip_boxes=clip_boxes,
+            clips=clips,
             properties=context.properties.entered(declared, context.viewport),
             # A `use` does not inherit the lock of its target.
             is_locked=context.is_locked or (not context.is_used and element.get(INSENSITIVE) == "true"),
@@ -352,19 +351,17 @@ class _Reader:
         if width is None or height is None or width <= 0 or height <= 0:
             return replace(context, matrix=combined(context.matrix, shifting(*corner)))
         area: Box = (*corner, width, height)
-        clip_boxes = context.clip_boxes
+        clips = context.clips
         if self._cascade.of(element).get("overflow") != "visible":
-            clip_boxes = (*clip_boxes, ClipBox(area, context.matrix, sized, _CUT))
+            clips = (*clips, ClipBox(area, context.matrix, sized, _CUT))
         if box is None:
             matrix = combined(context.matrix, shifting(*corner))
             return replace(
-                context, matrix=matrix, viewport=context.viewport.sized(width, height), clip_boxes=clip_boxes
+                context, matrix=matrix, viewport=context.viewport.sized(width, height), clips=clips
             )
         fit = fitted_box(box, area, element.get("preserveAspectRatio", ""))
         matrix = combined(context.matrix, fit)
-        return replace(
-            context, matrix=matrix, viewport=context.viewport.sized(*box[2:]), clip_boxes=clip_boxes
-        )
+        return replace(context, matrix=matrix, viewport=context.viewport.sized(*box[2:]), clips=clips)
 
     def _used(self, element: ET.Element, context: ElementContext, depth: int) -> Iterator[DrawnPath]:
         target = self._elements.used(element)
@@ -401,11 +398,8 @@ class _Reader:
             return
         if error:
             self.losses.note_at(element, Loss(tag, "imported only up to an error in the data"), error)
-        drawn = [
-            subpath
-            for subpath in subpaths
-            if subpath.has_length or (context.properties.has_caps and subpath.is_line)
-        ]
+        has_caps = context.properties.has_caps
+        drawn = [part for part in subpaths if part.has_length or (has_caps and part.is_line)]
         if not drawn:
             return
         self._shapes.append(element)
@@ -435,10 +429,10 @@ class _Reader:
 
     def _note_clips(self, context: ElementContext, drawn: Iterable[Subpath], style: Style) -> None:
         """Tell which of the boxes that a shape is shown in cut some of it off."""
-        if context.clip_boxes:
+        if context.clips:
             extent = extent_of(np.concatenate([moved(path.cleaned, context.matrix) for path in drawn]))
             reach = half_width(style)
-            for clip in context.clip_boxes:
+            for clip in context.clips:
                 if not clip.holds(extent, reach):
                     self.losses.note_of(clip.element, clip.loss)
 

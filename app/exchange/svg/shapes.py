@@ -286,14 +286,10 @@ def _drawn(data: str, pen: _Pen) -> int | None:
     return None if loss is None and reader.pos == len(data) else int(reader.pos)
 
 
-def _error_at(position: int | None, data: str) -> str:
-    if position is None:
+def _error_at(at: int | None, data: str) -> str:
+    if at is None:
         return ""
-    return (
-        f"at character {position + 1}, “{data[position : position + _EXCERPT]}”"
-        if data[position:]
-        else "at the end"
-    )
+    return f"at character {at + 1}, “{data[at : at + _EXCERPT]}”" if data[at:] else "at the end"
 
 
 class _Reader(SVGLexicalParser):  # type: ignore[misc]  # that package has no types

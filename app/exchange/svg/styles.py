@@ -289,12 +289,8 @@ class Paints:
     def _colours_of(self, pattern: ET.Element) -> list[str]:
         """Return the colours that the elements of a pattern say they are painted with."""
         declared = (self._elements.declared(child) for child in pattern.iter())
-        colours = (
-            colour_of(properties[name])
-            for properties in declared
-            for name in ("fill", "stroke")
-            if name in properties
-        )
+        values = (style[name] for style in declared for name in _PAINTS if name in style)
+        colours = map(colour_of, values)
         return [paint.colour for paint in colours if paint is not None]
 
     def _gradient(self, element: ET.Element, current: str) -> Paint:

@@ -261,10 +261,8 @@ class Tree:
 
     def _called(self, name: str) -> str:
         """Return an id of its own and, where the name is another word, that as Inkscape's label."""
-        identifier = self._ids.unique(_as_id(name))
-        return f' id="{identifier}"' + (
-            f' inkscape:label="{quoted(name)}"' if name and name != identifier else ""
-        )
+        ident = self._ids.unique(_as_id(name))
+        return f' id="{ident}"' + (f' inkscape:label="{quoted(name)}"' if name and name != ident else "")
 
 
 def _as_id(name: str) -> str:

@@ -200,9 +200,7 @@ class _Declared:
     def _add(self, length: int) -> None:
         self._added += length
         if self._added > MAX_TEXT:
-            raise ExchangeError(
-                f"The entities and default values of the DOCTYPE exceed {MAX_TEXT // 1024} KB."
-            )
+            raise ExchangeError(f"Entities and default values of the DOCTYPE exceed {MAX_TEXT // 1024} KB.")
 
 
 def _without_external_id(data: bytes, keyword: bytes, end: int) -> bytes:

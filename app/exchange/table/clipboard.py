@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable, Sequence
 import msgspec
 
 from ...document.expression import ExpressionError, parse_number
+from ...document.words import count_of
 
 MAX_ROWS = 10_000
 MAX_COLUMNS = 16
@@ -150,5 +151,5 @@ def _refuse_ragged(numbers: list[list[float]], skipped: int) -> None:
     for row, line in enumerate(numbers, start=1 + skipped):
         if len(line) != width:
             raise TableTextError(
-                f"The rows differ in length: row {row} has {len(line)} cells, the first has {width}."
+                f"Row {row} has {count_of(len(line), 'cell')}, but the first row has {width}."
             )

@@ -189,14 +189,12 @@ def mapping_summary(mapping: ColumnMapping, titles: Sequence[str]) -> str:
     columns = mapping.columns((*ROLES, *AFTER, *WORDS))
     if columns == {title: index for index, title in enumerate(titles)} and columns["x"] < columns["y"]:
         return ""
-    roles = ", ".join(f"{role} = {_quoted_title(titles, column)}" for role, column in columns.items())
-    unused = [
-        _quoted_title(titles, column) for column in range(len(titles)) if column not in columns.values()
-    ]
+    roles = ", ".join(f"{role} = {_quoted(titles, column)}" for role, column in columns.items())
+    unused = [_quoted(titles, column) for column in range(len(titles)) if column not in columns.values()]
     return f"Columns: {roles}." + (f" Left out: {', '.join(unused)}." if unused else "")
 
 
-def _quoted_title(titles: Sequence[str], column: int) -> str:
+def _quoted(titles: Sequence[str], column: int) -> str:
     title = titles[column]
     return title.lower() if title == f"Column {column + 1}" else f"“{title[:40]}”"
 
@@ -242,7 +240,7 @@ def _column(text: str, titles: Sequence[str]) -> int:
         return plain.index(text.lower())
     if text.isdigit() and 1 <= int(text) <= len(titles):
         return int(text) - 1
-    known = ", ".join(_quoted_title(titles, column) for column in range(min(len(titles), 12)))
+    known = ", ".join(_quoted(titles, column) for column in range(min(len(titles), 12)))
     raise ExchangeError(f"There is no column “{text[:40]}”; the columns are {known}.")
 
 

@@ -226,9 +226,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
         table = source.table(choice.layout, choice.mapping, choice.missing, part(report, 0.0, 0.6))
         rows = len(table.values)
         if choice.thinning is None and rows > MOST_POINTS:
-            raise ExchangeError(
-                f"The table has {rows:,} rows; a curve can have {MOST_POINTS:,} points. Thin them out."
-            )
+            raise ExchangeError(f"{rows:,} rows are more than {MOST_POINTS:,} points. Thin them out.")
         if choice.thinning is None and choice.family.curve_class.is_one_polynomial and rows > MOST_LAGRANGE:
             raise ExchangeError(
                 f"{choice.family.subject} can have at most {MOST_LAGRANGE:,} rows, not {rows:,}. Choose "

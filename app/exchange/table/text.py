@@ -57,9 +57,7 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
     cells = tuple(map(tuple, body[:PREVIEW_ROWS]))
     numbers = tuple(head.numbers[layout.above :][:PREVIEW_ROWS])
     remark = _remark_on(head.lines, layout, comments if titles == numbered_titles(len(titles)) else [])
-    later = titles_in(
-        [comment for comment in head.comments.values() if comment not in comments], len(titles), layout
-    )
+    later = titles_in([text for text in head.comments.values() if text not in comments], len(titles), layout)
     if {"x", "y"} <= set(map(role_of, later)) and tuple(later) != titles:
         ignored = f"The titles “{', '.join(later)[:40]}” in a comment below the first row are ignored."
         remark = f"{remark} {ignored}".strip()
@@ -562,12 +560,10 @@ def first_lines(data: bytes) -> FirstLines:
     """
     for size in (*_HEADS, len(data)):
         head = list(enumerate(_head(data, size), start=1))
-        data_lines = [(number, line) for number, line in head if is_data(line)]
-        is_enough = (
-            len(data_lines) > 1 or size >= len(data) or (data_lines and len(data_lines[0][1]) >= _HEADS[0])
-        )
-        if data_lines and is_enough:
-            numbers, lines = zip(*data_lines[:SNIFFED_LINES], strict=True)
+        rows = [(number, line) for number, line in head if is_data(line)]
+        is_enough = len(rows) > 1 or size >= len(data) or (rows and len(rows[0][1]) >= _HEADS[0])
+        if rows and is_enough:
+            numbers, lines = zip(*rows[:SNIFFED_LINES], strict=True)
             comments = {number: text for number, line in head if (text := comment_in(line))}
             return FirstLines(list(lines), list(numbers), comments)
     raise ExchangeError("The table contains no rows of numbers.")

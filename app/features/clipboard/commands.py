@@ -85,9 +85,7 @@ class ClipboardCommands:
             return tuple(session.document.curves[index] for index in sorted(what.curves))
         parts = parts_of(session.views, what.points)
         if not parts:
-            raise EditError(
-                "A single point is not a curve. Select at least two points of a curve to copy them."
-            )
+            raise EditError("Select at least two points of a curve to copy them.")
         return tuple(parts)
 
 

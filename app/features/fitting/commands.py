@@ -257,9 +257,7 @@ class FitCommands(QObject):
         if result is None:
             return
         curve = result.curve
-        if self._session.change(
-            "Fit to fewer points", lambda document: replace_curve(document, index, curve)
-        ):
+        if self._session.change("Fit to fewer points", lambda before: replace_curve(before, index, curve)):
             self._session.say(result.words)
             self._dock.close()
 
@@ -284,9 +282,7 @@ def _fitted(view: CurveView, wish: FitWish, report: Report) -> Fitted | str:
 def _cross(position: Vector, size: float) -> list[FloatArray]:
     """Return two strokes across a place."""
     at = np.array(position)
-    return [
-        np.array([at - diagonal, at + diagonal]) for diagonal in size * np.array([[1.0, 1.0], [1.0, -1.0]])
-    ]
+    return [np.array([at - arm, at + arm]) for arm in size * np.array([[1.0, 1.0], [1.0, -1.0]])]
 
 
 COMMAND_SETS = (FitCommands, SimplifyCommands)

@@ -60,9 +60,7 @@ class FitPanel(SafeOverrides, QScrollArea):
         titles = [family.label for family in self._families]
         self.family = choice_box("fitFamily", "Family", "Family of the curve with fewer points", titles)
         goals = [goal.label for goal in Goal]
-        self.goal = choice_box(
-            "fitGoal", "Goal", "Fit within a largest distance, or to a number of points", goals
-        )
+        self.goal = choice_box("fitGoal", "Goal", "Largest distance, or number of points", goals)
         tip = "Largest distance from the present curve"
         self.tolerance = RangedDoubleSpinBox("fitTolerance", "Largest distance", tip, (1e-6, 1e9))
         self.tolerance.setDecimals(_DIGITS)

@@ -148,11 +148,7 @@ class ImportCommands:
         dialog.bring_up()
 
     def _ask_about(self, path: Path, content: ImportResult | _OpenTable) -> None:
-        if (
-            path == self._opened
-            and not isinstance(content, _OpenTable)
-            and self._opens_at_once(path, content)
-        ):
+        if path == self._opened and not isinstance(content, _OpenTable) and self._skips_dialog(path, content):
             self._take_in(path, content, True)
             return
         dialogs, parent = import_export, self._context.window
@@ -170,7 +166,7 @@ class ImportCommands:
         dialog.import_requested.connect(partial(self._take_in, path))
         self._ask(dialog)
 
-    def _opens_at_once(self, path: Path, result: ImportResult) -> bool:
+    def _skips_dialog(self, path: Path, result: ImportResult) -> bool:
         """Whether a file is opened without a dialog: it has no remarks, or is known."""
         return not result.remarks or self._knows(path)
 

@@ -237,11 +237,7 @@ class ExportForm(QWidget):
         assert isinstance(check, QCheckBox)
         check.setEnabled(bool(unit))
         check.setText(f"True size: 1 is 1 {unit}" if unit else "True size")
-        why = (
-            f"“{document.unit}” is not a unit of length"
-            if document.unit
-            else "The document has no unit of length"
-        )
+        why = f"“{document.unit}” is not a unit of length" if document.unit else "The document has no unit"
         tip = f"A length of one in the document is 1 {unit} in the file" if unit else why
         check.setToolTip(tip)
         self._show_extents(has_selection=has_selection)

@@ -106,9 +106,7 @@ class ImportTableDialog(WorkDialog):
             "tableSeparator", "Separator", "Character between two cells", _SEPARATORS.values()
         )
         self.comma_check = check_box("tableComma", "Decimal comma", "Numbers are written like 0,5")
-        self.header_check = check_box(
-            "tableHeader", "First row contains titles", "The first row is not a point"
-        )
+        self.header_check = check_box("tableHeader", "First row has titles", "The first row is not a point")
         self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
         self.remark = Label(name="tableSaid", wordWrap=True)
 

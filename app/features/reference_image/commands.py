@@ -142,11 +142,7 @@ class ImageCommands:
         for path in paths[:1]:
             self.trace(path)
         others = [path.name for path in paths[1:]]
-        return (
-            f"{names_with_verb(others)} not traced: a document can have only one reference image."
-            if others
-            else ""
-        )
+        return f"{names_with_verb(others)} not traced: a document has one reference image." if others else ""
 
     def trace(self, path: Path) -> None:
         """Show a picture behind the curves in the middle of the visible area, or warn."""
