@@ -230,6 +230,9 @@ def appended_parameter(before: CurveView, point: Point) -> float:
     return float(t[-1]) + max(step, mean * 1e-3)
 
 
+# Points inserted in the middle of segments
+
+
 class Halved(msgspec.Struct, frozen=True):
     """A curve with segments halved, the indices of the new points, and the new indices of given points."""
 

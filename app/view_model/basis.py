@@ -354,6 +354,8 @@ def weights_at(view: CurveView, t: float) -> FloatArray:
     return weights
 
 
+# Cardinal functions
+
 _MOST_SAMPLED = 64
 """Points up to which every function is sampled; of more, the least and the greatest value at each t."""
 
@@ -415,6 +417,9 @@ def cardinal_view(view: CurveView) -> CardinalView | None:
     return CardinalView(curve, owners, t, values[:, :, None], None, scales, cardinal=cardinal)
 
 
+# The growth of errors
+
+
 def growth_at(view: CurveView, t: FloatArray) -> FloatArray:
     """Return Λ(t) of the points of a current curve at t (m,)."""
     return view.cardinal.sums(t) if view.cardinal is not None else t * 0.0 + LARGEST
@@ -465,6 +470,8 @@ def growths_of_points(views: Sequence[CurveView]) -> list[float]:
         for basis in bases
     ]
 
+
+# The effect of a parameter
 
 _STEP = 1e-5
 """Step of the differences as a share of the narrower gap: their error is its square."""

@@ -185,6 +185,8 @@ class Bend:
         return with_jet_values(curve, every)
 
 
+# A pull divided between a bend and a shift
+
 _STEPS = 3
 _FIRST_STAGE = 0.5
 _MOST_STAGES = 40  # 3**40 times the curve: beyond, the first of them is a longer one
@@ -307,6 +309,8 @@ def broyden(slope: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArr
     updated: FloatArray = slope + np.outer(answer - slope @ step, step) / (step @ step)
     return updated
 
+
+# The hold of the data on the curve
 
 _LEAST_HOLD = 1e-4
 """b·b below which the data count as having no effect: they would change a hundred times as much."""

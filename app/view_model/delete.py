@@ -76,6 +76,8 @@ def with_sides(point: Point, before: Derivatives | None, after: Derivatives | No
     return changed if was_corner else tie_if_parallel(changed)
 
 
+# Points deleted
+
 _SAMPLES = 24
 """Samples of a segment that the new one is fitted to."""
 

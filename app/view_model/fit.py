@@ -242,6 +242,8 @@ def _point(sides: tuple[FloatArray, FloatArray], t: float, *, may_turn: bool) ->
     return replace(point, **given)
 
 
+# One segment for several
+
 _ROUNDS = 24
 _STEPS = 6
 """Steps of Newton's to the feet of perpendiculars."""
@@ -325,6 +327,8 @@ def _feet(
     nearer: FloatArray = np.where(is_nearer, moved, u)
     return nearer
 
+
+# Curves simplified
 
 SHARE = 0.002
 """Largest deviation of a simplified curve, as a share of the size of all curves to simplify."""

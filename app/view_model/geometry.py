@@ -61,6 +61,9 @@ def usual_length(vectors: FloatArray, longest: float) -> float:
     return min(float(lengths.max()), longest * usual) if usual > 0 else float(lengths.max())
 
 
+# Parameters along a curve
+
+
 def within_segments(knots: FloatArray, shares: FloatArray) -> FloatArray:
     """Return the parameters at these shares (m,) of every segment, (k - 1, m)."""
     result: FloatArray = knots[:-1, None] + np.diff(knots)[:, None] * shares
@@ -126,6 +129,8 @@ def segment_at(knots: FloatArray, t: float) -> int:
     """Return the segment of `t`; at a knot the one after it, but at the last knot the one before."""
     return int(np.clip(np.searchsorted(knots, t, side="right") - 1, 0, len(knots) - 2))
 
+
+# Insides of outlines
 
 _PROBES = 24
 """Points of an outline that are tested for lying within the others."""

@@ -136,6 +136,8 @@ def _at_even_speed(
     return unit * speed, np.where(rests, 0.0, across * factor * factor)
 
 
+# The picture
+
 TRAIL = 24
 """Dots of a trail."""
 
@@ -308,6 +310,9 @@ def arrow_segments(start: tuple[float, float], tip: tuple[float, float], head: f
 def three_digits(value: float) -> str:
     """Return a number in three digits, for the text beside an arrow."""
     return f"{value:#.3g}".rstrip(".").replace("e+", "e")
+
+
+# Curves compared
 
 
 def rivals_of(view: CurveView, compared: Collection[Family]) -> dict[Role, CurveView]:

@@ -207,6 +207,9 @@ def _parameter(view: CurveView, index: int) -> float:
     return float(knots[index])
 
 
+# Curves added
+
+
 class AddedCurves(msgspec.Struct, frozen=True):
     """A document with curves that were added to it.
 

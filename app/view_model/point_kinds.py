@@ -207,6 +207,9 @@ def jolts_of(view: CurveView) -> list[int]:
     return [index for index, jolt in zip(view.corners, is_jolt.tolist(), strict=True) if jolt]
 
 
+# Straight segments and retracted handles
+
+
 def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     """Return the curve with these segments straight, and nothing else changed.
 
@@ -287,6 +290,8 @@ def with_handle_retracted(view: CurveView, index: int, *, ahead: bool) -> Curve:
         return with_straight_segments(view_of(curve), [segment])
     return with_jet_values(curve, [JetValue(index, 1, ahead, (0.0, 0.0))])
 
+
+# The records
 
 Outline = tuple[Vector, ...]
 

@@ -191,6 +191,9 @@ def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
     return residual
 
 
+# Segments cut out
+
+
 def without_segments(view: CurveView, segments: Collection[int]) -> Split:
     """Return the parts of a curve that remain without some segments; a closed curve becomes open.
 

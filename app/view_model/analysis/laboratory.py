@@ -315,6 +315,8 @@ def _finite_runs(points: FloatArray) -> list[FloatArray]:
     return [np.clip(run, -_FARTHEST, _FARTHEST) for run in runs]
 
 
+# Findings in words
+
 _HOPELESS = 0.7
 """Correct digits below which a result counts as lost."""
 
@@ -371,6 +373,8 @@ def _on_solving(trial: Trial, monomial: Outcome, condition: float) -> str:
         "they are wrong."
     )
 
+
+# The cost of solving a system
 
 _MOST_COUNTED = 1000
 """The largest number of points in the chart."""

@@ -227,6 +227,8 @@ def _error_words(lebesgue: float) -> str:
     return f"An error in the points can grow by a factor of {short(lebesgue)} here."
 
 
+# Cures
+
 _IN_USE = "The curve already has these settings."
 _SAME = "It gives the same curve."
 

@@ -36,6 +36,93 @@ from ...document.words import with_minus
 from ..geometry import at_knots
 from .point_arrays import PointArrays
 
+
+class CoreCurve(msgspec.Struct, frozen=True, eq=False):
+    """The core's curve, or the problem why there is none, and its jets; see the properties of `CurveView`."""
+
+    curve: ParametricCurve | None
+    problem: str = ""
+    is_overdue: bool = False
+    sides: Sides | None = None
+
+
+def core_curve(
+    curve: Curve,
+    points: FloatArray,
+    parameters: FloatArray,
+    arrays: PointArrays,
+    frozen: ParametricCurve | None = None,
+) -> CoreCurve:
+    """Return the core curve through points at its knots, and its jets where the family has derivatives.
+
+    `frozen` is a curve of the family with these parameters, and without corners.
+    """
+    make = partial(curve.family.make, settings=curve.settings_in_effect)
+    if not curve.family.derivatives:
+        jets = points[:, None]
+        return CoreCurve(make(jets, parameters) if frozen is None else frozen.with_jets(jets))
+    sides = sides_of(curve, points, parameters, arrays)
+    last = len(parameters) - 1
+    jumps = [knot for knot in two_sided_knots(arrays, last + 1) if 0 < knot < last]
+    # Where tied velocities are the same, nothing jumps: a curve of many such points stays in one piece.
+    ties = arrays.ties
+    corners = [
+        knot for knot in jumps if not ties[knot] or not np.array_equal(sides.before[knot], sides.after[knot])
+    ]
+    if frozen is not None and not corners:
+        return CoreCurve(frozen.with_jets(_piece_jets(sides, 0, last)), sides=sides)
+    pieces = [
+        make(_piece_jets(sides, start, end), parameters[start : end + 1])
+        for start, end in pairwise([0, *corners, last])
+    ]
+    return CoreCurve(pieces[0] if len(pieces) == 1 else Chain(pieces), sides=sides)
+
+
+def core_or_last(
+    curve: Curve, arrays: PointArrays, last: ParametricCurve | None, frozen: ParametricCurve | None = None
+) -> CoreCurve:
+    """Return the core curve of a curve, or the last one with the reason where there is none.
+
+    `frozen` is a core curve with the same functions and parameters, where only points have moved.
+    """
+    knots = at_knots(arrays.positions, closed=curve.is_closed)
+    try:
+        parameters = frozen.parameters if frozen is not None else checked_parameters(curve, knots, arrays)
+        return core_curve(curve, knots, parameters, arrays, frozen)
+    except CurveError as problem:
+        return CoreCurve(last, refusal_of(problem, curve))
+
+
+def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
+    jets = np.array(sides.after[start : end + 1])
+    jets[-1] = sides.before[end]
+    return jets
+
+
+def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = None) -> FloatArray:
+    """Return the parameters that the rule of `curve` gives for the points at its knots, (k,).
+
+    `times` are the manual parameters of its points, where they are at hand.
+    """
+    rule = curve.parametrization
+    if rule.kind is ParametrizationKind.MANUAL:
+        if times is None:
+            times = np.array([np.nan if point.t is None else point.t for point in curve.points])
+        return np.append(times, rule.end) if curve.is_closed else times
+    given = {"count": len(points), "points": points, "alpha": rule.alpha}
+    rule_of_the_core = getattr(parametrization, rule.kind.value)
+    shares: FloatArray = rule_of_the_core(*(given[name] for name in rule.kind.takes))
+    return parametrization.spread(shares, rule.start, rule.end)
+
+
+def checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> FloatArray:
+    """Return the parameters of the knots, refused where they are not strictly increasing."""
+    # Refused as a whole: a piece between two corners would count from its own beginning.
+    return parameter_array(parameters_of(curve, knots, arrays.times), len(knots))
+
+
+# Derivatives at the knots
+
 Estimate = Callable[[FloatArray, ArrayLike], FloatArray]
 
 _REACH = 64
@@ -219,152 +306,7 @@ def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
     return point.explicit_sides(order)[ahead] is not None
 
 
-class CoreCurve(msgspec.Struct, frozen=True, eq=False):
-    """The core's curve, or the problem why there is none, and its jets; see the properties of `CurveView`."""
-
-    curve: ParametricCurve | None
-    problem: str = ""
-    is_overdue: bool = False
-    sides: Sides | None = None
-
-
-def core_curve(
-    curve: Curve,
-    points: FloatArray,
-    parameters: FloatArray,
-    arrays: PointArrays,
-    frozen: ParametricCurve | None = None,
-) -> CoreCurve:
-    """Return the core curve through points at its knots, and its jets where the family has derivatives.
-
-    `frozen` is a curve of the family with these parameters, and without corners.
-    """
-    make = partial(curve.family.make, settings=curve.settings_in_effect)
-    if not curve.family.derivatives:
-        jets = points[:, None]
-        return CoreCurve(make(jets, parameters) if frozen is None else frozen.with_jets(jets))
-    sides = sides_of(curve, points, parameters, arrays)
-    last = len(parameters) - 1
-    jumps = [knot for knot in two_sided_knots(arrays, last + 1) if 0 < knot < last]
-    # Where tied velocities are the same, nothing jumps: a curve of many such points stays in one piece.
-    ties = arrays.ties
-    corners = [
-        knot for knot in jumps if not ties[knot] or not np.array_equal(sides.before[knot], sides.after[knot])
-    ]
-    if frozen is not None and not corners:
-        return CoreCurve(frozen.with_jets(_piece_jets(sides, 0, last)), sides=sides)
-    pieces = [
-        make(_piece_jets(sides, start, end), parameters[start : end + 1])
-        for start, end in pairwise([0, *corners, last])
-    ]
-    return CoreCurve(pieces[0] if len(pieces) == 1 else Chain(pieces), sides=sides)
-
-
-def core_or_last(
-    curve: Curve, arrays: PointArrays, last: ParametricCurve | None, frozen: ParametricCurve | None = None
-) -> CoreCurve:
-    """Return the core curve of a curve, or the last one with the reason where there is none.
-
-    `frozen` is a core curve with the same functions and parameters, where only points have moved.
-    """
-    knots = at_knots(arrays.positions, closed=curve.is_closed)
-    try:
-        parameters = frozen.parameters if frozen is not None else checked_parameters(curve, knots, arrays)
-        return core_curve(curve, knots, parameters, arrays, frozen)
-    except CurveError as problem:
-        return CoreCurve(last, refusal_of(problem, curve))
-
-
-def _piece_jets(sides: Sides, start: int, end: int) -> FloatArray:
-    jets = np.array(sides.after[start : end + 1])
-    jets[-1] = sides.before[end]
-    return jets
-
-
-def parameters_of(curve: Curve, points: FloatArray, times: FloatArray | None = None) -> FloatArray:
-    """Return the parameters that the rule of `curve` gives for the points at its knots, (k,).
-
-    `times` are the manual parameters of its points, where they are at hand.
-    """
-    rule = curve.parametrization
-    if rule.kind is ParametrizationKind.MANUAL:
-        if times is None:
-            times = np.array([np.nan if point.t is None else point.t for point in curve.points])
-        return np.append(times, rule.end) if curve.is_closed else times
-    given = {"count": len(points), "points": points, "alpha": rule.alpha}
-    rule_of_the_core = getattr(parametrization, rule.kind.value)
-    shares: FloatArray = rule_of_the_core(*(given[name] for name in rule.kind.takes))
-    return parametrization.spread(shares, rule.start, rule.end)
-
-
-def checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> FloatArray:
-    """Return the parameters of the knots, refused where they are not strictly increasing."""
-    # Refused as a whole: a piece between two corners would count from its own beginning.
-    return parameter_array(parameters_of(curve, knots, arrays.times), len(knots))
-
-
-_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_NAMES = {"points": "", **{derivative.plural: derivative.letter for derivative in DERIVATIVES}}
-_ENTRY = re.compile(rf"\b({'|'.join(_NAMES)}|parameters)\[(\d+)(?:, (\d+))?\]")
-_NUMBER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)(?![\w.]|\))")
-
-
-def refusal_of(problem: CurveError, curve: Curve) -> str:
-    """Return a sentence that says why the core refused a curve of the document."""
-    text = str(problem)
-    if text.startswith("parameters must be strictly increasing") and len(problem.indices) == 2:
-        return _not_increasing(text, problem.indices, curve)
-    if curve.is_closed and len(curve.points) in problem.indices:
-        # Where the curve returns to its first point.
-        text = re.sub(rf"\b{len(curve.points)}\b", "0", text)
-    return sentence(in_words(text))
-
-
-def in_words(text: str) -> str:
-    """Return a refusal of the core with t₁ for parameters[1], x of point 2 for points[2, 0], and so on."""
-    return _NUMBER.sub(lambda match: _number(match[1]), _ENTRY.sub(_entry, text))
-
-
-def sentence(text: str) -> str:
-    """Return text with a capital at the beginning and a full stop at the end."""
-    text = text[:1].upper() + text[1:]
-    return text if text.endswith(".") else text + "."
-
-
-def _not_increasing(text: str, indices: tuple[int, ...], curve: Curve) -> str:
-    before, after = indices
-    second, first = (_number(value) for value in re.findall(r"= (\S+)", text)[:2])
-    if not curve.is_manual:
-        return (
-            f"{_t(before)} and {_t(after)} are the same number, {first}: for an interval from "
-            f"{_number(repr(curve.parametrization.start))} to {_number(repr(curve.parametrization.end))} "
-            f"points {before} and {after % len(curve.points)} lie too close together."
-        )
-    if after == len(curve.points):
-        return (
-            f"{_t(before)} = {first} must be less than {second}, where the curve returns to its first point."
-        )
-    return f"{_t(after)} = {second} must be greater than {_t(before)} = {first}."
-
-
-def _t(index: int) -> str:
-    return "t" + str(index).translate(_SUBSCRIPTS)
-
-
-def _entry(match: re.Match[str]) -> str:
-    name, row, column = match[1], int(match[2]), match[3]
-    if name == "parameters":
-        return _t(row)
-    component = "xy"[int(column)] if column in ("0", "1") else ""
-    return f"{_NAMES[name]}{component} of point {row}".strip()
-
-
-def _number(text: str) -> str:
-    """Return a number as it is displayed and typed: all digits, no point without digits, a true minus."""
-    value = float(text)
-    digits = f"{value:.0f}" if value == round(value) and abs(value) < 1e15 else f"{value!r}"
-    return with_minus(digits)
-
+# Cardinal functions
 
 _MANY, _SHORT_REACH = 200, 24
 """Points from which on an estimate forgets a point after `_SHORT_REACH` others: about 1e-14 of it is left."""
@@ -435,3 +377,68 @@ def _cardinal_basis(
         return CardinalBasis(basis_curve, moved(), closed=curve.is_closed, reach=reach, one_sided=sides)
     except CurveError:
         return None
+
+
+# Refusals
+
+_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_NAMES = {"points": "", **{derivative.plural: derivative.letter for derivative in DERIVATIVES}}
+_ENTRY = re.compile(rf"\b({'|'.join(_NAMES)}|parameters)\[(\d+)(?:, (\d+))?\]")
+_NUMBER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)(?![\w.]|\))")
+
+
+def refusal_of(problem: CurveError, curve: Curve) -> str:
+    """Return a sentence that says why the core refused a curve of the document."""
+    text = str(problem)
+    if text.startswith("parameters must be strictly increasing") and len(problem.indices) == 2:
+        return _not_increasing(text, problem.indices, curve)
+    if curve.is_closed and len(curve.points) in problem.indices:
+        # Where the curve returns to its first point.
+        text = re.sub(rf"\b{len(curve.points)}\b", "0", text)
+    return sentence(in_words(text))
+
+
+def in_words(text: str) -> str:
+    """Return a refusal of the core with t₁ for parameters[1], x of point 2 for points[2, 0], and so on."""
+    return _NUMBER.sub(lambda match: _number(match[1]), _ENTRY.sub(_entry, text))
+
+
+def sentence(text: str) -> str:
+    """Return text with a capital at the beginning and a full stop at the end."""
+    text = text[:1].upper() + text[1:]
+    return text if text.endswith(".") else text + "."
+
+
+def _not_increasing(text: str, indices: tuple[int, ...], curve: Curve) -> str:
+    before, after = indices
+    second, first = (_number(value) for value in re.findall(r"= (\S+)", text)[:2])
+    if not curve.is_manual:
+        return (
+            f"{_t(before)} and {_t(after)} are the same number, {first}: for an interval from "
+            f"{_number(repr(curve.parametrization.start))} to {_number(repr(curve.parametrization.end))} "
+            f"points {before} and {after % len(curve.points)} lie too close together."
+        )
+    if after == len(curve.points):
+        return (
+            f"{_t(before)} = {first} must be less than {second}, where the curve returns to its first point."
+        )
+    return f"{_t(after)} = {second} must be greater than {_t(before)} = {first}."
+
+
+def _t(index: int) -> str:
+    return "t" + str(index).translate(_SUBSCRIPTS)
+
+
+def _entry(match: re.Match[str]) -> str:
+    name, row, column = match[1], int(match[2]), match[3]
+    if name == "parameters":
+        return _t(row)
+    component = "xy"[int(column)] if column in ("0", "1") else ""
+    return f"{_NAMES[name]}{component} of point {row}".strip()
+
+
+def _number(text: str) -> str:
+    """Return a number as it is displayed and typed: all digits, no point without digits, a true minus."""
+    value = float(text)
+    digits = f"{value:.0f}" if value == round(value) and abs(value) < 1e15 else f"{value!r}"
+    return with_minus(digits)

@@ -1,7 +1,13 @@
 """The view of one curve of the document: its core curve, polyline and derivatives, or why there is none.
 
-`view_of` makes the view of a curve; it takes from the view before whatever did not change. While points are
-dragged, polylines and handles follow the points, and the core's curve is made when somebody asks for it.
+`view_of` makes the view of a curve; it takes from the view before whatever did not change::
+
+    view = view_of(curve)
+    view.problem or view.curve.evaluate(0.5)
+    moved = view_of(curve_after_a_drag, view)
+
+While points are dragged, polylines and handles follow the points, and the core's curve is computed when
+somebody asks for it.
 """
 
 from __future__ import annotations

@@ -90,6 +90,8 @@ def _frozen(curve: ParametricCurve, key: FlatteningKey) -> FrozenFlattening | Fr
     return FrozenFlattening(curve, *key) if curve.bezier_pieces() is None else FrozenSegments(curve, *key)
 
 
+# Points that move together
+
 _LARGEST = 1e150
 """Size of data up to which no sum or product of two overflows."""
 

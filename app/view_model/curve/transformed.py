@@ -287,6 +287,9 @@ def _around(boxes: FloatArray, others: FloatArray) -> FloatArray:
     return np.stack([np.minimum(boxes, others)[:, 0], np.maximum(boxes, others)[:, 1]], axis=1)
 
 
+# Views of new curves
+
+
 def views_ahead(
     curves: Sequence[Curve],
     progress: Callable[[float], object],
