@@ -175,7 +175,7 @@ class FamilyWords:
 
     @property
     def short(self) -> str:
-        """A word where room is short: the class's own, else the label, of a long one its first word."""
+        """A short label: the short title of the class, else the label, or its first word if it is long."""
         title, label = self.curve_class.short_title, self.label
         if title:
             return f"{title[:1].upper()}{title[1:]}"
@@ -193,12 +193,12 @@ class FamilyWords:
 
     @property
     def full_title(self) -> str:
-        """The words where nothing else tells it from the others: cubic Hermite."""
+        """The title that is clear by itself: cubic Hermite."""
         return self.curve_class.full_title or self.title
 
     @property
     def has_control_points(self) -> bool:
-        """Whether its curves are meant to pass their points by; one that misses them by mistake has none."""
+        """Whether its curves pass beside their points on purpose, not by mistake."""
         return not self.curve_class.interpolates
 
     @property
@@ -223,7 +223,7 @@ _NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
 
 
 def may_be_name(name: object) -> bool:
-    """Whether a family, of this program or another one's, or a setting may have this name."""
+    """Return whether a family or a setting may have this name."""
     return isinstance(name, str) and _NAME.fullmatch(name) is not None
 
 
@@ -275,7 +275,7 @@ class Family(FamilyWords):
         self._become(other._curve_class, misses_points=other._misses_points)
 
     def makes(self, curve: ParametricCurve) -> bool:
-        """Whether a curve is one of this family, as it is now; of a chain, its pieces."""
+        """Return whether a curve, or the pieces of a chain, are of this family as it is now."""
         return type(curve.pieces[0]) is self._curve_class
 
     @property

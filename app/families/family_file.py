@@ -69,7 +69,7 @@ class FamilyFileError(ValueError):
 
 @contextmanager
 def families_of_files(families: Families, paths: Sequence[str]) -> Iterator[None]:
-    """Have the families of files for a while: all of them or, where one is refused, none.
+    """Context in which the families of files are available: all of them, or none if one is refused.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def families_of_files(families: Families, paths: Sequence[str]) -> Iterator[None
 
 
 def use_file(families: Families, path: Path) -> frozenset[Family]:
-    """Run a file, have its families in place of those that it had before, and return all of both.
+    """Run a file, replace its earlier families by the new ones, and return all of both.
 
     Curves of a family that it has no longer go on with the functions that there were.
 
@@ -277,7 +277,7 @@ class Call(msgspec.Struct, frozen=True, eq=False):
 
     @property
     def kind(self) -> Kind:
-        """The calls that end if this one does, as far as anybody knows."""
+        """The number of points and the settings: calls of one kind take about as long."""
         return len(self.parameters), frozenset(self.settings.items())
 
 
@@ -301,7 +301,7 @@ class Patience:
         self.seconds, self.overdue = seconds, overdue
 
     def of_no_window(self) -> None:
-        """Have the time of a process without windows."""
+        """Allow calls the time of a process without windows."""
         self.seconds, self.overdue = CALL_SECONDS, None
 
     @contextmanager
@@ -392,12 +392,12 @@ class FileCalls:
         return f"“{self.path.name}”{line_of(problem, self.path)}"
 
     def allow(self, kind: Kind, seconds: float) -> None:
-        """Give such calls the time that one took elsewhere."""
+        """Allow such calls the time that one took in another process."""
         self._refusals.pop(kind, None)
         self._seconds[kind] = min(seconds, CALL_SECONDS)
 
     def refuse(self, kind: Kind, text: str) -> None:
-        """Make no such curves any more; `text` says why."""
+        """Refuse such curves from now on; `text` says why."""
         self._refusals[kind] = OverdueCallError(text)
 
 

@@ -128,7 +128,7 @@ def _plain(words: str) -> str:
 
 
 def _any_package_brings_families() -> bool:
-    """Whether `entry_points` would find any; a look at the files is ten times as quick."""
+    """Return whether `entry_points` would find any; reading the files is ten times as quick."""
     return any(
         f"[{GROUP}]" in path.read_text(encoding="utf-8", errors="replace")
         for folder in dict.fromkeys(sys.path)
@@ -161,13 +161,13 @@ def family_named(name: str) -> Family:
 
 
 def titles(families: Iterable[Family]) -> str:
-    """Return families as something to choose from: Lagrange, Hermite or quintic Hermite."""
+    """Return families as a list of choices: Lagrange, Hermite or quintic Hermite."""
     *first, last = (family.title for family in families)
     return f"{', '.join(first)} or {last}" if first else last
 
 
 def titles_with_derivatives() -> str:
-    """Return the families whose points carry derivatives, as something to choose from."""
+    """Return the families whose points carry derivatives, as a list of choices."""
     return titles(family for family in FAMILIES if family.derivatives)
 
 

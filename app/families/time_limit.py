@@ -20,7 +20,7 @@ _BUSY = 0.8
 
 
 def _longest_wait(seconds: float) -> float:
-    """Return after how many seconds of the clock code is stopped that waits instead of working.
+    """Return the seconds of the clock after which waiting code is stopped.
 
     A busy machine may take several to give a program a tenth of a second.
     """
@@ -50,7 +50,7 @@ class _Clock:
         return hasattr(signal, "setitimer") and is_main and self._seconds is None
 
     def start(self, seconds: float) -> None:
-        """Have the alarm after so many seconds, and then again and again."""
+        """Set the alarm: after so many seconds, and then again and again."""
         if signal.getsignal(signal.SIGALRM) != self._ring:
             # Never put back: one that comes a moment too late must find somebody who lets it pass.
             self._before = signal.signal(signal.SIGALRM, self._ring)

@@ -110,7 +110,7 @@ class Miss(NamedTuple):
 
 
 class SlopeDefect(NamedTuple):
-    """The parameter at which B_i' is least the derivative of B_i.
+    """The parameter at which the stated B_i' differs most from the slope of B_i.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The smallest axis-parallel boxes that hold curves."""
+"""Bounding boxes of curves: the smallest axis-parallel ones."""
 
 from __future__ import annotations
 

@@ -342,7 +342,7 @@ class CardinalBasis:
         return np.stack((after[:-1], before[1:]), axis=1)
 
     def _trimmed(self, columns: IntArray, estimates: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Leave out points so far away that they count nowhere."""
+        """Drop points so far away that their effects are negligible."""
         h = np.diff(self.parameters)[:, None]
         with np.errstate(over="ignore", under="ignore"):
             sizes = np.stack(
@@ -498,7 +498,7 @@ class CardinalBasis:
 
 
 def signs_of_errors(count: int, *, closed: bool) -> FloatArray:
-    """Return signs of errors, (count, k): for any six neighbours, or for fewer points, all that there are."""
+    """Return signs of errors, (count, k): all combinations of any six neighbours."""
     width = min(count, _FELT + closed)
     words = 1.0 - 2.0 * (np.arange(1 << width) >> np.arange(width)[:, None] & 1).astype(np.float64)
     if not closed or count == width:

@@ -204,7 +204,7 @@ def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
 
 
 def _polished(curve: ParametricCurve, parameters: FloatArray, width: FloatArray) -> _Meetings:
-    """Let Newton's method bring candidates together; each goes on while it gets better."""
+    """Polish candidates by Newton's method, each while it improves."""
     # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
     room = 64.0 * width.sum(axis=1)
     best = parameters.copy()

@@ -190,7 +190,7 @@ def _point_of(curve: ParametricCurve, point: ArrayLike) -> FloatArray:
 
 
 class NearestWithin:
-    """Finds the points of one plane curve nearest to many targets, each within a reach.
+    """Search for the points of one plane curve nearest to many targets, each within a reach.
 
     Parameters
     ----------

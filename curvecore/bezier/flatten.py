@@ -158,7 +158,7 @@ def flatten_parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike 
 
 
 def _parameters(curve: ParametricCurve, tolerance: float, box: ArrayLike | None) -> FloatArray:
-    """Flatten for those who get no bounds, and warn where the tolerance is missed."""
+    """Flatten, and warn where the tolerance is missed."""
     pieces = flatten_pieces(curve, tolerance, box)
     if pieces.reached > tolerance and not _is_rounding(pieces):
         warnings.warn(

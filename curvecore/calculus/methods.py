@@ -307,5 +307,5 @@ class Calculus:
 
 
 def _curve(part: Calculus) -> ParametricCurve:
-    """Return the curve that it is a part of, for type checkers."""
+    """Return the part as the curve that it is, for type checkers."""
     return cast("ParametricCurve", part)

@@ -164,7 +164,7 @@ class PolynomialPieces(ParametricCurve):
 
     @property
     def breaks(self) -> FloatArray:
-        """As given."""
+        """The breaks as given."""
         return self._parameters
 
     @property

@@ -286,7 +286,7 @@ _MOST_PIECES = 64  # a segment
 
 
 class FrozenSegments:
-    """Places of vertices on the segments of one curve, which serve for others of as many segments.
+    """Positions of vertices on the segments of one curve, which serve for others of as many segments.
 
     Parameters
     ----------

@@ -144,7 +144,7 @@ class BasisCurve(ParametricCurve):
 
     @property
     def functions_key(self) -> tuple[object, ...]:
-        """With the scheme; see `ParametricCurve`."""
+        """The class, the settings and the scheme; see `ParametricCurve`."""
         return (*super().functions_key, self._scheme)
 
     @property
@@ -159,7 +159,7 @@ class BasisCurve(ParametricCurve):
 
     @property
     def difference_digits(self) -> tuple[int, ...]:
-        """Some, unless the scheme `has_orders`; see `Evaluation`."""
+        """The digits that differences keep; empty where the scheme `has_orders`. See `FamilyDefaults`."""
         return () if self._scheme.has_orders else _DIGITS
 
     def with_data(self, jets: ArrayLike, parameters: ArrayLike) -> Self:

@@ -214,7 +214,7 @@ class BezierCurve(ParametricCurve):
 
     @property
     def idle_parameters(self) -> BoolArray:
-        """All but those at the ends."""
+        """All parameters but those at the ends."""
         idle = np.ones(len(self._parameters), dtype=bool)
         idle[[0, -1]] = False
         return idle
@@ -243,7 +243,7 @@ class BezierCurve(ParametricCurve):
 
 
 class _Coordinates(NamedTuple):
-    """Places of parameters relative to the domain.
+    """Positions of parameters relative to the domain.
 
     Attributes
     ----------

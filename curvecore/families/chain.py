@@ -121,7 +121,7 @@ class Chain(ParametricCurve):
 
     @property
     def passes_points(self) -> bool:
-        """Whether all pieces do."""
+        """Whether all pieces pass through their points."""
         return all(piece.passes_points for piece in self._pieces)
 
     @property

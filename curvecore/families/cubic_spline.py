@@ -187,7 +187,7 @@ class CubicSplineCurve(ParametricCurve):
 
     @property
     def degree(self) -> int:
-        """3."""
+        """The degree of the pieces: 3."""
         return 3
 
     def with_jets(self, jets: ArrayLike) -> Self:

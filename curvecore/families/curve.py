@@ -420,7 +420,7 @@ def _within_domain(t: FloatArray, domain: tuple[float, float], extrapolate: Extr
 
 
 def checked_extrapolate(extrapolate: object) -> Extrapolate:
-    """Return it, as one of the three."""
+    """Return `extrapolate` if it is one of the three values."""
     if isinstance(extrapolate, (bool, np.bool_)):
         return bool(extrapolate)
     if isinstance(extrapolate, str) and extrapolate == "periodic":

@@ -152,7 +152,7 @@ class FloaterHormannCurve(ParametricCurve):
 
     @property
     def kind(self) -> str:
-        """The words for a quotient of polynomials; see `PolynomialFacts`."""
+        """The words for a quotient of polynomials; see `FamilyDefaults`."""
         return f"rational, blended degree {self.chosen['degree']}" if self.degree is None else ""
 
     def _vanishes(self, order: int) -> bool:

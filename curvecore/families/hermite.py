@@ -175,7 +175,7 @@ class PiecewiseHermite(ParametricCurve):
 
     @classmethod
     def check_shape(cls, curve: ParametricCurve) -> None:
-        """Raise where pieces are of a higher degree, or a jerk jumps where the acceleration goes on."""
+        """Raise where pieces are of a higher degree, or a jerk jumps where the acceleration is continuous."""
         check_smooth_joints(cls._pieces_of(curve), cls.derivatives, cls.title)
 
     @classmethod

@@ -39,7 +39,7 @@ from curvecore.families.defaults import Slopes
 
 
 class LocalCoordinates(NamedTuple):
-    """Places of parameters within their segments.
+    """Positions of parameters within their segments.
 
     Attributes
     ----------

@@ -410,7 +410,7 @@ class ProductForm(NamedTuple):
         return Scaled(total * kernel.common.mantissa, common + others)
 
     def _put_functions(self, kernel: Kernel, order: int, out: FloatArray) -> None:
-        """Write the functions, (n, m)."""
+        """Write the functions, (n, m), into `out`."""
         mantissa, exponent = kernel.common
         largest = 0
         for block in self.blocks:
@@ -461,7 +461,7 @@ class ProductForm(NamedTuple):
         return Hits(columns, nearest[columns])
 
     def _general(self, t: FloatArray, hits: Hits) -> Scaled:
-        """Order 0 with an exponent for every factor."""
+        """Return the functions with an exponent for every factor."""
         difference, total = _differences_and_product(t, self.given, self.shift, hits)
         values = (self.weights.mantissa[:, None] / difference.mantissa) * total.mantissa
         exponent = self.weights.exponent[:, None] - difference.exponent + total.exponent
@@ -634,7 +634,7 @@ _MATRIX_LARGEST = 1e100
 
 
 def matrix_serves(parameters: FloatArray, points: FloatArray, t: FloatArray, orders: tuple[int, ...]) -> bool:
-    """Whether the short cut is one, and spacing and sizes leave it its digits."""
+    """Return whether the matrix is the faster way, and accurate for this spacing and these sizes."""
     if 2 * len(parameters) >= t.size or len(parameters) > _MATRIX_POINTS or max(orders) > 3:
         return False
     first, last = float(parameters[0]), float(parameters[-1])

@@ -210,7 +210,7 @@ def fewest(fitter: Fitter, start: tuple[int, Attempt] | None = None, *, persists
 
 
 def _grown(fitter: Fitter, start: tuple[int, Attempt] | None) -> tuple[int, int, Attempt]:
-    """Take more and more points until more do not help; return numbers that are too few and enough."""
+    """Try more and more points until more do not help; return numbers that are too few and enough."""
     count, guide = start or (min(fitter.least, fitter.most), None)
     low, tried = count - 1, dict[int, Attempt]()
     while True:

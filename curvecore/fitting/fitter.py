@@ -159,7 +159,7 @@ class RoundsProgress:
 
 
 class Fitter:
-    """Fits curves of so many points to data.
+    """Fit of curves with given numbers of points to data.
 
     Attributes
     ----------

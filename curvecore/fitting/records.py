@@ -1,4 +1,4 @@
-"""Registry of a fit: the data, and the curve that came of them."""
+"""Records of a fit: the data, and the resulting curve."""
 
 from __future__ import annotations
 

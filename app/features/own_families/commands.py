@@ -192,7 +192,7 @@ COMMAND_SETS = (OwnFamilyCommands,)
 
 
 class FamilyBar(NoticeBar):
-    """A sentence with buttons between the canvas and the functions that it is about; nothing lies under it.
+    """Bar with a sentence and buttons about a family file, between the canvas and the basis panel.
 
     Parameters
     ----------

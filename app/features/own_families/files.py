@@ -30,7 +30,7 @@ _MOST_CHECKS = 5
 
 
 class FamilyFiles(QObject):
-    """Runs files of families that the person named, and again whenever they are saved.
+    """Family files that the person named: they run at once, and again whenever they are saved.
 
     A file is first run in a process of its own, with a limit of time; only one that works there is run in
     this one. A mistake leaves what the file said last. A function that takes too long for a window is tried
@@ -120,7 +120,7 @@ class FamilyFiles(QObject):
                 self._look(path)
 
     def _look(self, path: Path, looked: int = 0) -> None:
-        """Run a file that holds something else than when it was run last."""
+        """Run a file if its content has changed."""
         if path not in self._watches:
             return
         content = _content(path)

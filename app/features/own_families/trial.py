@@ -1,4 +1,4 @@
-"""A process of its own that runs a file of families first: it may hang, print without end, or exit.
+"""Trial of a family file in another process: it may hang, print without end, or exit.
 
 There it runs when it is used or saved, and whatever call of its functions took too long for a window.
 """
@@ -37,7 +37,7 @@ __all__ = ["PATIENCE", "SECONDS", "FamilyFileError", "try_call", "try_out", "use
 
 
 def try_out(path: Path, report: Report) -> None:
-    """Run a file in a process of its own; `report` is called all the time, and may stop it.
+    """Run a file in another process; `report` is called all the time, and may stop it.
 
     Raises
     ------
@@ -50,7 +50,7 @@ def try_out(path: Path, report: Report) -> None:
 
 
 def try_call(call: Call, report: Report) -> float:
-    """Make the curve of a call in a process of its own; return how many seconds that took.
+    """Make the curve of a call in another process; return the seconds it took.
 
     Raises
     ------
