@@ -18,7 +18,7 @@ from ..view_model.palette import ACCENT, INK, PAPER
 class ThemeMode(NamedEnum):
     """The appearance that the user has chosen."""
 
-    SYSTEM = "system", "As the system"
+    SYSTEM = "system", "System default"
     LIGHT = "light", "Light"
     DARK = "dark", "Dark"
 
@@ -126,7 +126,7 @@ class _SystemFollower(QObject):
             _apply(app, self.system_theme(app))
 
     def system_theme(self, app: QApplication) -> Theme:
-        """Return what the system wants; where it does not say, what its palette was at the start."""
+        """Return the mode of the system; where it has none, the mode of its palette at the start."""
         scheme = app.styleHints().colorScheme()
         return {Qt.ColorScheme.Dark: DARK, Qt.ColorScheme.Light: LIGHT}.get(scheme, self.before)
 
@@ -212,7 +212,7 @@ def _palette_of_boxes(theme: Theme) -> QPalette:
 
 
 def rim(theme: Theme) -> QColor:
-    """Return the colour of the border around a field: three times as light or dark as what is beside it."""
+    """Return the colour of the border around a field, with a contrast of three to its surroundings."""
     return mix(theme.ink, theme.surface, 0.58 if theme.name == "light" else 0.46)
 
 
@@ -341,7 +341,7 @@ QToolTip { background: $raised; color: $ink; border: 1px solid $line; padding: 4
 
 
 def style_sheet_of(theme: Theme) -> str:
-    """Return the style sheet of a theme: only what the Fusion style draws too heavily."""
+    """Return the style sheet of a theme: it lightens details that the Fusion style draws too heavily."""
     colours = {
         "$surface": theme.surface,
         "$raised": _role_colours(theme)[QPalette.ColorRole.ToolTipBase],

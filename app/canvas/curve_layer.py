@@ -148,7 +148,7 @@ class CurveLayer(Layer):
     @property
     def deviation_text(self) -> str:
         """The sentence about the deviation of the line; empty where it is negligible."""
-        return f"Drawn within {number(self.error, 2)} pixels" if self.error > DEVIATION_TO_REPORT else ""
+        return f"Drawn to within {number(self.error, 2)} pixels" if self.error > DEVIATION_TO_REPORT else ""
 
     def _paint_deviation(self, painter: QPainter, pixel_map: PixelMap) -> None:
         plate = inside(0.0, pixel_map.height, size_of(painter, self.deviation_text, 12.0, 6.0), pixel_map)

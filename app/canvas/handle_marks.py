@@ -22,7 +22,7 @@ from .point_marks import HANDLE_SIZES, HandleLook, PointInk, Shade
 MOST_POINTS = 100
 """Largest number of points with handles: more would hide the curve and each other."""
 
-TOO_MANY_HANDLES = f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+TOO_MANY_HANDLES = f"Handles are shown for up to {MOST_POINTS} selected points · zoom in to see them"
 
 _LEAST = 2.0
 _SHARE = 0.42

@@ -74,7 +74,7 @@ def _read(reader: QImageReader, name: str) -> QImage:
         reader.setScaledSize(QSize(max(width, 1), max(height, 1)))
     image = reader.read()
     if image.isNull() or not image.width() or not image.height():
-        raise ImageFileError(f"{name} is broken: it cannot be shown ({reader.errorString().rstrip('.')}).")
+        raise ImageFileError(f"{name} is damaged and cannot be shown ({reader.errorString().rstrip('.')}).")
     return image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)
 
 

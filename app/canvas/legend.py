@@ -214,7 +214,7 @@ class Legend(OverlayFrame):
             return None
         figure = Label(row.figure)
         figure.setFont(font)
-        figure.setToolTip("The Lebesgue constant: how much errors in the points can grow")
+        figure.setToolTip("Lebesgue constant: the largest factor by which errors in the points grow")
         figure.setStyleSheet(f"color: {self._style.theme.muted.name()}")
         self._grid.addWidget(figure, index, 2, Qt.AlignmentFlag.AlignRight)
         return figure

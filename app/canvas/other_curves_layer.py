@@ -319,7 +319,7 @@ class SelectedCurvesLayer(OtherCurvesLayer):
             self._paint_rings(painter, pixel_map, views)
 
     def _is_line(self, view: CurveView) -> bool:
-        """Whether this layer draws the curve as a line, and not as a mark on its style."""
+        """Return whether this layer draws the curve as a line, and not as a mark on its style."""
         return is_plain(view) or not view.source.visible
 
     def _paint_selected(self, painter: QPainter, stroke: Stroke, view: CurveView, *, has_halo: bool) -> None:
@@ -551,6 +551,6 @@ class DrawnCurves:
         return hit.index if hit is not None else -1
 
     def set_cased(self, cased: bool) -> None:
-        """Keep plain lines apart from what lies below them, a picture to trace, or not."""
+        """Draw plain lines with a casing of paper over a picture to trace, or without."""
         for layer in (self.others, self.above, self.curve):
             layer.set_cased(cased)

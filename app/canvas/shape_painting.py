@@ -1,4 +1,4 @@
-"""How curves look: lines exact enough for the zoom, and shapes in their styles: fills, ends and dashes."""
+"""Painting of curves: lines exact enough for the zoom, and shapes in their styles with fills and dashes."""
 
 from __future__ import annotations
 

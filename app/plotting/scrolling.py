@@ -222,7 +222,7 @@ class EdgeScroll(QObject):
 
 
 def _beyond(now: float, before: float) -> float:
-    """Return how much further out a coordinate is than at the press, or 0."""
+    """Return the distance of a coordinate beyond that of the press, or 0."""
     if before and now * before > 0 and abs(now) < abs(before) + THRESHOLD:
         return 0.0  # no drag yet
     return max(now - max(before, 0.0), 0.0) + min(now - min(before, 0.0), 0.0)

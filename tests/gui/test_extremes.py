@@ -156,7 +156,7 @@ def test_a_line_that_has_too_few_vertices_says_how_far_it_is_off(opened):
     editor = opened(replace(make_curve(points.tolist()), parametrization=rule))
     canvas = editor.window.canvas
     canvas.grab()
-    assert re.fullmatch(r"Drawn within [1-9][0-9.]* pixels", canvas.drawing.curve.deviation_text)
+    assert re.fullmatch(r"Drawn to within [1-9][0-9.]* pixels", canvas.drawing.curve.deviation_text)
     opened(make_curve(points[:5].tolist()))
     canvas.grab()
     assert canvas.drawing.curve.deviation_text == ""

@@ -137,7 +137,7 @@ def test_of_very_many_points_handles_are_shown_when_few_are_in_sight(editor):
     editor.trigger("selectAll")
     layer, canvas = editor.window.canvas.drawing.points, editor.window.canvas
     assert not len(layer.handles)
-    assert layer.note == f"Handles of up to {MOST_POINTS} selected points are shown · zoom in to see them"
+    assert layer.note == f"Handles are shown for up to {MOST_POINTS} selected points · zoom in to see them"
     canvas.camera.zoom(4.0, canvas.camera.centre())
     editor.settle()
     assert 2 < len(layer.handles) <= 2 * MOST_POINTS

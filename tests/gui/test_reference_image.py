@@ -470,7 +470,7 @@ def test_what_is_no_picture_is_refused(tmp_path, name, data, reason):
 def test_a_broken_picture_is_refused(tmp_path):
     path = tmp_path / "broken.png"
     path.write_bytes(png_header(60, 80))
-    with pytest.raises(ImageFileError, match="is broken"):
+    with pytest.raises(ImageFileError, match="is damaged"):
         read_image(str(path))
 
 

@@ -70,7 +70,7 @@ def test_two_neighbours_and_the_key(drawn):
         assert bow.session.undo_stack.undoText() == "Straight segment 1–2", family
         assert bow.status == (
             "Straight segment 1–2, corner at points 1 and 2. "
-            "To keep the shape, the estimates of points 0, 3 and 4 are set now."
+            "The estimated derivatives of points 0, 3 and 4 were fixed to keep the shape."
         )
         bow.trigger("straightSegment")
         assert bow.status == "The segment is straight already.", family

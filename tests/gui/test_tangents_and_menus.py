@@ -182,7 +182,7 @@ def test_all_points_become_corners_but_the_ends(wave):
     assert wave.session.undo_stack.undoText() == "Corner at 2 points"
     assert wave.status == (
         "Corner at points 1 and 2; the ends of an open curve cannot be corners. "
-        "To keep the shape, the estimates of points 0 and 3 are set now."
+        "The estimated derivatives of points 0 and 3 were fixed to keep the shape."
     )
     wave.trigger("undo")
     assert wave.curve.points == make_curve(WAVE).points
@@ -208,7 +208,7 @@ def test_a_closed_curve_has_corners_everywhere(wave):
         (
             VelocityRule.NATURAL_SPLINE,
             "vvvvvvv",
-            "Corner at point 3. To keep the shape, the estimates of 6 other points are set now.",
+            "Corner at point 3. The estimated derivatives of 6 other points were fixed to keep the shape.",
         ),
     ],
 )

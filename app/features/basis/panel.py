@@ -1,4 +1,4 @@
-"""The plot of basis functions: what lies under the pointer, a t typed at its tick, and the gestures."""
+"""The plot of basis functions: its hit test, a t typed at its tick, and the gestures."""
 
 from __future__ import annotations
 

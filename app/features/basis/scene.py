@@ -1,4 +1,4 @@
-"""What the basis panel draws: functions, t-rail and scrub line."""
+"""The layers of the basis panel: functions, t-rail and scrub line."""
 
 from __future__ import annotations
 

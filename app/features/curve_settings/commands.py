@@ -1,4 +1,4 @@
-"""The form of the active curve in the window: its dock, what it shows, and actions for what stands in it."""
+"""The form of the active curve in the window: its dock, and actions for its rules and settings."""
 
 from __future__ import annotations
 

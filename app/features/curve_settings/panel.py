@@ -216,7 +216,7 @@ class CurveSettings(FieldForm):
         self.end_edit = _interval_edit(
             "intervalEnd",
             "End of the interval",
-            "t of the last point (of a closed curve: of its return to the first)",
+            "t of the last point (for a closed curve, of the return to the first)",
         )
         self.rule_boxes = {derivative: _rule_box(derivative) for derivative in DERIVATIVES}
         self.reset_button = tool_button(

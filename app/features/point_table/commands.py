@@ -1,4 +1,4 @@
-"""The point table in the window: what is typed and pasted changes the document."""
+"""The point table in the window, and changes of the document by numbers typed or pasted there."""
 
 from __future__ import annotations
 

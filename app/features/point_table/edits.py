@@ -161,7 +161,7 @@ _ORDER_NAMES = {derivative.order: derivative.name for derivative in DERIVATIVES}
 
 
 def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: Collection[int]) -> set[int]:
-    """Return those `orders` of derivatives that are set at any of `indices`."""
+    """Return the orders of derivatives, of `orders`, that are set at any of `indices`."""
     orders_found = set[int]()
     for index in indices:
         for order in orders:

@@ -144,7 +144,7 @@ class TangentCommands:
         if beside.parts:
             is_many = beside.count > _MOST_NAMED
             points_text = f"{beside.count} other points" if is_many else _points_text(beside)
-            done = f"{done} To keep the shape, the estimates of {points_text} are set now."
+            done = f"{done} The estimated derivatives of {points_text} were fixed to keep the shape."
         self._session.say(done)
 
     # Straight segments
