@@ -60,7 +60,7 @@ def refusal(capsys, *words):
 
 
 @pytest.mark.parametrize("output", ["out.curve.json", "out.svg", "out.png"])
-def test_convert_and_render_tell_on_a_terminal_how_far_they_are(output, tmp_path, monkeypatch):
+def test_convert_and_render_show_their_progress_on_a_terminal(output, tmp_path, monkeypatch):
     """There was no word for the 4 s that a million rows take."""
 
     class Terminal(io.StringIO):
@@ -337,7 +337,7 @@ def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
+def test_other_formats_are_read_as_by_convert(tmp_path, capsys):
     """It was said of a table that it is not JSON, and of an SVG that another command reads it."""
     svg = (
         '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
@@ -368,7 +368,7 @@ def test_what_is_no_document_is_taken_in_as_by_convert(tmp_path, capsys):
     assert refusal(capsys, "info", str(broken)).endswith("curves must be a list, not a whole number")
 
 
-def test_a_folder_is_refused_as_one(tmp_path, capsys):
+def test_a_folder_is_refused_as_a_folder(tmp_path, capsys):
     """`convert . x.json` said that the name “” has no known file extension."""
     table = tmp_path / "a.csv"
     table.write_text("0,0\n1,1\n", encoding="utf-8")
@@ -381,7 +381,7 @@ def test_a_folder_is_refused_as_one(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
+def test_convert_reports_losses_as_json(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><flowRoot id="t">Hi</flowRoot><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", "--json", str(path), str(tmp_path / "a.curve.json")]) == 0
@@ -396,7 +396,7 @@ def test_convert_tells_what_comes_in_otherwise_as_json(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_convert_takes_what_can_be_read_of_a_drawing_and_tells_the_rest(tmp_path, capsys):
+def test_convert_reads_the_curves_of_a_drawing_and_reports_the_rest(tmp_path, capsys):
     path, out = tmp_path / "a.svg", tmp_path / "a.curve.json"
     page = '<svg xmlns="http://www.w3.org/2000/svg" width="200" height="200">{}</svg>'
     path.write_text(page.format('<path d="M5 5L20 5 20 20L35"/><rect width="9" height="9"/>'), "utf-8")
@@ -495,7 +495,7 @@ def test_convert_writes_every_format_and_says_how_exactly(ending, tmp_path, caps
     assert out.stat().st_size > 100
 
 
-def test_convert_takes_settings_of_the_family_and_info_tells_them(tmp_path, capsys):
+def test_convert_takes_settings_of_the_family_and_info_prints_them(tmp_path, capsys):
     table, curve = tmp_path / "bell.csv", tmp_path / "bell.curve.json"
     table.write_text("x,y\n" + "\n".join(f"{x},{1 / (1 + x * x)}" for x in range(-5, 6)))
     family = ["--family", "floater_hormann"]
@@ -566,7 +566,7 @@ def test_convert_there_and_back(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_convert_says_what_it_leaves_out(tmp_path, capsys):
+def test_convert_reports_content_left_out(tmp_path, capsys):
     path = tmp_path / "a.svg"
     path.write_text('<svg><text/><path d="M0 0L1 1"/></svg>', encoding="utf-8")
     assert main(["convert", str(path), str(tmp_path / "a.py")]) == 0
@@ -634,7 +634,7 @@ def test_a_terminal_without_greek_still_shows_the_facts(monkeypatch):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device that is always full")
-def test_output_that_cannot_be_written_is_said():
+def test_output_that_cannot_be_written_is_reported():
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
             [sys.executable, "-m", "app", "info", LETTER],
@@ -680,7 +680,7 @@ def test_in_no_locale_does_qt_write_to_stderr(tmp_path):
         (TimeoutError(), "TimeoutError"),
     ],
 )
-def test_whatever_the_system_refuses_is_said(problem, said, monkeypatch, capsys):
+def test_errors_of_the_system_are_reported(problem, said, monkeypatch, capsys):
     """It used to be "The output cannot be written (None)", whatever and wherever it was."""
 
     def fail(*_arguments, **_options):
@@ -867,7 +867,7 @@ def rendered(tmp_path, *words, ending="svg"):
     return path
 
 
-def test_a_picture_has_what_was_asked_for(tmp_path):
+def test_a_picture_has_the_options_of_the_dialog(tmp_path):
     plain = rendered(tmp_path).read_text(encoding="utf-8")
     full = rendered(tmp_path, "--points", "--handles", "--grid", "--basis").read_text(encoding="utf-8")
     for name in ("points", "handles", "grid", "basis"):
@@ -906,7 +906,7 @@ def test_a_sharper_png_without_paper(tmp_path):
     assert image.pixelColor(0, 0).alpha() == 0
 
 
-def test_the_basis_of_a_curve_that_is_not_there(capsys, tmp_path):
+def test_the_basis_of_a_missing_curve_is_refused(capsys, tmp_path):
     out = str(tmp_path / "a.svg")
     said = refusal(capsys, "render", LETTER, "-o", out, "--basis", "7")
     assert said == "There is no curve 7; the document has 1."

@@ -29,7 +29,7 @@ def written(folder):
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*/*") if path.is_file())
 
 
-def test_many_files_become_as_many_in_a_folder_that_is_made(folder, capsys):
+def test_many_files_are_converted_into_a_new_folder(folder, capsys):
     assert main(["convert", "a.csv", "b.csv", "-o", "made/of/two", "--to", ".curve.json"]) == 0
     assert written(folder) == ["made/of/two/a.curve.json", "made/of/two/b.curve.json"]
     assert len(load(folder / "made/of/two/b.curve.json").curves[0].points) == 3
@@ -50,7 +50,7 @@ def test_options_may_stand_between_the_files_and_one_file_may_be_many(folder, ca
     assert written(folder) == ["one/a.svg", "two/a.svg", "two/b.svg", "two/c.svg"]
 
 
-def test_one_that_fails_is_told_in_a_line_and_the_others_go_on(folder, capsys):
+def test_a_failed_conversion_is_reported_in_a_line_and_the_others_go_on(folder, capsys):
     files = ["a.csv", "bad.csv", "nowhere.csv", "x.gif", "b.csv"]
     assert main(["convert", *files, "-o", "out", "--to", ".curve.json"]) == 1
     output = capsys.readouterr()

@@ -31,7 +31,7 @@ def gaps(curve):
 
 
 @pytest.mark.parametrize("family", ["hermite", "lagrange", "quintic_hermite"])
-def test_fit_gives_so_many_points_and_tells_the_deviation(table, tmp_path, capsys, family):
+def test_fit_gives_the_number_of_points_and_the_deviation(table, tmp_path, capsys, family):
     out = tmp_path / "few.curve.json"
     assert main(["convert", str(table), str(out), "--fit", "9", "--family", family]) == 0
     (curve,) = load(out).curves
@@ -75,7 +75,7 @@ def test_documents_keep_their_families_and_times_where_asked(tmp_path, capsys):
         (["--keep-times"], "--keep-times needs"),
     ],
 )
-def test_what_cannot_be_fitted_is_refused(table, tmp_path, capsys, words, said):
+def test_impossible_fits_are_refused(table, tmp_path, capsys, words, said):
     assert main(["convert", str(table), str(tmp_path / "out.svg"), *words]) == 1
     assert said in capsys.readouterr().err
     assert not (tmp_path / "out.svg").exists()
@@ -105,7 +105,7 @@ def noisy(tmp_path):
     return path
 
 
-def test_a_terminal_hears_how_far_a_fit_is(noisy, tmp_path, monkeypatch):
+def test_a_terminal_shows_the_progress_of_a_fit(noisy, tmp_path, monkeypatch):
     monkeypatch.setattr("app.cli.output.PATIENCE", -1.0)
     monkeypatch.setattr(sys, "stderr", terminal := Terminal())
     out = tmp_path / "few.curve.json"
@@ -129,7 +129,7 @@ def test_ctrl_c_ends_a_fit_and_leaves_no_file(noisy, tmp_path, monkeypatch):
     assert [path.name for path in tmp_path.iterdir()] == ["noisy.csv"]
 
 
-def test_data_that_scatter_farther_are_said_to_and_how_many_points_are_sensible(noisy, tmp_path, capsys):
+def test_data_with_large_scatter_give_a_sensible_number_of_points(noisy, tmp_path, capsys):
     out = tmp_path / "few.curve.json"
     assert main(["convert", str(noisy), str(out), "--fit-tolerance", "0.02"]) == 1
     said = capsys.readouterr().err

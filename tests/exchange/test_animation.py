@@ -71,7 +71,7 @@ def test_durations_that_a_format_cannot_hold_are_spread(tmp_path, fps):
     assert max(durations) - min(durations) <= 10
 
 
-def test_the_dot_goes_where_the_curve_goes(tmp_path):
+def test_the_dot_follows_the_curve(tmp_path):
     line = Document((make_curve([(0.0, 0.0), (4.0, 0.0)]),))
     film = Film(width=200, fps=10, seconds=1, repeat=Repeat.ONCE, style=DARK, points=False)
     write_film(line, tmp_path / "film.apng", film)
@@ -114,7 +114,7 @@ def stops_after(times):
 
 
 @pytest.mark.parametrize("ending", [".gif", ".apng"])
-def test_a_cancelled_film_leaves_what_was_there(tmp_path, ending):
+def test_a_cancelled_film_leaves_the_old_file(tmp_path, ending):
     path = tmp_path / f"film{ending}"
     path.write_bytes(b"old")
     with pytest.raises(Cancelled):
@@ -123,7 +123,7 @@ def test_a_cancelled_film_leaves_what_was_there(tmp_path, ending):
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_film_that_cannot_be_written_leaves_nothing(tmp_path):
+def test_a_film_that_cannot_be_written_leaves_no_file(tmp_path):
     with pytest.raises(StorageError, match="does not exist"):
         write_film(first_sketch(), tmp_path / "no" / "film.gif", Film(**SMALL))
     assert list(tmp_path.iterdir()) == []
@@ -138,7 +138,7 @@ def test_a_film_that_cannot_be_written_leaves_nothing(tmp_path):
         ({"width": 1920, "seconds": 40.0}, "too large"),
     ],
 )
-def test_what_is_too_large_is_refused_before_the_work(tmp_path, fields, words):
+def test_oversized_films_are_refused_before_the_work(tmp_path, fields, words):
     with pytest.raises(ExchangeError, match=words):
         write_film(first_sketch(), tmp_path / "film.gif", Film(**fields))
     assert list(tmp_path.iterdir()) == []
@@ -152,7 +152,7 @@ def test_without_a_curve_there_is_no_motion(tmp_path):
         write_film(first_sketch(), tmp_path / "film.webp", Film(**SMALL))
 
 
-def test_without_pillow_it_is_said_how_to_get_it(tmp_path, monkeypatch, forget):
+def test_without_pillow_the_refusal_names_the_extra(tmp_path, monkeypatch, forget):
     forget(drawing, "pillow")
     real = builtins.__import__
 
@@ -238,7 +238,7 @@ def test_stopping_ends_an_ffmpeg_that_does_nothing(tmp_path, ffmpeg, width):
         os.kill(int(note.read_text()), 0)
 
 
-def test_without_ffmpeg_it_is_said(tmp_path, monkeypatch):
+def test_without_ffmpeg_a_film_is_refused(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     assert VIDEO.missing()
     with pytest.raises(ExchangeError, match="not on the PATH"):

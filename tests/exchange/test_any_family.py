@@ -87,7 +87,7 @@ def reads_again(path):
     return document.curves[0]
 
 
-def test_every_ending_says_a_deviation_within_what_was_asked_for(document, written):
+def test_every_format_states_a_deviation_within_the_tolerance(document, written):
     for ending in endings_of(FORMATS.written):
         # A picture in its usual size takes as long as all others together.
         path, done = written(ending, width=200 if ending == ".png" else None)
@@ -217,7 +217,7 @@ def test_rows_become_a_curve_of_the_family_that_is_asked_for(tmp_path):
         )
 
 
-def test_a_picture_and_a_film_show_it(document, written, tmp_path):
+def test_a_picture_and_a_film_show_a_curve_of_another_family(document, written, tmp_path):
     path, _ = written(".png", width=300)
     with Image.open(path) as picture:
         ink = np.asarray(picture.convert("L")) < 250

@@ -63,7 +63,7 @@ def dot_of(document):
         "<defs>" + path("M2 2h0", more='id="a"') + '</defs><use href="#a" x="10" y="10"/>',
     ],
 )
-def test_a_line_of_no_length_with_caps_is_a_dot(body):
+def test_a_line_without_length_with_caps_is_a_dot(body):
     """They were left out, and a shape of nothing else refused the file."""
     found = read(body)
     assert found.remarks == ()
@@ -85,12 +85,12 @@ def test_a_line_of_no_length_with_caps_is_a_dot(body):
         f'<polyline points="12,12" {STROKE} stroke-linecap="round"/>',
     ],
 )
-def test_what_nobody_sees_is_no_dot(body):
+def test_an_unpainted_dot_is_left_out(body):
     found = read(body)
     assert (found.has_curves, found.remarks) == (False, ())
 
 
-def test_the_case_of_the_issue():
+def test_dots_of_one_path_are_curves_of_one_shape():
     found = read(path("M4 4h16M12 12h0M18 18z"))
     assert [len(curve.points) for curve in found.document.curves] == [2, 2, 2]
     assert [curve.points[0].position for curve in found.document.curves] == [(4, -4), (12, -12), (18, -18)]

@@ -97,7 +97,7 @@ def test_hostile_names_become_layers():
     assert len(list(drawing.modelspace())) == len(names)
 
 
-def test_hermite_curves_come_back_exactly(kind):
+def test_hermite_curves_are_read_back_exactly(kind):
     (curve,) = kind.curves
     result = read_dxf(dxf_text(kind).text.encode("utf-8", "replace"))
     (back,) = result.document.curves
@@ -110,7 +110,7 @@ def test_hermite_curves_come_back_exactly(kind):
     assert back.closed == curve.is_closed
 
 
-def test_higher_degrees_come_back_within_the_tolerance(kind):
+def test_higher_degrees_are_read_back_within_the_tolerance(kind):
     written = dxf_text(kind, Options(tolerance=1e-5))
     result = read_dxf(written.text.encode(), 1e-4)
     allowed = written.deviation + result.deviation
@@ -181,7 +181,7 @@ def test_lines_polylines_and_arcs():
     assert result.remarks == ("1 TEXT left out.",)
 
 
-def test_what_is_not_exact_is_left_out_with_a_word():
+def test_inexact_splines_are_left_out_with_a_remark():
     def draw(space):
         space.add_rational_spline([(0, 0), (1, 1), (2, 0), (3, 1)], weights=[1, 2, 1, 1])
 
@@ -227,7 +227,7 @@ def test_truncated_and_foreign_files_are_refused(sketch):
             read_dxf(wrong)
 
 
-def test_numbers_that_are_none_are_refused(sketch):
+def test_invalid_numbers_are_refused(sketch):
     text = dxf_text(sketch).text
     head, _, tail = text.partition("AcDbSpline")
     for bad in ("nan", "inf", "1e999", "five"):

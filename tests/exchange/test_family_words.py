@@ -40,7 +40,7 @@ def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
     assert (view_of(again).curve.evaluate(0.3) == view_of(curve).curve.evaluate(0.3)).all()
 
 
-def test_the_words():
+def test_a_family_cell_says_family_closing_and_settings():
     family = FAMILIES.named("tests_swaying")
     curve = replace(make_curve(POINTS, family=family), settings=ChosenSettings({"amount": 5}))
     assert family_cell(curve) == "tests_swaying amount=5"

@@ -223,7 +223,7 @@ def test_the_control_points_of_a_formula_bound_its_rounding_where_t_is_written_e
 
 
 @each_row("family", FAMILIES)
-def test_what_rounding_alone_makes_different_is_said_to_be_so_about(family):
+def test_a_deviation_of_rounding_alone_is_stated_as_approximate(family):
     """Of coefficients 1.1e-11 was measured at 31 places a segment, and 3e-11 at 900: "at most" was said."""
     document = Document((make_curve(np.random.default_rng(1).standard_normal((9, 2)), family=family),))
     for write in (coefficients_json, python_code, scipy_code):

@@ -126,13 +126,13 @@ def test_resources_of_both_versions_are_read(text, tmp_path):
         ("(0, 0, 10, ", "(10, ", "Line 8: a curve needs six numbers per point."),
     ],
 )
-def test_what_is_no_curve_is_refused_with_its_place(old, new, sentence):
+def test_invalid_godot_curves_are_refused_with_their_position(old, new, sentence):
     with pytest.raises(ExchangeError) as refusal:
         curves_in(SCENE.replace(old, new))
     assert str(refusal.value).startswith(sentence)
 
 
-def test_a_curve_beyond_limits_is_told_and_the_others_come():
+def test_a_curve_out_of_range_gives_a_remark_and_the_others_are_imported():
     found = read_curves(SCENE.replace("10, 20, 1", "10, 20, 1e13").encode())
     assert [each.name for each in found.document.curves] == ["Round"]
     assert found.remarks[1] == "1 curve with coordinates or velocities outside −1e12 to 1e12 left out: Track."

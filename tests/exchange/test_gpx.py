@@ -144,7 +144,7 @@ def test_a_long_track_can_be_thinned_out(tmp_path):
         ("<a>" * 300, "Element 201 is nested deeper than 200 levels."),
     ],
 )
-def test_what_is_no_track_is_refused_with_its_place(text, sentence):
+def test_invalid_tracks_are_refused_with_their_position(text, sentence):
     with pytest.raises(ExchangeError) as refusal:
         read_gpx(f"{HEAD}{text}</gpx>".encode())
     assert str(refusal.value).startswith(sentence)

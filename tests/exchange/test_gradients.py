@@ -44,7 +44,7 @@ def test_the_mean_colour_stands_for_a_gradient(kind):
         ('<stop stop-color="red"/><stop offset="1" stop-color="red"/>', ("#ff0000", 1.0)),
     ],
 )
-def test_stops_count_as_far_as_they_reach(stops, paint):
+def test_stops_count_by_their_extent(stops, paint):
     if paint[0] == "none":
         body = f'<linearGradient id="g">{stops}</linearGradient>'
         shape = '<rect width="9" height="9" fill="url(#g)" stroke="red"/>'
@@ -53,7 +53,7 @@ def test_stops_count_as_far_as_they_reach(stops, paint):
         assert gradient(stops)[0] == paint
 
 
-def test_one_colour_is_not_told():
+def test_a_gradient_of_one_colour_gives_no_remark():
     assert gradient('<stop stop-color="red"/><stop offset="1" stop-color="red"/>')[1] == ()
 
 

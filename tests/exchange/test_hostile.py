@@ -139,7 +139,7 @@ def test_a_hostile_file_gives_one_sentence(name, reports):
         ("number_of_words.dxf", "near line: 46"),
     ],
 )
-def test_the_sentence_has_the_place(name, place, reports):
+def test_the_refusal_names_the_position(name, place, reports):
     assert place in reports[name][1]
 
 
@@ -153,7 +153,7 @@ def refused(path):
 
 
 @each_row("ending", ENDINGS)
-def test_what_is_no_file_is_refused(ending, tmp_path):
+def test_folders_and_missing_files_are_refused(ending, tmp_path):
     path = tmp_path / f"a{ending}"
     assert refused(path).startswith("There is no file")
     path.mkdir()
@@ -195,7 +195,7 @@ def test_an_unreadable_file_is_refused(tmp_path):
     "text",
     ["nan", "inf", "-inf", "9**9**9", "9^9^9^9", "__import__('os')", "1e999", "(" * 150, "0x10", "1_000"],
 )
-def test_what_is_typed_is_a_number_or_refused(text):
+def test_typed_numbers_are_parsed_or_refused(text):
     with pytest.raises(ExpressionError):
         parse_number(text)
 

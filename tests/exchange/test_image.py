@@ -84,7 +84,7 @@ def test_without_paper_a_png_is_transparent(sketch, tmp_path):
 
 @each_row("offset", [0.0, 1e6])
 @each_row("scale", [1e-25, 1.0, 1e5])
-def test_size_and_place_do_not_matter(offset, scale, tmp_path):
+def test_size_and_position_do_not_matter(offset, scale, tmp_path):
     points = np.array([(0, 0), (1, 2), (3, 1), (4, 4)], dtype=float)
     pictures = []
     for some in (points, (points + offset) * scale):

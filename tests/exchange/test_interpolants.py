@@ -101,7 +101,7 @@ def distance_of_code(document, path):
 
 @pytest.mark.parametrize("ending", [".py", ".scipy.py"])
 @pytest.mark.parametrize("interpolants", RIGHT)
-def test_what_can_be_written_is_exact(document_of, interpolants, ending, tmp_path):
+def test_representable_curves_are_written_exactly(document_of, interpolants, ending, tmp_path):
     if ending == ".scipy.py":
         pytest.importorskip("scipy")
     away, said = distance_of_code(document_of(interpolants), tmp_path / f"curve{ending}")
@@ -111,7 +111,7 @@ def test_what_can_be_written_is_exact(document_of, interpolants, ending, tmp_pat
 
 @pytest.mark.parametrize("ending", [".py", ".scipy.py"])
 @pytest.mark.parametrize("interpolants", OTHERWISE)
-def test_all_else_is_written_as_cubics_within_a_deviation(document_of, interpolants, ending, tmp_path):
+def test_other_families_are_written_as_cubics_within_a_deviation(document_of, interpolants, ending, tmp_path):
     """`own_points` was written as one polynomial, 1.6 away in a curve of the size 6."""
     if ending == ".scipy.py":
         pytest.importorskip("scipy")

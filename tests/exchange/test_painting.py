@@ -66,7 +66,7 @@ def test_a_miter_beyond_its_limit_is_a_bevel():
     assert tips[8.0] < tips[1.0] - 5
 
 
-def test_a_line_of_no_width_is_none():
+def test_a_line_of_width_zero_is_not_drawn():
     seen = painted(
         line([(1.0, 5.0), (9.0, 5.0)], Style(stroke="#000000", width=0.0)),
         line([(1.0, 1.0), (9.0, 1.0)], Style(stroke="#000000", width=0.5)),

@@ -56,7 +56,7 @@ def random_rows(seed, count=6):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_a_path_is_what_pathweaver_draws_and_goes_out_as_it_came(seed, tmp_path):
+def test_a_pathweaver_path_is_read_as_pathweaver_draws_it_and_written_unchanged(seed, tmp_path):
     rows, path = random_rows(seed), tmp_path / "a.csv"
     path.write_text(text_of(rows))
     found = import_file(path)
@@ -108,7 +108,7 @@ def test_a_file_of_an_old_version_has_fewer_columns(tmp_path):
         ("X,Y,Tangent X,Tangent Y\n1,2,3,1e13\n", "Row 2, column 4 must lie between"),
     ],
 )
-def test_what_is_no_path_is_refused_with_its_place(text, sentence, tmp_path):
+def test_invalid_pathweaver_paths_are_refused_with_their_position(text, sentence, tmp_path):
     path = tmp_path / "a.csv"
     path.write_text(text)
     with pytest.raises(ExchangeError) as refusal:

@@ -25,7 +25,7 @@ BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3
 
 @pytest.mark.usefixtures("drawings_read_here")
 @each_row("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
-def test_what_goes_out_comes_in(ending, sketch, tmp_path):
+def test_written_blocks_are_read_again(ending, sketch, tmp_path):
     path = tmp_path / f"a{ending}"
     export(sketch, path)
     result = import_file(path)
@@ -69,7 +69,7 @@ def test_the_reason_names_the_file(tmp_path):
     assert said == "“bad.svg” cannot be read: This is not an SVG file: it begins with <html>."
 
 
-def test_what_takes_too_long_is_stopped(children):
+def test_a_reader_beyond_its_time_is_stopped(children):
     with pytest.raises(
         ExchangeError, match=r"Reading needs more than 0.2 s of processor time and was stopped"
     ):
@@ -122,7 +122,7 @@ def test_neither_the_start_nor_other_programs_count(slow_reader, children):
     assert told == sorted(told)
 
 
-def test_what_sleeps_ends_some_day(slow_reader, children, monkeypatch):
+def test_a_sleeping_reader_is_ended(slow_reader, children, monkeypatch):
     monkeypatch.setattr("app.exchange.reader_process.longest_wait", lambda _seconds: 0.1)
     with pytest.raises(ExchangeError, match=r"Reading did not finish within 0.1 s and was stopped"):
         read_in_process(slow_reader.sleeping, LINE, None)
@@ -141,7 +141,7 @@ def test_one_process_reads_one_drawing_after_the_other(slow_reader, children):
         assert len(children) == 1
 
 
-def test_a_drawing_that_is_stopped_or_not_waited_for_leaves_the_next_one_alone(children):
+def test_a_stopped_drawing_does_not_affect_the_next_one(children):
     with ReaderProcess() as process:
         with pytest.raises(ExchangeError, match=r"needs more than 0.1 s"):
             process.read(read_svg, BUSY, None, seconds=0.1)
@@ -162,7 +162,7 @@ def test_a_process_whose_parent_is_gone_leaves_no_folder(tmp_path):
     assert not folder.exists()
 
 
-def test_what_nobody_waits_for_any_more_is_ended(children):
+def test_a_cancelled_reading_ends_the_process(children):
     class Impatient:
         calls = 0
 
@@ -186,13 +186,13 @@ def test_a_large_file_may_take_longer_than_a_small_one():
 
 
 @pytest.mark.skipif("sys.platform != 'linux'", reason="only Linux limits the address space")
-def test_what_takes_too_much_memory_is_stopped():
+def test_a_reader_beyond_its_memory_is_stopped():
     with pytest.raises(ExchangeError, match="Reading needs more memory than is allowed and was stopped"):
         read_in_process(read_svg, BUSY, None, memory=10 * 2**20, seconds=30)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the executable is a script")
-def test_a_bundle_reads_drawings_too(tmp_path, monkeypatch):
+def test_a_bundle_reads_drawings(tmp_path, monkeypatch):
     """“Reading needs more memory than is allowed”: a bundle's executable knows no option -c.
 
     PyInstaller's, for one, is the program itself; this one stands for it.

@@ -71,7 +71,7 @@ def test_a_path_of_pathplanner_is_its_bezier_pieces(smooth, seed, tmp_path):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_a_path_is_known_by_its_content_and_what_is_no_curve_is_told(tmp_path):
+def test_a_path_is_recognised_by_its_content_and_other_content_gives_a_remark(tmp_path):
     """“This JSON is no table”."""
     path = tmp_path / "a.json"
     piece = [[2, 7], [3, 7], [4, 6], [4, 5]]
@@ -114,7 +114,7 @@ def test_paths_of_2023_have_anchor_points_and_markers():
         ("waypoints", "ways", "Waypoints is missing."),
     ],
 )
-def test_what_is_no_path_is_refused_with_its_place(old, new, sentence):
+def test_invalid_pathweaver_paths_are_refused_with_their_position(old, new, sentence):
     text = path_of([[[0, 0], [1, 0], [2, 1], [3, 1]]]).decode()
     assert old in text
     with pytest.raises(ExchangeError) as refusal:
@@ -165,7 +165,7 @@ def test_a_swerve_drive_moves_as_choreolib_interpolates_it(seed, tmp_path):
             assert core.evaluate(t) == pytest.approx(truth, abs=1e-12)
 
 
-def test_a_differential_drive_goes_where_it_heads(tmp_path):
+def test_a_differential_drive_moves_in_its_heading(tmp_path):
     path = tmp_path / "a.traj"
     samples = [
         {"t": 0.0, "x": 0.0, "y": 0.0, "heading": 0.5, "vl": 1.0, "vr": 3.0},
@@ -212,7 +212,7 @@ SAMPLE = {"t": 0.0, "x": 0.0, "y": 0.0, "vx": 1.0, "vy": 0.0}
         ("", "It is not JSON; the file ends too early."),
     ],
 )
-def test_what_is_no_trajectory_is_refused_with_its_place(text, sentence):
+def test_invalid_trajectories_are_refused_with_their_position(text, sentence):
     with pytest.raises(ExchangeError) as refusal:
         read_trajectories(text.encode())
     assert str(refusal.value).startswith(sentence)

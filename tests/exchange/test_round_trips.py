@@ -71,7 +71,7 @@ def test_a_table_of_points_gives_the_same_curves(document, ending, tmp_path):
     assert import_file(path).document == back.document
 
 
-def test_manual_parameters_of_a_closed_curve_come_back(tmp_path):
+def test_manual_parameters_of_a_closed_curve_are_read_back(tmp_path):
     curve = replace(make_curve(SQUARE, family=HERMITE), closed=True)
     frozen = rule_edits.freeze_parameters(Document((curve,)), 0, [2.0, 2.5, 4.0, 7.0])
     path = tmp_path / "a.points.csv"
@@ -81,13 +81,13 @@ def test_manual_parameters_of_a_closed_curve_come_back(tmp_path):
     assert_same_shapes(frozen, back)
 
 
-def test_only_columns_that_say_something_are_written(document):
+def test_empty_columns_are_not_written(document):
     line = Document((document.curves[2],))
     assert points_table(line).text.splitlines()[0] == "curve,family,t,x,y"
     assert "vx_after" in points_table(document).text.splitlines()[0]
 
 
-def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
+def test_samples_of_several_curves_are_read_as_several_curves(document, tmp_path):
     smooth = Document(
         tuple(curve for curve in document.curves if not any(point.corner for point in curve.points))
     )
@@ -100,7 +100,7 @@ def test_samples_of_several_curves_come_back_as_several(document, tmp_path):
         assert np.abs(first.evaluate(t) - second.evaluate(t)).max() < 1e-7
 
 
-def test_chosen_columns_of_samples(document):
+def test_selected_columns_of_samples_are_written(document):
     text = sampled_table(document, Options(format_options={"samples": 3, "columns": ("y", "x")})).text
     assert text.splitlines()[0] == "curve,x,y"
     with pytest.raises(ExchangeError, match="A table can have the columns t, x, y"):
@@ -126,7 +126,7 @@ def test_rows_of_different_curves_may_be_mixed():
         ("x,y,vx,vy\n0,0,1,\n1,1,1,1\n", "Row 2, column 4 is empty, but vy is needed."),
     ],
 )
-def test_what_is_wrong_with_one_of_several_has_its_row(text, sentence):
+def test_an_error_in_one_of_several_curves_names_its_row(text, sentence):
     with pytest.raises(ExchangeError) as refusal:
         document_of_table(read_table(text.encode()))
     assert str(refusal.value).startswith(sentence)

@@ -315,7 +315,7 @@ def test_errors_that_estimates_let_grow_beyond_all_digits():
     assert abs(facts.length.value - 1652680803.4800057) <= facts.length.error <= 1e4
 
 
-def test_what_is_said_where_rounding_shows():
+def test_visible_rounding_gives_a_warning():
     """Once, with the points and the share: 0.51 (2⁻⁵⁴ + 2⁻⁵³) of 1e-12 / √8, 0.024 %, rounded up."""
     for apart, kind, says in (
         (1e-12, ParametrizationKind.CHORD_LENGTH, "0.03 %"),

@@ -56,7 +56,7 @@ def test_equal_arc_lengths(kind):
 
 
 @each_row("tolerance", [1e-1, 1e-2, 1e-3])
-def test_by_tolerance(kind, tolerance):
+def test_samples_by_tolerance_stay_within_it(kind, tolerance):
     _, values, deviation = table(kind, spacing=Spacing.TOLERANCE, tolerance=tolerance)
     assert deviation <= tolerance
     curve = core(kind)

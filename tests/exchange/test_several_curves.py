@@ -53,7 +53,7 @@ def test_hidden_curves_are_not_drawn_and_take_no_room(document):
     assert drawing.left_out == ()
 
 
-def test_svg_keeps_hidden_curves_in_their_place_without_a_sign_of_them(document):
+def test_svg_keeps_hidden_curves_in_order_without_showing_them(document):
     found = paths(document)
     assert [(name, path.get("display")) for name, path in found.items()] == [
         ("Pond", None),
@@ -105,7 +105,7 @@ def test_a_corner_stays_sharp(document):
 
 
 @pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
-def test_every_format_takes_them(document, ending, tmp_path):
+def test_every_format_writes_several_curves(document, ending, tmp_path):
     target = tmp_path / f"out.{ending}"
     export(document, target, Options(width=200, points=True))
     assert target.stat().st_size > 300
@@ -134,7 +134,7 @@ def test_facts_know_closed_corners_and_hidden(document):
     assert line.length.value == pytest.approx(5**0.5)
 
 
-def test_info_prints_them(document, tmp_path, capsys):
+def test_info_prints_the_facts_of_several_curves(document, tmp_path, capsys):
     save(tmp_path / "a.curve.json", document)
     assert main(["info", str(tmp_path / "a.curve.json")]) == 0
     text = capsys.readouterr().out

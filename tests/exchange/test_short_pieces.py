@@ -79,7 +79,7 @@ def test_a_piece_as_short_as_roundings_is_left_out(data, expected):
         ("M0 0H100" + "l0 1e-12" * 3000 + "V100H0Z", None),
     ],
 )
-def test_what_is_longer_stays(data, count):
+def test_pieces_longer_than_roundings_stay(data, count):
     (curve,) = curves_in(data)
     if count is None:
         up = [y for x, y in places(curve) if x == 100]
@@ -132,7 +132,7 @@ def test_an_outline_with_short_pieces_is_the_outline_without(pieces, short, clos
     assert without_roundings(np.array(made), closed=closed).tolist() == plain.tolist()
 
 
-def test_what_became_of_an_outline_goes_back_to_its_start():
+def test_rounded_ends_of_an_outline_meet_its_start():
     """Chains of short pieces, with residues, at random: one place begins and ends what is closed."""
     random = np.random.default_rng(9)
     for _ in range(200):

@@ -70,7 +70,7 @@ def test_joins_raise_the_top_of_a_roof(join, limit, top):
     assert closed[1][1] == pytest.approx(top, abs=1e-12), "where a closed line begins there is a joint, too"
 
 
-def test_what_has_no_width_of_its_own_and_what_is_not_drawn_has_no_stroke():
+def test_lines_without_a_width_add_nothing_to_the_box():
     for style in (Style(), Style(width=0.0), Style(width=3.0, stroke="none", fill="#102030")):
         document = line_through([(0, 0), (5, 5)], style)
         assert box(document).tolist() == [[0.0, 0.0], [5.0, 5.0]]
@@ -93,7 +93,7 @@ def places_beside(family):
 
 @each_row("style", STYLES, ids=lambda each: f"{each.cap.value} {each.join.value}")
 @each_row("family", FAMILIES)
-def test_no_place_beside_a_smooth_curve_lies_outside_and_some_lie_on_every_side(family, style):
+def test_the_extent_of_a_smooth_stroke_is_tight(family, style):
     curve = replace(make_curve(SMOOTH, family=family), style=style)
     drawing = drawing_of(Document((curve,)))
     found, off = painted_extent(drawing.outlines[0]), drawing.deviation

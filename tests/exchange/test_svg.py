@@ -210,7 +210,7 @@ def refusal(document, **keywords):
     return str(caught.value)
 
 
-def test_what_no_picture_can_hold_is_refused(nothing):
+def test_coordinates_out_of_range_for_pictures_are_refused(nothing):
     wild = make_curve([(i, (-1) ** i) for i in range(150)], name="wild")
     assert refusal(Document((wild,))).startswith("“wild” swings beyond 1e+30 between its points")
     tiny = Document((make_curve([(0, 0), (1e-200, 1e-200)]),))
@@ -221,7 +221,7 @@ def test_what_no_picture_can_hold_is_refused(nothing):
     assert "Error" not in refusal(nothing)
 
 
-def test_points_in_one_place_at_the_origin_are_refused():
+def test_coincident_points_at_the_origin_are_refused():
     rule = Parametrization(ParametrizationKind.UNIFORM)
     document = Document((Curve("", HERMITE, rule, (Point(0.0, 0.0), Point(0.0, 0.0))),))
     assert refusal(document) == "There is nothing to draw: all points coincide."
@@ -232,14 +232,14 @@ def test_the_tolerance_is_positive(sketch, tolerance):
     assert refusal(sketch, tolerance=tolerance) == "The tolerance must be a positive number."
 
 
-def test_a_tolerance_out_of_reach_is_said():
+def test_a_tolerance_out_of_reach_is_stated():
     points = np.random.default_rng(5).normal(size=(30, 2)).tolist()
     text = svg_of(Document((make_curve(points),)), Options(tolerance=1e-17)).text
     assert "which was out of reach" in text
     assert stated(text)[0] > 1e-17
 
 
-def test_nothing_is_guessed_of_pieces_that_have_no_length():
+def test_the_kinds_of_points_are_not_guessed_for_pieces_without_length():
     """A copied curve of which nothing was left in pixels raised a warning of NumPy's."""
     piece = np.array([[0.0, 0.0], [1.0, 2.0], [2.0, 2.0], [3.0, 0.0]])
     assert guessed(np.array([piece, piece + piece[3]]), closed=False) != ""

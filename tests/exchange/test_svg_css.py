@@ -124,7 +124,7 @@ SQUARE = (5, 7, 15, 17)
         "<symbol id='a' viewBox='0 0 1 1'><path d='M0 0H1V1'/></symbol>",
     ],
 )
-def test_places_and_sizes_by_css(body):
+def test_positions_and_sizes_by_css_are_used(body):
     found = read(body)
     (curve,) = found.document.curves
     assert box(curve) == pytest.approx(SQUARE)
@@ -140,14 +140,14 @@ def test_radii_by_css():
     assert found.remarks == ()
 
 
-def test_an_outline_that_css_takes_away():
+def test_an_outline_removed_by_css_is_not_imported():
     found = read(
         "<path d='M0 0L1 1' style='d:none'/><rect width='5' height='5' style='width:0'/><path d='M0 0L2 2'/>"
     )
     assert [box(curve) for curve in found.document.curves] == [(0, 0, 2, 2)]
 
 
-def test_lengths_that_are_not_computed_are_told():
+def test_unsupported_lengths_give_a_remark():
     found = read(
         "<style>rect{width:calc(1px + 2em);height:5px}circle{r:var(--r)}</style>"
         "<rect id='a'/><circle id='b'/><path d='M0 0L2 2'/>"
@@ -157,7 +157,7 @@ def test_lengths_that_are_not_computed_are_told():
 
 
 @each_row("width", ["2vw", "calc(1px + 1em)", "var(--w)", "2%"])
-def test_a_stroke_of_unknown_width_is_told(width):
+def test_a_stroke_of_unknown_width_gives_a_remark(width):
     """It was lost without a word."""
     line = f'<path id="a" d="M0 0L2 2" stroke="red" style="stroke-width:{width}" transform="scale(3)"/>'
     found = read(line, "")
@@ -166,7 +166,7 @@ def test_a_stroke_of_unknown_width_is_told(width):
     assert found.remarks == ("1 stroke of unknown width imported with a width of 1: a.",)
 
 
-def test_places_that_are_not_computed_are_told():
+def test_unsupported_positions_give_a_remark():
     line = '<path id="a" d="M0 0L2 2"/>'
     found = read(
         line + '<use id="b" href="#a" x="2vw" y="5"/><svg style="x:calc(1px)" y="7">' + line + "</svg>"
@@ -264,7 +264,7 @@ ABOUT_ORIGIN, ABOUT_START, ABOUT_MIDDLE = (
         ('style="translate:none;scale:none" transform="translate(1)"', [(21, 10), (41, 10)]),
     ],
 )
-def test_transforms_and_what_they_are_about(attributes, points):
+def test_transforms_have_their_origin(attributes, points):
     body = LINE.format(attributes)
     assert np.array(placed(body)) == pytest.approx(np.array([points]))
     assert read(body).remarks == ()
@@ -284,18 +284,18 @@ def test_transforms_and_what_they_are_about(attributes, points):
         ('transform="scale(2,,,3) x"', "a at character 13"),
     ],
 )
-def test_transforms_that_are_not_read_are_told(attributes, remark):
+def test_unsupported_transforms_give_a_remark(attributes, remark):
     body = f'<path id="a" d="M1 2H3" {attributes}/>'
     assert placed(body) == [[(1, 2), (3, 2)]]
     assert read(body).remarks == (f"1 transform not applied: {remark}.",)
 
 
-def test_percentages_of_a_size_that_nobody_says_are_told():
+def test_percentages_of_an_unknown_size_give_a_remark():
     found = read('<path id="a" d="M1 2H3" transform="scale(2)" transform-origin="center"/>', "")
     assert found.remarks == ("1 transform not applied: a about “center”.",)
 
 
-def test_a_transform_is_about_a_place_in_the_nearest_view_box():
+def test_a_transform_is_about_a_position_in_the_nearest_view_box():
     """That begins at the origin of its coordinates, whatever part of them it shows."""
     turned = '<path d="M0 0H1" transform="rotate(90)" transform-origin="center"/>'
     ((first, second),) = placed(turned, attributes='viewBox="-5 -5 20 10"')
@@ -312,7 +312,7 @@ def test_a_use_is_turned_about_its_own_origin_before_it_is_shifted():
     assert np.array([first, second]) == pytest.approx(np.array([(5, -2), (5, -1)]))
 
 
-def test_a_clip_that_css_turns_is_no_box():
+def test_a_clip_rotated_by_css_is_not_a_box():
     clip = '<clipPath id="c"><rect width="9" height="9" style="{}"/></clipPath>'
     body = '<g id="a" clip-path="url(#c)"><path d="M0 0L9 9"/></g>'
     assert read(clip.format("") + body).remarks == ()
@@ -392,7 +392,7 @@ def test_boxes_within_boxes_are_measured_once():
         assert [each[:26] for each in found.remarks] == ["170 transforms not applied"] * (depth > 20)
 
 
-def test_a_box_of_what_uses_itself():
+def test_a_circular_use_has_no_box():
     style = "<style>g{transform-box:fill-box;transform:scale(2)}</style>"
     found = read(style + '<g id="a"><path d="M3 5L4 6"/><use id="b" href="#a" x="9"/></g>')
     assert [box(curve) for curve in found.document.curves] == [(3, 5, 5, 7)]

@@ -45,7 +45,7 @@ def near(actual, expected):
     np.testing.assert_allclose(actual, expected, rtol=0, atol=1e-13 * max(1.0, np.abs(expected).max()))
 
 
-def test_cubics_come_exactly():
+def test_cubics_are_imported_exactly():
     (curve,) = curves('<path d="M1 2 C3 4 5 -6 7 8 S 9 1 2 3.5 c 1,1 -2 .5-3-4"/>')
     expected = [
         [[1, 2], [3, 4], [5, -6], [7, 8]],
@@ -70,7 +70,7 @@ def test_quadratics_are_raised_exactly():
 
 
 @each_row("tolerance", [None, 1e-2, 1e-4, 1e-6, 1e-9])
-def test_arcs_come_within_the_stated_deviation(tolerance):
+def test_arcs_are_imported_within_the_stated_deviation(tolerance):
     data = svg('<path d="M10 0 A10 10 0 1 0 0 10"/>')
     result = read_svg(data, tolerance)
     (curve,) = result.document.curves
@@ -161,7 +161,7 @@ def test_transforms_and_groups():
     near(pieces(turned)[0, [0, 3]], [[10, 10], [9, 10]])
 
 
-def test_use_and_what_is_not_drawn():
+def test_a_use_is_drawn_and_definitions_are_not():
     body = (
         '<defs><path id="a" d="M0 0L1 0"/></defs><use href="#a" x="5"/><use xlink:href="#a" y="2"/>'
         '<clipPath><path d="M0 0L1 1"/></clipPath><symbol id="s"><path d="M0 0 2 2"/></symbol>'
@@ -185,7 +185,7 @@ def test_copies_by_use_have_names_of_their_own():
     ]  # fmt: skip
 
 
-def test_what_is_not_displayed_comes_in_hidden():
+def test_elements_not_displayed_are_imported_hidden():
     body = (
         '<path d="M0 0L1 0"/><path d="M0 0L1 1" display="none"/>'
         '<g style="visibility:hidden"><path d="M0 0L1 1"/><path visibility="visible" d="M0 0L1 1"/></g>'
@@ -212,7 +212,7 @@ def test_cairo_writes_colours_in_percent():
     assert curve.style.stroke == "#ff8000"
 
 
-def test_our_own_file_comes_back_within_the_stated_deviation(kind):
+def test_a_written_svg_is_read_within_the_stated_deviation(kind):
     (curve,) = kind.curves
     result = read_svg(svg_of(kind, Options(tolerance=1e-4, points=True, style=DARK)).data)
     (back,) = result.document.curves
@@ -226,7 +226,7 @@ def test_our_own_file_comes_back_within_the_stated_deviation(kind):
     assert result.deviation <= 1e-9 * size
 
 
-def test_smooth_joints_of_our_own_file_stay_smooth():
+def test_smooth_joints_of_a_written_svg_stay_smooth():
     curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 4), (9, 0)], family=HERMITE)
     result = read_svg(svg_of(Document((curve,))).data)
     read = view_of(result.document.curves[0])
@@ -272,7 +272,7 @@ def test_the_handle_beside_a_straight_piece_is_tied_to_it():
     assert [is_straight(curve, segment) for segment in range(4)] == [True, False, True, False]
 
 
-def test_a_corner_of_our_own_file_stays_the_only_one():
+def test_a_corner_of_a_written_svg_stays_the_only_one():
     points = [
         Point(0.0, 0.0),
         Point(1.0, 2.0),
@@ -380,7 +380,7 @@ def test_an_error_in_one_element_leaves_the_others(body, remark):
         ('<polygon points="0 0 1 1 2 0 5"/>', P.format("M0 0L1 1 2 0Z"), "Polygon 2 at the end"),
     ],
 )
-def test_what_is_invalid_counts_as_not_given(body, same, remark):
+def test_invalid_values_are_ignored(body, same, remark):
     """As browsers do: an invalid attribute is none, and data end at their error."""
     one, other = (read_svg(svg(each)) for each in (body, same))
     assert [curve.points for curve in one.document.curves] == [
@@ -442,7 +442,7 @@ LINE = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L3 4"/></svg>'
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
-def test_a_plain_doctype_is_passed_over(encoding):
+def test_a_plain_doctype_is_ignored(encoding):
     """As matplotlib and Illustrator write it; all of these files used to be refused."""
     text = ILLUSTRATOR.format(encoding=encoding, subset="", svg=LINE)
     (curve,) = read_svg(text.encode(encoding)).document.curves
@@ -477,7 +477,7 @@ SUBSETS = {
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "iso-8859-1"])
 @each_row("name", SUBSETS)
-def test_what_a_doctype_declares_itself_is_read(name, encoding):
+def test_internal_entities_of_a_doctype_are_read(name, encoding):
     subset, body = SUBSETS[name]
     text = ILLUSTRATOR.format(encoding=encoding, subset=subset, svg=body)
     (curve,) = read_svg(text.encode(encoding)).document.curves
@@ -524,7 +524,7 @@ def test_text_that_a_doctype_adds_is_bounded():
         ('%a;<!ENTITY b "L9 9">', "a parameter entity, .* delete everything from “<!DOCTYPE” to “]>”"),
     ],
 )
-def test_what_a_doctype_may_not_declare_is_refused(subset, sentence):
+def test_external_and_parameter_entities_are_refused(subset, sentence):
     text = ILLUSTRATOR.format(encoding="utf-8", subset=f"[{subset}]", svg=LINE)
     with pytest.raises(ExchangeError, match=sentence):
         read_svg(text.encode())
@@ -546,14 +546,14 @@ def test_nothing_that_a_doctype_points_to_is_fetched(tmp_path):
             server.accept()
 
 
-def test_a_picture_of_ours_is_known_by_its_metadata():
+def test_a_picture_of_curvebench_is_recognised_by_its_metadata():
     document = Document((make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE),))
     found = read_svg(svg_of(document).text.encode()).document
     # The size and the line of a picture that nobody asked for are no part of the document.
     assert (found.unit, found.curves[0].style) == ("", document.curves[0].style)
 
 
-def test_what_matplotlib_writes_is_read():
+def test_an_svg_of_matplotlib_is_read():
     """20 of the 24 SVG files in a scientific Python environment begin with a DOCTYPE.
 
     This one is of Matplotlib 3.11: `Figure().subplots().plot([0, 1, 2], [0, 1, 0], gid="tent")`, no axes.

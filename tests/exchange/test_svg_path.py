@@ -59,7 +59,7 @@ def path_data(draw):
 
 
 @given(path_data())
-def test_it_draws_what_fonttools_draws(data):
+def test_path_data_are_drawn_as_fonttools_draws_them(data):
     found = read_path_data(data)
     assert found.error == ""
     assert_drawn(found.subpaths, data)
@@ -125,7 +125,7 @@ def test_data_that_end_too_soon_are_drawn_so_far(data, drawn):
 
 
 @given(path_data(), st.sampled_from(["#", "x1 2", "é", "M", "L?", "NaN", "z7", "C1 2 3 4 5,", "a1 1 0 3"]))
-def test_whatever_stands_before_an_error_is_drawn(data, rest):
+def test_segments_before_an_error_are_drawn(data, rest):
     """The data and whatever breaks them, put together: fontTools draws the data alone."""
     closes = rest.startswith("z")
     found = read_path_data(data + rest)
@@ -172,7 +172,7 @@ def test_compact_numbers_and_flags(data, end):
     assert tuple(read_path_data(data).subpaths[-1].end) == end
 
 
-def test_a_last_line_that_is_a_rounding_is_none():
+def test_a_last_line_as_short_as_a_rounding_is_dropped():
     """Steps of eight digits miss the beginning, and the path had two points there, on each other."""
     ((found,), _) = read_path_data("m 10,10 c 0,20 30,20 30,0 0,-20 -30.000004,-20 -30.000007,0.000004 z")
     assert (len(found.controls), found.closed) == (2, True)

@@ -136,7 +136,7 @@ def test_a_file_written_out_unchanged_looks_the_same(path, judge, tmp_path):
 
 @pytest.mark.skipif(shutil.which("rsvg-convert") is None, reason="librsvg is not installed")
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_what_is_painted_looks_as_the_file_does(path, tmp_path):
+def test_imported_files_look_like_the_original(path, tmp_path):
     data = path.read_bytes()
     drawing, frame = drawing_of(read_svg(data).document), frame_of(data)
     if frame is None:
@@ -155,7 +155,7 @@ def test_what_is_painted_looks_as_the_file_does(path, tmp_path):
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_what_was_written_is_read_as_the_same_curves(path):
+def test_written_files_are_read_as_the_same_curves(path):
     found = read_svg(path.read_bytes()).document
     again = read_svg(svg_of(found, Options(unit=found.unit)).data).document
     assert again.unit == found.unit
@@ -186,7 +186,7 @@ def test_a_circle_of_four_arcs_is_four_points():
     assert curve.closed
 
 
-def test_sides_of_rounded_rectangles_come_back_as_lines():
+def test_sides_of_rounded_rectangles_are_read_as_lines():
     """A long side took the direction of the short handle beside it, 3e-14 off, and went out as a cubic."""
     for box in (
         (122.878, 92.171, 6.567, 46.691, 0.77),

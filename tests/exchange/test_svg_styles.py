@@ -43,11 +43,11 @@ def style(attributes, around=""):
     return curve.style
 
 
-def test_without_a_word_an_area_is_black_and_has_no_line():
+def test_an_area_is_black_without_a_line_by_default():
     assert style("") == Style(stroke="none", fill="#000000")
 
 
-def test_all_of_a_stroke_comes_in():
+def test_all_properties_of_a_stroke_are_imported():
     assert style(
         'fill="none" stroke="#0af" stroke-width="2" stroke-linecap="square" stroke-linejoin="bevel" '
         'stroke-miterlimit="7" stroke-dasharray="4 1,2" stroke-dashoffset="3" stroke-opacity="50%" '
@@ -64,7 +64,7 @@ def test_all_of_a_stroke_comes_in():
     )
 
 
-def test_an_odd_number_of_dashes_comes_in_as_it_is():
+def test_an_odd_number_of_dashes_is_imported_unchanged():
     """Written twice, 35 were more than a document may have, and the drawing was refused."""
     found = style(f'stroke="red" stroke-dasharray="{" ".join(["1"] * 35)}"')
     assert found.dash == (1.0,) * 35
@@ -122,7 +122,7 @@ def test_transforms_scale_strokes_and_dashes_stay_in_proportion():
     assert kept.style.width == 2.0
 
 
-def test_an_uneven_transform_is_told():
+def test_an_uneven_transform_gives_a_remark():
     found = read(f'<path id="a" d="{LINE}" stroke="red" transform="scale(1 4)"/>')
     assert found.document.curves[0].style.width == pytest.approx(2.0)
     assert found.remarks == ("1 stroke of uneven width imported with the mean width: a.",)
@@ -253,13 +253,13 @@ MISSED = [
 
 
 @each_row(("body", "sentence"), MISSED, ids=[sentence[:40] for _, sentence in MISSED])
-def test_what_does_not_come_in_is_told(body, sentence):
+def test_unsupported_content_gives_a_remark(body, sentence):
     found = read(f'{body}<path id="there" d="{LINE}"/>')
     assert found.remarks == (sentence,)
     assert found.document.curves[-1].name == "there"
 
 
-def test_what_does_not_come_in_is_told_by_kind_and_count():
+def test_losses_are_counted_by_kind():
     """Each element had a sentence: a hundred gradients made a hundred lines."""
     stops = '<stop stop-color="red"/><stop offset="1" stop-color="blue"/>'
     shapes = "".join(
@@ -287,11 +287,11 @@ def test_what_does_not_come_in_is_told_by_kind_and_count():
         f'<linearGradient id="g"><stop stop-color="red"/></linearGradient><path fill="url(#g)" d="{LINE}"/>',
     ],
 )
-def test_what_changes_nothing_is_not_told(body):
+def test_content_without_effect_gives_no_remark(body):
     assert read(body).remarks == ()
 
 
-def test_a_drawing_of_lines_that_nobody_painted_comes_in_as_lines():
+def test_a_drawing_without_any_paint_is_imported_as_lines():
     found = read(f'<path d="{LINE}" fill="none"/>')
     assert found.document.curves[0].style == Style()
     assert found.remarks == ("1 shape without stroke and fill imported with a plain stroke.",)
@@ -313,7 +313,7 @@ def root_of(document, **options):
     return ET.fromstring(svg_of(document, Options(**options)).data)
 
 
-def test_a_style_is_written_without_what_svg_takes_for_granted():
+def test_a_style_is_written_without_the_defaults_of_svg():
     plain = Style(stroke="none", fill="#ff0000", join=LineJoin.MITER, cap=LineCap.BUTT)
     (path,) = root_of(drawn(square(2.0, style=plain))).iter(f"{SVG}path")
     assert set(path.attrib) == {"id", "d", "fill"}
@@ -381,7 +381,7 @@ def test_a_wide_line_has_room_in_the_picture():
     assert widths[1] > widths[0] + 0.9
 
 
-def test_ink_and_the_usual_width_come_back_as_such():
+def test_ink_and_the_usual_width_are_read_as_defaults():
     document = drawn(square(2.0), square(3.0, "area", style=Style(stroke="none", fill="")))
     back = read_svg(svg_of(document).data).document
     assert [curve.style for curve in back.curves] == [Style(), Style(stroke="none", fill="")]
@@ -409,7 +409,7 @@ def test_lengths_are_the_same_in_another_unit():
         ("markers", False),
     ],
 )
-def test_a_fill_over_its_stroke_is_told(text, is_told):
+def test_a_fill_over_its_stroke_gives_a_remark(text, is_told):
     """SVG 2, section 13.8: what is not named comes last, in the usual order."""
     found = read(f'<path d="M0 0H9V9Z" stroke="red" paint-order="{text}"/>')
     assert found.remarks == ("1 paint order not applied.",) * is_told

@@ -82,7 +82,7 @@ def test_utf_16_as_spreadsheets_write_it():
         ("x,y\n1,2\n1\0,4\n", "Row 3 contains a zero byte; this is not text."),
     ],
 )
-def test_what_is_no_table_is_refused_with_the_row(text, sentence):
+def test_invalid_tables_are_refused_with_the_row(text, sentence):
     with pytest.raises(ExchangeError) as refusal:
         read_table(text.encode(), ColumnMapping(x=0, y=1))
     assert str(refusal.value) == sentence
@@ -104,13 +104,13 @@ def test_bad_utf_8_is_refused_with_the_row():
         ("x\ty\n1\t2\n\n3\t\n", "Row 4, column 2 is empty, but y is needed."),
     ],
 )
-def test_what_is_no_curve_is_refused(text, sentence):
+def test_tables_that_are_no_curve_are_refused(text, sentence):
     with pytest.raises(ExchangeError) as refusal:
         document_of_table(read_table(text.encode()))
     assert str(refusal.value) == sentence
 
 
-def test_the_preview_shows_what_is_there_and_a_first_guess():
+def test_the_preview_shows_the_first_rows_and_a_guess_of_the_roles():
     preview = preview_table(b"Y [mm];time;X [mm]\n1,5;2;3\n" * 1)
     assert preview.layout == TextLayout(";", decimal_comma=True, header=True)
     assert preview.titles == ("Y [mm]", "time", "X [mm]")
@@ -121,7 +121,7 @@ def test_the_preview_shows_what_is_there_and_a_first_guess():
     assert len(preview_table(b"1,2\n" * 1000).cells) == 50
 
 
-def test_the_person_maps_the_columns():
+def test_columns_are_mapped_by_their_roles():
     mapping = ColumnMapping(x=1, y=0, t=3)
     table = read_table(b"5,1,2,7\n6,3,4,8\n", mapping)
     document = document_of_table(table, mapping, TableOptions(family=LAGRANGE, name="mine")).document
@@ -132,7 +132,7 @@ def test_the_person_maps_the_columns():
         document_of_table(table, ColumnMapping(x=0, y=8))
 
 
-def test_our_own_table_gives_the_quintic_back():
+def test_a_written_table_gives_the_quintic_again():
     curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=QUINTIC_HERMITE)
     core = view_of(curve).curve
     written = sampled_table(Document((curve,)), Options(format_options={"samples": 60}))
@@ -182,7 +182,7 @@ def test_thinning_keeps_a_corner_and_skips_repeated_points():
     assert (0.0, 0.0) in [tuple(p) for p in points[kept.rows].round(9).tolist()]
 
 
-def test_thinning_says_what_it_cannot():
+def test_thinning_refuses_impossible_tolerances():
     noise = np.random.default_rng(0).normal(size=(30_000, 2))
     with pytest.raises(ExchangeError, match="More than 20000 points would be left"):
         thin_out(noise, None, 1e-6)
@@ -275,7 +275,7 @@ def peak_of(work):
         ("x,y\n0,0\n1,1\n0,0\n", [(0, 0), (1, 1), (0, 0)], ""),
     ],
 )
-def test_points_that_coincide_are_told_of_and_make_a_curve(text, points, said):
+def test_repeated_points_give_a_remark_and_a_curve(text, points, said):
     """They came in as "exact", a curve that could not be drawn: chord length has no step between them."""
     made = document_of_table(read_table(text.encode()))
     (curve,) = made.document.curves

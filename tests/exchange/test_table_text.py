@@ -65,6 +65,6 @@ def test_any_text_is_a_rectangle_of_numbers_or_a_sentence(text, mark):
         assert all(type(value) is float for row in block for value in row)
 
 
-def test_what_is_written_is_read():
+def test_every_written_dxf_is_read():
     assert write_block([["1", "2.5"], ["-3", ""]]) == "1\t2.5\n-3\t"
     assert read_titled_block(write_block([["1", "2.5"], ["-3", "4"]])).rows == [[1, 2.5], [-3, 4]]

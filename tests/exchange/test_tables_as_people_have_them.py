@@ -142,7 +142,7 @@ TABLES = [
 
 
 @each_row(("name", "content", "curves", "said"), TABLES, ids=[each[0] for each in TABLES])
-def test_what_other_programs_write_is_read_and_said(name, content, curves, said, tmp_path):
+def test_tables_of_other_programs_are_read_with_remarks(name, content, curves, said, tmp_path):
     assert read(tmp_path, name, content) == (curves, said)
 
 
@@ -188,7 +188,7 @@ def test_rows_without_numbers_are_left_out_or_end_the_curve(missing, curves, gap
         ("a.json", '{"format": "curvebench", "version": 3, "curves": []}', "curves must hold at least"),
     ],
 )  # fmt: skip
-def test_what_is_no_table_is_refused(name, content, sentence, tmp_path):
+def test_files_that_are_no_table_are_refused(name, content, sentence, tmp_path):
     with pytest.raises(ExchangeError) as refusal:
         read(tmp_path, name, content)
     assert sentence in str(refusal.value)
@@ -207,7 +207,7 @@ def test_columns_are_known_by_their_names(title, role):
     assert role_of(title) == role
 
 
-def test_where_it_would_be_a_guess_the_command_line_asks(tmp_path, capsys):
+def test_the_command_line_asks_for_columns_that_would_be_a_guess(tmp_path, capsys):
     path = tmp_path / "three.txt"
     path.write_text("0 1 5\n1 3 5\n2 2 6\n", encoding="utf-8")
     out = tmp_path / "out.curve.json"
@@ -223,7 +223,7 @@ def test_where_it_would_be_a_guess_the_command_line_asks(tmp_path, capsys):
     assert [(point.t, point.x, point.y) for point in curve.points] == [(0, 1, 5), (1, 3, 5), (2, 2, 6)]
 
 
-def test_columns_are_chosen_by_title_and_by_number(tmp_path):
+def test_columns_are_selected_by_title_and_by_number(tmp_path):
     text = "when,a,b\n0,1,2\n1,3,4\n"
     with pytest.raises(ExchangeError, match=r"The table has 1 when \(0, …\); 2 a \(1, …\); 3 b \(2, …\)"):
         read(tmp_path, "a.csv", text)
@@ -248,7 +248,7 @@ def test_one_command_may_choose_the_columns_that_it_reads_and_those_that_it_writ
     assert out.read_text(encoding="utf-8").splitlines()[0] == "t,x"
 
 
-def test_what_is_left_out_is_named():
+def test_the_summary_names_the_columns_left_out():
     titles = ("t", "x", "y", "note")
     summary = mapping_summary(guess(titles).mapping, titles)
     assert summary == "Columns: t = “t”, x = “x”, y = “y”. Left out: “note”."

@@ -21,7 +21,7 @@ def options_of(text):
     return line.strip().partition("]")[0]
 
 
-def test_a_plain_line_is_as_it_was():
+def test_a_plain_line_is_written_as_before():
     assert options_of(tikz_picture(drawn(Style())).text) == "\\draw[line join=round"
     red = drawn(Style(stroke="#ff0000"))
     assert (

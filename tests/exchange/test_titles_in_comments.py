@@ -29,7 +29,7 @@ def read(tmp_path, text, **options):
     return [(point.t, point.x, point.y) for point in curve.points], found.remarks
 
 
-def test_titles_in_a_comment_say_what_the_columns_are(tmp_path):
+def test_titles_in_a_comment_give_the_roles_of_the_columns(tmp_path):
     """“# y,x” was passed over, and x and y were exchanged without a word."""
     points, said = read(tmp_path, HASH_YX)
     assert points == [(None, 3.56, 0.96), (None, 6.58, 4.93), (None, 9.61, 8.89)]
@@ -51,7 +51,7 @@ def test_titles_in_a_comment_say_what_the_columns_are(tmp_path):
         ("X,Y\n1,2\n3,4\n", ("Columns: x = “X”, y = “Y”.",)),
     ],
 )
-def test_nothing_is_said_of_columns_that_are_what_they_are_called(text, said, tmp_path):
+def test_columns_named_after_their_roles_give_no_remark(text, said, tmp_path):
     assert read(tmp_path, text)[1] == said
 
 
@@ -66,7 +66,7 @@ def test_a_race_line_has_units_behind_its_titles_and_no_velocities(tmp_path):
 
 @pytest.mark.parametrize("header", ["y x t", "y,x,t", "y [m], x [m], t [s]", "y_m\tx_m\ttime_s", "y; x; t"])
 @pytest.mark.parametrize("delimiter", [" ", ",", "\t", ";", ", "])
-def test_what_savetxt_writes_is_read_back_number_by_number(tmp_path, header, delimiter):
+def test_tables_of_savetxt_are_read_number_by_number(tmp_path, header, delimiter):
     """Its usual delimiter is a blank, whatever stands in the header."""
     values = np.random.default_rng(32).normal(size=(9, 3))
     values[:, 2] = np.arange(9)
@@ -118,7 +118,7 @@ def test_titles_that_name_no_coordinate_can_be_chosen_by_name(tmp_path):
         ("1,2\n3,4\n# of x and y\n5,6\n", ""),
     ],
 )
-def test_a_comment_that_names_coordinates_and_does_not_fit_is_told(text, said, tmp_path):
+def test_a_comment_with_titles_that_do_not_fit_gives_a_remark(text, said, tmp_path):
     points, remarks = read(tmp_path, text)
     assert points[0] == (None, 1.0, 2.0)
     assert " ".join(remarks) == f"{said}Columns: x = column 1, y = column 2."
@@ -149,7 +149,7 @@ def test_units_behind_titles(title, role):
     assert role_of(title) == role
 
 
-def test_a_length_along_the_way_is_t_where_it_increases_and_nothing_else_is():
+def test_an_increasing_column_of_lengths_is_t_without_another_one():
     titles, rows = ("s_m", "x", "y"), [("0,5", "1", "2"), ("1", "2", "3")]
     assert guess(titles, rows).mapping == ColumnMapping(1, 2, t=0)
     assert guess(titles, rows[::-1]).mapping == ColumnMapping(1, 2)

@@ -52,7 +52,7 @@ def test_an_svg_has_true_size(unit):
     )
 
 
-def test_millimetres_are_called_so():
+def test_millimetres_have_their_name():
     frame = trimmed(drawing_of(SEVENTY)).frame
     assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, Options(unit="mm")).text
 
@@ -119,7 +119,7 @@ def test_a_dxf_names_the_unit(tmp_path):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
+def test_a_picture_of_true_size_is_read_with_the_same_coordinates(tmp_path):
     export(SEVENTY, tmp_path / "a.svg", Options(unit="mm"))
     (back,) = import_file(tmp_path / "a.svg").document.curves
     assert [point.x for point in back.points] == pytest.approx([10.0, 80.0, 80.0])
@@ -136,7 +136,7 @@ def test_true_size_comes_back_with_the_same_coordinates(tmp_path):
         (".svg", "s", "800 × 493.9 px, not to scale"),
     ],
 )
-def test_size_scale_and_page_are_said_before(ending, unit, said):
+def test_the_preview_states_size_scale_and_page(ending, unit, said):
     bent = Document((make_curve(((10.0, 5.0), (80.0, 45.0))),), unit=unit)
     look = format_of(f"a{ending}", FORMATS.pictures).preview
     assert look(*ExportChoice(ending).request(bent, 0), (100, 100)).size == said
@@ -147,7 +147,7 @@ def test_size_scale_and_page_are_said_before(ending, unit, said):
     assert look(*whole, (100, 100)).size.endswith(("not to scale", "pixels", by_width))
 
 
-def test_the_command_line_is_told_the_unit(tmp_path, capsys):
+def test_the_command_line_takes_the_unit(tmp_path, capsys):
     path = tmp_path / "a.curve.json"
     save(path, SEVENTY)
     assert main(["render", str(path), "-o", str(tmp_path / "a.svg"), "--unit", "mm"]) == 0
@@ -247,7 +247,7 @@ def test_a_level_line_has_room_beside_it():
 
 
 @pytest.mark.parametrize("shown", ["points", "handles", "grid"])
-def test_what_is_drawn_beside_the_curves_has_its_margin(shown):
+def test_annotations_have_a_margin(shown):
     assert picture_box(SEVENTY, **{shown: True})[2] > 75.0
 
 

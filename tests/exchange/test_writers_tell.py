@@ -30,7 +30,7 @@ def several():
 
 
 @pytest.mark.parametrize("ending", TOLD)
-def test_a_writer_tells_of_every_curve_and_stops_at_any(several, ending, tmp_path):
+def test_a_writer_reports_every_curve_and_can_be_cancelled_at_any(several, ending, tmp_path):
     """The loops had no report: Stop ended them by force, after a second."""
     shares = []
     path = tmp_path / f"curves{ending}"

@@ -60,7 +60,7 @@ def files(tmp_path):
         ("a.png", "Drop to trace a.png"),
     ],
 )
-def test_a_drop_copies_and_says_beforehand_what_it_will_do(editor, files, name, words):
+def test_a_drop_copies_and_announces_its_effect(editor, files, name, words):
     data = carried(files / name)
     for kind in (QDragEnterEvent, QDragMoveEvent):
         event = send(editor, kind, data, COPY | MOVE)
@@ -83,7 +83,7 @@ def test_a_drop_copies_and_says_beforehand_what_it_will_do(editor, files, name, 
         dialog.close()
 
 
-def test_a_drag_that_leaves_takes_its_words_along(editor, files):
+def test_a_drag_that_leaves_clears_its_message(editor, files):
     before = editor.status
     data = carried(files / "a.csv")
     send(editor, QDragEnterEvent, data, COPY | MOVE)
@@ -92,7 +92,7 @@ def test_a_drag_that_leaves_takes_its_words_along(editor, files):
     assert editor.status == before
 
 
-def test_what_can_only_be_moved_is_not_taken(editor, files):
+def test_data_that_can_only_be_moved_are_not_accepted(editor, files):
     data, before = carried(files / "a.curve.json"), editor.session.document
     for kind in (QDragEnterEvent, QDragMoveEvent, QDropEvent):
         assert not send(editor, kind, data, MOVE).isAccepted()
@@ -100,7 +100,7 @@ def test_what_can_only_be_moved_is_not_taken(editor, files):
     assert not editor.status.startswith("Drop to")
 
 
-def test_words_alone_are_no_file(editor):
+def test_text_alone_is_not_a_file(editor):
     data = QMimeData()
     data.setText("3, 4")
     assert not send(editor, QDragEnterEvent, data, COPY).isAccepted()
@@ -145,7 +145,7 @@ def test_all_documents_of_a_drop_are_opened(program, tmp_path):
     assert program.message == ""
 
 
-def test_what_a_drop_cannot_open_is_said(program, tmp_path):
+def test_a_drop_reports_files_that_cannot_be_opened(program, tmp_path):
     paths = documents(tmp_path, "a", "b")
     bad = tmp_path / "bad.curve.json"
     bad.write_text("{}", encoding="utf-8")
@@ -163,7 +163,7 @@ def test_a_drop_opens_no_hundred_windows(program, tmp_path, monkeypatch):
     assert program.message == "c.curve.json and d.curve.json were not opened: a drop opens 2 documents."
 
 
-def test_where_there_is_one_window_the_others_are_named(editor, tmp_path):
+def test_with_a_single_window_a_drop_names_the_other_files(editor, tmp_path):
     paths = documents(tmp_path, "a", "b")
     drop(editor, *paths)
     assert editor.session.files.path == paths[0]
@@ -325,7 +325,7 @@ LEAF = '<svg xmlns="http://www.w3.org/2000/svg"><path id="leaf" d="M0 0L4 0L2 3Z
 
 
 @pytest.mark.parametrize("kind", ["image/svg+xml", "text/plain"])
-def test_a_drawing_dragged_out_of_another_program_comes_to_where_it_is_dropped(editor, kind):
+def test_a_drawing_dragged_from_another_program_is_added_at_the_pointer(editor, kind):
     data = QMimeData()
     data.setData(kind, LEAF.encode())
     corner = editor.window.canvas.viewport().mapFrom(editor.window, QPoint(300, 300))
@@ -343,7 +343,7 @@ def test_a_drawing_dragged_out_of_another_program_comes_to_where_it_is_dropped(e
 
 
 @pytest.mark.parametrize(("text", "actions"), [("only words", COPY), (LEAF, MOVE)])
-def test_other_text_and_what_must_be_moved_is_not_taken(editor, text, actions):
+def test_other_text_and_moves_are_not_accepted(editor, text, actions):
     data = QMimeData()
     data.setText(text)
     document = editor.session.document

@@ -81,7 +81,7 @@ def looks(dialog):
     return dialog.picture.pixmap().toImage()
 
 
-def test_a_png_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
+def test_a_png_is_written_with_its_options(editor, dialog, tmp_path, monkeypatch):
     plain = looks(dialog)
     assert dialog.size_label.text().startswith("1600 × ")
     dialog.form.fields["width"].widget.setFocus()
@@ -126,7 +126,7 @@ def test_a_dxf_for_programs_that_draw_cubics_only(editor, dialog, tmp_path, monk
     assert spline.dxf.degree == 3
 
 
-def test_a_table_as_it_was_chosen(editor, dialog, tmp_path, monkeypatch):
+def test_a_table_is_written_with_its_options(editor, dialog, tmp_path, monkeypatch):
     choose_format(dialog, ".csv")
     choose(dialog.form.fields["spacing"].widget, "equal arc lengths")
     dialog.form.fields["samples"].widget.lineEdit().selectAll()
@@ -169,7 +169,7 @@ def test_a_tolerance_is_kept(editor, dialog, tmp_path, monkeypatch):
     assert "(tolerance 0.5)" in text
 
 
-def test_what_was_chosen_is_remembered(qtbot, tmp_path, monkeypatch):
+def test_the_options_of_an_export_are_remembered(qtbot, tmp_path, monkeypatch):
     store = tmp_path / "preferences.ini"
     first = Editor(qtbot, preferences=Preferences(store))
     first.trigger("exportPicture")
@@ -187,7 +187,7 @@ def test_what_was_chosen_is_remembered(qtbot, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "text", ["", "{", "[]", '{"ending": ".exe"}', '{"width": 0}', '{"columns": []}', "\ud800"]
 )
-def test_what_was_remembered_wrongly_counts_as_nothing(text):
+def test_invalid_stored_options_are_ignored(text):
     assert choice_from(text) == ExportChoice()
     other = ExportChoice(".csv", {"samples": 5, "columns": ("x",)})
     assert choice_from(text_of(other)) == other
@@ -201,7 +201,7 @@ def test_what_was_remembered_wrongly_counts_as_nothing(text):
         Export(".png", "a.png", (("width", "0"), ("scale", "17"))),
     ],
 )
-def test_what_a_document_remembers_wrongly_counts_as_nothing(export):
+def test_invalid_export_options_of_a_document_are_ignored(export):
     assert choice_of(export).values == {}
 
 
@@ -225,14 +225,14 @@ def test_no_file_is_written_without_a_name(editor, dialog, monkeypatch):
     assert not editor.window.context.work.jobs.is_busy
 
 
-def test_the_look_follows_the_document(editor, dialog):
+def test_the_image_panel_follows_the_document(editor, dialog):
     before = looks(dialog)
     editor.drag_point(0, to=(editor.point(0)[0] - 1, editor.point(0)[1] - 2))
     settled(editor, dialog)
     assert looks(dialog) != before
 
 
-def test_without_a_curve_the_dialog_says_so(editor):
+def test_the_dialog_reports_a_document_without_curves(editor):
     editor.new()
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
@@ -241,7 +241,7 @@ def test_without_a_curve_the_dialog_says_so(editor):
     dialog.close()
 
 
-def test_the_key_opens_it(editor):
+def test_the_key_opens_the_export_dialog(editor):
     QTest.keyClick(editor.window, Qt.Key.Key_E, Qt.KeyboardModifier.ControlModifier)
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     assert dialog.isVisible()
@@ -279,7 +279,7 @@ def test_the_drawing_is_copied_as_svg(editor):
 
 
 @pytest.mark.parametrize("name", ["copySvg", "copyImage", "copyPathData"])
-def test_of_several_chosen_curves_these_are_copied(waves, name):
+def test_selected_curves_are_copied(waves, name):
     editor = waves("ABC")
     editor.session.selected.set_curves({0, 2})
     editor.trigger(name)
@@ -380,7 +380,7 @@ def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, mo
     assert [each.name for each in tmp_path.glob("p*")] == ["p.points.csv"]
 
 
-def test_a_number_that_is_out_of_range_is_told(editor, dialog):
+def test_a_number_out_of_range_is_refused(editor, dialog):
     """Of a width of 99999 pixels, 9999 was left without a word."""
     choose_format(dialog, ".png")
     box = dialog.form.fields["width"].widget
@@ -397,7 +397,7 @@ def test_a_number_that_is_out_of_range_is_told(editor, dialog):
     assert dialog.ok.isEnabled()
 
 
-def test_a_name_that_was_not_asked_about_is_not_replaced(editor, dialog, tmp_path, monkeypatch):
+def test_a_file_under_a_completed_name_is_not_replaced(editor, dialog, tmp_path, monkeypatch):
     choose_format(dialog, ".points.csv")
     (tmp_path / "p.points.csv").write_text("mine", encoding="utf-8")
     export(editor, dialog, tmp_path / "p.csv", monkeypatch)
@@ -412,7 +412,7 @@ def measured(editor, unit="cm", **more):
     return settled(editor, editor.window.findChild(QDialog, "exportDialog"))
 
 
-def test_the_unit_of_the_document_gives_true_size_and_is_said(editor, tmp_path, monkeypatch):
+def test_the_unit_of_the_document_gives_true_size_and_is_shown(editor, tmp_path, monkeypatch):
     dialog = measured(editor)
     choose_format(dialog, ".svg")
     settled(editor, dialog)
@@ -479,7 +479,7 @@ def paths_in(path):
 
 
 @pytest.mark.parametrize("ending", [".svg", ".csv"])
-def test_of_chosen_curves_these_are_exported(waves, tmp_path, monkeypatch, ending):
+def test_selected_curves_are_exported(waves, tmp_path, monkeypatch, ending):
     editor = waves("ABC")
     editor.session.selected.set_curves({0, 2})
     editor.trigger("exportPicture")
@@ -495,7 +495,7 @@ def test_of_chosen_curves_these_are_exported(waves, tmp_path, monkeypatch, endin
             assert {row["curve"] for row in csv.DictReader(file)} == {"A", "C"}
 
 
-def test_all_curves_are_exported_where_none_is_chosen_or_all_are_asked_for(waves, tmp_path, monkeypatch):
+def test_all_curves_are_exported_without_a_selection_or_on_request(waves, tmp_path, monkeypatch):
     editor = waves("ABC")
     editor.session.selected.set_curves({0, 2})
     editor.trigger("exportPicture")
@@ -536,7 +536,7 @@ def test_a_part_of_a_drawing_begins_in_its_own_corner(editor, tmp_path, monkeypa
         assert all(0 <= a <= float(width) and 0 <= -b <= float(height) for a, b in back)
 
 
-def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_path, monkeypatch):
+def test_a_selection_is_exported_under_its_name(waves, tmp_path, monkeypatch):
     """With nothing chosen it was the curve edited last, and everything was called after the first."""
     editor, asked = waves("ABC"), []
     selected, files = editor.session.selected, editor.session.files
@@ -579,7 +579,7 @@ def test_only_what_is_chosen_is_exported_as_such_and_under_its_name(waves, tmp_p
     dialog.close()
 
 
-def test_the_preview_follows_what_is_chosen(waves):
+def test_the_preview_follows_the_options(waves):
     editor = waves("ABC")
     editor.session.selected.set_curves({0, 2})
     editor.trigger("exportPicture")
@@ -640,7 +640,7 @@ def test_a_document_remembers_how_it_was_exported(editor, dialog, tmp_path, monk
     assert Path(asked[0]).name == "my logo.svg"
 
 
-def test_undo_leaves_it_as_it_is(editor, dialog, tmp_path, monkeypatch):
+def test_undo_does_not_forget_an_export(editor, dialog, tmp_path, monkeypatch):
     editor.drag_point(0, to=(0.5, 0.5))
     choose_format(dialog, ".svg")
     export(editor, dialog, tmp_path / "a.svg", monkeypatch)
@@ -651,7 +651,7 @@ def test_undo_leaves_it_as_it_is(editor, dialog, tmp_path, monkeypatch):
     assert load(path).export == editor.session.files.last_export
 
 
-def test_nobody_is_asked_about_an_export_alone(editor, dialog, tmp_path, monkeypatch):
+def test_an_export_alone_does_not_modify_the_document(editor, dialog, tmp_path, monkeypatch):
     """After one somebody was asked to save a document in which nothing was changed."""
     path, asked = tmp_path / "a.curve.json", []
     editor.session.save(path)
@@ -672,9 +672,7 @@ def test_nobody_is_asked_about_an_export_alone(editor, dialog, tmp_path, monkeyp
     assert (asked, editor.session.files.path) == ([], None)
 
 
-def test_a_document_whose_curves_were_all_exported_offers_that_again_though_something_is_chosen(
-    waves, tmp_path, monkeypatch
-):
+def test_a_document_exported_as_a_whole_offers_that_again_despite_a_selection(waves, tmp_path, monkeypatch):
     """It fell back to what was chosen, and files held a part of the drawing."""
     editor = waves("ABC")
     editor.session.selected.select_whole({0})
@@ -696,7 +694,7 @@ def test_a_document_whose_curves_were_all_exported_offers_that_again_though_some
     last.close()
 
 
-def test_that_a_part_was_exported_is_remembered_and_not_which(waves, tmp_path, monkeypatch):
+def test_an_export_of_a_part_is_remembered_without_its_name(waves, tmp_path, monkeypatch):
     editor = waves("ABC")
     editor.session.selected.set_curves({0, 2})
     editor.trigger("exportPicture")
@@ -706,7 +704,7 @@ def test_that_a_part_was_exported_is_remembered_and_not_which(waves, tmp_path, m
     assert "chosen" not in editor.window.preferences.export_choice
 
 
-def test_what_an_export_leaves_out_is_said_in_the_window(editor, dialog, tmp_path, monkeypatch):
+def test_the_window_reports_curves_that_an_export_leaves_out(editor, dialog, tmp_path, monkeypatch):
     """The command line said so; the window said no more than "exact"."""
     broken = replace(make_curve([(0.0, 0.0), (1.0, 1.0), (1.0, 1.0), (2.0, 0.0)]), name="Twice")
     document = editor.session.document

@@ -45,7 +45,7 @@ def wait(editor):
     until(panel(editor).apply_button.isEnabled)
 
 
-def test_it_is_shown_and_then_takes_the_place_of_the_curve(editor):
+def test_a_fit_is_previewed_and_then_replaces_the_curve(editor):
     before = editor.session.document
     form = opened(editor)
     wait(editor)
@@ -80,7 +80,7 @@ def test_cancel_leaves_no_trace(editor):
     assert not form.isVisible()
 
 
-def test_number_and_family_are_chosen(editor):
+def test_number_and_family_are_selected(editor):
     form = opened(editor)
     wait(editor)
     for box, index in ((form.goal, 1), (form.family, form.family.findText("Lagrange"))):
@@ -99,7 +99,7 @@ def choose(box: QComboBox, index: int) -> None:
         QTest.keyClick(box, Qt.Key.Key_Down if box.currentIndex() < index else Qt.Key.Key_Up)
 
 
-def test_what_is_impossible_is_said(editor):
+def test_impossible_fits_are_explained(editor):
     form = opened(editor)
     wait(editor)
     choose(form.goal, 1)
@@ -148,7 +148,7 @@ def test_escape_ends_a_fit_as_cancel_does(long_fit):
 
 
 @pytest.mark.parametrize("place", ["tolerance", "canvas"])
-def test_escape_puts_a_result_away(editor, place):
+def test_escape_discards_a_result(editor, place):
     form = opened(editor)
     wait(editor)
     before = editor.session.document
@@ -161,7 +161,7 @@ def test_escape_puts_a_result_away(editor, place):
     assert "fewer_points" not in editor.window.canvas.drawing.annotations.trace_layer.groups
 
 
-def test_a_number_that_suits_the_curve_is_there(editor):
+def test_the_number_of_points_suits_the_curve(editor):
     form = opened(editor)
     wait(editor)
     choose(form.goal, 1)
@@ -171,7 +171,7 @@ def test_a_number_that_suits_the_curve_is_there(editor):
 
 
 @pytest.mark.parametrize("name", ["lagrange", "hermite"])
-def test_a_deviation_at_the_points_alone_is_said_to_be(editor, name):
+def test_a_deviation_measured_only_at_the_points_is_stated_as_such(editor, name):
     wave = [(k, np.sin(k).item()) for k in range(12)]
     curve = make_curve(wave, family=FAMILIES.named(name))
     editor.session.change("Wave", lambda _: Document((curve,)))
@@ -181,7 +181,7 @@ def test_a_deviation_at_the_points_alone_is_said_to_be(editor, name):
     assert is_said is (name == "lagrange")
 
 
-def test_data_that_scatter_farther_are_said_to(long_fit):
+def test_data_with_large_scatter_give_a_remark(long_fit):
     form = panel(long_fit)
     until(form.apply_button.isEnabled)
     text = form.result.text()

@@ -98,7 +98,7 @@ def press(dialog, name):
     QTest.mouseClick(dialog.findChild(QPushButton, name), Qt.MouseButton.LeftButton)
 
 
-def test_a_table_comes_in_as_one_step(editor, tmp_path):
+def test_a_table_is_imported_as_one_step(editor, tmp_path):
     before = editor.session.document
     dialog = opened(editor, write(tmp_path / "pond.csv", "x;y\n0,5;1\n2;3,25\n4;0\n"))
     assert dialog.preview.head.roles == ("x", "y")
@@ -143,7 +143,7 @@ def test_the_view_stays_where_all_of_an_import_is_in_sight(editor, tmp_path):
     assert canvas.pixel_map.box == after
 
 
-def test_the_dialog_says_what_was_taken_for_what(editor, tmp_path):
+def test_the_dialog_shows_the_roles_of_the_columns(editor, tmp_path):
     """A table of pandas used to come in as x = the index, y = the time, without a word."""
     text = ",time,pos_x,pos_y\n0,0.0,1,2\n1,0.1,2,3\n2,0.2,3,1\n"
     dialog = opened(editor, write(tmp_path / "pandas.csv", text))
@@ -162,7 +162,7 @@ def test_the_dialog_says_what_was_taken_for_what(editor, tmp_path):
     dialog.close()
 
 
-def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_path):
+def test_the_dialog_offers_treatments_of_missing_numbers(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "gaps.csv", "x,y\n0,1\n1,2\nnan,nan\n3,4\n5,3\n"))
     assert dialog.problem.text() == "⚠ Row 4, column 1: “nan” is not a number."
     assert not dialog.ok.isEnabled()
@@ -180,7 +180,7 @@ def test_the_dialog_offers_what_can_be_done_about_missing_numbers(editor, tmp_pa
     assert [each.name for each in editor.session.document.curves[-2:]] == ["gaps (1)", "gaps (2)"]
 
 
-def test_the_dialog_says_what_became_of_points_that_coincide(editor, tmp_path):
+def test_the_dialog_reports_repeated_points(editor, tmp_path):
     """Of four points two were one; they came in as "exact", and no curve was drawn."""
     dialog = opened(editor, write(tmp_path / "twice.csv", "0,0\n1,1\n1,1\n2,0\n"))
     said = "Row 3 repeats the point of the previous row; they were merged"
@@ -192,7 +192,7 @@ def test_the_dialog_says_what_became_of_points_that_coincide(editor, tmp_path):
     assert editor.status == "Imported twice.csv: 1 curve, 3 points, exact."
 
 
-def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path):
+def test_an_array_and_points_in_json_are_imported_by_the_same_dialog(editor, tmp_path):
     np.save(tmp_path / "array.npy", np.array([[0.0, 1.0], [2.0, 3.0]]))
     write(tmp_path / "pairs.json", "[[0, 1], [2, 3]]")
     for name in ("array.npy", "pairs.json"):
@@ -207,7 +207,7 @@ def test_an_array_and_points_in_json_come_in_by_the_same_dialog(editor, tmp_path
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_a_file_is_taken_for_what_it_holds(editor, tmp_path):
+def test_a_file_is_read_by_its_content(editor, tmp_path):
     """PathWeaver's paths end as those of PathPlanner, and these may end as any JSON."""
     rows = "X,Y,Tangent X,Tangent Y\n1,2,2,0\n4,3.5,1.5,1.5\n"
     press(opened(editor, write(tmp_path / "left.path", rows)), "importTable")
@@ -221,7 +221,7 @@ def test_a_file_is_taken_for_what_it_holds(editor, tmp_path):
     assert [point.velocity for point in editor.curve.points] == [(3, 6), (3, -3)]
 
 
-def test_as_a_new_document(editor, tmp_path):
+def test_curves_are_imported_as_a_new_document(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.txt", "0 0\n1 1\n2 4\n"))
     choose(dialog.into, "A new document")
     press(dialog, "importTable")
@@ -315,7 +315,7 @@ def test_escape_leaves_everything_as_it_was(editor, tmp_path):
     assert dialog_of(editor, "importTableDialog") is None
 
 
-def test_a_bad_row_is_shown_where_it_stands(editor, tmp_path):
+def test_a_bad_row_is_marked_in_the_preview(editor, tmp_path):
     lines = [f"{i},{i * i}" for i in range(300)]
     lines[150] = "150,=cmd"
     dialog = opened(editor, write(tmp_path / "a.csv", "x,y\n" + "\n".join(lines)))
@@ -347,7 +347,7 @@ def marked(table):
     ]
 
 
-def test_a_row_has_one_number_in_the_table_and_in_what_is_said_of_it(editor, tmp_path):
+def test_a_row_has_one_number_in_the_table_and_in_messages(editor, tmp_path):
     """Row 4 of the message was row 3 of the table, uncoloured, and once more "line 4" at its end."""
     text = "# made by hand\nx,y\n0,1\n\n1,2\nnan,3\n4,4\n4,4\n"
     dialog = opened(editor, write(tmp_path / "gap.csv", text))
@@ -464,7 +464,7 @@ def test_noisy_rows_get_a_distance_that_leaves_few_enough(editor, tmp_path, monk
 
 
 @pytest.mark.parametrize("typed", ["0", "-1", "wide", "9**9**9"])
-def test_a_distance_that_is_none_is_explained(editor, tmp_path, typed):
+def test_an_invalid_distance_is_explained(editor, tmp_path, typed):
     dialog = opened(editor, spiral(tmp_path / "spiral.csv", 1500))
     edit = dialog.tolerance_edit
     retype(edit, typed)
@@ -487,7 +487,7 @@ def test_a_table_of_several_curves(editor, tmp_path):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_a_drawing_says_what_it_holds_and_what_it_lost(editor, tmp_path):
+def test_the_dialog_shows_the_content_and_the_losses_of_a_drawing(editor, tmp_path):
     dialog = opened(editor, write(tmp_path / "a.svg", SVG), "importDrawingDialog")
     assert dialog.summary.text() == "2 curves with 4 points, exact."
     assert dialog.remarks.text() == "1 text left out: hi."
@@ -524,7 +524,7 @@ def check_box(editor, tree, *names):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
+def test_groups_of_a_drawing_are_selected(editor, tmp_path):
     """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
     path = write(tmp_path / "plot.svg", GROUPS)
     dialog = opened(editor, path, "importDrawingDialog")
@@ -557,7 +557,7 @@ def test_groups_of_a_drawing_are_chosen(editor, tmp_path):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):
+def test_a_written_svg_is_imported_as_the_same_curves(editor, tmp_path):
     editor.window.commands[ExportCommands].export(tmp_path / "out.svg")
     editor.wait_for_work()
     press(opened(editor, tmp_path / "out.svg", "importDrawingDialog"), "importDrawing")
@@ -567,7 +567,7 @@ def test_our_own_svg_comes_back_as_the_same_curves(editor, tmp_path):
     assert np.abs(ends[0] - ends[1]).max() < 1e-5 * size
 
 
-def test_another_document_comes_in_too(editor, tmp_path):
+def test_another_document_is_imported(editor, tmp_path):
     save(tmp_path / "other.curve.json", Document((make_curve([(0, 0), (1, 1)], name="Guest"),)))
     dialog = opened(editor, tmp_path / "other.curve.json", "importDrawingDialog")
     press(dialog, "importDrawing")
@@ -597,7 +597,7 @@ UNREADABLE = (
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_what_cannot_be_read_is_explained(editor, tmp_path):
+def test_unreadable_files_are_explained(editor, tmp_path):
     before = editor.session.document
     for name, content, reason in UNREADABLE:
         editor.window.commands[ImportCommands].import_files([write(tmp_path / name, content)])
@@ -607,7 +607,7 @@ def test_what_cannot_be_read_is_explained(editor, tmp_path):
         assert editor.session.document is before, name
 
 
-def test_a_file_that_is_not_there(editor, tmp_path):
+def test_a_missing_file_is_refused(editor, tmp_path):
     editor.window.commands[ImportCommands].import_files([tmp_path / "gone.csv"])
     editor.wait_for_work()
     assert "gone.csv" in editor.message
@@ -631,7 +631,7 @@ def test_dropping_a_file_imports_it(editor, tmp_path, name):
 
 @pytest.mark.usefixtures("drawings_read_here")
 @pytest.mark.parametrize("name", ["a.svg", "a.csv"])
-def test_another_document_gets_nothing_of_an_import(editor, tmp_path, name):
+def test_a_document_opened_meanwhile_gets_no_imported_curves(editor, tmp_path, name):
     path = write(tmp_path / name, SVG if name == "a.svg" else "1,2\n3,4\n")
     kind = "importDrawingDialog" if name == "a.svg" else "importTableDialog"
     opened(editor, path, kind)
@@ -675,7 +675,7 @@ def shown_bar(editor):
     return bar()
 
 
-def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
+def test_long_work_shows_its_progress_and_can_be_stopped(editor, busy):
     before, height = editor.session.document, editor.window.canvas.height()
     editor.window.commands[ImportCommands].import_files([busy])
     assert editor.window.context.work.jobs.is_busy
@@ -696,7 +696,7 @@ def test_long_work_shows_how_far_it_is_and_can_be_stopped(editor, busy):
     assert not editor.action("cancelWork").isEnabled()
 
 
-def test_one_thing_at_a_time(editor, busy, tmp_path, monkeypatch):
+def test_a_second_import_is_refused_while_one_runs(editor, busy, tmp_path, monkeypatch):
     editor.window.commands[ImportCommands].import_files([busy])
     chosen = [str(tmp_path / "other.csv")]
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))

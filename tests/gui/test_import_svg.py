@@ -85,7 +85,7 @@ def test_a_drawing_for_dark_paper_is_shown_on_dark_paper(editor):
     dialog.close()
 
 
-def test_what_comes_in_otherwise_is_listed_before(editor):
+def test_the_dialog_lists_the_losses(editor):
     dialog = opened(editor, SVG / "tabler_home.svg")
     assert dialog.remarks.text() == "1 shape without stroke and fill left out."
     assert dialog.remarks.isVisible()
@@ -163,7 +163,7 @@ MEASURED = (
         ("in", "Lengths are converted from mm to in."),
     ],
 )
-def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_path, unit, said):
+def test_content_that_is_not_added_with_the_curves_is_reported(editor, tmp_path, unit, said):
     """The unit was dropped without a word."""
     blank(editor)
     path = tmp_path / "measured.svg"
@@ -187,7 +187,7 @@ def test_what_stays_behind_of_a_drawing_beside_its_curves_is_said(editor, tmp_pa
     assert document.unit == unit
 
 
-def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_path, monkeypatch):
+def test_open_begins_a_document_and_import_adds_to_one(editor, tmp_path, monkeypatch):
     """The dialog of Ctrl+O was titled “Import”; it comes where something is otherwise than drawn."""
     path = tmp_path / "poster.svg"
     path.write_text(INCH.replace("</svg>", "<foreignObject/></svg>"), encoding="utf-8")
@@ -205,7 +205,7 @@ def test_what_open_shows_is_opened_and_into_this_document_imported(editor, tmp_p
     assert editor.status.startswith("Opened poster.svg: 1 curve, ")
 
 
-def test_a_drawing_of_which_all_comes_in_opens_without_a_question(editor, tmp_path, monkeypatch):
+def test_a_drawing_without_losses_opens_without_a_dialog(editor, tmp_path, monkeypatch):
     """Every file of another program was asked about, also where there was nothing to say."""
     path = tmp_path / "poster.svg"
     path.write_text(INCH, encoding="utf-8")
@@ -276,7 +276,7 @@ def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):
     assert len(editor.session.document.curves) == 501
 
 
-def test_an_inch_is_an_inch_in_a_document_of_millimetres(editor, tmp_path):
+def test_an_inch_is_converted_in_a_document_of_millimetres(editor, tmp_path):
     blank(editor)
     begun = Document((make_curve([(0.0, 0.0), (9.0, 9.0)]),), unit="mm")
     editor.session.change("Begin", lambda _: begun)
@@ -288,7 +288,7 @@ def test_an_inch_is_an_inch_in_a_document_of_millimetres(editor, tmp_path):
     assert document.curves[1].style.width == pytest.approx(6.35)
 
 
-def test_what_is_locked_or_hidden_is_not_chosen_when_it_comes_in(editor, tmp_path):
+def test_locked_and_hidden_curves_are_not_selected_after_an_import(editor, tmp_path):
     """All that was opened was chosen, with a hidden ellipse in its ghost: nobody could move anything."""
     blank(editor)
     path = tmp_path / "layers.svg"
@@ -316,7 +316,7 @@ LAYERS = (
 )
 
 
-def test_layers_of_inkscape_come_in_as_groups_of_their_names(editor, tmp_path):
+def test_layers_of_inkscape_are_imported_as_groups(editor, tmp_path):
     blank(editor)
     path = tmp_path / "layers.svg"
     path.write_text(LAYERS)
@@ -354,7 +354,7 @@ def test_a_page_without_a_curve_opens_as_an_empty_document_of_its_size(editor, t
     assert 0 < top < bottom < size.height()
 
 
-def test_a_file_of_unreadable_things_alone_says_so_and_brings_nothing_into_another_document(editor, tmp_path):
+def test_a_file_of_unsupported_content_adds_nothing_to_a_document(editor, tmp_path):
     path, before = tmp_path / "words.svg", editor.session.document
     path.write_text(PAGE.format('<text>hey</text><path id="a" d="L5 5"/>'), encoding="utf-8")
     dialog = opened(editor, path)

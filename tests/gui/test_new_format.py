@@ -83,7 +83,7 @@ def _corners(**fields):
 
 
 @pytest.mark.usefixtures("corners")
-def test_the_window_offers_it_with_its_option_and_writes_it(editor, tmp_path, monkeypatch):
+def test_the_window_offers_a_new_format_with_its_options_and_writes_it(editor, tmp_path, monkeypatch):
     save(tmp_path / "a.curve.json", Document((make_curve(POINTS),)))
     editor.session.open(tmp_path / "a.curve.json")
     asked = []
@@ -122,7 +122,7 @@ def test_the_window_offers_it_with_its_option_and_writes_it(editor, tmp_path, mo
 
 
 @pytest.mark.usefixtures("corners", "drawings_read_here")
-def test_a_drop_and_the_import_dialog_take_it(editor, tmp_path, monkeypatch):
+def test_a_new_format_can_be_dropped_and_imported(editor, tmp_path, monkeypatch):
     path = tmp_path / "a.corners"
     path.write_text(json.dumps({"corners": POINTS}), encoding="utf-8")
     data = QMimeData()
@@ -146,7 +146,7 @@ def test_a_drop_and_the_import_dialog_take_it(editor, tmp_path, monkeypatch):
 
 
 @pytest.mark.usefixtures("corners", "drawings_read_here")
-def test_the_command_line_converts_it_both_ways_and_says_so(tmp_path, capsys):
+def test_the_command_line_converts_a_new_format_both_ways(tmp_path, capsys):
     source, out, back = (tmp_path / name for name in ("a.curve.json", "a.corners", "b.points.csv"))
     save(source, Document((make_curve(POINTS),)))
     assert main(["convert", str(source), str(out), "--upside-down", "--tolerance", "0.5"]) == 0
@@ -195,7 +195,7 @@ def test_options_of_every_kind_are_arguments_within_their_limits(tmp_path, capsy
         ),
     ],
 )
-def test_what_another_format_has_already_is_an_error_that_names_both(fields, reason):
+def test_a_conflict_of_two_formats_is_an_error_that_names_both(fields, reason):
     before = list(FORMATS)
     with (
         pytest.raises(ValueError, match=f"^{re.escape(reason)}$"),
@@ -214,6 +214,6 @@ def test_a_flag_that_the_command_line_has_already_is_an_error_that_names_it():
         main(["convert", "a.svg", "b.svg"])
 
 
-def test_it_is_gone_afterwards(tmp_path, capsys):
+def test_a_format_is_gone_after_its_test(tmp_path, capsys):
     assert main(["convert", str(tmp_path / "a.corners"), str(tmp_path / "b.svg")]) == 1
     assert "has no known file extension" in capsys.readouterr().err

@@ -59,7 +59,7 @@ def middle(image):
     return (image.x + image.width / 2, image.y + image.height / 2)
 
 
-def test_it_is_added_in_the_middle_with_its_aspect_and_undone(traced):
+def test_an_image_is_added_in_the_middle_with_its_aspect_and_undone(traced):
     image = image_of(traced)
     assert image.width / image.height == pytest.approx(60 / 80)
     x_min, y_min, x_max, y_max = traced.window.canvas.pixel_map.box
@@ -75,7 +75,7 @@ def test_it_is_added_in_the_middle_with_its_aspect_and_undone(traced):
 
 
 @pytest.mark.parametrize("name", ["curveDock", "jointsDock", "analysisDock"])
-def test_the_tab_that_was_in_front_comes_back_when_it_goes(editor, tmp_path, name):
+def test_the_tab_in_front_returns_when_the_image_tab_is_hidden(editor, tmp_path, name):
     editor.show_dock(name)
     dock = editor.window.findChild(QDockWidget, name)
     editor.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
@@ -89,7 +89,7 @@ def test_the_tab_that_was_in_front_comes_back_when_it_goes(editor, tmp_path, nam
     assert not dock.visibleRegion().isEmpty()
 
 
-def test_it_is_drawn_under_the_grid_as_strong_as_its_opacity(traced):
+def test_an_image_is_drawn_under_the_grid_with_its_opacity(traced):
     # Just beside the curve and the lines of the grid.
     place = (image_of(traced).x + 0.07, image_of(traced).y + 0.07)
     faint = colour_at(traced, place)
@@ -177,13 +177,13 @@ def test_fading_is_live_one_step_and_cancellable(traced):
     assert traced.session.undo_stack.undoText() == "Fade image to 20 %"
 
 
-def test_while_it_is_not_moved_it_is_out_of_reach(traced):
+def test_the_image_is_not_hit_unless_it_is_moved(traced):
     image = image_of(traced)
     traced.drag(middle(image), (middle(image)[0] + 1, middle(image)[1]))
     assert image_of(traced) == image
 
 
-def test_dragging_moves_it_and_no_point(traced):
+def test_dragging_moves_the_image_and_no_point(traced):
     image, points = image_of(traced), traced.curve.points
     traced.trigger("moveImage")
     # Where a point lies, too.
@@ -211,7 +211,7 @@ def test_shift_keeps_to_one_axis(traced):
 
 
 @pytest.mark.parametrize(("corner", "fixed"), [((0, 0), (1, 1)), ((1, 0), (0, 1)), ((1, 1), (0, 0))])
-def test_a_corner_scales_it_about_the_opposite_one(traced, corner, fixed):
+def test_a_corner_scales_the_image_about_the_opposite_corner(traced, corner, fixed):
     image = image_of(traced)
 
     def at(image, share):
@@ -242,7 +242,7 @@ def test_escape_puts_a_moved_or_scaled_image_back(traced):
     assert not traced.action("moveImage").isChecked()
 
 
-def test_arrows_nudge_it(traced):
+def test_arrow_keys_nudge_the_image(traced):
     """By as much as points: a pixel made 0.9134199134199135 of 0.9, and went on from there."""
     traced.session.history.clock = lambda: 0.0  # however slow the machine is, the keys are quick
     traced.session.change("Place", lambda document: place_image(document, (0.9, -0.3)))
@@ -256,7 +256,7 @@ def test_arrows_nudge_it(traced):
     assert traced.session.undo_stack.count() == steps + 1
 
 
-def test_the_hint_says_what_a_press_does(traced):
+def test_the_hint_announces_the_effect_of_a_press(traced):
     image = image_of(traced)
     traced.trigger("moveImage")
     traced.hover(middle(image))
@@ -285,7 +285,7 @@ def test_a_long_name_never_widens_the_window(qtbot, tmp_path):
     assert editor.window.context.docks["imageDock"].width() < 400
 
 
-def test_a_locked_one_stays(traced):
+def test_a_locked_image_stays(traced):
     traced.trigger("moveImage")
     panel_of(traced).lock.click()
     image = image_of(traced)
@@ -299,7 +299,7 @@ def test_a_locked_one_stays(traced):
     assert traced.action("moveImage").isEnabled()
 
 
-def test_numbers_are_typed(traced):
+def test_positions_and_sizes_of_the_image_can_be_typed(traced):
     panel, image = panel_of(traced), image_of(traced)
     retype(panel.x_edit, "1/2")
     assert image_of(traced).x == 0.5
@@ -310,7 +310,7 @@ def test_numbers_are_typed(traced):
     assert (image_of(traced).width, image_of(traced).height) == pytest.approx((3, 4))
 
 
-def test_a_number_that_cannot_be_is_explained(traced):
+def test_an_impossible_number_is_explained(traced):
     panel, document = panel_of(traced), traced.session.document
     for typed in ("0", "-3", "wide", "1e15"):
         retype(panel.width_edit, typed)
@@ -322,14 +322,14 @@ def test_a_number_that_cannot_be_is_explained(traced):
         assert problem.isHidden(), typed
 
 
-def test_what_was_not_typed_is_not_rounded(traced):
+def test_untyped_numbers_are_not_rounded(traced):
     panel, document = panel_of(traced), traced.session.document
     panel.x_edit.setFocus()
     QTest.keyClick(panel.x_edit, Qt.Key.Key_Return)
     assert traced.session.document is document
 
 
-def test_removing_it(traced):
+def test_the_image_can_be_removed(traced):
     traced.trigger("moveImage")
     traced.trigger("removeImage")
     assert image_of(traced) is None
@@ -404,7 +404,7 @@ def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
     assert "There is no file" in traced.message
 
 
-def test_the_complaint_can_be_put_away(traced, tmp_path):
+def test_the_warning_can_be_dismissed(traced, tmp_path):
     traced.session.save(tmp_path / "a.curve.json")
     (tmp_path / "red.png").unlink()
     traced.window.open_file(tmp_path / "a.curve.json")
@@ -460,7 +460,7 @@ def test_a_huge_picture_is_refused_before_it_is_decoded(editor, tmp_path):
         ("bitmap.png", b"BM" + bytes(60), "not a PNG or JPEG image"),
     ],
 )
-def test_what_is_no_picture_is_refused(tmp_path, name, data, reason):
+def test_files_that_are_no_picture_are_refused(tmp_path, name, data, reason):
     (tmp_path / name).write_bytes(data)
     with pytest.raises(ImageFileError, match=reason):
         read_image(str(tmp_path / name))
@@ -517,7 +517,7 @@ def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
     assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=1.01 * editor.pixel)
 
 
-def test_import_takes_one(editor, tmp_path, monkeypatch):
+def test_the_import_dialog_takes_a_picture(editor, tmp_path, monkeypatch):
     chosen = [str(picture(tmp_path / name, 60, 40)) for name in ("a.png", "b.PNG")]
     filters = []
     monkeypatch.setattr(

@@ -64,7 +64,7 @@ def pasted(editor):
 
 
 @pytest.mark.parametrize("kind", ["image__svg_plus_xml", "text__plain"])
-def test_svg_of_another_program_becomes_a_chosen_curve(three, kind):
+def test_svg_of_another_program_becomes_a_selected_curve(three, kind):
     offer(**{kind: LEAF})
     paste(three)
     assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "leaf"]
@@ -120,7 +120,7 @@ def test_many_blanks_are_read_at_once():
     assert fragment_in("M 1 1" + " " * 500_000 + "!") is None
 
 
-def test_what_cannot_come_is_said(three):
+def test_clipboard_content_without_curves_is_refused(three):
     three.paste_text(
         f'<svg xmlns="{SVG}"><flowRoot>Leaf</flowRoot><text>Tree</text><path d="M0 0L4 4"/></svg>'
     )
@@ -129,7 +129,7 @@ def test_what_cannot_come_is_said(three):
     assert len(three.session.document.curves) == 4
 
 
-def test_a_picture_is_no_curve_and_that_is_said(three):
+def test_a_picture_is_refused_as_a_curve(three):
     """“There are no numbers on the clipboard.”"""
     image = QImage(4, 4, QImage.Format.Format_RGB32)
     image.fill(0)
@@ -148,7 +148,7 @@ def test_a_picture_is_no_curve_and_that_is_said(three):
     assert len(three.session.document.curves) == len(before.curves) + 1
 
 
-def test_a_faulty_drawing_leaves_the_document_and_says_why(three):
+def test_a_faulty_drawing_is_refused_and_leaves_the_document_unchanged(three):
     document = three.session.document
     three.paste_text(f'<svg xmlns="{SVG}"><path d="M0 0L4"/></svg>')
     paste(three)
@@ -177,7 +177,7 @@ def test_a_large_drawing_is_read_in_a_process_of_its_own(three, monkeypatch):
     assert len(three.curve.points) == 401
 
 
-def test_what_is_read_for_a_document_that_has_gone_is_not_pasted(three):
+def test_curves_read_for_a_closed_document_are_not_pasted(three):
     three.paste_text(LEAF)
     three.key(Qt.Key.Key_V, CTRL)
     three.new()
@@ -185,7 +185,7 @@ def test_what_is_read_for_a_document_that_has_gone_is_not_pasted(three):
     assert [each.points for each in three.session.document.curves] == [()]
 
 
-def test_into_an_empty_document_it_comes_alone(editor):
+def test_curves_pasted_into_an_empty_document_replace_the_empty_curve(editor):
     editor.new()
     editor.window.canvas.setFocus()
     editor.paste_text(LEAF)
@@ -196,21 +196,21 @@ def test_into_an_empty_document_it_comes_alone(editor):
 # Where
 
 
-def test_it_comes_to_the_pointer(three):
+def test_curves_are_pasted_at_the_pointer(three):
     three.paste_text(LEAF)
     three.hover((2.5, 6.0))
     paste(three)
     assert middle(pasted(three)) == pytest.approx((2.5, 6.0), abs=three.pixel)
 
 
-def test_coordinates_get_no_digits_that_nobody_sees(three):
+def test_coordinates_get_only_visible_digits(three):
     three.paste_text("M 0 0 L 4 4")
     three.hover((2.5, 6.0))
     paste(three)
     assert all(len(repr(value)) <= 6 for point in three.curve.points for value in point.position)
 
 
-def test_without_a_pointer_it_comes_to_the_middle_of_the_view(three):
+def test_without_a_pointer_curves_are_pasted_in_the_middle_of_the_view(three):
     three.paste_text(LEAF)
     three.leave()
     paste(three)
@@ -218,7 +218,7 @@ def test_without_a_pointer_it_comes_to_the_middle_of_the_view(three):
     assert middle(pasted(three)) == pytest.approx(((left + right) / 2, (bottom + top) / 2), abs=three.pixel)
 
 
-def test_from_the_menu_it_comes_to_where_that_was_asked_for(three):
+def test_from_the_context_menu_curves_are_pasted_where_it_was_opened(three):
     three.paste_text(LEAF)
     three.open_menu((0.5, 7.0)).close()
     three.leave()
@@ -227,7 +227,7 @@ def test_from_the_menu_it_comes_to_where_that_was_asked_for(three):
     assert middle(pasted(three)) == pytest.approx((0.5, 7.0), abs=three.pixel)
 
 
-def test_in_place_it_comes_to_where_it_was(three):
+def test_paste_in_place_keeps_the_position(three):
     three.session.selected.set_curves({0, 2})
     before = [three.session.document.curves[place].points for place in (0, 2)]
     three.key(Qt.Key.Key_C, CTRL)
@@ -236,7 +236,7 @@ def test_in_place_it_comes_to_where_it_was(three):
     assert [each.points for each in pasted(three)] == before
 
 
-def test_own_curves_come_to_the_pointer_too_and_keep_their_look(three):
+def test_copied_curves_are_pasted_at_the_pointer_with_their_style(three):
     document = three.session.document
     look = replace(document.curves[1].style, stroke="#0072b2", width=0.2, fill="#ffcc00")
     three.session.commit(document.with_curve(1, replace(document.curves[1], style=look)), "Paint")
@@ -247,7 +247,7 @@ def test_own_curves_come_to_the_pointer_too_and_keep_their_look(three):
     assert three.curve.style == look
 
 
-def test_it_keeps_its_size_where_the_unit_is_another(editor):
+def test_pasted_curves_keep_their_size_in_another_unit(editor):
     editor.session.commit(Document((make_curve([(0, 0), (10, 0)], name="A"),), unit="mm"), "Begin")
     editor.key(Qt.Key.Key_C, CTRL)
     editor.session.commit(Document((make_curve([(0, 0), (1, 1)], name="B"),), unit="cm"), "Other")
@@ -263,14 +263,14 @@ def test_it_keeps_its_size_where_the_unit_is_another(editor):
         ("M0 0L96 0", 96.0),
     ],
 )
-def test_svg_comes_in_its_true_size_and_path_data_as_they_are(editor, text, width):
+def test_svg_is_pasted_in_true_size_and_path_data_unchanged(editor, text, width):
     editor.session.commit(Document((make_curve([(0, 0), (10, 0)], name="A"),), unit="mm"), "Begin")
     editor.paste_text(text)
     paste(editor, CTRL | ALT)
     assert editor.curve.points[-1].x - editor.curve.points[0].x == pytest.approx(width)
 
 
-def test_what_is_out_of_sight_leaves_the_view_alone_and_a_key_shows_it(editor):
+def test_pasted_curves_outside_the_view_leave_it_and_a_key_shows_them(editor):
     """A big thing pasted into a small view zoomed out."""
     editor.settle()
     before = editor.window.canvas.camera.pixel_map
@@ -326,7 +326,7 @@ def test_without_a_unit_numbers_stay_between_documents(editor):
     assert [point.position for point in editor.curve.points] == [(0, 0), (4, 1)]
 
 
-def test_copied_points_are_svg_too_but_numbers_as_text(three):
+def test_copied_points_are_svg_and_numbers_as_text(three):
     three.trigger("selectAll")
     three.key(Qt.Key.Key_C, CTRL)
     data = QGuiApplication.clipboard().mimeData()
@@ -351,7 +351,7 @@ def test_curves_that_no_picture_can_hold_are_copied_all_the_same(editor):
     assert len(editor.session.document.curves) == 2
 
 
-def test_svg_comes_back_as_it_went(three):
+def test_a_copied_svg_is_pasted_unchanged(three):
     before = three.curve
     three.key(Qt.Key.Key_C, CTRL)
     text = QGuiApplication.clipboard().text()
@@ -381,7 +381,7 @@ def looks(curves):
     return [(curve.name, curve.shape, curve.groups) for curve in curves]
 
 
-def test_shapes_and_groups_come_along_under_names_of_their_own(three):
+def test_shapes_and_groups_are_pasted_under_unused_names(three):
     three.paste_text(RING)
     paste(three)
     first = pasted(three)
