@@ -126,7 +126,7 @@ class Editor(InputDriver):
 
     @property
     def pixel(self) -> float:
-        """The size of a pixel of the canvas in the plane: what a mouse can be expected to hit."""
+        """Size of a pixel of the canvas in the plane: the accuracy of the mouse."""
         return 1.0 / self.window.canvas.pixel_map.sx
 
     def action(self, name: str) -> QAction:
@@ -219,7 +219,7 @@ class Editor(InputDriver):
         self.drag((float(x), float(y)), to, keys=keys)
 
     def grip(self, x: int = 0, y: int = 0) -> Vector:
-        """Return where a grip of the box around the selection lies: x, y in −1, 0, 1; 0, 0 rotates."""
+        """Return the position of a grip of the selection box: x, y in −1, 0, 1; 0, 0 rotates."""
         canvas = self.window.canvas
         if canvas.marks.box is None:
             raise LookupError("No box is shown; it takes two selected points.")
@@ -251,7 +251,7 @@ class Editor(InputDriver):
         return palette.found
 
     def run_command(self, text: str) -> None:
-        """Do what the command palette finds first."""
+        """Run the first match of the command palette."""
         self.find_command(text)
         QTest.keyClick(self._palette().search, Qt.Key.Key_Return)
         self.settle()
@@ -346,15 +346,15 @@ class Rail:
 
     def click(self, index: int, *, keys: Qt.KeyboardModifier = _NO_KEYS) -> None:
         """Click on the tick of point `index`."""
-        place = self._tick(index)
-        self._driver.drag_pixels(self._panel, place, place, keys=keys)
+        position = self._tick(index)
+        self._driver.drag_pixels(self._panel, position, position, keys=keys)
 
     def type(self, index: int, text: str) -> None:
         """Double-click on the tick of point `index`, type, and press Enter."""
-        panel, place = self._panel, self._tick(index)
+        panel, position = self._panel, self._tick(index)
         self.click(index)
-        self._driver.send(panel, QEvent.Type.MouseButtonDblClick, place)
-        self._driver.send(panel, QEvent.Type.MouseButtonRelease, place, held=False)
+        self._driver.send(panel, QEvent.Type.MouseButtonDblClick, position)
+        self._driver.send(panel, QEvent.Type.MouseButtonRelease, position, held=False)
         line = panel.tick_edit.line
         line.selectAll()
         type_keys(line, text)
@@ -370,7 +370,7 @@ class Rail:
 
 
 class FileBar:
-    """The line about the document's file, with what it offers."""
+    """The bar about the file of the document, with its actions."""
 
     def __init__(self, driver: InputDriver) -> None:
         self._driver = driver

@@ -109,11 +109,11 @@ class InputDriver:
     def wheel(self, at: Vector, notches: int) -> None:
         """Turn the wheel on the canvas."""
         canvas = self.window.canvas
-        place = QPointF(canvas.to_pixel(*at))
-        require_under_mouse(canvas.viewport(), place)
+        position = QPointF(canvas.to_pixel(*at))
+        require_under_mouse(canvas.viewport(), position)
         event = QWheelEvent(
-            place,
-            canvas.viewport().mapToGlobal(place),
+            position,
+            canvas.viewport().mapToGlobal(position),
             QPoint(),
             QPoint(0, 120 * notches),
             Qt.MouseButton.NoButton,
@@ -159,16 +159,16 @@ class InputDriver:
         With a button held the mouse may leave the plot, but not farther than a screen, as it may before the
         release.
         """
-        place = QPointF(pixel)
+        position = QPointF(pixel)
         if kind == QEvent.Type.MouseButtonRelease or (kind == QEvent.Type.MouseMove and held):
-            require_within_drag(plot.viewport(), place)
+            require_within_drag(plot.viewport(), position)
         else:
-            require_under_mouse(plot.viewport(), place)
+            require_under_mouse(plot.viewport(), position)
         nothing = Qt.MouseButton.NoButton
         event = QMouseEvent(
             kind,
-            place,
-            plot.viewport().mapToGlobal(place),
+            position,
+            plot.viewport().mapToGlobal(position),
             nothing if kind == QEvent.Type.MouseMove else button,
             button if held else nothing,
             keys,
@@ -201,10 +201,10 @@ class InputDriver:
 
     def choose(self, name: str) -> None:
         """Click the entry of the open menu, or of a submenu of it, that has this objectName."""
-        if not (way := _way_to(name, self.menu())):
+        if not (path := _path_to(name, self.menu())):
             raise LookupError(f"There is no entry called {name!r} in the menu.")
-        require_enabled(way[-1])
-        for entry in way:
+        require_enabled(path[-1])
+        for entry in path:
             menu = self.menu()
             QTest.mouseClick(menu, _LEFT, pos=menu.actionGeometry(entry).center())
             if isinstance(within := entry.menu(), QMenu):
@@ -212,7 +212,7 @@ class InputDriver:
             self.settle()
 
     def settle(self) -> None:
-        """Let Qt deliver what is pending and paint, and the status line say what a gesture has come to."""
+        """Deliver pending events, paint, and update the progress of a gesture in the status line."""
         QGuiApplication.processEvents()
         deliver_events()
         for plot in filter(None, (self.window.canvas, self.window.basis_panel)):
@@ -224,12 +224,12 @@ class InputDriver:
         self.settle()
 
 
-def _way_to(name: str, menu: QMenu) -> list[QAction]:
+def _path_to(name: str, menu: QMenu) -> list[QAction]:
     """Return the entries to click, each in the menu of the one before, for that of this objectName."""
     for entry in menu.actions():
         if entry.objectName() == name:
             return [entry]
         within = entry.menu()
-        if isinstance(within, QMenu) and (way := _way_to(name, within)):
-            return [entry, *way]
+        if isinstance(within, QMenu) and (path := _path_to(name, within)):
+            return [entry, *path]
     return []

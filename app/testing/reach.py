@@ -18,7 +18,7 @@ class ImpossibleError(RuntimeError):
 
 
 def named(widget: QWidget) -> str:
-    """Return what to call a widget in a message: its objectName, or else its class."""
+    """Return the name of a widget for a message: its objectName, or else its class."""
     return widget.objectName() or type(widget).__name__
 
 
@@ -63,16 +63,16 @@ def require_within_drag(widget: QWidget, pixel: QPoint | QPointF) -> None:
     wherever the window stands, the screen ends there.
     """
     require_reachable(widget)
-    place, name = QPointF(pixel).toPoint(), named(widget.parentWidget() or widget)
+    position, name = QPointF(pixel).toPoint(), named(widget.parentWidget() or widget)
     room = widget.screen().virtualSize().expandedTo(widget.window().size())
     within = widget.rect().adjusted(-room.width(), -room.height(), room.width(), room.height())
-    if not within.contains(place):
-        where = f"({place.x()}, {place.y()})"
+    if not within.contains(position):
+        where = f"({position.x()}, {position.y()})"
         raise ImpossibleError(f"The pixel {where} lies outside {name} by more than a screen.{_BRING_IT_IN}")
 
 
 def _require_unblocked(window: QWidget | None, what: str) -> None:
-    """Raise `ImpossibleError` where a dialog or a menu takes what is meant for `window`."""
+    """Raise `ImpossibleError` where a dialog or a menu blocks `window`."""
     dialog = QApplication.activeModalWidget()
     if dialog is not None and dialog is not window and not (window and dialog.isAncestorOf(window)):
         title = dialog.windowTitle() if isinstance(dialog, QDialog) else ""

@@ -34,7 +34,7 @@ class ApplicationQuitError(RuntimeError):
 
 
 def deliver_events() -> None:
-    """Let Qt deliver what is pending, as an event loop does.
+    """Deliver pending events, as an event loop does.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def deliver_events() -> None:
 
 
 def spin(milliseconds: int) -> None:
-    """Let the window's events come and go for a while, and what is computed beside it get on.
+    """Run an event loop for a while, so that background work goes on.
 
     QTest.qWait keeps the interpreter to itself while it waits.
 
@@ -87,7 +87,7 @@ def wait_until_visible(widget: QWidget) -> None:
 
 
 def wait_for_rest(widget: QWidget, *, up_to_ms: int = SHORT_MS) -> None:
-    """Let what follows the hand at a pace of its own catch up: numbers, panels, the table, discs.
+    """Wait for delayed updates: numbers, panels, the table, discs.
 
     The clock is not waited for: single-shot timers of this pace or quicker fire at once, in their order,
     until none is left. What has a slower pace is left alone.

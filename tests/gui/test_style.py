@@ -159,7 +159,7 @@ def test_ends_corners_rules_and_dashes(editor, panel):
         dash_offset=2.0,
     )
     assert styles(editor)[1] == wanted
-    assert box.currentText() == "Own"
+    assert box.currentText() == "Custom"
     assert editor.session.undo_stack.undoText() == "Start of the dashes of Stem"
 
 

@@ -332,12 +332,12 @@ def test_quarter_turns_have_buttons_and_keys(leaf):
 
 
 NO_LENGTHS = [
-    ("Width", "7 foo", "is no unit of length"),
+    ("Width", "7 foo", "is not a unit of length"),
     ("Width", "1e13", "between"),
     ("Width", "0", "greater than 0"),
     ("Height", "-3", "greater than 0"),
     ("Height", "-100%", "greater than 0"),
-    ("X", "3 apples", "is no unit of length"),
+    ("X", "3 apples", "is not a unit of length"),
     ("Turn", "much", "is not a number"),
 ]
 

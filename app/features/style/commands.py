@@ -46,31 +46,31 @@ _MOST_REMEMBERED = 12
 
 
 class UsedColours:
-    """Colours that were used."""
+    """Recent colours, and the colours of the document."""
 
     def __init__(self, session: Session, preferences: Preferences) -> None:
         self._session, self._preferences = session, preferences
-        self._found: tuple[tuple[Curve, ...], list[str]] = ((), [])
+        self._document_colours: tuple[tuple[Curve, ...], list[str]] = ((), [])
 
     @property
     def recent(self) -> list[str]:
-        """Those that were used last."""
+        """Recent colours, the latest first."""
         return re.findall("#[0-9a-f]{6}", self._preferences.recent_colours)
 
     @property
     def in_document(self) -> list[str]:
-        """Those of the document, found anew for another step of its history."""
+        """Colours of the document."""
         curves = self._session.committed.curves
-        if self._found[0] is not curves:
-            self._found = curves, colours_of(curves)
-        return self._found[1]
+        if self._document_colours[0] is not curves:
+            self._document_colours = curves, colours_of(curves)
+        return self._document_colours[1]
 
     def remember(self, *paints: object) -> None:
-        """Have the colours among some paints in front of those used last."""
+        """Add the colours among some paints to the recent ones."""
         codes = [code for code in paints if isinstance(code, str) and code.startswith("#")]
         if codes:
-            found = list(dict.fromkeys([*codes, *self.recent]))[:_MOST_REMEMBERED]
-            self._preferences.recent_colours = " ".join(found)
+            recent = list(dict.fromkeys([*codes, *self.recent]))[:_MOST_REMEMBERED]
+            self._preferences.recent_colours = " ".join(recent)
 
 
 _PAINTS = ("fill", "stroke")
@@ -79,7 +79,7 @@ _HOW_TO_CHOOSE = "No curve is selected: this style is for the next curve. Click 
 
 
 class StyleCommands:
-    """Keeps the panel in step with the selected curves, and changes how they look."""
+    """Style of the selected curves, or of the next curve: the panel and its changes."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
@@ -99,8 +99,8 @@ class StyleCommands:
         panel = self._panel = style.panel.StylePanel(buttons, actions["swapFillAndStroke"], parent)
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
-        panel.looked_at.connect(self._look_at)
-        panel.given_up.connect(self._give_up)
+        panel.previewed.connect(self._preview)
+        panel.preview_cancelled.connect(self._cancel_preview)
         panel.shown.connect(self._render)
         panel.refused.connect(self._session.refuse)
         for name, field in panel.opacities.items():
@@ -116,7 +116,7 @@ class StyleCommands:
 
     @property
     def _curves(self) -> frozenset[int]:
-        """The curves whose style is shown and set; none where it is that of what is drawn next.
+        """Curves whose style is shown and set; none for the style of the next curve.
 
         An empty curve is what is drawn next.
         """
@@ -126,11 +126,11 @@ class StyleCommands:
         return frozenset() if session.active_curve.points else frozenset({session.active_index})
 
     def render_panel(self, view: CurveView) -> None:
-        """Show how the selected curves look."""
+        """Show the style of the selected curves."""
         self._render()
 
     def set_theme(self, theme: Theme) -> None:
-        """Say how the canvas shows the styles on the paper of `theme`."""
+        """Update the note about colours on the paper of `theme`."""
         self._theme = theme
         self._render()
 
@@ -138,12 +138,12 @@ class StyleCommands:
         panel, session = self._panel, self._session
         if panel is None or not panel.isVisibleTo(self._context.window):
             return
-        document, places = session.document, expand_to_shapes(session.document, self._curves)
-        curves = [document.curves[place] for place in sorted(places)]
+        document, indices = session.document, expand_to_shapes(session.document, self._curves)
+        curves = [document.curves[index] for index in sorted(indices)]
         subject = (
-            name_or_count(document, places) if any(each.points for each in curves) else _NEXT.capitalize()
+            name_or_count(document, indices) if any(curve.points for curve in curves) else _NEXT.capitalize()
         )
-        styles = [each.style for each in curves] or [session.model.style]
+        styles = [curve.style for curve in curves] or [session.model.style]
         all_keys = key_or_name(self._context.actions["selectAll"])
         note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE.format(all_keys)
         panel.show_recent(self._colours.recent, self._colours.in_document)
@@ -163,7 +163,7 @@ class StyleCommands:
         is_step: bool = False,
         what: str = "",
     ) -> None:
-        """Change the selected curves; the step is named by the fields of the styles, or says `what`."""
+        """Change the selected curves; the step is named after the fields, or after `what`."""
         session, curves, fields = self._session, self._curves, list(fields)
         if not curves:
             self._set_next(edit)
@@ -178,7 +178,7 @@ class StyleCommands:
         self._render()
 
     def _set_next(self, edit: Callable[[Document, frozenset[int]], Document]) -> None:
-        """Draw in another style from now on: nothing of the document, and no step of its history."""
+        """Change the style of the next curve, without a step in the history."""
         session = self._session
         session.cancel()
         model = msgspec.structs.replace(make_curve(()), style=session.model.style)
@@ -195,11 +195,11 @@ class StyleCommands:
         curves, committed = self._curves, self._session.committed
         return f"{what} of {name_or_count(committed, curves) if curves else _NEXT}"
 
-    def _look_at(self, fields: dict[str, object]) -> None:
+    def _preview(self, fields: dict[str, object]) -> None:
         session = self._session
         session.preview(set_style(session.committed, self._curves, **fields))
 
-    def _give_up(self) -> None:
+    def _cancel_preview(self) -> None:
         if self._session.is_previewing:
             self._session.cancel()
             self._session.say(CANCELLED)
@@ -247,8 +247,8 @@ class StyleCommands:
 
 
 def _note_on(styles: Iterable[Style], theme: Theme) -> str:
-    """Return how the canvas shows lines on the paper of a theme, where that is not their own colour."""
-    lines = (each.stroke for each in styles if each.has_stroke)
+    """Return the note about lines whose colour is adjusted to the paper of a theme."""
+    lines = (line_style.stroke for line_style in styles if line_style.has_stroke)
     moved = next(filter(None, (adjustment_of(theme.paper.name(), stroke) for stroke in lines)), "")
     return f"The line is {moved}." if moved else ""
 
@@ -260,7 +260,7 @@ _NOTHING_TO_PASTE = "There is no style on the clipboard. Use Copy Style, or copy
 
 
 class StyleClipboardCommands:
-    """Copies how a curve looks, and has others look so."""
+    """Copy and Paste Style."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
@@ -302,33 +302,33 @@ class StyleClipboardCommands:
         if fragment is not None and not fragment.is_bare:
             read = partial(exchange.svg.fragments.read_fragment, fragment)
             self._context.work.start("Reading the style", read, self._give_first, Path("The style"), "pasted")
-        elif found := _style_in(data):
-            self._give(found)
+        elif style_found := _style_in(data):
+            self._give(style_found)
         else:
             self._session.refuse(_NOTHING_TO_PASTE)
 
     def _give_first(self, drawing: ImportResult) -> None:
-        """Give the style of the first element of a drawing, in the unit of the document."""
+        """Apply the style of the first element of a drawing, in the unit of the document."""
         unit = self._session.document.unit
         self._give(exchange.units.in_unit(drawing.document, unit).curves[0].style)
 
-    def _give(self, found: Style) -> None:
-        """Give the selected curves a style."""
+    def _give(self, copied_style: Style) -> None:
+        """Apply a style to the selected curves."""
         session, curves = self._session, self._session.selected.marked
         subject = name_or_count(session.document, curves)
         words = f"Paste style to {subject}"
-        fields = msgspec.structs.asdict(found)
+        fields = msgspec.structs.asdict(copied_style)
         if session.change(words, lambda document: set_style(document, curves, **fields)):
             session.say(f"Pasted the style to {subject}.")
 
 
 def _style_in(data: QMimeData) -> Style | None:
-    """Return the style that was copied, or that of the first of the curves that were; None without either."""
+    """Return the copied style, or that of the first copied curve; None without either."""
     try:
         if data.hasFormat(STYLE):
-            found = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
-            check_fields(found, "style")
-            return found
+            copied_style = msgspec.json.decode(bytes(data.data(STYLE).data()), type=Style)
+            check_fields(copied_style, "style")
+            return copied_style
         if copied := copied_curves_in(data):
             return copied.curves[0].style
     except (msgspec.DecodeError, UnicodeDecodeError, FormatError):

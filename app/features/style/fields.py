@@ -109,7 +109,7 @@ class PaintField(FollowsTheme, QWidget):
         row.insertWidget(row.count() - 1, button)
 
     def _choose(self, paint: str) -> None:
-        """Ask for a paint; what was typed is no longer wanted, though the field keeps the cursor."""
+        """Pick a paint, and discard typed text."""
         self.edit.give_up()
         self.chosen.emit(paint)
 
@@ -123,9 +123,9 @@ class PaintField(FollowsTheme, QWidget):
         self._show_button()
 
     def show_recent(self, colours: Iterable[str], others: Iterable[str] = ()) -> None:
-        """Offer these colours beside those that are always there, then others while there is room."""
-        first = [each for each in colours if each not in _PAINTS.values()][:MOST_RECENT]
-        rest = (each for each in others if each not in _PAINTS.values())
+        """Show recent colours after the fixed ones, then others while there is room."""
+        first = [colour for colour in colours if colour not in _PAINTS.values()][:MOST_RECENT]
+        rest = (colour for colour in others if colour not in _PAINTS.values())
         recent = tuple(dict.fromkeys([*first, *rest]))[: len(_PAINTS)]
         if recent == self._recent:
             return
@@ -167,7 +167,7 @@ class PaintField(FollowsTheme, QWidget):
         return self._popup
 
     def abandon(self) -> None:
-        """Close the popup; what was looked at there means nothing any more."""
+        """Close the popup and cancel its preview."""
         if self._popup is not None:
             self._popup.cancel()
 
@@ -185,12 +185,12 @@ _PRESETS: dict[str, tuple[float, ...]] = {
 }
 """Dashes and gaps in multiples of the width; one of length 0 is a dot where line ends are round."""
 
-_OWN = "Own"
+_CUSTOM = "Custom"
 _LEAST = 48
 
 
 class DashField(QWidget):
-    """Shows dashes and asks for others.
+    """Field of a dash pattern: presets, and a list of lengths.
 
     Signals
     -------
@@ -211,7 +211,7 @@ class DashField(QWidget):
     def __init__(self) -> None:
         super().__init__()
         tip = "Dashes and gaps, in multiples of the width"
-        self._box = choice_box("dashBox", "Dashes", tip, (*_PRESETS, _OWN))
+        self._box = choice_box("dashBox", "Dashes", tip, (*_PRESETS, _CUSTOM))
         self._box.setMinimumContentsLength(6)
         self._box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         tip = "Alternating lengths of dashes and gaps, in multiples of the width, such as 4 2 (Enter to set)"
@@ -230,7 +230,7 @@ class DashField(QWidget):
             self.edit.show_text(MIXED)
             return
         names = [name for name, preset in _PRESETS.items() if preset == value]
-        self._box.setCurrentText(names[0] if names else _OWN)
+        self._box.setCurrentText(names[0] if names else _CUSTOM)
         short = " ".join(number(length, 6, decimal_mark()) for length in value)
         self.edit.show_text(" ".join(map(typed_text, value)), short)
 
@@ -257,7 +257,7 @@ STEPS = 100
 """Positions of the slider from nothing to all."""
 
 MIXED = "mixed"
-"""Stands where what is shown has not one value."""
+"""Text of a field with different values."""
 
 _FIELD_WIDTH = 60
 
@@ -266,7 +266,7 @@ _STEP = 0.05
 
 
 class PercentField(QWidget):
-    """A slider from 0 to `STEPS`, and a field.
+    """Slider from 0 to `STEPS` with a field for a percentage.
 
     Attributes
     ----------

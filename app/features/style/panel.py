@@ -1,4 +1,4 @@
-"""The form of stroke and fill, of one curve or of all that are selected."""
+"""Form of stroke and fill of the selected curves."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ...widgets.number_text import read_length
 from .fields import MIXED, DashField, PaintField, PercentField
 
 AUTO = "auto"
-"""Stands for a line of the usual width, whatever the zoom."""
+"""Text for a line of the default width at every zoom."""
 
 _NARROW = 44
 
@@ -33,7 +33,7 @@ _LEAST_WIDTH = 1e-9
 
 
 class StylePanel(FieldForm):
-    """A form that shows styles, and asks for changes of all of them.
+    """Form of the style of one or several curves.
 
     Signals
     -------
@@ -41,9 +41,9 @@ class StylePanel(FieldForm):
         Fields of the styles shall have other values: a dictionary.
     stepped
         The same by an arrow key or the wheel: what follows quickly is meant as one.
-    looked_at
+    previewed
         How that would be is to be seen, until something is wanted or given up.
-    given_up
+    preview_cancelled
         What was looked at is not wanted.
     shown
         It comes into sight, and has to be told what to show.
@@ -56,8 +56,8 @@ class StylePanel(FieldForm):
 
     wanted = Signal(object)
     stepped = Signal(object)
-    looked_at = Signal(object)
-    given_up = Signal()
+    previewed = Signal(object)
+    preview_cancelled = Signal()
     shown = Signal()
 
     def __init__(
@@ -84,7 +84,7 @@ class StylePanel(FieldForm):
             "fill_opacity": PercentField("fillOpacity", "Fill opacity", "Opacity of the fill"),
             "stroke_opacity": PercentField("strokeOpacity", "Stroke opacity", "Opacity of the line"),
         }
-        self._shown: tuple[object, ...] = ()
+        self._rendered: tuple[object, ...] = ()
         self._lay_out(buttons, swap)
         self._connect()
         self.follow_theme()
@@ -111,7 +111,7 @@ class StylePanel(FieldForm):
         self._offset.setFixedWidth(_NARROW)
 
     def show_recent(self, colours: Sequence[str], others: Sequence[str] = ()) -> None:
-        """Offer these colours for fill and stroke, and as many of the others as there is room for."""
+        """Show recent colours for fill and stroke, then others while there is room."""
         self.fill.show_recent(colours, others)
         self.stroke.show_recent(colours, others)
 
@@ -136,8 +136,8 @@ class StylePanel(FieldForm):
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         # What is told comes below all else: the rows must not move away under the pointer.
         below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
-        told = (self._note, self._no_dots, self.problem)
-        column_of(self._subject, self._form, below, *told, 1, margins=12, spacing=8, parent=self)
+        messages = (self._note, self._no_dots, self.problem)
+        column_of(self._subject, self._form, below, *messages, 1, margins=12, spacing=8, parent=self)
 
     def _connect(self) -> None:
         numbers = (self._width, self._limit, self._offset, self._dash.edit)
@@ -163,8 +163,8 @@ class StylePanel(FieldForm):
 
     def _connect_paint(self, paint: PaintField, name: str) -> None:
         paint.chosen.connect(lambda value: self.wanted.emit({name: value}))
-        paint.previewed.connect(lambda value: self.looked_at.emit({name: value}))
-        paint.cancelled.connect(self.given_up)
+        paint.previewed.connect(lambda value: self.previewed.emit({name: value}))
+        paint.cancelled.connect(self.preview_cancelled)
 
     def _read_width(self, text: str) -> float | None:
         if text.strip().casefold() in ("", AUTO):
@@ -183,13 +183,13 @@ class StylePanel(FieldForm):
         unit: str,
         note: str,
     ) -> None:
-        """Show what styles have in common, of what is called `subject`; `note` tells how they are drawn."""
+        """Show the common values of styles, with the title `subject` and a note about colours."""
         wanted = (subject, tuple(styles), unit, note)
-        if wanted == self._shown:
+        if wanted == self._rendered:
             return
-        if self._shown and wanted[:2] != self._shown[:2]:
+        if self._rendered and wanted[:2] != self._rendered[:2]:
             self.clear_refusal()
-        self._shown, self._unit = wanted, unit
+        self._rendered, self._unit = wanted, unit
         values = common_values(styles)
         self._subject.setText(subject)
         self._subject.setToolTip(tip_of(subject))
@@ -225,7 +225,7 @@ class StylePanel(FieldForm):
             edit.show_length(value) if isinstance(value, float) else edit.show_text(MIXED)
 
     def _enable(self, styles: Iterable[Style]) -> None:
-        """Enable what makes a difference."""
+        """Enable the fields that have an effect."""
         styles = list(styles)
         for always in (self.fill, self.stroke):
             always.setEnabled(bool(styles))
@@ -234,8 +234,8 @@ class StylePanel(FieldForm):
         of_line: tuple[QWidget, ...] = (self._width, self._cap, self._join, self._dash)
         for part in (self._rule, self.opacities["fill_opacity"]):
             part.setEnabled(has_fill)
-        for each in (*of_line, self.opacities["stroke_opacity"]):
-            each.setEnabled(has_stroke)
+        for field in (*of_line, self.opacities["stroke_opacity"]):
+            field.setEnabled(has_stroke)
         self._limit.setEnabled(has_stroke and any(style.join is LineJoin.MITER for style in styles))
         self._offset.setEnabled(has_stroke and any(style.dash for style in styles))
 

@@ -31,7 +31,7 @@ class _Alignment(NamedTuple):
     edge: Edge
     section: MenuSection
     tip: str
-    place: int
+    number: int
 
 
 class _Distribution(NamedTuple):
@@ -39,9 +39,9 @@ class _Distribution(NamedTuple):
 
     axis: int
     spacing: Spacing
-    way: str
+    direction: str
     tip: str
-    place: int
+    number: int
 
     @property
     def what(self) -> str:
@@ -61,9 +61,9 @@ _ALIGNMENTS = (
 _CENTRES = "Space the selected points, or the centres of the selected curves, evenly from {}"
 _GAPS = "Make the gaps between the selected curves equal from {}"
 _DISTRIBUTIONS = tuple(
-    _Distribution(axis, spacing, way, tip.format(ends), place + axis)
-    for spacing, tip, place in ((Spacing.CENTRES, _CENTRES, 20), (Spacing.GAPS, _GAPS, 22))
-    for axis, way, ends in ((0, "horizontally", "left to right"), (1, "vertically", "bottom to top"))
+    _Distribution(axis, spacing, direction, tip.format(ends), number + axis)
+    for spacing, tip, number in ((Spacing.CENTRES, _CENTRES, 20), (Spacing.GAPS, _GAPS, 22))
+    for axis, direction, ends in ((0, "horizontally", "left to right"), (1, "vertically", "bottom to top"))
 )
 
 
@@ -73,7 +73,7 @@ def _can_align(state: ActionState) -> bool:
 
 
 def _curves(session: Session) -> frozenset[int]:
-    """Return the curves to align while no points are selected: those chosen, or the one that is edited."""
+    """Return the curves to align while no points are selected: the selected or the edited ones."""
     return session.selected.whole_curves or expand_to_shapes(session.document, session.selected.marked)
 
 
@@ -83,7 +83,7 @@ def _say_what_stays(session: Session, change: Change) -> None:
 
 
 def _count(state: ActionState) -> int:
-    """Return how many points are selected, or else curves chosen: a group or a shape is one."""
+    """Return the number of selected points, or else of selected curves; a group or shape counts as one."""
     return state.selected_count or state.whole_count
 
 
@@ -105,20 +105,20 @@ class AlignCommands:
 
     @action_for_each(
         _ALIGNMENTS,
-        lambda each: Action(
-            action_name("align", each.edge),
-            each.edge.name.capitalize(),
-            each.section,
+        lambda alignment: Action(
+            action_name("align", alignment.edge),
+            alignment.edge.name.capitalize(),
+            alignment.section,
             "",
-            f"align-{each.edge.value}",
-            f"Align the selected points or curves {each.tip}",
-            f"Align {each.edge.name.capitalize()}",
+            f"align-{alignment.edge.value}",
+            f"Align the selected points or curves {alignment.tip}",
+            f"Align {alignment.edge.name.capitalize()}",
             needs=TWO,
         ),
     )
-    @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
-    def _align(self, each: _Alignment) -> None:
-        session, group, edge = self._session, self._session.selected.group, each.edge
+    @also_for_each(lambda alignment: (ALIGN_BUTTONS(alignment.number),))
+    def _align(self, alignment: _Alignment) -> None:
+        session, group, edge = self._session, self._session.selected.group, alignment.edge
         if group.parts:
             session.change(
                 f"Align {group.label} {edge.value}", lambda document: align_points(document, group, edge)
@@ -136,45 +136,47 @@ class AlignCommands:
 
     @action_for_each(
         _DISTRIBUTIONS,
-        lambda each: Action(
-            f"distribute{each.what.strip()}{each.way.capitalize()}",
-            f"Distribute {each.what}{each.way.capitalize()}",
+        lambda distribution: Action(
+            f"distribute{distribution.what.strip()}{distribution.direction.capitalize()}",
+            f"Distribute {distribution.what}{distribution.direction.capitalize()}",
             ARRANGE_DISTRIBUTE,
-            icon=f"{each.what.strip().lower() or 'distribute'}-{each.way}",
-            tip=each.tip,
-            needs=THREE_CURVES if each.spacing is Spacing.GAPS else THREE,
+            icon=f"{distribution.what.strip().lower() or 'distribute'}-{distribution.direction}",
+            tip=distribution.tip,
+            needs=THREE_CURVES if distribution.spacing is Spacing.GAPS else THREE,
             keywords="space evenly",
         ),
     )
-    @also_for_each(lambda each: (ALIGN_BUTTONS(each.place),))
-    def _distribute(self, each: _Distribution) -> None:
+    @also_for_each(lambda distribution: (ALIGN_BUTTONS(distribution.number),))
+    def _distribute(self, distribution: _Distribution) -> None:
         session, group = self._session, self._session.selected.group
         if group.parts:
             session.change(
-                f"Distribute {group.label} {each.way}",
-                lambda document: distribute_points(document, group, each.axis),
+                f"Distribute {group.label} {distribution.direction}",
+                lambda document: distribute_points(document, group, distribution.axis),
             )
             return
         curves = unlocked_curves(session.document, session.selected.whole_curves)
         change = session.change(
-            f"Distribute {each.what.lower()}{'of ' if each.what else ''}"
+            f"Distribute {distribution.what.lower()}{'of ' if distribution.what else ''}"
             f"{name_or_count(session.document, curves)} "
-            f"{each.way}",
-            lambda document: distribute_curves(document, session.views, curves, each.axis, each.spacing),
+            f"{distribution.direction}",
+            lambda document: distribute_curves(
+                document, session.views, curves, distribution.axis, distribution.spacing
+            ),
         )
         _say_what_stays(session, change)
 
     @action_for_each(
         tuple(Reference),
-        lambda each: Action(
-            action_name("alignTo", each),
-            f"To {each.label[0].lower()}{each.label[1:]}",
+        lambda reference: Action(
+            action_name("alignTo", reference),
+            f"To {reference.label[0].lower()}{reference.label[1:]}",
             ARRANGE_ALIGN_TO,
-            tip=each.tip,
-            full_name=f"Align to {each.label[0].lower()}{each.label[1:]}",
-            checked=lambda state: state.window.align_to is each,
+            tip=reference.tip,
+            full_name=f"Align to {reference.label[0].lower()}{reference.label[1:]}",
+            checked=lambda state: state.window.align_to is reference,
             group="alignTo",
         ),
     )
-    def _align_to(self, each: Reference) -> None:
-        self._store.change(align_to=each)
+    def _align_to(self, reference: Reference) -> None:
+        self._store.change(align_to=reference)

@@ -31,7 +31,7 @@ class _Transform(NamedTuple):
 class _Flip(NamedTuple):
     """Mirror image, and the words of its action."""
 
-    way: str
+    direction: str
     axis: int
     key: str
     tip: str
@@ -41,11 +41,11 @@ class _Turn(NamedTuple):
     """Turn by a fixed angle, the words of its action, and its place among the buttons."""
 
     name: str
-    way: str
+    direction: str
     degrees: float
     key: str
     icon: str
-    place: int
+    number: int
 
 
 _TRANSFORMS = (
@@ -105,59 +105,59 @@ class SelectionCommands:
 
     @action_for_each(
         _TRANSFORMS,
-        lambda each: Action(
-            f"{each.kind.name.lower()}Selection",
-            each.text,
+        lambda transform: Action(
+            f"{transform.kind.name.lower()}Selection",
+            transform.text,
             ARRANGE_TRANSFORM,
-            each.key,
-            each.text.lower(),
-            each.tip,
-            f"{each.text} Points",
+            transform.key,
+            transform.text.lower(),
+            transform.tip,
+            f"{transform.text} Points",
             during_gesture=True,
         ),
     )
-    def _begin(self, each: _Transform) -> None:
+    def _begin(self, transform: _Transform) -> None:
         if self._context.store.state.moves_image:
             self._session.refuse("Move Image is in use. Press Escape to go back to the points.")
         else:
-            self._context.central.canvas.begin_transform(each.kind)
+            self._context.central.canvas.begin_transform(transform.kind)
 
     @action_for_each(
         _FLIPS,
-        lambda each: Action(
-            f"flip{each.way.capitalize()}",
-            f"Flip {each.way.capitalize()}",
+        lambda flip: Action(
+            f"flip{flip.direction.capitalize()}",
+            f"Flip {flip.direction.capitalize()}",
             ARRANGE_TRANSFORM,
-            each.key,
-            f"flip-{each.way}",
-            each.tip,
+            flip.key,
+            f"flip-{flip.direction}",
+            flip.tip,
             needs=CURVE_WITH_POINTS,
             keywords="mirror reflect",
         ),
     )
-    @also_for_each(lambda each: (CURVE_MENU(16 + each.axis), TRANSFORM_BUTTONS(10 + each.axis)))
-    def _flip(self, each: _Flip) -> None:
-        self._map(f"Flip {{}} {each.way}", reflection, each.axis)
+    @also_for_each(lambda flip: (CURVE_MENU(16 + flip.axis), TRANSFORM_BUTTONS(10 + flip.axis)))
+    def _flip(self, flip: _Flip) -> None:
+        self._map(f"Flip {{}} {flip.direction}", reflection, flip.axis)
 
     @action_for_each(
         _TURNS,
-        lambda each: Action(
-            each.name,
-            f"Rotate {abs(each.degrees):g}° {each.way.capitalize()}",
+        lambda turn: Action(
+            turn.name,
+            f"Rotate {abs(turn.degrees):g}° {turn.direction.capitalize()}",
             ARRANGE_TRANSFORM,
-            each.key,
-            each.icon,
-            f"Rotate the selection, or else all points, by {abs(each.degrees):g}° to the {each.way}",
+            turn.key,
+            turn.icon,
+            f"Rotate the selection, or else all points, by {abs(turn.degrees):g}° to the {turn.direction}",
             needs=CURVE_WITH_POINTS,
             keywords="turn quarter clockwise",
         ),
     )
-    @also_for_each(lambda each: (TRANSFORM_BUTTONS(each.place),))
-    def _turn(self, each: _Turn) -> None:
-        self._map(f"Rotate {{}} by {number(each.degrees)}°", rotation, each.degrees)
+    @also_for_each(lambda turn: (TRANSFORM_BUTTONS(turn.number),))
+    def _turn(self, turn: _Turn) -> None:
+        self._map(f"Rotate {{}} by {number(turn.degrees)}°", rotation, turn.degrees)
 
     def _map(self, text: str, make: Callable[[_Amount, Vector], Affine], amount: _Amount) -> None:
-        """Map what is meant about the pivot."""
+        """Transform the selection about the pivot."""
         target, session = self._target, self._session
         if refusal := target.refusal_of_keys:
             session.refuse(refusal)

@@ -23,14 +23,14 @@ from ...widgets.controls import ICON, action_button, choice_box, named, tool_but
 from ...widgets.fields import FieldForm, NumberEdit, read_number
 from ...widgets.number_text import read_length
 
-_EACH_TIME = "Degrees, counterclockwise; each Enter rotates"
+_ROTATE_TIP = "Degrees, counterclockwise; each Enter rotates"
 _SKEW = "Degrees: the top moves right, or the right side up; Enter skews horizontally"
 
 _CERTAIN = 12
 """Digits of the largest number of the box that are no rounding."""
 
 
-class Situated(msgspec.Struct, frozen=True):
+class TransformValues(msgspec.Struct, frozen=True):
     """Subject of the transforms.
 
     Attributes
@@ -39,10 +39,10 @@ class Situated(msgspec.Struct, frozen=True):
         The words for it.
     bounds
         Its bounds; None of nothing.
-    told
-        The place that X and Y are of, in the plane.
-    place
-        Which of the nine places is chosen; None for none of them.
+    pivot
+        Position of the pivot in the plane: the displayed X and Y.
+    pivot_position
+        The pivot position; None for another pivot.
     angle
         Degrees by which it was turned since it was selected.
     unit
@@ -53,8 +53,8 @@ class Situated(msgspec.Struct, frozen=True):
 
     what: str
     bounds: Bounds | None
-    told: Vector
-    place: tuple[int, int] | None
+    pivot: Vector
+    pivot_position: tuple[int, int] | None
     angle: float
     unit: str
     problem: str
@@ -69,33 +69,33 @@ class PanelActions(msgspec.Struct, frozen=True):
 
 
 class TransformPanel(FieldForm):
-    """A form that shows the bounds of the selection, and asks for others.
+    """Form with position, size and angle of the selection.
 
     Signals
     -------
-    placed, sized
-        What X and Y are of shall lie there, the box shall be so large: along which axis, and the number.
+    moved, sized
+        Move the pivot, or resize the box, along an axis to a value.
     turned_to, turned_by
-        It shall stand at this angle; it shall be turned by one.
+        Rotate to this angle; rotate by this angle.
     skewed
-        It shall be skewed along an axis, by this angle.
-    pivot_chosen
-        One of nine places: −1, 0 or 1 across, and up.
-    reference_chosen
-        What chosen curves are aligned to.
+        Skew along an axis by this angle.
+    pivot_picked
+        One of nine positions: −1, 0 or 1 across, and up.
+    reference_picked
+        The reference for aligning curves.
     """
 
-    placed = Signal(int, float)
+    moved = Signal(int, float)
     sized = Signal(int, float)
     turned_to = Signal(float)
     turned_by = Signal(float)
     skewed = Signal(int, float)
-    pivot_chosen = Signal(int, int)
-    reference_chosen = Signal(object)
+    pivot_picked = Signal(int, int)
+    reference_picked = Signal(object)
 
     def __init__(self, actions: PanelActions, parent: QWidget | None = None) -> None:
         super().__init__("transformPanel", "transformProblem", parent)
-        self._shown: Situated | None = None
+        self._values: TransformValues | None = None
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
@@ -104,7 +104,7 @@ class TransformPanel(FieldForm):
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
         self.angle_edit = _angle("transformAngle", "Angle", "Rotation since it was selected, in degrees")
-        self.turn_edit = _angle("transformTurn", "Rotate by", _EACH_TIME)
+        self.turn_edit = _angle("transformTurn", "Rotate by", _ROTATE_TIP)
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
@@ -118,23 +118,23 @@ class TransformPanel(FieldForm):
             "alignReference",
             "Align to",
             "Reference for aligning selected curves; points are aligned to each other",
-            (each.label for each in Reference),
-            (each.tip for each in Reference),
+            (reference.label for reference in Reference),
+            (reference.tip for reference in Reference),
         )
         self._units = Label()
         self._lay_out(actions)
         self._connect()
         self.follow_theme()
 
-    def _length(self, label: str, tip: str, place: int) -> NumberEdit:
+    def _length(self, label: str, tip: str, index: int) -> NumberEdit:
         """Return the field of one of `_numbers`."""
         tip = f"{tip}: a number or an expression, with or without a unit, or +10% (Enter to set)"
         return NumberEdit(
-            f"transform{label}", label, tip, partial(self._read, lambda: self._numbers()[place])
+            f"transform{label}", label, tip, partial(self._read, lambda: self._numbers()[index])
         )
 
     def _read(self, now: Callable[[], float], text: str) -> float:
-        unit = self._shown.unit if self._shown is not None else ""
+        unit = self._values.unit if self._values is not None else ""
         return read_length(text, unit, now())
 
     def _lay_out(self, actions: PanelActions) -> None:
@@ -175,8 +175,8 @@ class TransformPanel(FieldForm):
     def _connect(self) -> None:
         edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit, self.angle_edit)
         self.watch(*edits, self.turn_edit, self.skew_edit)
-        self.x_edit.entered.connect(partial(self.placed.emit, 0))
-        self.y_edit.entered.connect(partial(self.placed.emit, 1))
+        self.x_edit.entered.connect(partial(self.moved.emit, 0))
+        self.y_edit.entered.connect(partial(self.moved.emit, 1))
         self.width_edit.entered.connect(partial(self.sized.emit, 0))
         self.height_edit.entered.connect(partial(self.sized.emit, 1))
         self.angle_edit.entered.connect(self.turned_to.emit)
@@ -189,30 +189,30 @@ class TransformPanel(FieldForm):
         self.skew_edit.returnPressed.connect(partial(self._skew, 0))
         for axis, button in enumerate(self.skew_buttons):
             button.clicked.connect(partial(self._skew, axis))
-        self.chooser.chosen.connect(self.pivot_chosen)
-        self.reference.activated.connect(lambda at: self.reference_chosen.emit(list(Reference)[at]))
+        self.chooser.chosen.connect(self.pivot_picked)
+        self.reference.activated.connect(lambda at: self.reference_picked.emit(list(Reference)[at]))
 
     # Rendering: nothing here writes back
 
     def _numbers(self) -> tuple[float, float, float, float]:
         """Return x and y, width and height, without the digits that are rounding."""
-        shown = self._shown
-        if shown is None or shown.bounds is None:
+        values = self._values
+        if values is None or values.bounds is None:
             return (0.0, 0.0, 0.0, 0.0)
-        largest = max(map(abs, (*shown.bounds.low, *shown.bounds.high, *shown.told, 1e-300)))
+        largest = max(map(abs, (*values.bounds.low, *values.bounds.high, *values.pivot, 1e-300)))
         decimals = _CERTAIN - 1 - math.floor(math.log10(largest))
-        x, y, width, height = (round(value, decimals) + 0.0 for value in (*shown.told, *shown.bounds.size))
+        x, y, width, height = (round(value, decimals) + 0.0 for value in (*values.pivot, *values.bounds.size))
         return (x, y, width, height)
 
-    def render_situation(self, shown: Situated) -> None:
-        """Show what transforms act on."""
-        if self._shown is None or shown.what != self._shown.what:
+    def render_values(self, values: TransformValues) -> None:
+        """Show the values of the selection."""
+        if self._values is None or values.what != self._values.what:
             self.clear_refusal()
-        self._shown = shown
-        bounds, is_there = shown.bounds, shown.bounds is not None and not shown.problem
-        self.what.setText(shown.what)
-        self._units.setText(shown.unit)
-        self._units.setVisible(bool(shown.unit))
+        self._values = values
+        bounds, is_there = values.bounds, values.bounds is not None and not values.problem
+        self.what.setText(values.what)
+        self._units.setText(values.unit)
+        self._units.setVisible(bool(values.unit))
         edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)
         for edit, value in zip(edits, self._numbers(), strict=True):
             if bounds is None:
@@ -222,17 +222,17 @@ class TransformPanel(FieldForm):
         grows = [length > 0.0 for length in bounds.size] if bounds is not None else [False, False]
         for edit, can_be in zip(edits, (True, True, *grows), strict=True):
             edit.setEnabled(is_there and can_be)
-        self.angle_edit.show_angle(shown.angle)
+        self.angle_edit.show_angle(values.angle)
         self.turn_edit.show_angle(self._turn_by)
         self.skew_edit.show_angle(self._skew_by)
         turns = self.angle_edit, self.turn_edit, self.turn_button, self.skew_edit, *self.skew_buttons
         for part in (*turns, self.chooser):
             part.setEnabled(is_there)
-        self.chooser.render_place(shown.place if bounds is not None else None)
-        self.show_problem(shown.problem)
+        self.chooser.render_pivot(values.pivot_position if bounds is not None else None)
+        self.show_problem(values.problem)
 
     def render_reference(self, reference: Reference) -> None:
-        """Show what chosen curves are aligned to."""
+        """Show the reference for aligning curves."""
         self.reference.setCurrentIndex(list(Reference).index(reference))
 
     def set_theme(self, theme: Theme) -> None:
@@ -267,9 +267,9 @@ def _angle(name: str, label: str, tip: str) -> NumberEdit:
     return NumberEdit(name, label, tip, lambda text: read_number(text.rstrip(" °")))
 
 
-def _skew_button(name: str, way: str) -> QToolButton:
-    tip = f"Skew {way} by this angle, about the pivot"
-    return tool_button(f"transformSkew{name}", f"Skew {way}", tip, icon_size=ICON)
+def _skew_button(name: str, direction: str) -> QToolButton:
+    tip = f"Skew {direction} by this angle, about the pivot"
+    return tool_button(f"transformSkew{name}", f"Skew {direction}", tip, icon_size=ICON)
 
 
 def _button(action: QAction) -> QToolButton:
@@ -280,14 +280,14 @@ _SIDE = 17
 
 
 class PivotChooser(SafeOverrides, QWidget):
-    """Nine buttons, of which the one where the pivot lies is down; none where it lies elsewhere.
+    """Nine buttons for the pivot; the one at the pivot is down, none for another pivot.
 
     Tab leads to that one, and the arrows from there to the others.
 
     Signals
     -------
     chosen
-        A place was chosen: −1, 0 or 1 for left, middle, right, and for bottom, middle, top.
+        A position was picked: −1, 0 or 1 for left, middle, right, and for bottom, middle, top.
     """
 
     chosen = Signal(int, int)
@@ -300,7 +300,7 @@ class PivotChooser(SafeOverrides, QWidget):
         grid.setSpacing(3)
         self._group = QButtonGroup(self)
         self._buttons: dict[tuple[int, int], QToolButton] = {}
-        for place, at in enumerate(NINE):
+        for rank, at in enumerate(NINE):
             words = position_name(*at)
             name = "pivot" + "".join(word.capitalize() for word in words.split())
             tip = f"Pivot: {words} of the box. X and Y are its position, and transforms are about it"
@@ -308,16 +308,16 @@ class PivotChooser(SafeOverrides, QWidget):
             button.setCheckable(True)
             button.setFixedSize(_SIDE, _SIDE)
             button.clicked.connect(partial(self.chosen.emit, *at))
-            grid.addWidget(button, *divmod(place, 3))
+            grid.addWidget(button, *divmod(rank, 3))
             self._group.addButton(button)
             self._buttons[at] = button
 
-    def render_place(self, place: tuple[int, int] | None) -> None:
-        """Show which place it is, None for none of them."""
+    def render_pivot(self, position: tuple[int, int] | None) -> None:
+        """Show the pivot position; None for another pivot."""
         # A group of which one is to be down lets none be up.
         self._group.setExclusive(False)
         for at, button in self._buttons.items():
-            button.setChecked(at == place)
-            stops = at == (place or (0, 0))
+            button.setChecked(at == position)
+            stops = at == (position or (0, 0))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus if stops else Qt.FocusPolicy.NoFocus)
         self._group.setExclusive(True)

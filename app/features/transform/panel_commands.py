@@ -1,4 +1,4 @@
-"""The Transform panel in the window: what it shows, and the changes that it asks for."""
+"""Transform panel in the window: its values and its changes of the document."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from ...workbench.docks import Panel, make_room
 from .. import transform
 
 if TYPE_CHECKING:
-    from .panel import Situated, TransformPanel
+    from .panel import TransformPanel, TransformValues
 
 _HEIGHT = 360
 
@@ -39,7 +39,7 @@ class TransformPanelCommands(QObject):
         self._panel: TransformPanel | None = None
         self._turning: Turning | None = None
         self._dock = context.docks["transformDock"]
-        self._is_seen = False
+        self._is_visible = False
         self._dock.visibilityChanged.connect(self._follow_visibility)
         self._session.pivot_changed.connect(self._render)
         self._store.changed.connect(self._show_state)
@@ -56,13 +56,13 @@ class TransformPanelCommands(QObject):
             ),
             parent,
         )
-        panel.placed.connect(self._place)
+        panel.moved.connect(self._move)
         panel.sized.connect(self._size)
         panel.turned_to.connect(self._turn_to)
         panel.turned_by.connect(self._turn_by)
         panel.skewed.connect(self._skew)
-        panel.pivot_chosen.connect(self._choose_pivot)
-        panel.reference_chosen.connect(lambda reference: self._store.change(align_to=reference))
+        panel.pivot_picked.connect(self._choose_pivot)
+        panel.reference_picked.connect(lambda reference: self._store.change(align_to=reference))
         panel.refused.connect(self._session.refuse)
         panel.render_reference(self._store.state.align_to)
         return panel
@@ -80,7 +80,7 @@ class TransformPanelCommands(QObject):
         self._dock.bring_up()
         make_room(self._context.window, self._dock, _HEIGHT)
         if self._panel is not None:
-            self._is_seen = True
+            self._is_visible = True
             self._render()
             width = self._panel.width_edit
             width.setFocus()
@@ -90,7 +90,7 @@ class TransformPanelCommands(QObject):
     # What is shown
 
     def _follow_visibility(self, visible: bool) -> None:
-        self._is_seen = visible
+        self._is_visible = visible
         self._render()
 
     def _show_state(self, _before: WindowState, state: WindowState) -> None:
@@ -103,31 +103,31 @@ class TransformPanelCommands(QObject):
         self._render()
 
     def _render(self) -> None:
-        if self._panel is not None and self._is_seen:
-            self._panel.render_situation(self._situation())
+        if self._panel is not None and self._is_visible:
+            self._panel.render_values(self._values())
 
-    def _situation(self) -> Situated:
+    def _values(self) -> TransformValues:
         target, session = self._target, self._session
         if target.is_nothing:
-            return transform.panel.Situated("Nothing selected", None, (0.0, 0.0), None, 0.0, "", "")
+            return transform.panel.TransformValues("Nothing selected", None, (0.0, 0.0), None, 0.0, "", "")
         bounds = target.bounds
         words, group = target.words, target.for_keys
         # A name is shown as it is; all else is a sentence's beginning.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
-        return transform.panel.Situated(
+        return transform.panel.TransformValues(
             what, bounds, self._target.centre,
-            self._chosen_place, self._angle(),
+            self._pivot_position, self._angle(),
             session.document.unit, target.refusal_of_keys
         )  # fmt: skip
 
     @property
-    def _chosen_place(self) -> tuple[int, int] | None:
-        """Which of the nine places the pivot is, or None."""
+    def _pivot_position(self) -> tuple[int, int] | None:
+        """The one of nine positions in the box that is the pivot; None for another pivot."""
         bounds, pivot = self._target.bounds, self._target.pivot
         if pivot is None:
             return (0, 0)
-        places = [at for at in NINE if bounds.position(*at) == pivot]
-        return places[len(places) // 2] if places else None
+        matches = [at for at in NINE if bounds.position(*at) == pivot]
+        return matches[len(matches) // 2] if matches else None
 
     def _angle(self) -> float:
         now = self._target.anchored()
@@ -158,10 +158,10 @@ class TransformPanelCommands(QObject):
         self._target.pivot = None if forgets else self._target.bounds.position(across, up)
         self._render()
 
-    def _place(self, axis: int, value: float) -> None:
+    def _move(self, axis: int, value: float) -> None:
         group = self._target.for_keys
-        way = value - self._target.centre[axis]
-        by = (way, 0.0) if axis == 0 else (0.0, way)
+        distance = value - self._target.centre[axis]
+        by = (distance, 0.0) if axis == 0 else (0.0, distance)
         text = f"Move {self._target.words} to {'xy'[axis]} {self._length(value)}"
         self._change(text, lambda document: move_group(document, group, by))
 
@@ -179,7 +179,7 @@ class TransformPanelCommands(QObject):
         self._turn(degrees - self._angle(), centre, f"to {number(degrees, 6)}°")
 
     def _first_middle(self) -> Vector:
-        """Return where the middle that it had at angle 0 is now: back at 0 nothing has moved."""
+        """Return the current position of the centre at angle 0, so that rotating back to 0 moves nothing."""
         before = self._turning.anchor if self._turning is not None else None
         now = self._target.anchored()
         by = before.since(now) if before is not None else None

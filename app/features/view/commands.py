@@ -64,7 +64,7 @@ def _tool_choices() -> list[_ToolChoice]:
 
 
 class ViewCommands:
-    """Changes of what is shown, and how."""
+    """Actions that change the view, not the document."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -94,7 +94,7 @@ class ViewCommands:
             self._show_scale(after.scale, after.scale / before.scale)
 
     def escape(self) -> None:
-        """Step back: gesture in flight, tool, motion, presentation, scrub line, selection, chosen curves."""
+        """Step back from the gesture, tool, motion, presentation, scrub line, selected points or curves."""
         session, state = self._session, self._store.state
         if self._context.cancel_gesture() or self._context.central.canvas.dismiss():
             return
@@ -117,7 +117,7 @@ class ViewCommands:
             self._step_out()
 
     def _step_out(self) -> None:
-        """Choose the curves that are edited as wholes that are edited no longer, then none."""
+        """Stop editing and select the edited curves as wholes, then select none."""
         session, selected = self._session, self._session.selected
         if not selected.is_editing:
             if selected.whole_curves:
@@ -125,15 +125,15 @@ class ViewCommands:
                 session.say("No curve is selected.")
             return
         selected.select_whole(selected.curves)
-        session.say(self._told_whole(selected.whole_curves))
+        session.say(self._whole_hint(selected.whole_curves))
 
-    def _told_whole(self, chosen: Collection[int]) -> str:
-        """Return the sentence that curves are chosen as wholes, and how their points are edited."""
+    def _whole_hint(self, curves: Collection[int]) -> str:
+        """Return the hint that curves are selected as wholes, and how to edit their points."""
         document = self._session.document
-        name = common_name(document, chosen)
+        name = common_name(document, curves)
         if name is None:
             return (
-                f"{name_or_count(document, chosen)} are selected as wholes. Press Enter to edit their points."
+                f"{name_or_count(document, curves)} are selected as wholes. Press Enter to edit their points."
             )
         return f"“{name}” is selected as a whole. Press Enter to edit its points."
 
@@ -141,7 +141,7 @@ class ViewCommands:
     def build_more_tools(self) -> ToolbarWidget:
         """Return the button of the toolbar for the tools without one of their own."""
         tools = self._context.actions.in_bar(MORE_TOOLS_MENU).values()
-        self._more_tools.offer([each for ten in tools for each in ten])
+        self._more_tools.offer([entry for ten in tools for entry in ten])
         return self._more_tools
 
     @action_for_each(
@@ -170,23 +170,23 @@ class ViewCommands:
         # Taken anew, a tool ends what it was doing.
         self._context.central.canvas.choose_tool(tool)
         self._store.change(tool=tool, moves_image=False)
-        chosen = self._session.selected.whole_curves if tool is SELECT else frozenset()
-        self._context.status_line.show_hint(self._told_whole(chosen) if chosen else tool.hint)
+        curves = self._session.selected.whole_curves if tool is SELECT else frozenset()
+        self._context.status_line.show_hint(self._whole_hint(curves) if curves else tool.hint)
 
     @action_for_each(
         _tool_choices,
-        lambda each: Action(
-            action_name(each.tool.name, each.member),
-            each.member.label,
+        lambda choice: Action(
+            action_name(choice.tool.name, choice.member),
+            choice.member.label,
             EDIT_TOOL_SETTINGS,
-            tip=f"{each.setting.tip}: {each.member.label}",
-            full_name=f"{each.tool.title}: {each.member.label}",
-            checked=lambda state: state.window.tool_settings.value(each.setting) is each.member,
-            group=each.setting.name,
+            tip=f"{choice.setting.tip}: {choice.member.label}",
+            full_name=f"{choice.tool.title}: {choice.member.label}",
+            checked=lambda state: state.window.tool_settings.value(choice.setting) is choice.member,
+            group=choice.setting.name,
         ),
     )
-    def _choose_tool_setting(self, each: _ToolChoice) -> None:
-        tool, setting, member = each
+    def _choose_tool_setting(self, choice: _ToolChoice) -> None:
+        tool, setting, member = choice
         self._store.change(tool_settings=self._store.state.tool_settings.with_value(setting, member))
         self._session.say(f"{tool.title}: {member.label}.")
 
@@ -277,15 +277,15 @@ class ViewCommands:
         """Show or hide the side panels."""
 
     def _show_side_panel(self, state: WindowState) -> None:
-        window, shown = self._context.window, state.side_panel
+        window, visible = self._context.window, state.side_panel
         # The layout of a presentation is none to come back to.
         keeps_layout = not state.presentation
-        if not shown and keeps_layout:
+        if not visible and keeps_layout:
             self._before_folding = bytes(window.saveState().data())
         for dock in self._context.docks.side:
             # A dock that has nothing to show is disabled, and stays away.
-            dock.setVisible(shown and dock.isEnabled())
-        if shown and keeps_layout and self._before_folding:
+            dock.setVisible(visible and dock.isEnabled())
+        if visible and keeps_layout and self._before_folding:
             # Shown one by one, docks share the height anew and change which tab is in front.
             window.restoreState(self._before_folding)
             hide_idle_docks(window)
@@ -308,8 +308,8 @@ class ViewCommands:
         self._set_scale(1.0)
 
     def _change_scale(self, step: int) -> None:
-        place = _SCALES.index(self._store.state.scale) + step
-        self._set_scale(_SCALES[max(0, min(place, len(_SCALES) - 1))])
+        index = _SCALES.index(self._store.state.scale) + step
+        self._set_scale(_SCALES[max(0, min(index, len(_SCALES) - 1))])
 
     def _set_scale(self, scale: float) -> None:
         self._store.change(scale=scale)
@@ -321,9 +321,9 @@ class ViewCommands:
         late = [dock for dock in docks.all if isinstance(dock, LateDock)]
         for dock in late:
             dock.set_scale(scale)
-        seen = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
-        widths = [round(dock.width() * factor) for dock in seen]
-        self._context.window.resizeDocks(seen, widths, Qt.Orientation.Horizontal)
+        visible = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
+        widths = [round(dock.width() * factor) for dock in visible]
+        self._context.window.resizeDocks(visible, widths, Qt.Orientation.Horizontal)
 
     # Presentation
 
@@ -341,7 +341,7 @@ class ViewCommands:
     def _present(self) -> None:
         context, window = self._context, self._context.window
         self._before_presentation = bytes(window.saveState().data())
-        docks = [dock for dock in context.docks.side if dock not in self._kept_for_a_lesson()]
+        docks = [dock for dock in context.docks.side if dock not in self._docks_for_lesson()]
         for part in (context.toolbar, window.menuBar(), context.status_line, *docks):
             part.hide()
         # Not showFullScreen, which forgets that a window was maximised.
@@ -355,8 +355,8 @@ class ViewCommands:
         window.restoreState(self._before_presentation)
         hide_idle_docks(window)
 
-    def _kept_for_a_lesson(self) -> list[QDockWidget]:
-        """Return what a lesson needs at hand while it is presented: the laboratory, if it is in front."""
+    def _docks_for_lesson(self) -> list[QDockWidget]:
+        """Return the docks that stay in the presentation of a lesson: the laboratory, if it is in front."""
         docks = self._context.docks
         is_wanted = docks["lessonsDock"].isVisible() and self._store.state.analysis.laboratory.on
         return [docks["laboratoryDock"]] if is_wanted else []

@@ -16,7 +16,7 @@ _ICON, _ARROW = 20, 20
 
 
 class MoreToolsButton(ToolbarWidget):
-    """Takes the tool of the menu that was used last; its arrow offers the others.
+    """Toolbar button for the last used tool of its menu.
 
     Parameters
     ----------
@@ -37,15 +37,15 @@ class MoreToolsButton(ToolbarWidget):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
     def offer(self, tools: Sequence[QAction]) -> None:
-        """Offer the actions of these tools, the first of them on the button."""
+        """Set the tools of the menu; the first one is on the button."""
         self._menu.addActions(list(tools))
         self.button.setDefaultAction(tools[0])
         # Afterwards: a default action brings its own menu, which is none.
         self.button.setMenu(self._menu)
 
     def show_in_use(self) -> None:
-        """Show the tool in use, if it is one of these; otherwise the last one stays."""
-        used = next((each for each in self._menu.actions() if self._is_on(each.objectName())), None)
+        """Show the tool in use, if it is in the menu; otherwise the last one."""
+        used = next((entry for entry in self._menu.actions() if self._is_on(entry.objectName())), None)
         if used is not None and used is not self.button.defaultAction():
             self.button.setDefaultAction(used)
             self.button.setMenu(self._menu)

@@ -39,7 +39,7 @@ class ZoomCommands:
         self.field.offer([*context.actions.in_bar(ZOOM_MENU).values()])
         context.status_line.addPermanentWidget(self.field)
         self._canvas.camera.changed.connect(self._show_zoom)
-        self._unit_shown = self._unit
+        self._rendered_unit = self._unit
         self._show_zoom()
 
     # The zoom in per cent
@@ -55,13 +55,13 @@ class ZoomCommands:
 
     def render_panel(self, view: CurveView) -> None:
         """Show the zoom again where the document has another unit."""
-        if self._unit != self._unit_shown:
+        if self._unit != self._rendered_unit:
             self._show_zoom()
 
     def _show_zoom(self) -> None:
-        self._unit_shown = self._unit
+        self._rendered_unit = self._unit
         share = self._canvas.pixel_map.sx / self._full_size
-        self.field.show_zoom(share, words_about_full_size(self._unit, self._canvas.logicalDpiX()))
+        self.field.show_zoom(share, full_size_text(self._unit, self._canvas.logicalDpiX()))
 
     def _take_zoom(self, share: float) -> None:
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -102,10 +102,10 @@ class ZoomCommands:
         self._past.begin_move()
         session, framing = self._context.session, self._canvas.framing
         if parts := session.selected.group.parts:
-            found = [session.views[curve].points[sorted(indices)] for curve, indices in parts]
-            framing.fit_points(np.concatenate(found))
+            points = [session.views[curve].points[sorted(indices)] for curve, indices in parts]
+            framing.fit_points(np.concatenate(points))
         else:
-            framing.fit_views([session.views[place] for place in sorted(session.selected.curves)])
+            framing.fit_views([session.views[curve] for curve in sorted(session.selected.curves)])
 
     @action("zoomIn", "Zoom In", VIEW_ZOOM_STEPS, "Ctrl+=, Ctrl++, +, =", "zoom-in")
     def _zoom_in(self) -> None:
@@ -150,15 +150,15 @@ _PLAIN = (0.01, 1e6)
 
 
 def pixels_at_full_size(unit: str, dots_per_inch: float) -> float:
-    """Return how many pixels a length of 1 takes at 100 %: as many as on paper, if its unit is one."""
+    """Return the pixels of a length of 1 at 100 %: its actual size, where the unit is known."""
     known = known_unit(unit)
     if not known:
         return PIXELS_WITHOUT_UNIT
     return MILLIMETRES[known] / _MILLIMETRES_PER_INCH * dots_per_inch
 
 
-def words_about_full_size(unit: str, dots_per_inch: float) -> str:
-    """Return what 100 % means here, as a sentence."""
+def full_size_text(unit: str, dots_per_inch: float) -> str:
+    """Return the sentence about the size of 100 %."""
     pixels = number(pixels_at_full_size(unit, dots_per_inch), 3)
     if known := known_unit(unit):
         return f"100 % is actual size on this screen: 1 {known} is {pixels} pixels."
@@ -230,9 +230,9 @@ class ZoomField(QWidget):
         self._soon.timeout.connect(self._write)
 
     def offer(self, groups: Sequence[Sequence[QAction]]) -> None:
-        """Offer actions in the menu, in groups."""
-        for place, group in enumerate(groups):
-            if place:
+        """Set the actions of the menu, in groups."""
+        for index, group in enumerate(groups):
+            if index:
                 self._menu.addSeparator()
             self._menu.addActions(list(group))
 
@@ -241,7 +241,7 @@ class ZoomField(QWidget):
         self._menu.popup(self.mapToGlobal(QPoint(0, -self._menu.sizeHint().height())))
 
     def show_zoom(self, share: float, about: str) -> None:
-        """Show a zoom soon, and in the tip what 100 % means."""
+        """Show a zoom, and its tip about 100 %."""
         if share != self._share or about != self._about:
             self._share, self._about = share, about
             if not self._soon.isActive():
@@ -252,7 +252,7 @@ class ZoomField(QWidget):
         edit, text = self.edit, per_cent_text(self._share)
         edit.show_text(text)
         edit.setToolTip(f"Zoom: type a value such as 250 %. {self._about}")
-        width = max(edit.fontMetrics().horizontalAdvance(each) for each in (text, _WIDEST)) + 14
+        width = max(edit.fontMetrics().horizontalAdvance(line) for line in (text, _WIDEST)) + 14
         if width != edit.width():
             edit.setFixedWidth(width)
 
@@ -271,42 +271,42 @@ Box = tuple[float, float, float, float]
 
 
 class PastViews(QObject):
-    """The views of one camera, in order; notches of the wheel one after the other are one move."""
+    """Previous views of a camera; consecutive notches of the wheel are one move."""
 
     def __init__(self, camera: Camera, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._camera = camera
         self._before: list[Box] = []
-        self._seen, self._size = camera.pixel_map.box, self._size_now()
+        self._last_box, self._size = camera.pixel_map.box, self._size_now()
         # Whether a view of before is being shown, which is no move.
         self._is_going = False
         self._moving = QTimer(self, singleShot=True, interval=_REST_MS)
         camera.changed.connect(self._note)
 
     def _size_now(self) -> tuple[float, float]:
-        shown = self._camera.pixel_map
-        return shown.width, shown.height
+        pixel_map = self._camera.pixel_map
+        return pixel_map.width, pixel_map.height
 
     def _note(self) -> None:
-        """Remember what was seen before this move, unless the window has only got another size."""
+        """Remember the view before this move, unless only the window was resized."""
         box, size = self._camera.pixel_map.box, self._size_now()
-        if size == self._size and box != self._seen and not self._is_going:
+        if size == self._size and box != self._last_box and not self._is_going:
             if not self._moving.isActive():
-                self._before = [*self._before[-_MOST:], self._seen]
+                self._before = [*self._before[-_MOST:], self._last_box]
             self._moving.start()
-        self._seen, self._size = box, size
+        self._last_box, self._size = box, size
 
     def begin_move(self) -> None:
-        """Let what comes be a move of its own, however soon it follows the last."""
+        """Treat the next change as a separate move."""
         self._moving.stop()
 
     def forget(self) -> None:
-        """Forget the views: they were of another document."""
+        """Forget the views, after another document was opened."""
         self.begin_move()
         self._before.clear()
 
     def go_back(self) -> bool:
-        """Show what was seen before; return whether there was something."""
+        """Go back to the previous view; return whether there is one."""
         self._moving.stop()
         if not self._before:
             return False
