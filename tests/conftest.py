@@ -57,7 +57,7 @@ from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 from pytestqt.qtbot import QtBot
 
-from app.families import FAMILIES, ChosenSettings, Family
+from app.families import FAMILIES, Family, FamilySettingValues
 from app.qt.sources import spare_sources
 from app.tasks.garbage import Generations
 from tests.waiting import LIMIT_MS
@@ -250,7 +250,7 @@ def odd_values(value: object, place: str = "document", known: object = None) -> 
         return []
     if type(value) in _PLAIN or isinstance(value, Enum):
         return []
-    if isinstance(value, ChosenSettings):
+    if isinstance(value, FamilySettingValues):
         return [odd for name, each in value.items() for odd in _odd_setting(each, f"{place}.{name}")]
     if isinstance(value, Family):
         return odd_values(value.name, f"{place}.name")

@@ -10,7 +10,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from app.document.model import ParametrizationKind
-from app.families import FAMILIES, ChosenSettings
+from app.families import FAMILIES, FamilySettingValues
 from app.features.lessons.lesson import Lesson, lesson_names
 from app.storage.files import load
 from app.view_model.analysis.laboratory import try_methods
@@ -79,7 +79,7 @@ class LessonFacts:
         return replace(curve, family=FAMILIES.named(family)) if family is not None else curve
 
     def with_setting(self, curve, **settings):
-        return replace(curve, settings=ChosenSettings(settings))
+        return replace(curve, settings=FamilySettingValues(settings))
 
     def with_estimated_velocities(self, curve):
         return replace(curve, points=tuple(replace(point, velocity=None) for point in curve.points))

@@ -9,7 +9,7 @@ from typing import Annotated, Final
 
 from msgspec.structs import replace
 
-from ..families import LAGRANGE, NO_SETTINGS, ChosenSettings, Family
+from ..families import LAGRANGE, NO_SETTINGS, Family, FamilySettingValues
 from .derivatives import DERIVATIVES, VECTORS, AccelerationRule, EstimateRule, JerkRule, VelocityRule
 from .fields import LENGTH, Requirement, Value, above, at_least, at_most_items, between, printable
 from .fields import Vector as Vector  # noqa: PLC0414 - most have it from here
@@ -214,8 +214,8 @@ class Curve(Value, frozen=True, dict=True):
     groups: tuple[str, ...] = ()
     visible: bool = True
     locked: bool = False
-    settings: ChosenSettings = NO_SETTINGS
-    other_settings: tuple[tuple[Family, ChosenSettings], ...] = ()
+    settings: FamilySettingValues = NO_SETTINGS
+    other_settings: tuple[tuple[Family, FamilySettingValues], ...] = ()
 
     def with_family(self, family: Family) -> Curve:
         """Return this curve with another family, and with its former settings for that family."""
@@ -227,12 +227,12 @@ class Curve(Value, frozen=True, dict=True):
         return replace(self, family=family, settings=settings, other_settings=(*others, *present))
 
     @property
-    def settings_in_effect(self) -> ChosenSettings:
+    def settings_in_effect(self) -> FamilySettingValues:
         """The settings, with the values that closing the curve implies."""
         return self.family.settings.in_effect(self.settings, closed=self.is_closed)
 
     @property
-    def functions_key(self) -> tuple[Family, ChosenSettings]:
+    def functions_key(self) -> tuple[Family, FamilySettingValues]:
         """The family and its settings, which with the parameters determine the basis functions."""
         return self.family, self.settings_in_effect
 

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from .. import exchange
 from ..document.model import Document
-from ..families import HERMITE, NO_SETTINGS, ChosenSettings, Family
+from ..families import HERMITE, NO_SETTINGS, Family, FamilySettingValues
 from ..storage.files import document_in, read, write
 from ..storage.format_error import FormatError, foreign_name_clause
 from ..tasks.progress import FINAL, Report, silent
@@ -56,7 +56,7 @@ class ImportOptions:
     thin: float | None = None
     corners: bool = False
     family: Family = HERMITE
-    settings: ChosenSettings = NO_SETTINGS
+    settings: FamilySettingValues = NO_SETTINGS
     columns: str = ""
     missing: str = "refuse"
     only: Sequence[str] = ()

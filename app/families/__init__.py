@@ -1,7 +1,7 @@
 """The curve families of the program, which menus, tables, exports and the command line read here. No Qt.
 
 - ``family``: `Family`, the record of a curve class with its words; `FamilySettings`, the settings of a
-  family; `ChosenSettings`, those that are not at their defaults.
+  family; `FamilySettingValues`, those that are not at their defaults.
 - ``registry``: `FAMILIES`: the families of the core, then those of installed packages and of files.
 - ``family_file``: families from a file of Python, checked before they are used, and the calls of its
   functions.
@@ -15,7 +15,7 @@ with ``--families`` or Use Family File (``family_file`` says what it holds). Not
 from curvecore import FamilySetting
 from curvecore.families.setting import SettingValue
 
-from .family import NO_SETTINGS, ChosenSettings, Family, may_be_name
+from .family import NO_SETTINGS, Family, FamilySettingValues, may_be_name
 from .registry import (
     FAMILIES,
     HERMITE,
@@ -32,10 +32,10 @@ __all__ = [
     "LAGRANGE",
     "NO_SETTINGS",
     "QUINTIC_HERMITE",
-    "ChosenSettings",
     "Families",
     "Family",
     "FamilySetting",
+    "FamilySettingValues",
     "SettingValue",
     "may_be_name",
     "titles",

@@ -21,13 +21,13 @@ from curvecore.families.setting import SettingValue
 
 
 @final
-class ChosenSettings(Mapping[str, SettingValue]):
-    """Values by the names of settings; immutable, and there is one empty one.
+class FamilySettingValues(Mapping[str, SettingValue]):
+    """Values of family settings by their names: an immutable mapping, of which there is one empty one.
 
     Parameters
     ----------
     values
-        Pairs of name and value, or a mapping. Nobody asks here whether a family has them.
+        Pairs of name and value, or a mapping; not checked against any family.
     """
 
     __slots__ = ("_pairs",)
@@ -36,7 +36,7 @@ class ChosenSettings(Mapping[str, SettingValue]):
 
     def __new__(
         cls, values: Mapping[str, SettingValue] | Iterable[tuple[str, SettingValue]] = ()
-    ) -> ChosenSettings:
+    ) -> FamilySettingValues:
         """Return the settings; of no values always the same object, which files then leave out."""
         pairs = tuple(dict(values).items())
         if not pairs and "NO_SETTINGS" in globals():
@@ -55,16 +55,16 @@ class ChosenSettings(Mapping[str, SettingValue]):
         return len(self._pairs)
 
     def __eq__(self, other: object) -> bool:
-        return dict(self) == dict(other) if isinstance(other, ChosenSettings) else NotImplemented
+        return dict(self) == dict(other) if isinstance(other, FamilySettingValues) else NotImplemented
 
     def __hash__(self) -> int:
         return hash(frozenset(self._pairs))
 
     def __repr__(self) -> str:
-        return f"ChosenSettings({dict(self._pairs)})"
+        return f"FamilySettingValues({dict(self._pairs)})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return ChosenSettings, (self._pairs,)
+        return FamilySettingValues, (self._pairs,)
 
     def __copy__(self) -> Self:
         return self
@@ -73,7 +73,7 @@ class ChosenSettings(Mapping[str, SettingValue]):
         return self
 
 
-NO_SETTINGS = ChosenSettings()
+NO_SETTINGS = FamilySettingValues()
 
 
 class FamilySettings(NamedTuple):
@@ -98,21 +98,21 @@ class FamilySettings(NamedTuple):
         """Return the value of each setting: the selected one, else the default."""
         return {setting: values.get(setting.name, setting.default) for setting in self.all}
 
-    def without_defaults(self, values: Mapping[str, SettingValue]) -> ChosenSettings:
+    def without_defaults(self, values: Mapping[str, SettingValue]) -> FamilySettingValues:
         """Return values of these settings, without defaults; all of them if the family is missing.
 
         A family that was changed while its curves are open may no longer have a setting, or allow its value.
         """
         if not self.are_known:
-            return ChosenSettings(values)
+            return FamilySettingValues(values)
         pairs = ((self.named(name), value) for name, value in values.items())
-        return ChosenSettings(
+        return FamilySettingValues(
             (setting.name, value)
             for setting, value in pairs
             if setting is not None and setting.allows(value) and value != setting.default
         )
 
-    def in_effect(self, values: ChosenSettings, *, closed: bool) -> ChosenSettings:
+    def in_effect(self, values: FamilySettingValues, *, closed: bool) -> FamilySettingValues:
         """Return the values of a curve, open or closed: closing decides some of them."""
         fixed = {setting.name: setting.when_closed for setting in self.all if setting.when_closed is not None}
         return self.without_defaults({**values, **fixed}) if closed and fixed else values

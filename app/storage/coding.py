@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import NoneType
 
-from ..families import FAMILIES, ChosenSettings, Family, SettingValue, may_be_name
+from ..families import FAMILIES, Family, FamilySettingValues, SettingValue, may_be_name
 
 _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "object", NoneType: "null"}
 """Names of JSON types as in the messages of msgspec."""
@@ -12,12 +12,12 @@ _JSON_NAMES = {bool: "bool", int: "int", float: "float", list: "array", dict: "o
 
 def encode_hook(value: object) -> str | float | dict[str, SettingValue]:
     """Return the JSON value of a family (its name), of settings, or of a number of NumPy."""
-    if isinstance(value, ChosenSettings):
+    if isinstance(value, FamilySettingValues):
         return dict(value)
     return value.name if isinstance(value, Family) else float(value)  # type: ignore[arg-type]
 
 
-def decode_hook(kind: type, value: object) -> Family | ChosenSettings:
+def decode_hook(kind: type, value: object) -> Family | FamilySettingValues:
     """Return the family of a name, installed or not, or the settings of a family.
 
     Raises
@@ -26,10 +26,10 @@ def decode_hook(kind: type, value: object) -> Family | ChosenSettings:
         With a message like those of msgspec, which adds the field, if no family can have that name or the
         settings are not an object; `validate` checks their content.
     """
-    if kind is ChosenSettings:
+    if kind is FamilySettingValues:
         if not isinstance(value, dict):
             raise ValueError(f"Expected `object`, got `{_JSON_NAMES[type(value)]}`")
-        return ChosenSettings(value)
+        return FamilySettingValues(value)
     if not isinstance(value, str):
         raise ValueError(f"Expected `str`, got `{_JSON_NAMES[type(value)]}`")
     if not may_be_name(value):

@@ -7,7 +7,7 @@ from app.document.model import Document, make_curve
 from app.exchange.files import export, import_file
 from app.exchange.options import Options
 from app.exchange.table.columns import family_cell, read_family_cell
-from app.families import FAMILIES, HERMITE, NO_SETTINGS, ChosenSettings
+from app.families import FAMILIES, HERMITE, NO_SETTINGS, FamilySettingValues
 from app.view_model.curve.curve_view import view_of
 from tests.own_families import EVERY
 from tests.rows import each_row
@@ -30,7 +30,7 @@ def other_value(setting):
 @each_row("name", [*EVERY, "tests_swaying"])
 def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
     family = FAMILIES.named(name)
-    settings = ChosenSettings((setting.name, other_value(setting)) for setting in family.settings.all)
+    settings = FamilySettingValues((setting.name, other_value(setting)) for setting in family.settings.all)
     curve = replace(make_curve(POINTS, family=family), settings=settings)
     assert read_family_cell(family_cell(curve)) == (family, False, settings)
     path = tmp_path / "curve.points.csv"
@@ -42,7 +42,7 @@ def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
 
 def test_a_family_cell_says_family_closing_and_settings():
     family = FAMILIES.named("tests_swaying")
-    curve = replace(make_curve(POINTS, family=family), settings=ChosenSettings({"amount": 5}))
+    curve = replace(make_curve(POINTS, family=family), settings=FamilySettingValues({"amount": 5}))
     assert family_cell(curve) == "tests_swaying amount=5"
     assert family_cell(replace(make_curve(POINTS, family=HERMITE), closed=True)) == "closed hermite"
     assert read_family_cell(" Closed  Hermite ") == (HERMITE, True, NO_SETTINGS)

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from app.document import limits, rule_edits
 from app.document.model import Document, make_curve
 from app.exchange.facts import facts_of
-from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, ChosenSettings
+from app.families import FAMILIES, LAGRANGE, NO_SETTINGS, FamilySettingValues
 from app.storage.format import decode, encode
 from app.storage.format_error import FormatError
 from app.storage.validation import validate
@@ -207,19 +207,19 @@ def test_facts_have_all_settings(document):
 
 
 def test_chosen_settings_are_values():
-    chosen = ChosenSettings({"amount": 5, "side": "left"})
-    assert chosen == ChosenSettings([("side", "left"), ("amount", 5)])
-    assert hash(chosen) == hash(ChosenSettings([("side", "left"), ("amount", 5)]))
-    assert chosen != ChosenSettings({"amount": 4, "side": "left"})
+    chosen = FamilySettingValues({"amount": 5, "side": "left"})
+    assert chosen == FamilySettingValues([("side", "left"), ("amount", 5)])
+    assert hash(chosen) == hash(FamilySettingValues([("side", "left"), ("amount", 5)]))
+    assert chosen != FamilySettingValues({"amount": 4, "side": "left"})
     assert pickle.loads(pickle.dumps(chosen)) == copy.deepcopy(chosen) == chosen
-    assert pickle.loads(pickle.dumps(NO_SETTINGS)) is ChosenSettings({}) is NO_SETTINGS
+    assert pickle.loads(pickle.dumps(NO_SETTINGS)) is FamilySettingValues({}) is NO_SETTINGS
 
 
 def test_a_family_that_lost_a_setting_draws_edits_and_saves_its_curves(document, swaying):
     """As when its file is written anew while the document is open."""
     chosen = rule_edits.set_family_setting(document, 0, "amount", 5)
     stale = replace(
-        chosen.curves[0], settings=ChosenSettings({"speed": 3, "amount": 50, "first_side": "right"})
+        chosen.curves[0], settings=FamilySettingValues({"speed": 3, "amount": 50, "first_side": "right"})
     )
     assert view_of(stale).curve.chosen == {"amount": 2, "first_side": "right"}
     open_document = Document((stale,))

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QToolButton, QWidget
 from app.appearance.theme import DARK, LIGHT, theme_of
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.point_edits import set_position
-from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, ChosenSettings
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE, FamilySettingValues
 from app.plotting.pens import colour_of, dashed
 from app.view_model.analysis.ghost import Ghost, all_ghosts
 from tests.waiting import until
@@ -129,7 +129,7 @@ def test_during_a_drag_the_legend_has_no_figures(editor):
 
 def test_a_ghost_has_the_settings_that_the_curve_has_or_had_of_its_family(editor):
     family = FAMILIES.named("floater_hormann")
-    curve = replace(make_curve(RUNGE, family=family), settings=ChosenSettings({"degree": 1}))
+    curve = replace(make_curve(RUNGE, family=family), settings=FamilySettingValues({"degree": 1}))
     editor.session.commit(Document((curve,)), "Runge")
     editor.trigger("ghostUniform")
     editor.trigger("ghostFloaterHormann")

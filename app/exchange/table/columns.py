@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Curve
-from ...families import FAMILIES, NO_SETTINGS, ChosenSettings, Family, SettingValue
+from ...families import FAMILIES, NO_SETTINGS, Family, FamilySettingValues, SettingValue
 from ..errors import ExchangeError
 
 ROLES = ("t", "x", "y", *(f"{derivative.letter}{axis}" for derivative in DERIVATIVES for axis in "xy"))
@@ -261,7 +261,7 @@ class FamilyCell(NamedTuple):
 
     family: Family
     closed: bool = False
-    settings: ChosenSettings = NO_SETTINGS
+    settings: FamilySettingValues = NO_SETTINGS
 
 
 def family_cell(curve: Curve) -> str:

@@ -13,7 +13,7 @@ from ...document.constraints import tie_if_parallel
 from ...document.derivatives import DERIVATIVES, VECTORS
 from ...document.model import Curve, Document, Parametrization, ParametrizationKind, Point, Vector
 from ...document.words import NamedEnum
-from ...families import HERMITE, NO_SETTINGS, ChosenSettings, Family
+from ...families import HERMITE, NO_SETTINGS, Family, FamilySettingValues
 from ...storage.format_error import FormatError
 from ...storage.validation import validate
 from ...tasks.progress import Report, part, silent
@@ -69,7 +69,7 @@ class TableOptions:
     """
 
     family: Family = HERMITE
-    settings: ChosenSettings = NO_SETTINGS
+    settings: FamilySettingValues = NO_SETTINGS
     name: str = "Table"
     thin: float | None = None
     thinning: Thinning = Thinning.CURVE
