@@ -53,7 +53,7 @@ def why_not_kept(before: Document, after: Document) -> str:
     try:
         validate_changes(before, after)
     except FormatError as reason:
-        return f"This cannot be kept: {with_path_in_words(after, str(reason))}."
+        return f"This cannot be saved: {with_path_in_words(after, str(reason))}."
     return ""
 
 

@@ -78,7 +78,7 @@ class PenSession:
         self._finished.discard(key)
         self._drawn.setdefault(key, count)
 
-    def own_points(self, session: EditingSession) -> int:
+    def drawn_points(self, session: EditingSession) -> int:
         """Return the number of points at the end of the active curve that the pen has drawn."""
         if not self.is_drawn(session) or session.active_view.source.is_closed:
             return 0
@@ -261,7 +261,7 @@ class AppendPoint(Drag, kw_only=True):
         # The position was decided at the press; only a velocity is still being set.
         if not self.view.source.family.derivatives:
             return SNAP_KEY
-        return f"{STEP_KEYS} · Alt: the handle ahead alone"
+        return f"{STEP_KEYS} · Alt: only the handle ahead"
 
     def amount(self, pointer: Pointer) -> str:
         """Return the position of the new point and the direction of its velocity."""

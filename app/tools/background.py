@@ -87,12 +87,12 @@ class Background:
 
     def cancel(self) -> bool:
         """Cancel all tasks; return whether there were any."""
-        found = bool(self._tasks)
+        is_busy = bool(self._tasks)
         self._tasks, self._results = [], []
-        if self.jobs is not None and found:
+        if self.jobs is not None and is_busy:
             self.jobs.cancel()
             self.changed()
-        return found
+        return is_busy
 
     def cancel_last(self) -> str:
         """Cancel the task that was added last; return its title, empty for none."""

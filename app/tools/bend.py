@@ -125,16 +125,16 @@ def _toggled(before: PointGroup, ends: PointGroup) -> PointGroup:
 
 def insert_at(session: EditingSession, t: float) -> None:
     """Insert a point on the active curve at `t`, and select it alone."""
-    view, active, made = session.active_view, session.active_index, list[Reshaped]()
+    view, active, results = session.active_view, session.active_index, list[Reshaped]()
 
     def edit(document: Document) -> Document:
-        made.append(with_point_inserted(view, t))
-        return replace_curve(document, active, made[0].curve)
+        results.append(with_point_inserted(view, t))
+        return replace_curve(document, active, results[0].curve)
 
     index = inserted_index(view, t)
     if session.change(f"Insert point {index}", edit):
         session.selected.set_points([index])
-        session.say(made[0].sentence)
+        session.say(results[0].sentence)
 
 
 # What a press would do
@@ -151,5 +151,5 @@ def _clicks(view: CurveView, pointer: Pointer) -> str:
     """Return the effects of a click on the line, and of a second one."""
     selects = view.source.family.interpolates
     if pointer.shift:
-        return "Click: select both ends, too" if selects else ""
+        return "Click: add both ends to the selection" if selects else ""
     return f"{'Click: select both ends · ' if selects else ''}Double click: insert a point"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from enum import Enum
+from operator import itemgetter
 
 import msgspec
 from msgspec.structs import replace
@@ -89,7 +90,7 @@ class Grip(msgspec.Struct, frozen=True):
 
 _GRIPS = tuple(Grip(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if x or y)
 _TURNING_GRIPS = tuple(
-    Grip(each.x, each.y, TransformKind.ROTATE if each.x and each.y else TransformKind.SKEW) for each in _GRIPS
+    Grip(grip.x, grip.y, TransformKind.ROTATE if grip.x and grip.y else TransformKind.SKEW) for grip in _GRIPS
 )
 
 
@@ -145,11 +146,11 @@ class TransformBox(Bounds, frozen=True):
 
     def grip_at(self, pointer: Pointer) -> Grip | None:
         """Return the grip under the pointer."""
-        away = [
-            (math.dist(place, pointer.position) * pointer.scale, grip)
-            for grip, place in self.grips(pointer.scale)
+        distances = [
+            (math.dist(position, pointer.position) * pointer.scale, grip)
+            for grip, position in self.grips(pointer.scale)
         ]
-        distance, grip = min(away, key=lambda each: each[0])
+        distance, grip = min(distances, key=itemgetter(0))
         return grip if distance <= _REACH else None
 
 
@@ -183,7 +184,7 @@ class SelectionBox:
         self.keeps_proportions = False
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
-        self._found: tuple[PointGroup | None, TransformBox | None] = (None, None)
+        self._result: tuple[PointGroup | None, TransformBox | None] = (None, None)
         # All points of the curves that were chosen last as wholes, and which document and choice they are of.
         self._whole: tuple[Document, frozenset[int], PointGroup] | None = None
 
@@ -209,15 +210,15 @@ class SelectionBox:
         if len(selection.parts) == 1 and len(selection.parts[0][1]) == 1:
             # As under most drags; a single point has no box.
             return selection, None
-        views, chosen = session.views, session.selected.whole_curves
+        views, whole = session.views, session.selected.whole_curves
         live, turns = session.is_previewing, session.box.turns
-        now = (selection, chosen, live, turns)
+        now = (selection, whole, live, turns)
         if not self._known or self._known[0] is not views or self._known[1:] != now:
             self._known = (views, *now)
             group = selection if selection.parts else self.curves
             box = box_of(views, group, live=live) if group is not None else None
-            self._found = (group, replace(box, turns=turns) if box is not None else None)
-        return self._found
+            self._result = (group, replace(box, turns=turns) if box is not None else None)
+        return self._result
 
     @property
     def curves(self) -> PointGroup | None:
@@ -225,28 +226,28 @@ class SelectionBox:
 
         Of several, those that are not locked.
         """
-        document, chosen = self._session.document, self._session.selected.whole_curves
-        if not chosen:
+        document, whole = self._session.document, self._session.selected.whole_curves
+        if not whole:
             return None
         known, group = self._whole, None
-        if known is not None and known[1] == chosen and reshaped_curves(known[0], document) is not None:
+        if known is not None and known[1] == whole and reshaped_curves(known[0], document) is not None:
             # Under a drag of thousands they are the same.
             group = known[2]
-        self._whole = (document, chosen, group or whole_unlocked_curves(document, chosen))
+        self._whole = (document, whole, group or whole_unlocked_curves(document, whole))
         return self._whole[2]
 
     @property
     def for_keys(self) -> PointGroup:
         """The points that keys transform: the same, or else all points of the active shape."""
-        return self.group or self._edited
+        return self.group or self._active_points
 
     @property
-    def _edited(self) -> PointGroup:
+    def _active_points(self) -> PointGroup:
         """All points of the active curve, and of the others of its shape: outline and holes are one."""
         document, active = self._session.document, self._session.active_index
-        places = shape_of(document, active)
+        curves = shape_of(document, active)
         return PointGroup(
-            tuple((place, frozenset(range(len(document.curves[place].points)))) for place in places)
+            tuple((curve, frozenset(range(len(document.curves[curve].points)))) for curve in curves)
         )
 
     @property
@@ -307,12 +308,12 @@ class SelectionBox:
         pivot = self._session.box.pivot
         if pivot is None or self.is_nothing:
             return None
-        found = pivot.at(self.anchored())
-        return found.position if found is not None else None
+        present = pivot.at(self.anchored())
+        return present.position if present is not None else None
 
     @pivot.setter
-    def pivot(self, place: Vector | None) -> None:
-        self._session.box.set_pivot(Pivot(place, self.anchored()) if place is not None else None)
+    def pivot(self, position: Vector | None) -> None:
+        self._session.box.set_pivot(Pivot(position, self.anchored()) if position is not None else None)
 
     def anchored(self) -> Anchor:
         """Return the points that keys transform, as anchor of a pivot."""
@@ -330,10 +331,10 @@ class SelectionBox:
         session, pivot = self._session, self._session.box.pivot
         if pivot is None or session.is_previewing:
             return
-        own = pivot.anchor.group_in(session.document.curves)
+        points = pivot.anchor.group_in(session.document.curves)
         now = None if self.is_nothing else self.anchored()
-        is_meant = now is not None and (own is not None or pivot.anchor.has_same_points(now))
-        if now is not None and is_meant and (found := pivot.at(now)) is not None:
-            session.box.set_pivot(found)
+        is_for_it = now is not None and (points is not None or pivot.anchor.has_same_points(now))
+        if now is not None and is_for_it and (moved := pivot.at(now)) is not None:
+            session.box.set_pivot(moved)
         else:
-            session.box.set_pivot(None if own is None else pivot.at(self._anchored(own)) or pivot)
+            session.box.set_pivot(None if points is None else pivot.at(self._anchored(points)) or pivot)

@@ -67,7 +67,7 @@ def _retract(event: ToolEvent, hit: Hit) -> None:
         return replace_curve(document, active, with_handle_retracted(view, hit.index, ahead=hit.ahead))
 
     if session.change(f"Retract handle of point {hit.index}", edit):
-        session.say(f"Retracted the handle of point {hit.index}; Alt+drag the point pulls it out again.")
+        session.say(f"Retracted the handle of point {hit.index}; Alt+drag the point to pull it out again.")
 
 
 class DragHandle(Drag, kw_only=True, dict=True):

@@ -199,7 +199,7 @@ def label_of_moved(event: ToolEvent, hit: Hit) -> str:
 
 def hint_on_point(hit: Hit, view: CurveView, moves: str, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint over a point of which a drag `moves` something, such as "4 points"."""
-    text = f"{hints.to_move(moves, pointer)} · {AXIS_KEYS} · Shift+click: select it too, or no longer"
+    text = f"{hints.to_move(moves, pointer)} · {AXIS_KEYS} · Shift+click: add to or remove from the selection"
     text += f" · {hints.snap_key(snaps=snaps)}"
     if view.source.family.derivatives:
         text += " · Alt: pull out its velocity"

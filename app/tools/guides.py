@@ -56,7 +56,7 @@ class MoveGuide(Drag, kw_only=True):
     unit: str
     is_new: bool = False
 
-    keys = "Back to the ruler: no guide"
+    keys = "Back to the ruler: remove it"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the guide at the pointer, or without it over a ruler."""
@@ -81,7 +81,7 @@ class MoveGuide(Drag, kw_only=True):
     def amount(self, pointer: Pointer) -> str:
         """Return the label of the guide."""
         if _is_beyond(pointer):
-            return "Drag onto the drawing for a guide" if self.is_new else "Let go to remove the guide"
+            return "Drag onto the drawing to add a guide" if self.is_new else "Release to remove the guide"
         return f"Guide {guide_label(self._guide_at(pointer), self.unit)}"
 
     def position_at(self, pointer: Pointer) -> Vector | None:
@@ -110,11 +110,11 @@ def hint_on_guide(event: ToolEvent, index: int) -> Hint:
     """Return the hint over a guide."""
     guide = event.session.document.guides[index]
     words = guide_label(guide, event.session.document.unit)
-    text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type its place"
+    text = f"Guide {words} · Drag: move it, back to the ruler: remove it · Double-click: type its position"
     return Hint(text, grab=True, cursor=CURSORS[guide.axis.coordinate])
 
 
 def hint_on_ruler(axis: Axis) -> Hint:
     """Return the hint over the ruler out of which guides of an axis are drawn."""
-    text = "Drag onto the drawing for a guide · Double-click: type where it lies"
+    text = "Drag onto the drawing to add a guide · Double-click: type its position"
     return Hint(text, grab=True, cursor=CURSORS[axis.coordinate])

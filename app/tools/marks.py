@@ -83,5 +83,5 @@ class Marks(msgspec.Struct, frozen=True):
 
     def above(self, below: Marks) -> Marks:
         """Return both; of what both have, this."""
-        own = {name: value for name, value in asdict(self).items() if value not in (None, ())}
-        return replace(below, **own)
+        drawn = {name: value for name, value in asdict(self).items() if value not in (None, ())}
+        return replace(below, **drawn)

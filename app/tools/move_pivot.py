@@ -20,7 +20,8 @@ _REACH = 7.0
 """Pixels from the mark within which a press takes it."""
 
 PIVOT_HINT = Hint(
-    "Drag the pivot: what is turned, scaled and mirrored is so about it · Shift+click: back to the middle",
+    "Drag the pivot, about which the selection is rotated, scaled and mirrored · "
+    "Shift+click: back to the middle",
     cursor=Cursor.MOVE,
 )
 

@@ -129,7 +129,7 @@ class RailTool(ScrubTool):
         """Return the hint."""
         hit = event.hit
         if hit is None or hit.part is Part.SCRUB:
-            return Hint("Drag to scrub: each point shows its weight at t · Escape puts the line away")
+            return Hint("Drag to scrub: each point shows its weight at t · Escape hides the line")
         hint = self._hint_on(event, hit)
         return Hint(hint.text, hint.grab, hint.cursor, highlighted=hit.index)
 
@@ -137,9 +137,10 @@ class RailTool(ScrubTool):
     def _hint_on(event: ToolEvent, hit: Hit) -> Hint:
         if hit.part is Part.TICK:
             return _tick_hint(hit, event.pointer, event.view, event.session.selected.points)
-        if hit.part is Part.PLACE:
+        if hit.part is Part.DOT:
             return Hint(
-                f"The dot of point {hit.index}: near t = {words.number(hit.position[0])} it acts most · "
+                f"The dot of point {hit.index}: its influence is largest near "
+                f"t = {words.number(hit.position[0])} · "
                 "Drag to scrub"
             )
         kind = f"{DERIVATIVES[hit.kind - 1].name} function" if hit.kind else "basis function"
@@ -205,7 +206,7 @@ class DragTicks(Drag, kw_only=True):
         if moving <= self.idle:
             return self.before
         moved = [self._sum(t, by) if knot in moving else t for knot, t in enumerate(self.parameters)]
-        for knot, (before, after) in self._making_way(moving).items():
+        for knot, (before, after) in self._adjusted(moving).items():
             share = (self.parameters[knot] - self.parameters[before]) / (
                 self.parameters[after] - self.parameters[before]
             )
@@ -215,7 +216,7 @@ class DragTicks(Drag, kw_only=True):
     def _sum(self, t: float, by: float) -> float:
         return t + by
 
-    def _making_way(self, moving: frozenset[int]) -> dict[int, tuple[int, int]]:
+    def _adjusted(self, moving: frozenset[int]) -> dict[int, tuple[int, int]]:
         """Return the idle knots that keep their place between two others of which one moves, with those."""
         beside = {
             knot: (self._beside(knot, moving, -1), self._beside(knot, moving, 1))
@@ -266,8 +267,8 @@ class DragTicks(Drag, kw_only=True):
         text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"
         if len(moving) > 1:
             text = f"{text}, {len(moving)} ticks by {words.number(by)}"
-        if makes_way := self._making_way(moving):
-            text = f"{text}, {words.count_of(len(makes_way), 'hollow tick')} beside making way"
+        if adjusted := self._adjusted(moving):
+            text = f"{text}, {words.count_of(len(adjusted), 'hollow tick')} beside adjusted"
         return f"{text}{_turns_manual(self.before.curves[self.curve])}"
 
 
@@ -301,7 +302,7 @@ def _drag(
 
 
 def _idle_words(point: int) -> str:
-    return f"A hollow tick: t of point {point} does nothing to the curve, those of filled ticks do"
+    return f"Hollow tick: t of point {point} does not affect the curve, those of filled ticks do"
 
 
 def _turns_manual(curve: Curve) -> str:
@@ -317,11 +318,11 @@ def _tick_hint(hit: Hit, pointer: Pointer, view: CurveView, selection: frozenset
     what = f"t of {len(selection)} points" if is_one_of_several else f"t of point {index}"
     if not (family.interpolates or is_one_of_several or view.curve is None):
         if view.is_current and view.curve.idle_parameters[hit.knot]:
-            text = f"{_idle_words(index)} · E: all ticks on the side you move to go along"
+            text = f"{_idle_words(index)} · E: all ticks on the side you move to move along"
             return Hint(text, cursor=Cursor.WIDER if pointer.ripple else None)
         what = f"{what}, a knot of the curve" if 0 < index < len(view.points) - 1 else what
     drag = f"Drag to change {what}{_turns_manual(view.source)}"
-    keys = "E: all ticks on the side you move to go along · Shift+click selects more · Double-click types t"
+    keys = "E: all ticks on the side you move to move along · Shift+click selects more · Double-click types t"
     return Hint(f"{drag} · {keys}", cursor=Cursor.WIDER)
 
 

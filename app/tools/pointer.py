@@ -12,7 +12,7 @@ from ..document.model import Vector
 
 AXIS_KEYS = "Ctrl or Shift: one axis"
 STEP_KEYS = "Ctrl or Shift: steps of 15°"
-SNAP_KEY = "%: snap, or not"
+SNAP_KEY = "%: snap on or off"
 """Effects of keys in all drags; `Pointer.holds_line` is whether Ctrl or Shift is held."""
 
 
@@ -25,7 +25,7 @@ class Part(Enum):
     TICK = auto()
     FUNCTION = auto()
     SCRUB = auto()
-    PLACE = auto()
+    DOT = auto()
     IMAGE = auto()
     IMAGE_CORNER = auto()
     OTHER_CURVE = auto()
@@ -74,7 +74,7 @@ class Hit(msgspec.Struct, frozen=True):
     inside: bool = False
 
     @property
-    def as_own(self) -> Hit:
+    def on_active_curve(self) -> Hit:
         """The same point or handle, once its curve is the active one."""
         return replace(self, part=Part.POINT if self.part is Part.OTHER_POINT else self.part, curve=-1)
 

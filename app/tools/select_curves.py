@@ -35,14 +35,14 @@ def activate_pressed(event: ToolEvent) -> ToolEvent:
     session, hit, pointer = event.session, event.hit, event.pointer
     if hit is not None and hit.curve >= 0:
         session.selected.switch_active(hit.curve)
-        event = replace(event, hit=hit.as_own)
-    elif hit is not None and _is_of_edited_shape(event, hit) and not pointer.shift:
+        event = replace(event, hit=hit.on_active_curve)
+    elif hit is not None and _is_of_active_shape(event, hit) and not pointer.shift:
         session.selected.activate(hit.index)
         event = event.with_hit()
     else:
         return event
     if not pointer.shift:
-        session.say(f"Editing “{session.active_view.source.display_name}” now.")
+        session.say(f"Editing “{session.active_view.source.display_name}”.")
     return event
 
 
@@ -67,7 +67,7 @@ def deselect_curves(event: ToolEvent) -> None:
         session.selected.select_whole(())
     elif had_others:
         session.selected.set_curves((session.active_index,))
-        session.say(f"Only “{session.active_view.source.display_name}” is chosen.")
+        session.say(f"Only “{session.active_view.source.display_name}” is selected.")
     if locked := _locked_words(event):
         session.refuse(locked)
 
@@ -78,13 +78,13 @@ def deselect_curves(event: ToolEvent) -> None:
 def hint_on_curve(event: ToolEvent, hit: Hit) -> Hint:
     """Return the hint over another curve."""
     session = event.session
-    if _is_of_edited_shape(event, hit) and not event.pointer.shift:
+    if _is_of_active_shape(event, hit) and not event.pointer.shift:
         name = session.document.curves[hit.index].name
-        return Hint(f"Drag to bend “{name}” or move a point of it, click to edit it", grab=True)
-    group, is_chosen = _moved_group(event, hit), hit.index in session.selected.whole_curves
+        return Hint(f"Drag to bend “{name}” or move one of its points, click to edit it", grab=True)
+    group, is_selected = _moved_group(event, hit), hit.index in session.selected.whole_curves
     if hit.inside and (session.selected.is_editing or event.pointer.shift):
         return Hint(f"{_words_inside(event, hit)} · Drag: select with a rubber band", grab=True)
-    click = _click_words(event, hit, is_chosen=is_chosen)
+    click = _click_words(event, hit, is_selected=is_selected)
     drag = hints.to_move(group.quoted_label, event.pointer)
     return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
@@ -98,41 +98,45 @@ def hint_beside_curves(event: ToolEvent) -> Hint | None:
     if locked := _locked_words(event):
         return Hint(locked)
     if group is not None and group.is_whole:
-        after = "only the one edited" if session.selected.is_editing else "none"
-        return Hint(f"{selected_curves(session)} · G moves, S scales, R turns · Click here: {after}")
+        after = "select only the edited one" if session.selected.is_editing else "deselect"
+        return Hint(f"{selected_curves(session)} · G moves, S scales, R rotates · Click here: {after}")
     if session.selected.is_editing:
         return None
-    return Hint("Drag to choose curves inside · Shift adds · Double-click edits one")
+    return Hint("Drag to select curves inside · Shift adds · Double-click edits one")
 
 
 def _verb(session: EditingSession) -> str:
-    return "edit" if session.selected.is_editing else "choose"
+    return "edit" if session.selected.is_editing else "select"
 
 
-def _click_words(event: ToolEvent, hit: Hit, *, is_chosen: bool) -> str:
+def _click_words(event: ToolEvent, hit: Hit, *, is_selected: bool) -> str:
     """Return the effect of a click on a curve, and of Shift on drag and click."""
     session = event.session
     name, is_editing = _name(event, hit), session.selected.is_editing
     if event.pointer.shift:
-        return "click to take it out" if is_chosen else "click to choose it too"
-    if is_chosen:
+        return "click to remove it from the selection" if is_selected else "click to add it to the selection"
+    if is_selected:
         if is_editing:
-            return f"Shift: one axis, a click takes it out · Click to edit “{name}” alone"
+            return f"Shift: one axis, a click removes it from the selection · Click to edit “{name}” alone"
         grips = "scale" if event.session.box.turns else "rotate and skew"
         click = f"Click: grips that {grips} · " if _turns_grips(event, hit) else ""
         edit = f"Double-click to edit “{name}” · "
-        return f"{click}{edit}Shift: one axis, a click takes it out"
+        return f"{click}{edit}Shift: one axis, a click removes it from the selection"
     later = "" if is_editing else ", double-click to edit it"
-    return f"click to {_verb(session)} it{later} · Shift+click: choose it too"
+    return f"click to {_verb(session)} it{later} · Shift+click: add it to the selection"
 
 
 def _words_inside(event: ToolEvent, hit: Hit) -> str:
     """Return the effect of a click inside a filled curve, where a drag is a rubber band."""
     name = _name(event, hit)
     if not event.pointer.shift:
-        return f"Click to edit “{name}” · Shift+click: choose it too"
-    is_chosen = hit.index in event.session.selected.whole_curves
-    return f"Click to take “{name}” out" if is_chosen else f"Click to choose “{name}” too"
+        return f"Click to edit “{name}” · Shift+click: add it to the selection"
+    is_selected = hit.index in event.session.selected.whole_curves
+    return (
+        f"Click to remove “{name}” from the selection"
+        if is_selected
+        else f"Click to add “{name}” to the selection"
+    )
 
 
 def _name(event: ToolEvent, hit: Hit) -> str:
@@ -151,19 +155,19 @@ def _intended(event: ToolEvent, hit: Hit) -> frozenset[int]:
 
 
 def _moved_group(event: ToolEvent, hit: Hit) -> PointGroup:
-    document, chosen = event.session.document, event.session.selected.whole_curves
-    meant = chosen if hit.index in chosen else _intended(event, hit)
-    return whole_unlocked_curves(document, meant)
+    document, whole = event.session.document, event.session.selected.whole_curves
+    curves = whole if hit.index in whole else _intended(event, hit)
+    return whole_unlocked_curves(document, curves)
 
 
 def _locked_words(event: ToolEvent) -> str:
     """Return that the curve under the pointer is locked; empty where none is."""
     document, pointer = event.session.document, event.pointer
-    place = event.canvas.locked_at(pointer) if pointer.is_there else -1
-    return hints.LOCKED.format(name_or_count(document, shape_of(document, place))) if place >= 0 else ""
+    curve = event.canvas.locked_at(pointer) if pointer.is_there else -1
+    return hints.LOCKED.format(name_or_count(document, shape_of(document, curve))) if curve >= 0 else ""
 
 
-def _is_of_edited_shape(event: ToolEvent, hit: Hit) -> bool:
+def _is_of_active_shape(event: ToolEvent, hit: Hit) -> bool:
     """Return whether the line of another curve of the active shape is hit."""
     session, selected = event.session, event.session.selected
     is_line = hit.part is Part.OTHER_CURVE and not hit.inside and hit.index not in selected.whole_curves
@@ -184,7 +188,7 @@ def click_curve(event: ToolEvent, hit: Hit) -> None:
         session.box.set_turns(not session.box.turns)
         session.say(
             f"{selected_curves(session)} · "
-            f"The grips {'rotate and skew' if session.box.turns else 'scale'} now."
+            f"The grips now {'rotate and skew' if session.box.turns else 'scale'}."
         )
         return
     else:
@@ -194,14 +198,14 @@ def click_curve(event: ToolEvent, hit: Hit) -> None:
 
 def _turns_grips(event: ToolEvent, hit: Hit) -> bool:
     """Return whether a click switches the grips of the box: on curves that are selected already."""
-    meant, chosen = _intended(event, hit), event.session.selected.whole_curves
-    # With Ctrl a part of what is chosen is wanted alone.
-    is_chosen = meant == chosen if event.pointer.ctrl else meant <= chosen
-    return is_chosen and event.box.is_visible and not event.box.refusal_of(event.box.group)
+    curves, whole = _intended(event, hit), event.session.selected.whole_curves
+    # With Ctrl a part of the selection is selected alone.
+    is_selected = curves == whole if event.pointer.ctrl else curves <= whole
+    return is_selected and event.box.is_visible and not event.box.refusal_of(event.box.group)
 
 
-def _toggled(chosen: frozenset[int], curves: frozenset[int]) -> frozenset[int]:
-    return chosen - curves if curves <= chosen else chosen | curves
+def _toggled(whole: frozenset[int], curves: frozenset[int]) -> frozenset[int]:
+    return whole - curves if curves <= whole else whole | curves
 
 
 def edit_curve(event: ToolEvent, curve: int) -> None:
@@ -222,26 +226,24 @@ def select_hit(event: ToolEvent) -> None:
         if session.selected.whole_curves
         else ""
     )
-    session.say(
-        f"Editing {several} now." if several else f"Editing “{session.active_view.source.display_name}” now."
-    )
+    session.say(f"Editing {several}." if several else f"Editing “{session.active_view.source.display_name}”.")
 
 
 def selected_curves(session: EditingSession) -> str:
     """Return a sentence about the selected curves."""
-    chosen, active = session.selected.whole_curves, session.active_view.source.display_name
+    whole, active = session.selected.whole_curves, session.active_view.source.display_name
     if not session.selected.is_editing:
-        if name := common_name(session.document, chosen):
-            return f"“{name}” is chosen"
-        return f"{name_or_count(session.document, chosen)} chosen" if chosen else "No curve is chosen"
-    if not chosen:
-        return f"Only “{active}” is chosen"
-    return f"{name_or_count(session.document, chosen)} chosen, “{active}” is edited"
+        if name := common_name(session.document, whole):
+            return f"“{name}” is selected"
+        return f"{name_or_count(session.document, whole)} selected" if whole else "No curve is selected"
+    if not whole:
+        return f"Only “{active}” is selected"
+    return f"{name_or_count(session.document, whole)} selected, “{active}” is edited"
 
 
 # Rubber bands
 
-_BAND_KEYS = "Shift: add to what was selected"
+_BAND_KEYS = "Shift: add to the selection"
 
 
 def press_with_band(event: ToolEvent, on_click: Click, *, is_on_curve: bool = False) -> RubberBand:

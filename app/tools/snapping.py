@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
+from operator import itemgetter
 
 import msgspec
 import numpy as np
@@ -79,7 +80,7 @@ def with_snap(text: str, caught: Snap | None) -> str:
     return f"{text} · snapped to: {caught.label}" if caught is not None and text else text
 
 
-class SnapPlaces(msgspec.Struct, frozen=True, eq=False):
+class SnapPoints(msgspec.Struct, frozen=True, eq=False):
     """Positions to snap to, (k, 2); `name` returns the label of each."""
 
     positions: FloatArray
@@ -119,14 +120,14 @@ class Targets(msgspec.Struct, frozen=True):
         The other curves with their names.
     """
 
-    points: tuple[SnapPlaces, ...] = ()
+    points: tuple[SnapPoints, ...] = ()
     neighbours: tuple[tuple[Vector, str], ...] = ()
     curves: tuple[tuple[NearestPoint, str], ...] = ()
 
-    def with_places(self, places: Mapping[str, Vector]) -> Targets:
+    def with_positions(self, positions: Mapping[str, Vector]) -> Targets:
         """Return the targets with more places, by their names."""
-        names = list(places)
-        more = SnapPlaces(np.array(list(places.values())), lambda place: names[place])
+        names = list(positions)
+        more = SnapPoints(np.array(list(positions.values())), lambda index: names[index])
         return replace(self, points=(*self.points, more))
 
 
@@ -176,7 +177,7 @@ class Snapper:
         targets = self._targets
         if axis is not None:
             return self._on_lines(targets, position, reach, (axis,))
-        on_points = (each.nearest(position, reach) for each in targets.points)
+        on_points = (points.nearest(position, reach) for points in targets.points)
         on_curves = (_on_curve(curve, name, position, reach) for curve, name in targets.curves)
         return _nearest(on_points) or _nearest(on_curves) or self._on_lines(targets, position, reach, (0, 1))
 
@@ -230,9 +231,9 @@ def _on_curve(curve: NearestPoint, name: str, position: Vector, reach: float) ->
     return nearest.distance, Snap((x, y), name)
 
 
-def _nearest(found: Iterable[tuple[float, Snap] | None]) -> Snap | None:
+def _nearest(snaps: Iterable[tuple[float, Snap] | None]) -> Snap | None:
     """Return the snap with the least distance."""
-    nearest = min((each for each in found if each is not None), key=lambda each: each[0], default=None)
+    nearest = min((snap for snap in snaps if snap is not None), key=itemgetter(0), default=None)
     return nearest[1] if nearest is not None else None
 
 
@@ -258,7 +259,7 @@ Moving = Mapping[int, Collection[int]]
 
 
 def targets_of(
-    views: Sequence[CurveView], curve: int, moving: Moving, place: int, kinds: Collection[SnapKind]
+    views: Sequence[CurveView], curve: int, moving: Moving, index: int, kinds: Collection[SnapKind]
 ) -> Targets:
     """Collect the targets of a point of a curve.
 
@@ -268,15 +269,15 @@ def targets_of(
         The curves, and which of them the point is of.
     moving
         What moves along.
-    place
+    index
         The index of the point that is drawn or about to be added; −1 for what has no neighbours.
     kinds
         The kinds wanted; what is not wanted costs nothing.
     """
-    own = moving.get(curve, ())
-    beside = _neighbours(views[curve], own, place)
+    along = moving.get(curve, ())
+    beside = _neighbours(views[curve], along, index)
     # Not on a neighbour: two coincident points in a row have no distance to go by.
-    targets = _targets(views, curve, {**moving, curve: {*own, *beside}}, beside, kinds)
+    targets = _targets(views, curve, {**moving, curve: {*along, *beside}}, beside, kinds)
     return _with_middles(targets, views, curve, moving) if SnapKind.MIDDLES in kinds else targets
 
 
@@ -292,19 +293,21 @@ def _targets(
     views: Sequence[CurveView], curve: int, without: Moving, level: Sequence[int], kinds: Collection[SnapKind]
 ) -> Targets:
     """Collect curves that stay, and all points but those `without`; `level` are those whose heights count."""
-    own = views[curve]
-    others = [(place, view) for place, view in enumerate(views) if place != curve and view.source.visible]
+    view_of_curve = views[curve]
+    others = [(other, view) for other, view in enumerate(views) if other != curve and view.source.visible]
     points, curves = [], []
     if SnapKind.POINTS in kinds:
         points = [
-            _points(own, without.get(curve, ())),
-            *(_points(view, without.get(place, ()), view.source.display_name) for place, view in others),
+            _points(view_of_curve, without.get(curve, ())),
+            *(_points(view, without.get(other, ()), view.source.display_name) for other, view in others),
         ]
     if SnapKind.CURVES in kinds:
         curves = [
-            (NearestPoint(view), view.source.display_name) for place, view in others if place not in without
+            (NearestPoint(view), view.source.display_name) for other, view in others if other not in without
         ]
-    return Targets(tuple(points), _named(own, level) if SnapKind.LEVEL in kinds else (), tuple(curves))
+    return Targets(
+        tuple(points), _named(view_of_curve, level) if SnapKind.LEVEL in kinds else (), tuple(curves)
+    )
 
 
 def targets_of_side(
@@ -329,34 +332,34 @@ def _name(index: int, of: str) -> str:
     return f"point {index} of {of}" if of else f"point {index}"
 
 
-def _points(view: CurveView, without: Collection[int], of: str = "") -> SnapPlaces:
+def _points(view: CurveView, without: Collection[int], of: str = "") -> SnapPoints:
     numbers = np.setdiff1d(np.arange(len(view.points)), np.array(sorted(without), dtype=np.intp))
-    return SnapPlaces(view.points[numbers], lambda place: _name(int(numbers[place]), of))
+    return SnapPoints(view.points[numbers], lambda row: _name(int(numbers[row]), of))
 
 
-def _neighbours(view: CurveView, moving: Collection[int], place: int) -> list[int]:
-    if place < 0:
+def _neighbours(view: CurveView, moving: Collection[int], index: int) -> list[int]:
+    if index < 0:
         return []
     count = len(view.source.points)
-    beside = [place - 1, place + 1]
+    beside = [index - 1, index + 1]
     if view.source.is_closed:
-        beside = [index % count for index in beside]
-    return [index for index in beside if 0 <= index < count and index not in moving]
+        beside = [neighbour % count for neighbour in beside]
+    return [neighbour for neighbour in beside if 0 <= neighbour < count and neighbour not in moving]
 
 
 def _with_middles(targets: Targets, views: Sequence[CurveView], curve: int, moving: Moving) -> Targets:
     """Return the targets with midpoints of segments, except those that move."""
-    found = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
-    for place, view in enumerate(views):
-        if place != curve and view.source.visible:
-            found += _middles(view, moving.get(place), view.source.display_name)
-    return replace(targets, points=(*targets.points, *found))
+    middles = list(_middles(views[curve], frozenset(moving.get(curve, ()))))
+    for other, view in enumerate(views):
+        if other != curve and view.source.visible:
+            middles += _middles(view, moving.get(other), view.source.display_name)
+    return replace(targets, points=(*targets.points, *middles))
 
 
-def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iterator[SnapPlaces]:
+def _middles(view: CurveView, moving: Collection[int] | None, of: str = "") -> Iterator[SnapPoints]:
     """Yield midpoints of segments of a curve; of the one worked on those that stay.
 
-    `own` are its points that move; None for another curve, none of which does.
+    `moving` are its points that move; None for another curve, none of which does.
     """
     source, view_points = view.source, view.points
     count = len(view_points) if source.is_closed else len(view_points) - 1
@@ -365,18 +368,18 @@ def _middles(view: CurveView, own: Collection[int] | None, of: str = "") -> Iter
     straight = [
         segment
         for segment in range(count)
-        if is_straight(source, segment) and (own is None or not {*own} & {*ends_of(source, segment)})
+        if is_straight(source, segment) and (moving is None or not {*moving} & {*ends_of(source, segment)})
     ]
     ends = np.array([ends_of(source, segment) for segment in straight], dtype=np.intp).reshape(-1, 2)
-    places = [view_points[ends].mean(axis=1)]
+    positions = [view_points[ends].mean(axis=1)]
     numbers = list(straight)
-    if own is None and view.curve is not None and len(view.parameters) == count + 1:
+    if moving is None and view.curve is not None and len(view.parameters) == count + 1:
         # A bent segment of the curve that is worked on may be another one when its points move.
         bent = sorted({*range(count)} - {*straight})
         t = view.parameters
-        places.append(view.curve.evaluate((t[bent] + t[[each + 1 for each in bent]]) / 2))
+        positions.append(view.curve.evaluate((t[bent] + t[[segment + 1 for segment in bent]]) / 2))
         numbers += bent
-    yield SnapPlaces(np.concatenate(places), lambda place: f"midpoint of {of or f'segment {numbers[place]}'}")
+    yield SnapPoints(np.concatenate(positions), lambda row: f"midpoint of {of or f'segment {numbers[row]}'}")
 
 
 class SnapTargets:
@@ -402,11 +405,11 @@ class SnapTargets:
         """Whether points snap."""
         return self.settings.on
 
-    def for_new_point(self, place: int) -> Snapper:
+    def for_new_point(self, index: int) -> Snapper:
         """Return the snapper of a point that is added at `index`, −1 for the first of another curve."""
         # What there is before the press: later the new point would be drawn to itself.
         views, active = self._session.views, self._session.active_index
-        return self._make(lambda: targets_of(views, active, {}, place, self._kinds))
+        return self._make(lambda: targets_of(views, active, {}, index, self._kinds))
 
     def for_handle(self, point: int) -> Snapper:
         """Return the snapper of the end of a handle."""
@@ -417,15 +420,15 @@ class SnapTargets:
         """Return the snapper of points that move together, of which the grabbed one snaps."""
         session, moving = self._session, dict(group.parts)
         # Level with its neighbours is a point; of whole curves none has any that stay.
-        curve, place = (session.active_index, -1) if grip is None or group.is_whole else grip
+        curve, index = (session.active_index, -1) if grip is None or group.is_whole else grip
         views = session.views
-        return self._make(lambda: targets_of(views, curve, moving, place, self._kinds))
+        return self._make(lambda: targets_of(views, curve, moving, index, self._kinds))
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of a pivot: it snaps also to the nine positions of the bounds."""
         views, active = self._session.views, self._session.active_index
         return self._make(
-            lambda: targets_of(views, active, {}, -1, self._kinds).with_places(nine_positions(bounds))
+            lambda: targets_of(views, active, {}, -1, self._kinds).with_positions(nine_positions(bounds))
         )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
@@ -454,12 +457,12 @@ class SnapTargets:
     def _kinds(self) -> Collection[SnapKind]:
         return self.settings.kinds
 
-    def show_before_press(self, pointer: Pointer, place: int) -> None:
+    def show_before_press(self, pointer: Pointer, index: int) -> None:
         """Show the snap of a press at `pointer` that adds the point of index `index`."""
         session, settings = self._session, self.settings
-        made_for = (session.document, session.active_index, place, settings)
-        if self._hovered is None or self._hovered[0] != made_for:
-            self._hovered = (made_for, self.for_new_point(place))
+        question = (session.document, session.active_index, index, settings)
+        if self._hovered is None or self._hovered[0] != question:
+            self._hovered = (question, self.for_new_point(index))
         self.now = self._hovered[1]
         self.now.at(pointer)
 

@@ -485,5 +485,5 @@ def _direction(centre: Vector, position: Vector) -> float:
 
 def hint_inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint inside the box around a group."""
-    keys = f"Ctrl: one axis · Shift+drag: rubber band · {hints.snap_key(snaps=snaps)} · A click lets go"
+    keys = f"Ctrl: one axis · Shift+drag: rubber band · {hints.snap_key(snaps=snaps)} · Click: deselect"
     return Hint(f"{hints.to_move(group.quoted_label, pointer)} · {keys}", cursor=Cursor.MOVE)

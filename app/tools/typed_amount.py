@@ -154,8 +154,8 @@ class TypedAmount(msgspec.Struct, frozen=True):
         """Return both numbers as typed, with a mark where the next digit goes: "x 1, y 2|"."""
         parts = []
         for at, text in enumerate(self.fields):
-            shown = f"{with_minus(text)}|" if at == self.at else with_minus(text) or default
-            parts.append(f"{_AXES[at]} {shown}")
+            displayed = f"{with_minus(text)}|" if at == self.at else with_minus(text) or default
+            parts.append(f"{_AXES[at]} {displayed}")
         return ", ".join(parts)
 
     @property

@@ -201,7 +201,7 @@ class ContextMenus:
         if hit.curve in selected.whole_curves and hit.index not in selected.group.of(hit.curve):
             return replace(hit, part=Part.OTHER_CURVE, index=hit.curve)
         selected.switch_active(hit.curve)
-        return hit.as_own
+        return hit.on_active_curve
 
     def _open_on_edited(self, position: QPoint) -> None:
         """Open the menu at a position on the curve that the right button has activated."""

@@ -168,10 +168,10 @@ def test_shift_click_on_another_curve_chooses_it_too(five):
     five.click(at, keys=SHIFT)
     assert chosen(five) == "BD"
     assert five.session.selection == frozenset()
-    assert five.status == "2 curves chosen, “B” is edited."
+    assert five.status == "2 curves selected, “B” is edited."
     five.click(at, keys=SHIFT)
     assert chosen(five) == "B"
-    assert five.status == "Only “B” is chosen."
+    assert five.status == "Only “B” is selected."
 
 
 def test_a_click_on_a_chosen_curve_edits_it_alone(five):
@@ -192,9 +192,9 @@ def test_by_clicks_the_points_are_let_go_first_then_the_other_curves(five):
 def test_the_status_line_says_what_the_tools_act_on(five):
     choose(five, "BD")
     five.hover((-1.5, 4.4))
-    assert five.window.status_line.hint.startswith("2 curves chosen, “B” is edited · G moves, S scales")
+    assert five.window.status_line.hint.startswith("2 curves selected, “B” is edited · G moves, S scales")
     five.hover(on_curve(five, 3))
-    assert five.window.status_line.hint.startswith("Drag to move 2 curves · Shift: one axis, a click takes")
+    assert five.window.status_line.hint.startswith("Drag to move 2 curves · Shift: one axis, a click removes")
     five.select([1])
     five.hover((-1.5, 4.4))
     assert five.window.status_line.hint.startswith("Drag to select points")
@@ -205,7 +205,7 @@ def test_the_sheet_names_the_selected_curves(five):
     five.trigger("showShortcuts")
     texts = [label.text() for label in five.window.findChild(object, "shortcutSheet").findChildren(QLabel)]
     assert "<b>Now: 2 curves selected</b>" in texts
-    assert texts.index("Drag a chosen curve") < texts.index("<b>Otherwise</b>")
+    assert texts.index("Drag a selected curve") < texts.index("<b>Otherwise</b>")
     five.trigger("showShortcuts")
 
 

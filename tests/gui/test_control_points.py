@@ -189,7 +189,7 @@ def test_ticks_that_make_way_are_told_and_so_is_the_rule_that_ends(drawn, name):
     editor.send(panel, QEvent.Type.MouseMove, place - QPointF(20.0, 0.0))
     editor.settle()
     ticks = "1 hollow tick" if name == "b_spline" else "4 hollow ticks"
-    assert f", {ticks} beside making way; {phrase} turns manual" in editor.status
+    assert f", {ticks} beside adjusted; {phrase} turns manual" in editor.status
     editor.send(panel, QEvent.Type.MouseButtonRelease, place - QPointF(20.0, 0.0), held=False)
     editor.settle()
     # Once they are manual nothing more is said of a rule.

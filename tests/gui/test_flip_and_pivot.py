@@ -321,7 +321,7 @@ def test_with_nothing_chosen_there_is_none(two):
     document = two.session.document
     two.key(Key.Key_H)
     assert two.session.document is document
-    assert "No curve is chosen" in two.status
+    assert "No curve is selected" in two.status
 
 
 def test_it_goes_along_when_what_it_belongs_to_is_moved(two):

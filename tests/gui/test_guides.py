@@ -132,7 +132,7 @@ def test_the_ruler_says_what_a_press_does_and_shows_it(drawing):
     canvas = drawing.window.canvas
     drawing.send(canvas, QEvent.Type.MouseMove, above(drawing), held=False)
     drawing.settle()
-    assert drawing.window.status_line.hint.startswith("Drag onto the drawing for a guide")
+    assert drawing.window.status_line.hint.startswith("Drag onto the drawing to add a guide")
     assert canvas.viewport().cursor().shape() == Qt.CursorShape.SizeVerCursor
     drawing.send(canvas, QEvent.Type.MouseMove, beside(drawing), held=False)
     assert canvas.viewport().cursor().shape() == Qt.CursorShape.SizeHorCursor
@@ -172,7 +172,7 @@ def test_dragged_back_to_the_ruler_it_is_gone(drawing):
     with_guides(drawing, ("x", -1.0), ("y", 4.0))
     canvas = drawing.window.canvas
     begin(drawing, canvas.to_pixel(-1.0, 1.0), beside(drawing))
-    assert drawing.status.startswith("Let go to remove the guide")
+    assert drawing.status.startswith("Release to remove the guide")
     let_go(drawing, beside(drawing))
     assert guides(drawing) == [("y", 4.0)]
     assert drawing.session.undo_stack.undoText() == "Remove guide at x = −1"
@@ -269,7 +269,7 @@ def test_the_key_that_enters_a_place_chooses_nothing(drawing):
     for _ in range(2):
         drawing.key(Qt.Key.Key_Escape)
     chosen = drawing.session.selected.state
-    assert not chosen.chosen
+    assert not chosen.whole_curves
     double_click(drawing, drawing.window.canvas.to_pixel(-1.0, 1.0))
     type_place(drawing, "-2.25")
     assert guides(drawing) == [("x", -2.25)]

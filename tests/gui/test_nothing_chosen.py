@@ -112,7 +112,7 @@ def test_enter_edits_what_was_chosen_also_when_the_pointer_has_left(none):
     none.session.selected.select_whole((1,))
     none.key(Qt.Key.Key_Return)
     assert (none.session.selected.active_curves, none.session.selection) == ({1}, frozenset())
-    assert none.status == "Editing “B” now."
+    assert none.status == "Editing “B”."
 
 
 def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(editor):

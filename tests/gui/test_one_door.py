@@ -345,7 +345,7 @@ def test_what_no_file_can_hold_is_not_committed(editor):
     assert editor.session.document is before
     place, name = len(editor.curve.points), editor.curve.name
     words = f"the x of point {place} of “{name}” must lie between -1e12 and 1e12, not nan"
-    assert editor.status == f"This cannot be kept: {words}."
+    assert editor.status == f"This cannot be saved: {words}."
     style = replace(editor.curve.style, miter_limit=0.5)
     editor.session.change("Odd", lambda document: document.with_curve(0, replace(editor.curve, style=style)))
     assert editor.status.endswith(f"the miter limit of “{name}” must be 1 or greater, not 0.5.")

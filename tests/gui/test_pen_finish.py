@@ -73,9 +73,9 @@ def test_several_curves_in_a_row_and_back_again(pen):
 def test_a_click_on_the_last_point_goes_on(pen):
     pen.key(Qt.Key.Key_Return)
     pen.hover(pen.point(2))
-    assert hint(pen) == "Click to go on with this curve · Drag to move point 2"
+    assert hint(pen) == "Click to continue this curve · Drag to move point 2"
     pen.click(pen.point(2))
-    assert pen.status == "Going on with “Curve 1”; the next press adds point 3."
+    assert pen.status == "Continuing “Curve 1”; the next press adds point 3."
     pen.click(at(pen, 300, 150))
     assert sizes(pen) == [4]
 
@@ -87,10 +87,10 @@ def test_a_click_on_the_first_point_of_a_curve_that_is_not_drawn_goes_on_from_th
     pen.session.commit(point_edits.set_velocity(document, 0, 1, (400.0, -90.0)), "Begin")
     drawn, first = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33)), pen.point(0)
     pen.hover(first)
-    assert hint(pen) == "Click to go on with this curve from its first point · Drag to move point 0"
+    assert hint(pen) == "Click to continue this curve from its first point · Drag to move point 0"
     assert pen.window.canvas.marks.preview_curve is None
     pen.click(first)
-    assert pen.status == "Going on with “Curve 1”; the next press adds point 3."
+    assert pen.status == "Continuing “Curve 1”; the next press adds point 3."
     assert (pen.curve.is_closed, pen.point(2), pen.session.selection) == (False, first, {2})
     assert pen.curve.points[1].velocity == pytest.approx((-400, 90))
     now = pen.session.active_view.curve.evaluate(np.linspace(0, 1, 33))
@@ -257,7 +257,7 @@ def test_the_key_of_snapping_is_told_where_a_drag_moves_the_point(pen):
     spacing = pen.window.canvas.tools.canvas.grid_spacing()
     by_the_grid = (12 * spacing + 3 * pen.pixel, 9 * spacing + 2 * pen.pixel)
     pen.move(by_the_grid)
-    assert "%: snap, or not" in pen.status
+    assert "%: snap on or off" in pen.status
     assert "Shift" not in pen.status
     assert pen.point(3) == pytest.approx(by_the_grid, abs=pen.pixel)
     pen.key(Qt.Key.Key_Percent)
@@ -273,12 +273,12 @@ def test_measuring_goes_in_steps_with_shift(pen):
     for to, angle in MEASURED:
         start = at(pen, 40, 20)
         pen.hover(start)
-        assert "Ctrl or Shift: steps of 15° · %: snap, or not" in hint(pen), angle
+        assert "Ctrl or Shift: steps of 15° · %: snap on or off" in hint(pen), angle
         pen.press(start)
         pen.move(at(pen, *to), keys=SHIFT)
         ruler = pen.window.canvas.marks.ruler
         assert ruler.text.endswith(f" · {angle}"), angle
-        assert "Ctrl or Shift: steps of 15° · %: snap, or not" in pen.status, angle
+        assert "Ctrl or Shift: steps of 15° · %: snap on or off" in pen.status, angle
         assert math.dist(ruler.start, ruler.end) == pytest.approx(
             math.dist(start, at(pen, *to)), abs=2 * pen.pixel
         )

@@ -39,7 +39,7 @@ def test_the_pen_takes_back_its_points_one_by_one_and_then_nothing(paper, key):
     for count in (2, 1):
         paper.key(key)
         assert sizes(paper) == [4, 4, count]
-        assert paper.status == f"Took back point {count}."
+        assert paper.status == f"Removed point {count}."
         assert paper.session.selection == {count - 1}
     assert paper.point(0) == pytest.approx(PLACES[0], abs=2 * paper.pixel)
     paper.key(key)
@@ -47,7 +47,7 @@ def test_the_pen_takes_back_its_points_one_by_one_and_then_nothing(paper, key):
     steps = paper.session.undo_stack.count()
     for _ in range(3):
         paper.key(key)
-        assert paper.status.startswith("There is nothing to take back")
+        assert paper.status.startswith("There is nothing to remove")
     assert (paper.session.document.curves, paper.session.undo_stack.count()) == (letters, steps)
     # The pen is ready.
     for place in PLACES:
@@ -59,7 +59,7 @@ def test_the_pen_takes_back_its_points_one_by_one_and_then_nothing(paper, key):
     paper.key(Qt.Key.Key_Return)
     paper.key(key)
     assert sizes(paper) == [4, 4, 2]
-    assert paper.status.startswith("There is nothing to take back")
+    assert paper.status.startswith("There is nothing to remove")
 
 
 def test_of_a_curve_that_was_there_only_what_the_pen_has_added_goes(paper):
@@ -69,7 +69,7 @@ def test_of_a_curve_that_was_there_only_what_the_pen_has_added_goes(paper):
     for expected in (5, 4, 4, 4):
         paper.key(BACKSPACE)
         assert sizes(paper) == [4, expected]
-    assert paper.status.startswith("There is nothing to take back")
+    assert paper.status.startswith("There is nothing to remove")
 
 
 def test_a_point_that_was_selected_is_deleted_as_ever(paper):

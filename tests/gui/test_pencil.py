@@ -126,7 +126,7 @@ def test_a_zigzag_that_a_polynomial_would_follow_for_long_comes_out_in_local_pie
     line = draw(editor, [(100 + i, 160 + abs(10 * i % 120 - 60)) for i in range(600)])
     assert editor.session.active_curve.family.curve_class.is_local
     assert farthest(editor, line) <= 2.2
-    assert "It is a Hermite curve: a Bézier curve so near takes too long to find." in editor.status
+    assert "It is a Hermite curve: a Bézier curve that close takes too long to find." in editor.status
     editor.trigger("undo")
     assert editor.session.active_curve.family == FAMILIES.named("bezier")
 

@@ -54,10 +54,10 @@ def test_a_drag_moves_it_whole_and_edits_it_not(three, at):
 def test_the_status_line_says_so_before_the_press(three):
     line, at = three.window.status_line, on_curve(three, 2)
     three.hover(at)
-    assert line.hint == "Drag to move “C” · click to edit it · Shift+click: choose it too"
+    assert line.hint == "Drag to move “C” · click to edit it · Shift+click: add it to the selection"
     assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
     three.move(at, held=False, keys=SHIFT)
-    assert line.hint == "Drag to move “C” along one axis · click to choose it too"
+    assert line.hint == "Drag to move “C” along one axis · click to add it to the selection"
     three.move(at, held=False, keys=CTRL)
     assert line.hint.startswith("Drag to move “C” along one axis · click to edit it")
 
@@ -114,7 +114,7 @@ def test_a_click_on_its_point_selects_it_too(three):
     before = three.session.document
     three.click((1, 7))
     assert (three.curve.name, three.session.selection) == ("C", {1})
-    assert three.status == "Editing “C” now."
+    assert three.status == "Editing “C”."
     assert three.session.document is before
 
 
@@ -122,7 +122,7 @@ def test_a_click_on_its_line_selects_nothing_until_it_is_edited(three):
     before = three.session.document
     three.click(on_curve(three, 0))
     assert (three.curve.name, three.session.selection) == ("A", frozenset())
-    assert three.status == "Editing “A” now."
+    assert three.status == "Editing “A”."
     three.click(on_curve(three, 0))
     said, at, _place = three.status.split(" · ")
     assert (said, len(three.session.selection)) == ("2 points selected", 2)

@@ -600,9 +600,9 @@ ALL = {"Outer", "Inner", "Side"}
 def test_a_click_chooses_the_whole_group_and_a_double_click_enters_it(whole):
     whole.hover((6.0, 0.3))
     assert "move “Group 1”" in whole.window.status_line.hint
-    assert "click to choose it, double-click to edit it" in whole.window.status_line.hint
+    assert "click to select it, double-click to edit it" in whole.window.status_line.hint
     whole.click((6.0, 0.3))
-    assert (chosen_as_wholes(whole), whole.status) == (ALL, "“Group 1” is chosen.")
+    assert (chosen_as_wholes(whole), whole.status) == (ALL, "“Group 1” is selected.")
     whole.double_click((6.0, 0.3))
     assert (whole.session.selected.is_editing, whole.curve.name) == (True, "Side")
 
@@ -612,7 +612,7 @@ def test_with_ctrl_a_click_passes_over_the_group(whole):
     assert chosen_as_wholes(whole) == {"Side"}
     # Now the group is entered.
     whole.click((2.2, 0.3))
-    assert (chosen_as_wholes(whole), whole.status) == ({"Outer", "Inner"}, "“Shape 1” is chosen.")
+    assert (chosen_as_wholes(whole), whole.status) == ({"Outer", "Inner"}, "“Shape 1” is selected.")
     whole.click((4.2, 2.5))
     whole.click((2.2, 0.3))
     assert chosen_as_wholes(whole) == ALL
@@ -696,7 +696,7 @@ def edited(ring):
 def test_another_curve_of_the_shape_bends_at_once(edited):
     at = tuple(float(x) for x in edited.session.views[1].curve.evaluate(0.1))
     edited.hover(at)
-    assert edited.window.status_line.hint.startswith("Drag to bend “Inner” or move a point of it")
+    assert edited.window.status_line.hint.startswith("Drag to bend “Inner” or move one of its points")
     edited.drag(at, (at[0] + 0.3, at[1] + 0.3))
     assert (edited.curve.name, undo_text(edited)[:4]) == ("Inner", "Bend")
     edited.trigger("undo")
@@ -712,7 +712,10 @@ def test_a_drag_over_the_fill_of_another_curve_is_a_rubber_band_and_a_click_edit
     document = edited.session.document
     edited.hover((6.3, 0.2))
     hint = edited.window.status_line.hint
-    assert hint == "Click to edit “Side” · Shift+click: choose it too · Drag: select with a rubber band"
+    assert (
+        hint
+        == "Click to edit “Side” · Shift+click: add it to the selection · Drag: select with a rubber band"
+    )
     edited.drag((6.3, 0.4), (2.5, -0.5))
     assert (edited.curve.name, edited.session.selection) == ("Outer", {0})
     assert edited.session.document is document

@@ -329,7 +329,7 @@ def test_a_click_edits_another_curve_and_says_so(pair):
     assert pair.status.startswith("Drag to move “A” · click to edit it")
     pair.click(place)
     assert pair.session.active_index == 0
-    assert pair.status == "Editing “A” now."
+    assert pair.status == "Editing “A”."
     assert pair.window.status_line.hint.startswith("Drag to bend; the points")
 
 

@@ -92,7 +92,7 @@ def test_leaving_is_said_and_no_points_are_shown(three):
     assert not shows_points(three)
     three.key(RETURN)
     assert state(three) == (True, "", "B")
-    assert three.status == "Editing “B” now."
+    assert three.status == "Editing “B”."
     assert shows_points(three)
 
 
@@ -101,7 +101,7 @@ def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
     whole.click(on_curve(whole, 0))
     whole.click(on_curve(whole, 2), keys=SHIFT)
     whole.key(RETURN)
-    assert whole.status == "Editing 2 curves now."
+    assert whole.status == "Editing 2 curves."
     selected = whole.session.selected
     assert (selected.is_editing, chosen(whole)) == (True, "AC")
     whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
@@ -124,12 +124,12 @@ def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
 def test_a_click_chooses_and_a_double_click_edits(whole):
     whole.click(on_curve(whole, 2))
     assert state(whole) == (False, "C", "C")
-    assert whole.status == "“C” is chosen."
+    assert whole.status == "“C” is selected."
     whole.click(on_curve(whole, 0))
     assert state(whole) == (False, "A", "A")
     whole.double_click(on_curve(whole, 2))
     assert state(whole) == (True, "", "C")
-    assert whole.status == "Editing “C” now."
+    assert whole.status == "Editing “C”."
 
 
 def test_a_double_click_on_a_point_selects_it(whole):
@@ -284,16 +284,17 @@ def test_what_was_said_of_the_choice_goes_with_it(whole):
 def test_the_status_line_says_what_a_press_does(whole):
     line = whole.window.status_line
     whole.hover((1.5, 4.4))
-    assert line.hint == "Drag to choose curves inside · Shift adds · Double-click edits one"
+    assert line.hint == "Drag to select curves inside · Shift adds · Double-click edits one"
     whole.hover(on_curve(whole, 2))
     assert line.hint == (
-        "Drag to move “C” · click to choose it, double-click to edit it · Shift+click: choose it too"
+        "Drag to move “C” · click to select it, double-click to edit it · "
+        "Shift+click: add it to the selection"
     )
     whole.click(on_curve(whole, 2))
     whole.hover(on_curve(whole, 2))
     assert line.hint == (
         "Drag to move “C” · Click: grips that rotate and skew · Double-click to edit “C” · "
-        "Shift: one axis, a click takes it out"
+        "Shift: one axis, a click removes it from the selection"
     )
     assert whole.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
 
@@ -305,7 +306,7 @@ def test_the_band_chooses_what_lies_inside_live(whole):
     whole.press((-0.7, 7.6))
     whole.move((3.5, 2.5))
     assert chosen(whole) == "BC"
-    assert whole.status.startswith("2 curves chosen · Shift: add to what was selected")
+    assert whole.status.startswith("2 curves selected · Shift: add to the selection")
     whole.move((3.5, 5.5))
     assert chosen(whole) == "C"
     whole.move((1.5, 2.5))
@@ -356,7 +357,7 @@ def test_a_drag_inside_the_box_of_points_moves_them(three):
     three.hover(place)
     hint = three.window.status_line.hint
     assert hint == (
-        "Drag to move 4 points · Ctrl: one axis · Shift+drag: rubber band · %: snap · A click lets go"
+        "Drag to move 4 points · Ctrl: one axis · Shift+drag: rubber band · %: snap · Click: deselect"
     )
     assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
     three.drag(place, (place[0] + 0.4, place[1] + 0.2))

@@ -64,7 +64,7 @@ def _hit_node(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | N
     nearest_tick = float(np.abs(pixel_map.x(rail.parameters) - pointer.pixel[0]).min())
     if distances[index] > _NODE_REACH or (pointer.pixel[1] > top and nearest_tick <= distances[index]):
         return None
-    return Hit(Part.PLACE, index, (float(rail.visible_nodes[index]), 0.0))
+    return Hit(Part.DOT, index, (float(rail.visible_nodes[index]), 0.0))
 
 
 def _hit_tick(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | None:

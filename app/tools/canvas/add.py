@@ -56,8 +56,8 @@ class AddTool(Tool):
 
     def __init__(self) -> None:
         self._pen = PenSession()
-        # What a press would make of the curve that `_seen` shows.
-        self._seen: CurveView | None = None
+        # What a press would make of the curve that `_previewed` shows.
+        self._previewed: CurveView | None = None
         self._preview: CurveView | None = None
         self._spot: Vector | None = None
 
@@ -100,16 +100,14 @@ class AddTool(Tool):
     def _take_back(self, event: ToolEvent) -> None:
         """Remove the last point that was drawn, and with the first point the curve."""
         session = event.session
-        place, last = session.active_index, len(session.active_view.source.points) - 1
+        curve, last = session.active_index, len(session.active_view.source.points) - 1
 
-        if not self._pen.own_points(session):
-            session.say("There is nothing to take back; a click draws, V selects.")
-        elif session.change(f"Take back point {last}", lambda document: delete_last_point(document, place)):
+        if not self._pen.drawn_points(session):
+            session.say("There is nothing to remove; a click draws, V selects.")
+        elif session.change(f"Remove point {last}", lambda document: delete_last_point(document, curve)):
             if last:
                 session.selected.set_points([last - 1])
-            session.say(
-                f"Took back point {last}." if last else "Took back the curve; a click begins another."
-            )
+            session.say(f"Removed point {last}." if last else "Removed the curve; a click begins another.")
 
     def _ends_at(self, hit: Hit, session: EditingSession) -> bool:
         """Return whether a double click finishes the curve: on the point that it has added."""
@@ -122,13 +120,13 @@ class AddTool(Tool):
         curve, view = session.active_index, session.active_view
         last = len(view.source.points) - 1
         if index != last:
-            way = f"Go on from point {index}"
+            text = f"Continue from point {index}"
             parameters = view.parameters.tolist()
-            if not session.change(way, lambda document: reverse_curve(document, curve, parameters)):
+            if not session.change(text, lambda document: reverse_curve(document, curve, parameters)):
                 return
         self._pen.draw(key_of(session), last + 1)
         session.selected.set_points([last])
-        session.say(f"Going on with “{view.source.name}”; the next press adds point {last + 1}.")
+        session.say(f"Continuing “{view.source.name}”; the next press adds point {last + 1}.")
 
     # Presses
 
@@ -227,10 +225,10 @@ class AddTool(Tool):
         view = event.view
         part = self._part(event)
         act = self._act(event) if part is None else None
-        place = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
+        index = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
         in_steps = act is PenAct.APPEND and position_in_steps(view, event.pointer) is not None
-        if place is not None and not in_steps:
-            event.preview_snap(place)
+        if index is not None and not in_steps:
+            event.preview_snap(index)
         self._update_preview(event, act)
         snaps = event.snapping.is_on
         if view.source.locked and act is not PenAct.BEGIN:
@@ -247,7 +245,7 @@ class AddTool(Tool):
         session, view, hit, caught = event.session, event.view, event.hit, event.snapping.caught
         is_here = math.isfinite(event.pointer.position[0]) and not view.source.locked
         self._spot = hit.position if is_here and act is PenAct.INSERT and hit is not None else None
-        self._seen = view
+        self._previewed = view
         if is_here and act is None and self._pen.is_drawn(session) and can_end_at(hit, view):
             self._preview = self._view_closed(event)
             return
@@ -256,10 +254,10 @@ class AddTool(Tool):
             return
         pointer = event.pointer
         free = caught.position if caught is not None else pointer.position
-        place = position_in_steps(view, pointer) or free
+        position = position_in_steps(view, pointer) or free
         document, start = self._start(event)
         self._preview = view_with_point(
-            document, session.active_index, start, place, self._preview, append=_appending(event)
+            document, session.active_index, start, position, self._preview, append=_appending(event)
         )
 
     def _view_closed(self, event: ToolEvent) -> CurveView | None:
@@ -277,7 +275,7 @@ class AddTool(Tool):
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the curve with one point more, or the spot to insert one at."""
-        is_current = self._seen is event.view
+        is_current = self._previewed is event.view
         return Marks(
             snap=event.snapping.caught,
             preview_curve=self._preview if is_current else None,
@@ -327,7 +325,7 @@ def _hint_on_part(
     """Return the hint over a point or a handle; `goes_on` where a click continues the curve."""
     if goes_on:
         end = "" if is_end(hit, view) else " from its first point"
-        return Hint(f"Click to go on with this curve{end} · Drag to move point {hit.index}", grab=True)
+        return Hint(f"Click to continue this curve{end} · Drag to move point {hit.index}", grab=True)
     if can_end_at(hit, view):
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
@@ -383,7 +381,7 @@ ADD = ToolRecord(
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
         GestureRow("Enter, double click", "finish the curve; a click on either end goes on from there"),
-        GestureRow("Backspace, Delete", "take back the last point"),
+        GestureRow("Backspace, Delete", "remove the last point"),
         GestureRow("Click the first point", "close the curve"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
         *GESTURES,

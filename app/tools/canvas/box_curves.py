@@ -124,7 +124,7 @@ class DrawInBox(TypedDrag, kw_only=True):
 
     def amount(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
-        sides = [words.number(abs(side)) for side in _way(*self._box(pointer))]
+        sides = [words.number(abs(side)) for side in _offset(*self._box(pointer))]
         for at, text in enumerate(self.typed.fields):
             if text or (self.typed.is_pair and at == self.typed.at):
                 sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
@@ -141,17 +141,17 @@ class DrawInBox(TypedDrag, kw_only=True):
 
     def _box(self, pointer: Pointer) -> tuple[Vector, Vector]:
         start, end = self.start, self.snapper.at(pointer)
-        way = _way(start, end)
+        offset = _offset(start, end)
         if pointer.ctrl:
-            side = max(map(abs, way))
-            way = (math.copysign(side, way[0]), math.copysign(side, way[1]))
-            end = _after(start, way)
+            side = max(map(abs, offset))
+            offset = (math.copysign(side, offset[0]), math.copysign(side, offset[1]))
+            end = _after(start, offset)
         if self.typed.counts:
-            way = self._as_typed(way, pointer)
-            end = _after(start, way)
-        return (_after(start, (-way[0], -way[1])) if pointer.shift else start), end
+            offset = self._as_typed(offset, pointer)
+            end = _after(start, offset)
+        return (_after(start, (-offset[0], -offset[1])) if pointer.shift else start), end
 
-    def _as_typed(self, way: Vector, pointer: Pointer) -> Vector:
+    def _as_typed(self, offset: Vector, pointer: Pointer) -> Vector:
         """Return an offset with the typed width and height, towards the pointer."""
         if self.typed.is_pair:
             width, height = self.typed.pair(math.nan)
@@ -162,18 +162,18 @@ class DrawInBox(TypedDrag, kw_only=True):
         share = 0.5 if pointer.shift else 1.0
         across, up = (
             along if math.isnan(side) else math.copysign(share, along) * side
-            for along, side in zip(way, (width, height), strict=True)
+            for along, side in zip(offset, (width, height), strict=True)
         )
         return (across, up)
 
 
-def _way(start: Vector, end: Vector) -> Vector:
+def _offset(start: Vector, end: Vector) -> Vector:
     # In decimals, so that what begins and ends on lines of a grid of 0.1 measures whole steps of it.
     return (decimal_sum(end[0], -start[0]), decimal_sum(end[1], -start[1]))
 
 
-def _after(start: Vector, way: Vector) -> Vector:
-    return (decimal_sum(start[0], way[0]), decimal_sum(start[1], way[1]))
+def _after(start: Vector, offset: Vector) -> Vector:
+    return (decimal_sum(start[0], offset[0]), decimal_sum(start[1], offset[1]))
 
 
 class BoxCurveTool(Tool):

@@ -164,11 +164,11 @@ class _TooLong(Exception):  # noqa: N818 - nothing has gone wrong
 
 
 def _take(
-    session: EditingSession, model: Curve, press: Pointer, tolerance: float, made: Fitted | str
+    session: EditingSession, model: Curve, press: Pointer, tolerance: float, result: Fitted | str
 ) -> None:
     """Add the curve of a line to the present document."""
-    if isinstance(made, str):
-        session.refuse(made)
+    if isinstance(result, str):
+        session.refuse(result)
         return
     try:
         begin = _begun(session)
@@ -176,28 +176,26 @@ def _take(
         session.refuse(str(reason))
         return
     now = begin.document.curves[begin.curve_index]
-    curve = replace(made.curve, name=now.name, style=model.style, shape=now.shape, groups=now.groups)
+    curve = replace(result.curve, name=now.name, style=model.style, shape=now.shape, groups=now.groups)
     if session.change(
         "Draw with the pencil",
         lambda _: replace_curve(begin.document, begin.curve_index, curve),
         active=begin.curve_index,
     ):
-        session.say(_told(made, model, press, tolerance))
+        session.say(_message(result, model, press, tolerance))
 
 
-def _told(made: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
+def _message(result: Fitted, model: Curve, press: Pointer, tolerance: float) -> str:
     """Return the message: the number of points and the largest deviation."""
-    points, family = count_of(len(made.curve.points), "point"), made.curve.family
-    pixels = with_decimals(made.deviation * press.scale, 1)
-    text = f"{points}; largest deviation {pixels} px ({number(made.deviation, 2)})."
+    points, family = count_of(len(result.curve.points), "point"), result.curve.family
+    pixels = with_decimals(result.deviation * press.scale, 1)
+    text = f"{points}; largest deviation {pixels} px ({number(result.deviation, 2)})."
     if family != model.family:
-        text += f" It is {family.a_curve}: {model.family.a_curve} so near takes too long to find."
-    elif made.is_scattered:
+        text += f" It is {family.a_curve}: {model.family.a_curve} that close takes too long to find."
+    elif result.is_scattered:
         text += f" {SCATTERED}"
-    elif made.deviation > tolerance:
-        text += (
-            f" No {family.title} curve was found nearer; another family may come nearer with fewer points."
-        )
+    elif result.deviation > tolerance:
+        text += f" No {family.title} curve was found that is closer; another family may need fewer points."
     return text
 
 
@@ -220,12 +218,12 @@ PENCIL = ToolRecord(
     name="pencil",
     make=PencilTool,
     hint="Drag to draw freehand; V or Escape goes back to selecting.",
-    empty_message="Drag on the canvas to draw freehand; a curve of few points near the line comes out.",
+    empty_message="Drag on the canvas to draw freehand; a curve of few points near the line results.",
     doing="drawing freehand",
     gestures=(
         GestureRow("Drag", "draw a line; a curve of few points near it comes out"),
         GestureRow("Drag back to the beginning", "the same, closed"),
-        GestureRow("Escape", "take the line back"),
+        GestureRow("Escape", "cancel the line"),
     ),
     rank=25,
     action="pencilTool",

@@ -131,7 +131,7 @@ class SelectTool(Tool):
         if self._guide is not None:
             return hint_on_guide(event, self._guide)
         if hit is not None and not hit.inside:
-            return _hint_on_edited(event, hit)
+            return _hint_on_active(event, hit)
         return _hint_beside(event)
 
     def marks(self, event: ToolEvent) -> Marks:
@@ -213,11 +213,11 @@ def _unselected_point(event: ToolEvent, hit: Hit | None) -> Vector | None:
     return hit.position if hit.index not in event.session.selected.group.of(hit.curve) else None
 
 
-def _hint_on_edited(event: ToolEvent, hit: Hit) -> Hint:
+def _hint_on_active(event: ToolEvent, hit: Hit) -> Hint:
     """Return the hint over a point, a handle or the line of a curve that is edited."""
     view, moves, pointer = event.view, label_of_moved(event, hit), event.pointer
     if hit.curve >= 0:
-        view, hit = event.session.views[hit.curve], hit.as_own
+        view, hit = event.session.views[hit.curve], hit.on_active_curve
     if view.source.locked:
         return Hint(hints.LOCKED.format(view.source.display_name))
     if hit.part is Part.CURVE:
@@ -240,17 +240,17 @@ SELECT = ToolRecord(
     hint="Drag points and handles; P adds points.",
     doing="selecting",
     gestures=(
-        GestureRow("Drag a chosen curve", "move all chosen curves", curves=True),
-        GestureRow("G, S, R, arrows, Del, the box", "act on all chosen curves", curves=True),
-        GestureRow("Escape, a click beside them", "choose only the one edited", curves=True),
+        GestureRow("Drag a selected curve", "move all selected curves", curves=True),
+        GestureRow("G, S, R, arrows, Del, the box", "act on all selected curves", curves=True),
+        GestureRow("Escape, a click beside them", "select only the edited one", curves=True),
         *GESTURES,
         GestureRow("Click a point", "select it alone"),
         GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
-        GestureRow("Shift+click a point", "select it too, or no longer"),
+        GestureRow("Shift+click a point", "add to or remove from the selection"),
         GestureRow("Click a small ring", "select a point of another curve of the shape, as any other"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points come along, Ctrl: points alone"),
-        GestureRow("Click the curve", "select both ends; Shift: too; double click: insert"),
+        GestureRow("Click the curve", "select both ends; Shift: add them; double click: insert"),
         GestureRow(
             "Drag inside the box", "move all in it; Shift+drag: rubber band", selected=True, curves=True
         ),
@@ -260,9 +260,9 @@ SELECT = ToolRecord(
             selected=True,
             curves=True,
         ),
-        GestureRow("Click a chosen curve", "grips that rotate and skew, or scale again", curves=True),
+        GestureRow("Click a selected curve", "grips that rotate and skew, or scale again", curves=True),
         GestureRow("Drag out of a ruler", "a guide; drag it to move it, back to the ruler to remove it"),
-        GestureRow("Double-click a guide or a ruler", "type where the guide lies"),
+        GestureRow("Double-click a guide or a ruler", "type its position"),
         GestureRow(
             "Drag the cross in the box",
             "move the pivot; double click, Shift+click: back",
@@ -270,16 +270,16 @@ SELECT = ToolRecord(
             curves=True,
         ),
         GestureRow("Tab, Shift+Tab", "select the next or previous point"),
-        GestureRow("Escape", "select nothing; once more: whole curves, none edited", selected=True),
+        GestureRow("Escape", "deselect; once more: whole curves, none edited", selected=True),
         GestureRow(
-            "Drag another curve", "move it whole; with none edited choose it, too; Ctrl, Shift: one axis"
+            "Drag another curve", "move it as a whole; with none edited also select it; Ctrl, Shift: one axis"
         ),
         GestureRow("Click another curve", "edit it"),
-        GestureRow("Shift+click another curve", "choose it too, or no longer"),
-        GestureRow("With no curve edited", "a click chooses a curve, a double click or Enter edits it"),
-        GestureRow("Ctrl+click, no curve edited", "choose a shape, and not the group that it is in"),
-        GestureRow("Click within a fill", "as on the line around it; the topmost is meant"),
-        GestureRow("Rubber band, no curve edited", "choose curves inside"),
+        GestureRow("Shift+click another curve", "add to or remove from the selection"),
+        GestureRow("With no curve edited", "a click selects a curve, a double click or Enter edits it"),
+        GestureRow("Ctrl+click, no curve edited", "select a shape without its group"),
+        GestureRow("Click within a fill", "as on its outline; the topmost fill counts"),
+        GestureRow("Rubber band, no curve edited", "select curves inside"),
     ),
     rank=10,
     action="selectTool",
