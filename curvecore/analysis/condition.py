@@ -151,9 +151,7 @@ def monomial_condition(curve: ParametricCurve, norm: float = 2) -> float:
     interpolants = curve.interpolants()
     if interpolants is None:
         raise CurveError("curve must consist of polynomials whose data are known")
-    return max(
-        vandermonde_condition(piece.parameters, norm, piece.jets.shape[1] - 1) for piece in interpolants
-    )
+    return max(vandermonde_condition(part.parameters, norm, part.jets.shape[1] - 1) for part in interpolants)
 
 
 def _matrix(t: Sequence[float], width: int) -> FloatArray:
@@ -175,9 +173,7 @@ def _inverse(t: Sequence[float], width: int) -> FloatArray:
     size = len(t) * width
     unit_data = np.eye(size).reshape(size, len(t), width).tolist()
     columns = [interpolated(t, jets) for jets in unit_data]
-    return np.array(
-        [[as_float(x, polynomial.denominator) for x in polynomial.coefficients] for polynomial in columns]
-    ).T
+    return np.array([[as_float(x, poly.denominator) for x in poly.coefficients] for poly in columns]).T
 
 
 def _simple_inverse(t: Sequence[float]) -> FloatArray:

@@ -106,9 +106,7 @@ class Joint(NamedTuple):
         """
         if self.parametric == _BREAK:
             return "break"
-        motion, line = (
-            "≥" if is_open else "" for is_open in (self.is_parametric_open, self.is_geometric_open)
-        )
+        motion, line = ("≥" if more else "" for more in (self.is_parametric_open, self.is_geometric_open))
         # An open G of the order of C says more than a C that is decided.
         says_more = (self.geometric, line) > (self.parametric, motion)
         return f"{motion}C{self.parametric}" + says_more * f", {line}G{self.geometric}"
@@ -235,28 +233,19 @@ def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, Flo
     chords = vector_lengths(ends.values[:, 0] - starts.values[:, 0])
     speeds = 0.5 * (vector_lengths(starts.values[:, 1]) + vector_lengths(ends.values[:, 1]))
     distances = 0.5 * (chords + h * speeds)
-    distance, time = (
-        values_of_side[indices - 1] + values_of_side[indices] for values_of_side in (distances, h)
-    )
+    distance, time = (part[indices - 1] + part[indices] for part in (distances, h))
     typical = distance[:, None] / time[:, None] ** powers
     # A parameter that is off moves the curve as a point does that is off along it.
     errors = _DATA_ROUNDINGS * (np.abs(curve.points).max() + np.abs(t).max() * typical[:, 1])
     values = [ends.values[indices - 1], starts.values[indices]]
-    scales = [
-        values_of_side + _UNDERFLOW for values_of_side in (ends.scale[indices - 1], starts.scale[indices])
-    ]
+    scales = [part + _UNDERFLOW for part in (ends.scale[indices - 1], starts.scale[indices])]
     # Where nothing can jump, nothing does, whatever is computed on both sides.
     is_smooth = ~np.isin(t[indices], curve.breaks)
     values[0][is_smooth] = values[1][is_smooth]
     scales[0][is_smooth] = scales[1][is_smooth] = 0.0
     before, after = (
-        _Side(
-            values_of_side,
-            vector_lengths(values_of_side),
-            JOINT_ROUNDINGS * scale,
-            errors[:, None] / h[rows, None] ** powers,
-        )
-        for values_of_side, scale, rows in zip(values, scales, (indices - 1, indices), strict=True)
+        _Side(part, vector_lengths(part), JOINT_ROUNDINGS * scale, errors[:, None] / h[rows, None] ** powers)
+        for part, scale, rows in zip(values, scales, (indices - 1, indices), strict=True)
     )
     return before, after, typical
 

@@ -36,28 +36,28 @@ _ROUNDS = 4  # of halving what is not close enough
 
 
 class _Samples(NamedTuple):
-    """Parameters (m,), the positions there before anything moves, (m, 2), and w, (m, 1)."""
+    """Parameters (m,), the base, points before anything moves, (m, 2), and w, (m, 1)."""
 
     t: FloatArray
-    positions: FloatArray
-    directions: FloatArray
+    base: FloatArray
+    w: FloatArray
 
 
 class _Vertices(NamedTuple):
     """Samples with bounds of how far the pieces between them leave their chords, (m - 1,)."""
 
     t: FloatArray
-    positions: FloatArray
-    directions: FloatArray
+    base: FloatArray
+    w: FloatArray
     deviation: FloatArray
 
 
 class _Drawn(NamedTuple):
-    """Vertices, their positions x + iy and directions (m, 1) complex: of pairs NumPy moves half as many."""
+    """Vertices, their base x + iy and w (m, 1) complex: of pairs NumPy moves half as many."""
 
     t: FloatArray
-    positions: NDArray[np.complex128]
-    directions: NDArray[np.complex128]
+    base: NDArray[np.complex128]
+    w: NDArray[np.complex128]
     deviation: FloatArray
 
 
@@ -127,8 +127,8 @@ class MovedPoints:
                 self._choose(min(max(reach, _REACH), _FARTHEST))
         if self._vertices is None:
             return None
-        t, positions, directions, deviation = self._vertices
-        return Pieces(t, (positions + directions * complex(dx, dy)).view(np.float64), deviation)
+        t, base, w, deviation = self._vertices
+        return Pieces(t, (base + w * complex(dx, dy)).view(np.float64), deviation)
 
     def _choose(self, reach: float) -> None:
         """Choose vertices that serve within reach of the centre, a smaller one where that takes too many."""
@@ -146,14 +146,10 @@ class MovedPoints:
             return None
         controls = drawable_pieces(self._curve)
         vertices = self._sampled() if controls is None else self._on_segments(controls)
-        if (
-            vertices is None
-            or not np.isfinite(vertices.positions).all()
-            or not np.isfinite(vertices.directions).all()
-        ):
+        if vertices is None or not np.isfinite(vertices.base).all() or not np.isfinite(vertices.w).all():
             return None
-        t, positions, directions, deviation = self._merged(vertices)
-        return _Drawn(t, positions.view(np.complex128), directions.astype(np.complex128), deviation)
+        t, base, w, deviation = self._merged(vertices)
+        return _Drawn(t, base.view(np.complex128), w.astype(np.complex128), deviation)
 
     def _on_segments(self, controls: FloatArray) -> _Vertices | None:
         """Divide each segment equally: bounds of second derivatives bound the deviations."""
@@ -169,7 +165,7 @@ class MovedPoints:
         segment, step = equal_parts(count.astype(np.intp))
         local = step / count[segment]
         weight = weights(local, controls.shape[1] - 1)[:, None, :]
-        positions, directions = (
+        base, w = (
             np.vstack([np.matmul(weight, values[segment])[:, 0], values[-1, -1:]])
             for values in (controls, unit)
         )
@@ -177,9 +173,7 @@ class MovedPoints:
         t = np.append(np.minimum(start + local * (end - start), end), self._curve.breaks[-1])
         if not (t[1:] > t[:-1]).all():
             return None
-        return _Vertices(
-            t, positions, directions, np.where(is_inside, deviation / (count * count), np.inf)[segment]
-        )
+        return _Vertices(t, base, w, np.where(is_inside, deviation / (count * count), np.inf)[segment])
 
     def _sampled(self) -> _Vertices | None:
         """Return samples halved where they are too far apart for all moves within reach of the centre."""
@@ -212,10 +206,10 @@ class MovedPoints:
         c'' is 2 o / (h k) where a sample lies o off the chord of its neighbours, h and k away from it in t; a
         piece of length h leaves its chord by |c''| h**2 / 8.
         """
-        t, positions, directions = samples
-        moved, h = positions + directions * self._centre, np.diff(t)[:, None]
+        t, base, w = samples
+        moved, h = base + w * self._centre, np.diff(t)[:, None]
         off = np.zeros(len(t))
-        for values, size in ((moved, 1.0), (directions, self._reach)):
+        for values, size in ((moved, 1.0), (w, self._reach)):
             chord = (values[2:] * h[:-1] + values[:-2] * h[1:]) / (h[:-1] + h[1:])
             off[1:-1] += size * np.sqrt(((values[1:-1] - chord) ** 2).sum(axis=1))
         quotient = h[1:, 0] / h[:-1, 0]
@@ -224,9 +218,9 @@ class MovedPoints:
         deviation[1:] = np.maximum(deviation[1:], off[1:-1] * quotient)
         deviation *= 0.25 * _MARGIN
         hulls = np.stack([moved[:-1], moved[1:]], axis=1)
-        sizes = self._reach * np.abs(directions[:, 0])
+        sizes = self._reach * np.abs(w[:, 0])
         near = np.maximum(off[1:] + sizes[1:], off[:-1] + sizes[:-1])
-        return _Vertices(t, positions, directions, np.where(self._enters(hulls, near), deviation, np.inf))
+        return _Vertices(t, base, w, np.where(self._enters(hulls, near), deviation, np.inf))
 
     def _enters(self, points: FloatArray, room: FloatArray) -> BoolArray:
         """Tell which hulls, of points (k, j, 2) with so much room around them, (k,), the box may show."""
@@ -237,35 +231,28 @@ class MovedPoints:
 
     def _merged(self, vertices: _Vertices) -> _Vertices:
         """Leave out vertices that the tolerance needs nowhere within reach, as `merged_pieces` does."""
-        t, positions, directions, deviation = vertices
+        t, base, w, deviation = vertices
         offset, idle = 0, 0
         while idle < 2 and len(t) > 2:
             middle = np.arange(1 + offset, len(t) - 1, 2)
             joined = np.maximum(deviation[middle - 1], deviation[middle])
-            joined += self._off_chord(positions + directions * self._centre, directions, middle)
+            joined += self._off_chord(base + w * self._centre, w, middle)
             dropped = joined <= self._tolerance
             deviation[middle[dropped] - 1] = joined[dropped]
             idle = 0 if 32 * np.count_nonzero(dropped) > len(t) else idle + 1
             stays = np.ones(len(t), dtype=bool)
             stays[middle[dropped]] = False
-            t, positions, directions, deviation = (
-                t[stays],
-                positions[stays],
-                directions[stays],
-                deviation[stays[:-1]],
-            )
+            t, base, w, deviation = t[stays], base[stays], w[stays], deviation[stays[:-1]]
             offset = 1 - offset
-        return _Vertices(t, positions, directions, deviation)
+        return _Vertices(t, base, w, deviation)
 
-    def _off_chord(self, points: FloatArray, directions: FloatArray, middle: IntArray) -> FloatArray:
+    def _off_chord(self, points: FloatArray, w: FloatArray, middle: IntArray) -> FloatArray:
         """Return bounds of the distances of vertices from the chord of their neighbours, within reach."""
         start, chord = points[middle - 1], points[middle + 1] - points[middle - 1]
         square = (chord**2).sum(axis=1)
         share = ((points[middle] - start) * chord).sum(axis=1) / np.where(square > 0.0, square, 1.0)
         share = np.clip(share, 0.0, 1.0)[:, None]
         off = points[middle] - start - share * chord
-        direction = (
-            directions[middle] - (1.0 - share) * directions[middle - 1] - share * directions[middle + 1]
-        )
+        direction = w[middle] - (1.0 - share) * w[middle - 1] - share * w[middle + 1]
         result: FloatArray = np.hypot(off[:, 0], off[:, 1]) + self._reach * np.abs(direction[:, 0])
         return result
