@@ -26,30 +26,29 @@ from .log import last_lines
 _log = logging.getLogger("curvebench.crash")
 
 _MOST_DIALOGS = 5
-"""Different faults that are shown in one run; whoever has seen these knows that something is wrong."""
+"""Largest number of different errors that are shown in one run."""
 
 
 class CrashHandler(QObject):
-    """The interpreter's hooks for exceptions that nobody caught.
+    """Hooks of the interpreter for uncaught exceptions.
 
-    The same fault is shown once, however often a paint or a timer runs into it again, and there is one
-    dialog at a time. One that keeps a window open is shown each time that the window is asked to close: else
-    nothing would happen then, and there would be no way out. What comes from another thread is shown by that
-    of the window.
+    The same error is shown once, however often a paint or a timer repeats it, in one dialog at a time. An
+    error that keeps a window open is shown each time that the window is closed: otherwise nothing would seem
+    to happen. Exceptions of other threads are shown by the window's thread.
 
     Parameters
     ----------
     secure
-        Writes a backup of everything unsaved; returns whether that was possible.
+        Function that backs up all unsaved work; returns whether that was possible.
     private
-        Returns the words that a report must not hold.
+        Function that returns the words that a report must not contain.
 
     Signals
     -------
     quit_asked
-        The person wants the work saved and the program to end.
+        The person wants to save the work and quit.
     interrupted
-        Ctrl+C.
+        Ctrl+C was pressed in the terminal.
     """
 
     quit_asked = Signal()
@@ -73,14 +72,14 @@ class CrashHandler(QObject):
         self._arrived.connect(self._note)
 
     def install(self) -> None:
-        """Take the interpreter's hooks."""
+        """Install the hooks of the interpreter."""
         self._hooks = (sys.excepthook, threading.excepthook, sys.unraisablehook)
         sys.excepthook = self._take
         threading.excepthook = self._take_from_thread
         sys.unraisablehook = self._take_unraisable
 
     def uninstall(self) -> None:
-        """Give the interpreter's hooks back."""
+        """Restore the former hooks of the interpreter."""
         if self._hooks:
             sys.excepthook, threading.excepthook, sys.unraisablehook = self._hooks
             self._hooks = ()
@@ -91,7 +90,7 @@ class CrashHandler(QObject):
             return
         _print(kind, problem, trace)
         _log.error("%s in %s", kind.__qualname__, place_of(problem.with_traceback(trace)))
-        # Into the thread of the window: only there may anybody look at what is open.
+        # Continue in the window's thread: only there may documents be accessed.
         self._arrived.emit(problem)
 
     def _take_from_thread(self, arguments: threading.ExceptHookArgs) -> None:
@@ -100,13 +99,13 @@ class CrashHandler(QObject):
             self._take(arguments.exc_type, problem, arguments.exc_traceback)
 
     def _take_unraisable(self, arguments: Any) -> None:  # noqa: ANN401 - sys.UnraisableHookArgs exists for checkers only
-        # Raised while something was thrown away: nothing that the person did has failed, so no dialog.
+        # Raised while an object was destroyed: no action of the person has failed, so no dialog.
         if arguments.exc_value is not None:
             _print(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
-            _log.error("%s while something was thrown away", arguments.exc_type.__qualname__)
+            _log.error("%s while an object was destroyed", arguments.exc_type.__qualname__)
 
     def _note(self, problem: BaseException) -> None:
-        """Queue a report, unless it is known; never raises, for who would catch that."""
+        """Queue a report unless the error is known; never raises, because nothing would catch that."""
         try:
             signature = signature_of(problem)
             if _keeps_window_open(problem):
@@ -118,7 +117,7 @@ class CrashHandler(QObject):
             self._waiting.append(report_of(problem, self._private()))
         except Exception as another:
             _print(type(another), another, another.__traceback__)
-        # Not from within: it may be a paint that failed.
+        # Later, because a paint may have failed.
         self._soon.start()
 
     def _show_next(self) -> None:
@@ -140,14 +139,14 @@ class CrashHandler(QObject):
 
 
 def _keeps_window_open(problem: BaseException) -> bool:
-    """Whether a window was asked to close and has failed to; see `overrides.SafeOverrides`."""
+    """Return whether the exception kept a window from closing; see `overrides.SafeOverrides`."""
     return any(
         frame.f_code.co_name == "closeEvent" for frame, _line in traceback.walk_tb(problem.__traceback__)
     )
 
 
 def _print(kind: type[BaseException], problem: BaseException, trace: TracebackType | None) -> None:
-    """Write the whole traceback to the terminal, where there is one: for whoever works on the program."""
+    """Write the complete traceback to the terminal, if there is one, for developers."""
     if sys.stderr is not None:
         sys.__excepthook__(kind, problem, trace)
 
@@ -159,7 +158,7 @@ _PACKAGES = re.compile(r".*[\\/](?:site-packages|dist-packages|python3\.\d+|Lib)
 _FILE = re.compile(r'(?<=File ")([^"\n]+)(?=", line)')
 _PATH = re.compile(r"(?<![\w.])(?:[A-Za-z]:)?(?:[\\/][^\s\\/'\"“”<>|:]+){2,}")
 _QUOTED = re.compile("“[^”]*”")
-"""Files and curves as the sentences of this program name them."""
+"""Names of files and curves in messages of the program."""
 
 _PROGRAM = Path(__file__).resolve().parents[1]
 _ROOT = _PROGRAM.parent
@@ -173,9 +172,9 @@ def report_of(problem: BaseException, private: Collection[str] = ()) -> str:
     Parameters
     ----------
     problem
-        What was raised.
+        The exception.
     private
-        Words that must not appear: the names of open files, for instance.
+        Words that must not appear, such as the names of open files.
     """
     trace = "".join(traceback.format_exception(problem))
     text = without_names(with_short_files(trace), private)
@@ -186,28 +185,28 @@ def report_of(problem: BaseException, private: Collection[str] = ()) -> str:
 
 
 def signature_of(problem: BaseException) -> str:
-    """Return what two reports about the same fault have in common: what was raised, and where."""
+    """Return the signature of an error, the same in every report about it: its type, file and line."""
     place = "".join(f"{file}:{line}" for file, line in _lines_of(problem)[-1:])
     return f"{type(problem).__qualname__} {place}"
 
 
 def place_of(problem: BaseException) -> str:
-    """Return the line of this program in which something was raised; no other file is named."""
-    own = [
+    """Return the innermost line of this program in a traceback; no other file is named."""
+    lines = [
         f"{_short_path(file)}:{line}"
         for file, line in _lines_of(problem)
         if Path(file).is_relative_to(_PROGRAM)
     ]
-    return own[-1] if own else "no line of its own"
+    return lines[-1] if lines else "no line of the program"
 
 
 def _lines_of(problem: BaseException) -> list[tuple[str, int]]:
-    """Return the files and lines of a traceback, the one that raised last."""
+    """Return the files and lines of a traceback, the innermost last."""
     return [(frame.f_code.co_filename, line) for frame, line in traceback.walk_tb(problem.__traceback__)]
 
 
 def versions() -> str:
-    """Return the versions of everything that takes part, one per line."""
+    """Return the versions of program, libraries and system, one per line."""
     rows = [f"Curvebench {__version__}", f"Python {platform.python_version()}"]
     rows += [f"{name} {_version(name)}" for name in _LIBRARIES]
     core = sys.modules.get("PySide6.QtCore")
@@ -228,7 +227,7 @@ def _platform_plugin() -> str:
 
 
 def with_short_files(trace: str) -> str:
-    """Return a traceback whose files are named from their package on."""
+    """Return a traceback with paths shortened to begin with the package."""
     return _FILE.sub(lambda match: _short_path(match[1]), trace)
 
 
@@ -244,12 +243,12 @@ def _short_path(file: str) -> str:
 
 
 def without_names(text: str, private: Collection[str]) -> str:
-    """Return `text` without paths, quoted names, the home folder and the words in `private`."""
+    """Return a text without paths, quoted names, the home folder and the words in `private`."""
     try:
         home = str(Path.home())
     except RuntimeError:  # there is none
         home = ""
-    # The longest first: a file's name is a part of its path.
+    # The longest first, because the name of a file is part of its path.
     for word in sorted({home, *private}, key=len, reverse=True):
         if len(word) >= _SHORTEST_NAME:
             text = text.replace(word, "…").replace(repr(word)[1:-1], "…")

@@ -1,9 +1,9 @@
-"""The log: loggers by subsystem, the last lines in memory, and on standard error where they are asked for.
+"""Log: loggers by subsystem, the last lines in memory, and all lines on standard error on request.
 
-A module writes to the logger ``curvebench.PACKAGE``. The log tells kinds, counts, sizes, durations and codes
-of errors: no name of a file or of a curve, no number of a point, no text of the person; a sentence that an
-exception brings along may hold any of them. Nothing is logged for a frame of a drag. What is logged is kept
-for a while, so arguments are numbers and texts: a lock would else be held.
+A module writes to the logger ``curvebench.PACKAGE``. The log contains kinds, counts, sizes, durations and
+codes of errors; never names of files or curves, coordinates, texts of the person, or messages of exceptions,
+which may contain any of these. Nothing is logged for a frame of a drag. Log records are kept for a while, so
+their arguments must be numbers and texts, not objects such as locks.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ LEVELS = ("DEBUG", "INFO", "WARNING", "ERROR")
 USUAL_LEVEL = "INFO"
 
 LAST_LINES = 100
-"""Lines that are kept, and that a crash report brings along."""
+"""Number of lines that are kept, and that a crash report contains."""
 
 FORMAT = logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
 
@@ -47,7 +47,7 @@ def last_lines() -> tuple[str, ...]:
 
 @contextmanager
 def logged(level: str = "") -> Iterator[None]:
-    """Have a log meanwhile, in memory; on standard error too where a `level` is asked for."""
+    """Keep a log in memory during a ``with`` block; with a `level`, also on standard error."""
     logger, before = logging.getLogger(NAME), logging.getLogger(NAME).level
     handlers: list[logging.Handler] = [_last]
     if level and sys.stderr is not None:

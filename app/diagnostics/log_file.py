@@ -1,4 +1,4 @@
-"""The log as a rotating file."""
+"""Log as a rotating file."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ _OLDER_FILES = 3
 
 
 class LogFile(RotatingFileHandler):
-    """Writes what has been logged so far, and what will be until it is closed, to the file in a folder.
+    """Log handler that writes the last lines, and all further ones until it is closed, to a file in a folder.
 
-    Raises OSError where there can be no file; a disk that refuses later is nobody's problem.
+    Raises OSError if the file cannot be opened; later errors of the disk are ignored.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -31,10 +31,10 @@ class LogFile(RotatingFileHandler):
         logging.getLogger(NAME).addHandler(self)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802
-        """Leave it; called by logging."""
+        """Ignore an error of writing; called by logging."""
 
     def close(self) -> None:
-        """Write no more."""
+        """Stop logging to the file, and close it."""
         logging.getLogger(NAME).removeHandler(self)
         with suppress(OSError):
             super().close()

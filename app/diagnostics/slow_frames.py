@@ -1,4 +1,4 @@
-"""Slow frames: what the window's thread has to do before a change of the document is on the screen."""
+"""Slow frames: the time of the window's thread from a change of the document to the next paint."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from time import thread_time
 from PySide6.QtCore import QObject, SignalInstance
 
 SLOW_S = 0.2
-"""Seconds from which a frame is felt as a halt."""
+"""Seconds from which a frame is logged as slow."""
 
 _log = logging.getLogger("curvebench.frames")
 
 
 class SlowFrames(QObject):
-    """Logs the frames that took long; the others cost a reading of the clock.
+    """Log of frames that took long; other frames only cost a reading of the clock.
 
-    The clock is that of the thread's own work, from one frame to the next: it stands still while nothing is
-    done, and when a window that was covered is painted again.
+    The clock measures the processor time of the thread from one frame to the next: it stops while the thread
+    is idle.
 
     Parameters
     ----------
     changed
-        Told when the document shown is another one.
+        Signal that the displayed document has changed.
     painted
-        Told when the canvas has been painted.
+        Signal that the canvas was painted.
     """
 
     def __init__(self, changed: SignalInstance, painted: SignalInstance, parent: QObject) -> None:

@@ -15,11 +15,11 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from shiboken6 import isValid
 
 _INTERVAL_MS = 1000
-"""Milliseconds between two looks at the thresholds; while tasks run these look, too."""
+"""Milliseconds between checks of the thresholds; running tasks check as well."""
 
 
 class GarbageCollector(QObject):
-    """Collector of garbage in the window's thread, in place of Python's own."""
+    """Garbage collector in the window's thread, in place of Python's own."""
 
     def __init__(self, parent: QObject | None) -> None:
         super().__init__(parent)
@@ -29,7 +29,7 @@ class GarbageCollector(QObject):
         self._timer.start()
 
     def collect_due(self) -> None:
-        """Collect what is due; nothing where somebody has Python collect again."""
+        """Collect the generation that is due; nothing if Python's own collector was enabled again."""
         if not gc.isenabled():
             self._generations.collect_due()
 
@@ -38,9 +38,9 @@ _collectors: list[GarbageCollector] = []
 
 
 def collect_between_events() -> None:
-    """Have garbage collected from the event loop alone, as long as the application lives.
+    """Collect garbage from the event loop alone, as long as the application lives.
 
-    Where Python's collector is off, somebody else decides when to collect, and goes on doing so.
+    If Python's collector is disabled already, its owner decides when to collect.
     """
     if not gc.isenabled():
         return
@@ -50,21 +50,21 @@ def collect_between_events() -> None:
 
 
 def collect_due() -> None:
-    """Collect what is due, where that is done between events; called from the event loop."""
+    """Collect the generation that is due, if a collector exists; called from the event loop."""
     if _collectors and isValid(_collectors[0]):
         _collectors[0].collect_due()
 
 
 _GROWTH = 1.25
-"""Factor by which the objects that have outlived two collections grow before all of them are searched again.
-Python has the same rule, but not where it is asked for the oldest generation."""
+"""Growth of the number of objects in the oldest generation before it is collected again. Python has the same
+rule, but not for an explicit collection."""
 
 
 class Generations:
-    """Generations of Python's collector, and when each is due."""
+    """Schedule of the generations of Python's collector."""
 
     def __init__(self) -> None:
-        # How often the middle generation had been collected when the oldest was last looked at.
+        # Collections of the middle generation at the last check of the oldest.
         self._count_before = gc.get_count()[2]
         self._objects_before = 0
 

@@ -1,8 +1,8 @@
-"""Limit of processor time for a process that works on files of others.
+"""Limit of processor time for a child process that reads files of other programs.
 
-The child limits itself, by `limit_processor_time`; the parent recognises by the exit code that the limit was
-reached, and waits as long as `longest_wait` says. Time that a busy machine gives to other programs does not
-count, nor does the start of the child.
+The child limits itself with `limit_processor_time`; the parent recognises the limit by the exit code and
+waits at most `longest_wait`. Time of other programs on a busy computer does not count, nor does the start of
+the child.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ import time
 from typing import Final
 
 PROCESSOR_LIMIT: Final = "--processor-limit"
-"""Option of the command line that limits the program itself, for files whose code it runs; not for people."""
+"""Internal command line option that limits the program itself while it runs code from files."""
 
 _OVERDUE: Final = 124
-"""Exit code where no signal ends the process; that of the command ``timeout``."""
+"""Exit code where no signal can end the process; the same as of the command ``timeout``."""
 
 _POLL_S = 0.05
 
 
 def limit_processor_time(seconds: float) -> None:
-    """End this process once it has used so many more seconds of the processor; infinity lifts the limit.
+    """End this process after `seconds` more of processor time; infinity removes the limit.
 
-    To be called in the main thread. The system ends the process, whatever it does. Windows has no such timer:
-    a thread watches there, which code in C may keep from running; `longest_wait` is the limit of that.
+    Must be called in the main thread. The system ends the process, whatever it does. Windows has no such
+    timer: there a thread watches, which code in C may block; then `longest_wait` is the limit.
     """
     if hasattr(signal, "setitimer"):
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
@@ -37,15 +37,15 @@ def limit_processor_time(seconds: float) -> None:
 
 
 def was_overdue(code: int) -> bool:
-    """Return whether the exit code is that of a process that reached its limit of processor time."""
+    """Return whether an exit code is that of a process that reached its limit of processor time."""
     return code == (-signal.SIGPROF if hasattr(signal, "setitimer") else _OVERDUE)
 
 
 def longest_wait(seconds: float) -> float:
-    """Return how many seconds of the clock a process may take that has `seconds` of processor time.
+    """Return the seconds of real time after which a process with `seconds` of processor time is ended.
 
-    A process that sleeps uses no processor and still has to end. Neither its start nor its work takes as long
-    as this beside a dozen busy programs for every processor.
+    A sleeping process uses no processor time, but must end as well. Start and work take less than this even
+    with a dozen busy programs for every processor.
     """
     return 60.0 + 20.0 * seconds
 
@@ -58,7 +58,7 @@ class _Watch:
         self._thread: threading.Thread | None = None
 
     def limit(self, seconds: float) -> None:
-        """Have the limit from now on; the thread starts with the first one."""
+        """Set the limit; the thread starts with the first call."""
         self._end = time.process_time() + seconds
         if self._thread is None:
             self._thread = threading.Thread(target=self._run, name="processor limit", daemon=True)

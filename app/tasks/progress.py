@@ -1,6 +1,6 @@
-"""Reports of long work: it says how far it is, and hears that it is no longer wanted.
+"""Progress of long work: the work reports its share done, and is cancelled by that report.
 
-Work that may take longer than a moment takes a `Report` and calls it now and then.
+A function that may take longer than a moment takes a `Report` and calls it now and then.
 """
 
 from __future__ import annotations
@@ -12,27 +12,27 @@ from typing import TypeVar
 Item = TypeVar("Item")
 
 Report = Callable[[float, str], None]
-"""Callback that takes the share done, 0 to 1, and a word for the work; it raises `Cancelled`."""
+"""Callback that takes the share done, 0 to 1, and a word for the work; raises `Cancelled` to stop it."""
 
 FINAL = inf
-"""Reported in place of a share before a step that cannot be taken back; from then on nothing is cancelled."""
+"""Share that is reported before a step that cannot be undone; from then on, the work cannot be cancelled."""
 
 
-class Cancelled(Exception):  # noqa: N818 - nothing has gone wrong
-    """The person has taken the order back; whatever was half done is to be dropped."""
+class Cancelled(Exception):  # noqa: N818 - this is no error
+    """The person has cancelled the work; partial results must be dropped."""
 
 
 def silent(_share: float, _word: str) -> None:
-    """Report to nobody."""
+    """Ignore the progress."""
 
 
 def with_progress(items: Sequence[Item], report: Report, word: str) -> Iterator[Item]:
-    """Yield items one after the other, and report before each: a loop that tells, and that can be stopped."""
-    for place, item in enumerate(items):
-        report(place / len(items), word)
+    """Yield items and report the progress before each: a loop that shows progress and can be cancelled."""
+    for index, item in enumerate(items):
+        report(index / len(items), word)
         yield item
 
 
 def part(report: Report, start: float, end: float) -> Report:
-    """Return a report for a part of the work, which goes on from `start` to `end` of the whole."""
+    """Return the report of a part of the work, from the share `start` to the share `end` of the whole."""
     return lambda share, word: report(start + (end - start) * share, word)

@@ -29,51 +29,51 @@ from .progress import FINAL, Cancelled, Report
 _log = logging.getLogger("curvebench.tasks")
 
 _GRACE_S = 1.0
-"""Seconds after which a stopped task that has not noticed is ended from outside; twice as many each time."""
+"""Seconds after which a cancelled task that still runs is ended from outside; doubled each time."""
 
 _TELL_EVERY_S = 0.04
 _LONG_S = 1.0
-"""Work that takes so long is logged as a rule."""
+"""Seconds from which the end of a task is logged at level INFO."""
 
 _TICK_MS = 100
 
 Work = Callable[[Report], Any]
-"""The work of a task: it reports how far it is, and ends with `Cancelled` when it is not wanted any more."""
+"""Function of a task: it takes the report of progress, which raises `Cancelled` to stop it."""
 
 
 class Task:
-    """One piece of work in a thread of its own; a daemon, so that the program's end never hangs on it.
+    """Work in a thread of its own; a daemon thread, so that the end of the program does not wait for it.
 
     Parameters
     ----------
     work
         Called in the thread, with this task's `report`.
     then
-        Called in the window's thread when the thread has ended, however it did; by default what was raised
-        goes to `sys.excepthook`.
-    told
-        Called there with the share that is done and a word for what is being done.
+        Called in the window's thread when the thread has ended; by default, an exception is passed to
+        `sys.excepthook`.
+    on_progress
+        Called there with the share that is done and a word for the work.
     after
-        Another task, which has to end before this one begins.
+        Another task that must end before this one begins.
 
     Attributes
     ----------
     result, problem
-        What `work` returned, or what it raised.
+        The return value of `work`, or the exception that it raised.
     """
 
     def __init__(
         self,
         work: Work,
         then: Callable[[Task], object] | None = None,
-        told: Report | None = None,
+        on_progress: Report | None = None,
         after: Task | None = None,
     ) -> None:
         self.result: Any = None
         self.problem: Exception | None = None
-        self.then, self.told, self.after = then or Task.raise_problem, told, after
+        self.then, self.on_progress, self.after = then or Task.raise_problem, on_progress, after
         self._work, self._keeper, self._lock = work, _keeper(), threading.Lock()
-        self._is_final, self._told_at = False, 0.0
+        self._is_final, self._reported_at = False, 0.0
         self._stopped_at: float | None = None
         self._grace_s = _GRACE_S
         self.thread = threading.Thread(target=self._run, name="work", daemon=True)
@@ -83,7 +83,7 @@ class Task:
         self.thread.start()
 
     def stop(self) -> bool:
-        """Let the next report raise `Cancelled`; return False where the last step has begun."""
+        """Let the next report raise `Cancelled`; return False if the final step has begun."""
         with self._lock:
             if not self._is_final and self._stopped_at is None:
                 self._stopped_at = time.monotonic()
@@ -91,21 +91,21 @@ class Task:
 
     @property
     def is_stopped(self) -> bool:
-        """Whether nobody waits for the result any more."""
+        """Whether the task was cancelled."""
         return self._stopped_at is not None
 
     def wait(self, seconds: float) -> bool:
-        """Wait until the thread has ended, at most so long; return whether it has."""
+        """Wait for the end of the thread, at most `seconds`; return whether it has ended."""
         until = time.monotonic() + seconds
-        while self.thread.is_alive() and (left := until - time.monotonic()) > 0:
-            self.thread.join(min(left, _GRACE_S))
+        while self.thread.is_alive() and (remaining := until - time.monotonic()) > 0:
+            self.thread.join(min(remaining, _GRACE_S))
             self.end_overdue()
         return not self.thread.is_alive()
 
     def end_overdue(self) -> None:
-        """Raise `_Ended` in the thread if it was stopped a while ago and goes on as if it were not.
+        """Raise `_Ended` in the thread if it was cancelled a while ago and still runs.
 
-        That bounds every loop of Python's; one in C is bounded by the size of its arrays.
+        That bounds every loop in Python; loops in C are bounded by the size of their arrays.
         """
         now = time.monotonic()
         if (
@@ -113,30 +113,30 @@ class Task:
             and now - self._stopped_at >= self._grace_s
             and self.thread.is_alive()
         ):
-            # What cleans up behind it gets longer each time: the machine may be busy.
+            # Its cleanup gets more time at each attempt: the computer may be busy.
             self._stopped_at, self._grace_s = now, 2.0 * self._grace_s
             identity = ctypes.c_ulong(self.thread.ident or 0)
             ctypes.pythonapi.PyThreadState_SetAsyncExc(identity, ctypes.py_object(_Ended))
 
     def report(self, share: float, word: str) -> None:
-        """Tell how far the work is; raise `Cancelled` where it was stopped. Called in the thread."""
+        """Report the progress of the work; raise `Cancelled` if it was cancelled. Called in the thread."""
         with self._lock:
             if self._stopped_at is not None:
                 raise Cancelled
             self._is_final = self._is_final or share == FINAL
         now = time.monotonic()
-        if self.told is not None and not self._is_final and now - self._told_at > _TELL_EVERY_S:
-            self._told_at = now
+        if self.on_progress is not None and not self._is_final and now - self._reported_at > _TELL_EVERY_S:
+            self._reported_at = now
             self._keeper.reported.emit(self, share, word)
 
     @property
     def _name(self) -> str:
-        """The function that does the work: what the person calls it may hold the name of a file."""
+        """The name of the function, for the log; the title in the window may contain the name of a file."""
         work = getattr(self._work, "func", self._work)  # of a partial
         return str(getattr(work, "__qualname__", type(work).__name__))
 
     def log_end(self) -> None:
-        """Log what came of it, and how long that took."""
+        """Log the end of the task and its duration."""
         how = "was cancelled" if self.is_stopped else "ended"
         if self.problem is not None:
             how = f"failed ({type(self.problem).__name__})"
@@ -145,7 +145,7 @@ class Task:
         _log.log(level, "%s %s after %.0f ms", self._name, how, 1e3 * seconds)
 
     def raise_problem(self) -> None:
-        """Give what was raised, if anything was, to `sys.excepthook`."""
+        """Pass the exception of the work, if there is one, to `sys.excepthook`."""
         if self.problem is not None:
             sys.excepthook(type(self.problem), self.problem, self.problem.__traceback__)
 
@@ -159,19 +159,19 @@ class Task:
             except Cancelled:
                 self.stop()
             except Exception as problem:
-                # Whatever it is, it is the window's thread that has to say it.
+                # Any exception is reported in the window's thread.
                 self.problem = problem
             self._keeper.ended.emit(self)
 
 
 class _Ended(SystemExit):
-    """Raised from outside in a stopped thread; threads end on it without a word."""
+    """Exception raised from outside in a cancelled thread, which ends silently."""
 
 
 class _Keeper(QObject):
-    """Keeper of the running tasks, where their signals arrive: in the window's thread.
+    """Registry of the running tasks; their signals arrive here, in the window's thread.
 
-    A task is kept until its thread is gone: what it refers to must not go with that.
+    It holds a task until its thread has ended, so that objects of the task are not destroyed in the thread.
     """
 
     reported = Signal(object, float, str)
@@ -186,21 +186,21 @@ class _Keeper(QObject):
         self.ended.connect(self._end, Qt.ConnectionType.QueuedConnection)
 
     def take(self, task: Task) -> None:
-        """Keep a task that is about to begin."""
+        """Add a task that is about to begin."""
         if not self.running:
             collect_between_events()
             self._timer.start()
         self.running.add(task)
 
     def _pass_on(self, task: Task, share: float, word: str) -> None:
-        # A tick may have found the end of a thread before what it reported has arrived.
-        if task in self.running and task.told is not None and not task.is_stopped:
-            task.told(share, word)
+        # A tick may notice the end of a thread before its reports have arrived.
+        if task in self.running and task.on_progress is not None and not task.is_stopped:
+            task.on_progress(share, word)
 
     def _end(self, task: Task) -> None:
         if task not in self.running:
             return
-        task.thread.join()  # it has a few steps to go after its signal
+        task.thread.join()  # it still runs for a moment after its signal
         task.after = None
         task.log_end()
         self.running.discard(task)
@@ -212,7 +212,7 @@ class _Keeper(QObject):
         collect_due()
         for task in tuple(self.running):
             task.end_overdue()
-            if not task.thread.is_alive():  # one that was ended from outside sends no signal
+            if not task.thread.is_alive():  # a thread that was ended from outside sends no signal
                 self._end(task)
 
 
@@ -220,40 +220,40 @@ _keepers: list[_Keeper] = []
 
 
 def _keeper() -> _Keeper:
-    """Return the one keeper, made with the first task; with the application it goes, and is made anew."""
+    """Return the keeper; it is destroyed with the application, and made again for the next one."""
     if not _keepers or not isValid(_keepers[0]):
         _keepers[:] = [_Keeper()]
     return _keepers[0]
 
 
 def stopped_tasks() -> list[Task]:
-    """Return the tasks that were taken back and have not noticed yet."""
+    """Return cancelled tasks that still run."""
     return [task for keeper in _keepers for task in keeper.running if task.is_stopped]
 
 
 # Owners of tasks
 
 PATIENCE_S = 3.0
-"""Seconds that a window that closes waits until its work has noticed."""
+"""Seconds that a closing window waits for its cancelled tasks."""
 
 
 class TaskOwner(QObject):
-    """Has one task at a time whose end matters; what it has taken back may take a while to notice."""
+    """Owner of at most one current task; cancelled tasks may run on for a moment."""
 
     _task: Task | None = None
 
     def give_up(self) -> None:
-        """Take back what is being done."""
+        """Cancel the current task."""
         if self._task is not None:
             self._task.stop()
 
     def close(self) -> None:
-        """Take back what is being done and wait until it has noticed, not longer than `PATIENCE_S`."""
+        """Cancel the current task and wait for its end, at most `PATIENCE_S`."""
         close_all((self,))
 
 
 def close_all(owners: Sequence[TaskOwner]) -> None:
-    """Take back what all of them do, and wait until it has noticed, not longer than `PATIENCE_S` in all."""
+    """Cancel the tasks of all owners and wait for their ends, at most `PATIENCE_S` in all."""
     until = time.monotonic() + PATIENCE_S
     tasks = [owner._task for owner in owners if owner._task is not None]
     for owner in owners:
@@ -265,29 +265,29 @@ def close_all(owners: Sequence[TaskOwner]) -> None:
 # Tasks that the person starts
 
 SHOWN_AFTER_MS = 200
-"""Milliseconds of work that need no bar."""
+"""Milliseconds of work without a progress bar."""
 
 
 class SingleTask(TaskOwner):
-    """Does one thing at a time, as the person asks for it.
+    """Owner of tasks that the person starts, one at a time.
 
     Parameters
     ----------
     parent
         Of Qt.
     shown_after_ms
-        Milliseconds of work after which it is `shown`.
+        Milliseconds after which the signal `shown` is sent.
 
     Signals
     -------
     begun
-        There is work now.
+        A task has begun.
     shown
-        The work is taking a while; the title is what it is called.
+        The task takes a while, and its progress should be shown under this title.
     progressed
-        The share that is done, 0 to 1, and a word for what is being done.
+        The share that is done, 0 to 1, and a word for the work.
     ended
-        There is no work any more: it is done, has failed, or was taken back.
+        The task has ended: it is done, has failed, or was cancelled.
     """
 
     begun = Signal()
@@ -303,28 +303,28 @@ class SingleTask(TaskOwner):
 
     @property
     def is_busy(self) -> bool:
-        """Whether something is being done."""
+        """Whether a task is running."""
         return self._task is not None
 
     @property
     def is_long(self) -> bool:
-        """Whether what is being done takes long enough to be shown."""
+        """Whether the task takes long enough for its progress to be shown."""
         return self.is_busy and not self._patience.isActive()
 
     def start(
         self, title: str, work: Work, done: Callable[[Any], object], failed: Callable[[Exception], object]
     ) -> bool:
-        """Do `work` and hand its result to `done`, or what it raised to `failed`, in this thread.
+        """Start `work`, and pass its result to `done` or its exception to `failed` in this thread.
 
-        Neither is called once the work was taken back. Returns False, and does nothing, while there is
-        other work; its name is the `title`.
+        Neither is called after `cancel`. Returns False, and does nothing, while another task is running;
+        `title` is the name of that task.
         """
         if self._task is not None:
             return False
 
         def end(task: Task) -> None:
             if task is not self._task:
-                return  # it was taken back
+                return  # it was cancelled
             self._finish()
             if task.problem is not None:
                 failed(task.problem)
@@ -338,9 +338,9 @@ class SingleTask(TaskOwner):
         return True
 
     def cancel(self) -> bool:
-        """Take the work back: nothing comes of it, and other work may begin at once.
+        """Cancel the task: it has no result, and another one may begin at once.
 
-        Returns False where it is too late: its last step has begun, and it ends as it would have.
+        Returns False if its final step has begun: it then ends normally.
         """
         if self._task is not None:
             if not self._task.stop():
@@ -349,7 +349,7 @@ class SingleTask(TaskOwner):
         return True
 
     def give_up(self) -> None:
-        """Take back what is being done; where it is too late for that, its end is not told."""
+        """Cancel the current task; if it is too late for that, its end is ignored."""
         super().give_up()
         if self._task is not None:
             self._finish()
@@ -366,20 +366,20 @@ class SingleTask(TaskOwner):
 # Tasks that follow a value
 
 SETTLE_MS = 100
-"""Milliseconds without a change before a task begins."""
+"""Milliseconds without a new request before a task begins."""
 
 
 class DebouncedTask(TaskOwner):
-    """Computes the last thing it was asked for, once things have settled; what came before is forgotten.
+    """Owner of tasks that follow a value: computes the last request once no new one arrives for a while.
 
     Signals
     -------
     ready
-        The result of what was asked last.
+        The result of the last request.
     busy_changed
-        Whether a result is being waited for.
+        Whether a result is pending.
     progressed
-        The share that is done, 0 to 1, and a word for what is being done.
+        The share that is done, 0 to 1, and a word for the work.
     """
 
     ready = Signal(object)
@@ -394,21 +394,21 @@ class DebouncedTask(TaskOwner):
         self.is_busy = False
 
     def ask(self, compute: Work) -> None:
-        """Compute this as soon as nothing else is asked for a while."""
+        """Request a computation; it begins unless a new request arrives first."""
         super().give_up()
         self._compute = compute
         self._set_busy(True)
         self._timer.start()
 
     def give_up(self) -> None:
-        """Forget what was asked."""
+        """Drop the request."""
         super().give_up()
         self._compute = None
         self._timer.stop()
         self._set_busy(False)
 
     def _begin(self) -> None:
-        # One at a time: a second one would only take the first one's turn.
+        # One at a time: two threads would only slow each other down.
         compute = self._compute
         if compute is not None and self._task is None and not self._timer.isActive():
             self._compute = None

@@ -255,7 +255,7 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept):
         wait_until_idle(kept)
     backups = [each for each in sentences if "backed up" in each]
     assert len(backups) == 1
-    assert "save often" in backups[0]
+    assert "Save often" in backups[0]
     assert kept.point(1) == pytest.approx((1, 3), abs=kept.pixel)
     state_folder().unlink()
     move_point(kept, (2.0, 2.0))
@@ -354,21 +354,24 @@ def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp
     assert load(path) == SKETCH
 
 
-@pytest.mark.parametrize("fate", ["changed", "gone"])
-def test_work_on_a_file_that_is_another_one_now_becomes_a_new_document(kept, tmp_path, fate):
+@pytest.mark.parametrize(
+    ("label", "message"),
+    [("file changed since", "has changed since then."), ("file missing", "no longer exists.")],
+)
+def test_work_on_a_changed_or_missing_file_becomes_a_new_document(kept, tmp_path, label, message):
     path = tmp_path / "mine.curve.json"
     origin = SnapshotOrigin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
-    if fate == "changed":
+    if label == "file changed since":
         save(path, Document((make_curve([(5, 5), (6, 6), (7, 7)]),)))
     else:
         path.unlink()
     leave_behind(origin=origin)
     kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert any(f"file {fate}" in each.text() for each in bar(kept).findChildren(QLabel))
+    assert any(label in each.text() for each in bar(kept).findChildren(QLabel))
     press(kept, "restoreWork0")
     assert kept.session.document == SKETCH
     assert kept.session.files.path is None
-    assert fate in kept.status
+    assert message in kept.status
     assert (title_of(kept.session), file_stem(kept.session)) == ("mine", "mine")
 
 
@@ -429,9 +432,9 @@ def test_discard_deletes_and_later_keeps(editor):
     leave_behind()
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert bar(editor).text == "2 documents with unsaved work from last time:"
+    assert bar(editor).text == "2 documents with unsaved work from the last run:"
     press(editor, "discardWork0")
-    assert bar(editor).text == "A document with unsaved work from last time:"
+    assert bar(editor).text == "A document with unsaved work from the last run:"
     press(editor, "laterWork0")
     assert not bar(editor).isVisible()
     assert len(files()) == 1
@@ -476,7 +479,7 @@ def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept):
     (other,) = kept.opened
     assert other.session.document == SKETCH
     assert other.session.files.is_modified
-    assert bar(kept).text == "A document with unsaved work from last time:"
+    assert bar(kept).text == "A document with unsaved work from the last run:"
     until(lambda: len(files()) == 3)  # here, there, and the one not decided
 
 
@@ -492,7 +495,7 @@ def test_a_damaged_one_is_a_sentence_and_no_more(editor):
     snapshot_folder().mkdir(parents=True)
     (snapshot_folder() / f"x{SUFFIX}").write_bytes(b"\x00" * 10)
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert "set aside as x.snapshot.json.damaged" in bar(editor).text
+    assert "renamed to x.snapshot.json.damaged" in bar(editor).text
     press(editor, "closeRecovery")
     move_point(editor, (2.0, 3.0))
     assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel)

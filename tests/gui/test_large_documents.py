@@ -293,7 +293,7 @@ def test_the_groups_of_a_drawing_are_counted_once_each(qtbot, monkeypatch):
         )
         for k in sorted(range(60), key=lambda k: k % 3)
     ]
-    counted = noted_calls(monkeypatch, import_drawing_dialog, "counted_shapes")
+    counted = noted_calls(monkeypatch, import_drawing_dialog, "shape_count_label")
     tree = import_drawing_dialog.GroupTree(Document(tuple(curves)))
     qtbot.addWidget(tree)
     assert tree.topLevelItem(0).text(1) == "60 curves"

@@ -220,7 +220,7 @@ def test_a_fault_in_a_file_of_the_person_does_not_name_it(tmp_path):
     file = tmp_path / "mallory.py"
     with pytest.raises(ZeroDivisionError) as raised:
         exec(compile("1 / 0", file, "exec"), {})
-    assert place_of(raised.value) == "no line of its own"
+    assert place_of(raised.value) == "no line of the program"
 
 
 def test_the_log_ends_with_its_block():

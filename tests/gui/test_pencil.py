@@ -232,7 +232,7 @@ def test_undo_takes_the_line_back_that_is_becoming_a_curve_and_not_the_step_befo
     draw_without_waiting(slow, PLACES["arc"])
     slow.trigger("undo")
     assert slow.window.canvas.marks.waiting == ()
-    assert slow.status == "The pencil's curve was taken back."
+    assert slow.status == "The pencil's curve was cancelled."
     wait(slow)
     assert slow.session.document == before
     assert slow.session.undo_stack.undoText() == step
@@ -251,7 +251,7 @@ def test_undo_by_its_key_takes_the_first_line_of_a_document_back(slow, is_held):
         editor.release(tuple(line[-1]))
     editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert (editor.window.canvas.marks.waiting, editor.window.canvas.marks.line) == ((), ())
-    assert editor.status == ("Cancelled." if is_held else "The pencil's curve was taken back.")
+    assert editor.status == ("Cancelled." if is_held else "The pencil's curve was cancelled.")
     assert not editor.action("undo").isEnabled()
     if is_held:
         editor.release(tuple(line[-1]))

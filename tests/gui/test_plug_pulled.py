@@ -181,7 +181,7 @@ def test_killed_while_dragging_no_more_is_lost_than_since_the_snapshot_before(tm
     told, errors = start(LOOK).communicate()
     assert errors.replace(CHATTER, "") == ""
     offered, restored, place, windows = told.splitlines()
-    assert offered == "offered True 2 documents with unsaved work from last time:"
+    assert offered == "offered True 2 documents with unsaved work from the last run:"
     assert encode(decode(restored.split(" ", 2)[2].encode())) == encode(snapshot.document)
     assert place == f"path {path} True"
     assert sorted(windows.split()[1:]) == ["2", "4"], "the second one in a window of its own"
@@ -214,7 +214,7 @@ def test_damaged_leftovers_do_not_stop_a_start_and_without_changes_a_signal_leav
     (snapshot_folder() / "x.snapshot.json").write_bytes(b"\xff\x00{")
     process = start('def drive():\n    tell("told", 0, editor.window.findChild(RecoveryBar).text)\n')
     (text,) = read_until(process, lambda: True)
-    assert "set aside" in text
+    assert "renamed to" in text
     process.send_signal(signal.SIGHUP)
     _, errors = rest(process)
     assert (process.returncode, errors) == (128 + signal.SIGHUP, "")

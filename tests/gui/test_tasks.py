@@ -70,7 +70,7 @@ def test_no_share_is_told_behind_the_end(qtbot):
     work = Task(
         lambda report: report(0.5, "Halfway"),
         then=lambda _task: heard.append("end"),
-        told=lambda *_share: heard.append("share"),
+        on_progress=lambda *_share: heard.append("share"),
     )
     work.thread.join()
     task._keeper()._tick()

@@ -1,4 +1,4 @@
-"""New, open, save and quit; and the progress of long work in the status line."""
+"""Actions New, Open, Save and Quit, and the progress of background work in the status line."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .disk import DiskCommands
 
 
 class DocumentCommands:
-    """Actions on the document as a whole."""
+    """Actions on documents and their windows."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -25,7 +25,7 @@ class DocumentCommands:
     @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
     @also(TOOLBAR(10))
     def _new(self) -> None:
-        """Start an empty document, with the pen in hand."""
+        """Start an empty document with the pen tool."""
         if self._context.files.elsewhere("newDocument") is not None:
             return
         self._context.files.new()
@@ -34,9 +34,9 @@ class DocumentCommands:
 
     @action("newWindow", "New Window", FILE_OPEN, "Alt+Shift+N", "new-window", keywords="second beside")
     def _open_window(self) -> None:
-        """Open another window with an empty document, beside this one."""
+        """Open another window with an empty document."""
         if self._context.files.open_window is None:
-            raise EditError("Another program keeps this window, and opens no second one.")
+            raise EditError("This window is part of another program and cannot open a second one.")
         self._context.files.open_window("newDocument")
 
     @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")
@@ -47,7 +47,7 @@ class DocumentCommands:
 
     @action("clearRecent", "Clear Recent Files", FILE_RECENT, keywords="forget history privacy")
     def _clear_recent(self) -> None:
-        """Forget which files were open lately; the files stay."""
+        """Clear the list of recent files; the files are not deleted."""
         self._context.preferences.clear_recent_files()
         self._context.session.say("The list of recent files is empty now.")
 
@@ -64,12 +64,12 @@ class DocumentCommands:
 
     @action("closeWindow", "Close", FILE_QUIT, "Ctrl+W", "close", full_name="Close Window")
     def _close(self) -> None:
-        """Close this document and its window; the last one ends the program."""
+        """Close the document and its window; closing the last window quits the program."""
         self._context.window.close()
 
     @action("quit", "Quit", FILE_QUIT, "Ctrl+Q", "quit")
     def _quit(self) -> None:
-        """Close all windows, this one first, unless the question about changes keeps one open."""
+        """Close all windows; you are asked about unsaved changes first."""
         others = [
             each
             for each in QApplication.topLevelWidgets()
@@ -79,7 +79,7 @@ class DocumentCommands:
 
 
 class WorkCommands:
-    """Shows in the status line what goes on beside the window, and stops it."""
+    """Action that stops background work, and its progress in the status line."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context = context
@@ -92,14 +92,14 @@ class WorkCommands:
 
     @action(
         "cancelWork",
-        "Stop What Is Running",
+        "Stop Background Work",
         EDIT_WORK,
         "Ctrl+.",
         "stop",
         needs=Need("", lambda state: state.window.is_working, "Nothing is running."),
     )
     def _cancel(self) -> None:
-        """Stop reading, writing or computing; nothing changes."""
+        """Stop reading, writing or computing; the document does not change."""
         self._context.work.cancel()
 
     def _show_bar(self, title: str) -> None:
@@ -119,29 +119,29 @@ class WorkCommands:
 
 
 class JobBar(QWidget):
-    """A line with a word, a bar and a button; it shows what it is told."""
+    """Progress of background work in the status line: a title, a bar and a button."""
 
     def __init__(self, cancel: QAction) -> None:
         super().__init__()
         self.setObjectName("jobBar")
         self._word = Label(name="jobWord")
-        self.bar = ThinProgress("jobProgress", "How far it has come")
+        self.bar = ThinProgress("jobProgress", "Progress")
         words = cancel.text(), cancel.toolTip()
         self.button = tool_button("cancelJobButton", *words, text="Stop", icon_size=14, flat=True)
         self.button.clicked.connect(cancel.trigger)
         self._cancel = cancel
-        # No higher than the labels beside it: the drawing must not move when the line appears.
+        # No higher than the labels beside it: the canvas must not change its size when the bar appears.
         self.button.setFixedHeight(self.fontMetrics().height() + 4)
         row_of(self._word, self.bar, self.button, margins=(6, 0, 6, 0), spacing=8, parent=self)
         self.hide()
 
     @property
     def text(self) -> str:
-        """Words about the work."""
+        """The title of the work."""
         return self._word.text()
 
     def begin(self, title: str) -> None:
-        """Show the line with a bar that is empty."""
+        """Show the title of the work and an empty bar."""
         self._word.setText(title)
         self.bar.setValue(0)
         self.button.setIcon(self._cancel.icon())  # tinted for the theme of the moment

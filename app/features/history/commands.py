@@ -1,9 +1,4 @@
-"""The history of a document: undo, redo, and the list of steps.
-
-====
-
-The history: every step that can be taken back, as a list.
-"""
+"""History of a document: undo, redo, and the panel with the list of steps."""
 
 from __future__ import annotations
 
@@ -28,7 +23,7 @@ def _titled(verb: str, step: str) -> str:
 
 
 class HistoryCommands:
-    """Steps through the undo stack of a session, and shows it.
+    """Actions Undo and Redo, and the panel with the list of steps.
 
     Attributes
     ----------
@@ -52,27 +47,27 @@ class HistoryCommands:
             self._name_beginning()
 
     def _name_steps(self) -> None:
-        """Call Undo and Redo by the steps that they are for."""
+        """Add the names of the next steps to the texts of Undo and Redo."""
         actions, stack = self._context.actions, self._session.undo_stack
         actions["undo"].setText(_titled("Undo", stack.undoText()))
         actions["redo"].setText(_titled("Redo", stack.redoText()))
 
     def _follow_gesture(self, *, is_held: bool = False) -> None:
-        """Let undo be used for what is in flight, where there is no step that it could be used for."""
+        """Enable Undo during a gesture or background work, also if there is no step to undo."""
         canvas = self._context.central.canvas
-        is_meant = is_held or canvas.is_dragging or canvas.tools.background.is_busy
-        self._context.store.change(in_flight=is_meant and not self._session.undo_stack.canUndo())
+        is_in_flight = is_held or canvas.is_dragging or canvas.tools.background.is_busy
+        self._context.store.change(in_flight=is_in_flight and not self._session.undo_stack.canUndo())
 
     @Panel("historyDock", "History", UPPER)
     def build_panel(self, parent: QWidget) -> QWidget:
-        """Return the list of steps."""
+        """Return the panel with the list of steps."""
         panel = self.panel = HistoryPanel(self._session.undo_stack, parent)
         if self._beginning:
             panel.name_beginning(self._beginning)
         return panel
 
     def _name_beginning(self) -> None:
-        """Name the state that the history begins with, after each document that is opened."""
+        """Name the first entry of the list after the document that was opened."""
         session = self._session
         if session.undo_stack.count():
             return  # a lesson or an example was opened as a step; it began with something else
@@ -94,14 +89,14 @@ class HistoryCommands:
     )
     @also(TOOLBAR(20))
     def _undo(self) -> None:
-        """Take the last step back."""
+        """Undo the last step."""
         # Undo in the middle of a drag takes the drag back, not the step before it; and what a drag has
         # begun, while it is computed.
         stack = self._session.undo_stack
         if self._context.cancel_gesture():
             return
         if what := self._context.central.canvas.tools.background.cancel_last():
-            self._session.say(f"{what} was taken back.")
+            self._session.say(f"{what} was cancelled.")
         elif stack.canUndo():
             text = stack.undoText()
             stack.undo()
@@ -112,19 +107,19 @@ class HistoryCommands:
         "Go Back",
         EDIT_BACK,
         icon="history",
-        full_name="Go Back to What Was Before the Lesson",
+        full_name="Go Back to the Document Before the Lesson",
         needs=Need(
             "work that was replaced by a lesson or an example",
             lambda state: state.can_go_back,
         ),
     )
     def _go_back(self) -> None:
-        """Go back to what was there before this lesson or example; Redo comes here again."""
+        """Go back to the document that was open before this lesson or example; Redo returns here."""
         files, stack = self._session.files, self._session.undo_stack
         here = files.origin
         while files.origin is here and here.before is not None and stack.canUndo():
             stack.undo()
-        self._session.say("This is as you left it; Redo goes on.")
+        self._session.say("Your document is open again. Redo returns to the lesson or example.")
 
     @action(
         "redo",
@@ -136,7 +131,7 @@ class HistoryCommands:
     )
     @also(TOOLBAR(21))
     def _redo(self) -> None:
-        """Do the step again."""
+        """Redo the last undone step."""
         stack = self._session.undo_stack
         if stack.canRedo():
             text = stack.redoText()
@@ -150,11 +145,11 @@ COMMAND_SETS = (HistoryCommands,)
 # The panel
 
 _MARGIN = 6
-"""Pixels between the edge and the text of a row, besides what the style leaves."""
+"""Additional pixels between the edge and the text of a row."""
 
 
 class _StepDelegate(SafeOverrides, QStyledItemDelegate):
-    """Draws what was taken back in muted italics: it is there to be done again."""
+    """Delegate that draws undone steps in muted italics."""
 
     def __init__(self, view: QUndoView) -> None:
         super().__init__(view)
@@ -172,17 +167,17 @@ class _StepDelegate(SafeOverrides, QStyledItemDelegate):
             palette.setColor(QPalette.ColorRole.Text, theme.muted)
             option.font.setItalic(True)
         option.palette = palette
-        # An empty sign before the text keeps it off the edge, and leaves the row's colour as wide as the row.
+        # An empty icon before the text is a margin, while the background of the row keeps its width.
         option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
         option.decorationSize = QSize(_MARGIN, 1)
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
-        # As wide as the list is; the style would look at all that is drawn of the row.
+        # As wide as the list; the default asks the style for everything that the row draws.
         return QSize(0, option.fontMetrics.height() + 8)
 
 
 class HistoryPanel(QWidget):
-    """The undo stack; a click on a step goes there.
+    """Panel with the undo stack; a click on a step goes to it.
 
     Attributes
     ----------
@@ -203,6 +198,6 @@ class HistoryPanel(QWidget):
         self.name_beginning("Start")
 
     def name_beginning(self, text: str) -> None:
-        """Show `text` as what came before the first step."""
+        """Set the name of the state before the first step."""
         if text != self.view.emptyLabel():
             self.view.setEmptyLabel(text)

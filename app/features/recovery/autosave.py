@@ -23,32 +23,32 @@ from ...workbench.document_files import SUFFIX
 _log = logging.getLogger("curvebench.autosave")
 
 DELAY_MS = 1000
-"""A second for the timer leaves one for the disk: nobody shall lose more than two."""
+"""Milliseconds from a change to its snapshot: with a second for the disk, at most two seconds are lost."""
 
 _RETRY_MS = 10_000
-"""Milliseconds until the next try after a disk has refused, should nothing be changed before."""
+"""Milliseconds until the next attempt after a failure, unless the document changes before."""
 
 _PATIENCE_S = 10.0
-"""Seconds that the end of the program waits for a disk."""
+"""Seconds that the program waits for the disk when it ends."""
 
 
 class Autosave(QObject):
-    """The snapshot of one session's unsaved work.
+    """Snapshot of the unsaved work of a session.
 
-    It follows the session: written a second after the first change that it lacks, a drag in flight included,
-    and deleted when the document is saved, replaced or undone to what the file holds. Encoding and writing
-    happen in a thread, for a disk may take its time; the thread sees immutable values only.
+    It is written a second after the first change that it lacks, also during a drag, and deleted when the
+    document is saved, replaced, or undone to the content of its file. Encoding and writing happen in a
+    background task that sees immutable values only.
 
     Parameters
     ----------
     session
-        What is edited.
+        The session.
     folder
-        Where the snapshot is kept.
+        Folder of the snapshot.
     delay
-        How old the oldest change without a snapshot may become, in milliseconds.
+        Milliseconds from a change to its snapshot.
     retry
-        When to try again after the disk has refused, in milliseconds.
+        Milliseconds until the next attempt after a failure.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class Autosave(QObject):
         super().__init__(parent)
         self._session = session
         self._file = SnapshotFile(folder)
-        self._kept: Document | None = None
+        self._written: Document | None = None
         self._has_complained = self._has_written = False
         self._last: Task | None = None
         self._is_closed = False
@@ -78,11 +78,11 @@ class Autosave(QObject):
 
     @property
     def is_needed(self) -> bool:
-        """Whether there is something that the file does not hold."""
+        """Whether the document differs from its file."""
         return self._session.files.is_modified or self._session.is_previewing
 
     def _note_change(self) -> None:
-        # Every step of a drag comes by here.
+        # Called at every move of a drag.
         if not self._soon.isActive():
             self._soon.start()
 
@@ -96,30 +96,30 @@ class Autosave(QObject):
         if not self.is_needed:
             self._discard()
         elif self._last is not None and self._last.thread.is_alive():
-            self._soon.start()  # a slow disk gets one task at a time
-        elif self._session.document is not self._kept:
+            self._soon.start()  # one task at a time, also on a slow disk
+        elif self._session.document is not self._written:
             self._write()
 
     def _write(self) -> Task:
         session = self._session
         self._soon.stop()
-        self._kept, self._has_written = session.document, True
+        self._written, self._has_written = session.document, True
         file, document, committed = self._file, session.document, session.committed
         origin = origin_of(session)
         return self._do(lambda: _written(file, document, origin, committed), self._report)
 
     def _do(self, work: Callable[[], object], then: Callable[[Task], object] | None = None) -> Task:
-        """Do this beside the window, after all that was asked for before."""
+        """Run `work` in the background, after all earlier work."""
         self._last = Task(lambda _report: work(), then, after=self._last)
         return self._last
 
     def _report(self, task: Task) -> None:
-        """Say once that there is no snapshot; try again with the next change, or after a while."""
+        """Report the first failure; try again with the next change, or after a while."""
         if self._is_closed:
             return
         problem: str = task.result
         if problem:
-            self._kept = None
+            self._written = None
             self._again.start()
         if problem and not self._has_complained:
             self._session.refuse(problem)
@@ -128,23 +128,23 @@ class Autosave(QObject):
     def _discard(self) -> None:
         self._soon.stop()
         if self._has_written:
-            self._kept, self._has_written = None, False
+            self._written, self._has_written = None, False
             self._do(self._file.discard)
 
     def write_now(self) -> bool:
-        """Write the snapshot, if one is needed, and return whether all there is to lose is on the disk."""
+        """Write the snapshot if it is needed, and return whether all unsaved work is on the disk."""
         if not self.is_needed:
             return True
         task = self._write()
         return task.wait(_PATIENCE_S) and task.result == ""
 
     def finish(self) -> None:
-        """End, and delete the snapshot: the work was saved, or given up knowingly."""
+        """End and delete the snapshot: the work was saved, or discarded by the person."""
         self._close()
         self._do(self._file.discard).wait(_PATIENCE_S)
 
     def leave(self) -> bool:
-        """End, and keep what is not saved for the next start; return whether that was possible."""
+        """End and keep unsaved work for the next start; return whether that was possible."""
         self._close()
         is_safe = self.write_now()
         self._do(self._file.leave if self.is_needed else self._file.discard).wait(_PATIENCE_S)
@@ -161,27 +161,27 @@ class Autosave(QObject):
 
 
 def state_folder() -> Path:
-    """Return where this program keeps what is neither a document nor a setting."""
-    place = QStandardPaths.StandardLocation.GenericStateLocation
-    return Path(QStandardPaths.writableLocation(place)) / "curvebench"
+    """Return the folder for files of the program that are neither documents nor settings."""
+    location = QStandardPaths.StandardLocation.GenericStateLocation
+    return Path(QStandardPaths.writableLocation(location)) / "curvebench"
 
 
 def snapshot_folder() -> Path:
-    """Return where snapshots are kept."""
+    """Return the folder of snapshots."""
     return state_folder() / "unsaved"
 
 
 def origin_of(session: Session) -> SnapshotOrigin:
-    """Return where the document of a session came from, and what it is called."""
+    """Return the origin of the document of a session, for its snapshot."""
     files, origin = session.files, session.files.origin
     stamp = files.file.stamp if files.file is not None else None
     return SnapshotOrigin(files.path, stamp, origin.title, origin.file_stem)
 
 
 def document_origin(origin: SnapshotOrigin, path: Path | None) -> DocumentOrigin:
-    """Return the beginning of work that was recovered and has its file at `path`, if any.
+    """Return the origin of a recovered document whose file is at `path`, if it has one.
 
-    Where that is not to be written to any more, it keeps the name.
+    If its former file must not be replaced, the document keeps the name of that file as its title.
     """
     if path is None and origin.path is not None:
         stem = printable_path(origin.path.name).removesuffix(SUFFIX)
@@ -190,62 +190,62 @@ def document_origin(origin: SnapshotOrigin, path: Path | None) -> DocumentOrigin
 
 
 def _written(file: SnapshotFile, document: Document, origin: SnapshotOrigin, committed: Document) -> str:
-    """Write a snapshot and return why it could not be, empty where it could."""
+    """Write a snapshot and return the message of a failure, empty on success."""
     try:
         file.write(document, origin, committed)
     except Exception as problem:
-        # Whatever it is, editing goes on, and the person gets to know.
+        # Whatever the reason, editing continues, and the person is told.
         reason = problem.__cause__ if isinstance(problem.__cause__, OSError) else problem
-        words = getattr(reason, "strerror", None) or str(reason)
+        cause = getattr(reason, "strerror", None) or str(reason)
         _log.warning("no snapshot: %s, error %s", type(reason).__name__, getattr(reason, "errno", None))
-        return f"Unsaved work cannot be backed up ({words}); save often."
+        return f"Unsaved work cannot be backed up ({cause}). Save often."
     return ""
 
 
 class SetAside(QObject):
-    """Snapshots of the documents that a session has left and that only its history still holds.
+    """Snapshots of documents that were replaced by a lesson or an example, and that only the history holds.
 
-    One that is gone back to is not needed any more: `Autosave` keeps it. The others are offered as unsaved
-    work when the history is gone, with the window or with another document.
+    The snapshot of a document that Undo restores is deleted: `Autosave` protects that document. The others
+    are offered as unsaved work when the history ends, with the window or with another document.
 
     Parameters
     ----------
     session
-        What is edited.
+        The session.
     folder
-        Where snapshots are kept.
+        Folder of the snapshots.
     """
 
     def __init__(self, session: Session, folder: Path, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session, self._folder = session, folder
-        self._kept: list[tuple[Document, SnapshotFile]] = []
-        session.left.connect(self._keep)
+        self._snapshots: list[tuple[Document, SnapshotFile]] = []
+        session.left.connect(self._add)
         session.opened.connect(self._follow)
 
-    def _keep(self, document: Document) -> None:
+    def _add(self, document: Document) -> None:
         file = SnapshotFile(self._folder)
         try:
             file.write(document, origin_of(self._session))
         except (OSError, FormatError) as problem:
             file.discard()
-            self._session.refuse(f"What you leave cannot be backed up ({problem}); Undo goes back to it.")
+            self._session.refuse(f"Your document cannot be backed up ({problem}). Undo returns to it.")
             return
-        self._kept.append((document, file))
+        self._snapshots.append((document, file))
 
     def _follow(self) -> None:
-        """Drop the backup of what is open again; hand over all of them where the history is gone."""
+        """Delete the snapshot of a document that is open again; release all if the history has ended."""
         if not self._session.undo_stack.count():
             self.leave()
             return
         here = self._session.committed
-        for document, file in self._kept:
+        for document, file in self._snapshots:
             if document is here:
                 file.discard()
-        self._kept = [(document, file) for document, file in self._kept if document is not here]
+        self._snapshots = [(document, file) for document, file in self._snapshots if document is not here]
 
     def leave(self) -> None:
-        """Let what is kept be offered as unsaved work, by this window or the next start."""
-        for _document, file in self._kept:
+        """Release the snapshots, so that this window or the next start offers them as unsaved work."""
+        for _document, file in self._snapshots:
             file.leave()
-        self._kept = []
+        self._snapshots = []

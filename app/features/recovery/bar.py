@@ -45,14 +45,14 @@ _AROUND_TEXT = 26
 
 
 class RecoveryBar(OverlayFrame):
-    """Lies over the lower part of its parent and takes no room from it; work goes on behind it.
+    """Bar over the lower part of the canvas; editing continues behind it.
 
     Signals
     -------
     restore_asked, discard_asked, later_asked
-        The person has decided about the offer with this index.
+        The person has decided about the unsaved work with this index.
     closed
-        Everything that is still there is to be decided later.
+        All remaining decisions are postponed.
     """
 
     restore_asked = Signal(int)
@@ -63,11 +63,11 @@ class RecoveryBar(OverlayFrame):
     def __init__(self, parent: QWidget) -> None:
         super().__init__("recoveryBar", parent)
         self.setAccessibleName("Unsaved work")
-        self._offers: tuple[UnsavedWork, ...] = ()
+        self._unsaved: tuple[UnsavedWork, ...] = ()
         self._pictures: list[Label] = []
         self._title = Label(name="recoveryTitle", wordWrap=True)
         self._note = Label(name="recoveryNote", wordWrap=True)
-        tip = "Decide later; the next start asks again"
+        tip = "Decide later: the next start asks again"
         self._close = tool_button("closeRecovery", "Decide later", tip, flat=True)
         self._close.clicked.connect(self.closed)
         self._rows = QScrollArea()
@@ -80,59 +80,59 @@ class RecoveryBar(OverlayFrame):
         column_of(head, self._rows, margins=(14, 6, 8, 12), spacing=8, parent=self)
         self.follow_theme()
 
-    def render(self, offers: Sequence[UnsavedWork], note: str = "") -> None:  # type: ignore[override]
-        """Show `offers`, and above them `note`; hide where there is neither.
+    def render(self, unsaved: Sequence[UnsavedWork], note: str = "") -> None:  # type: ignore[override]
+        """Show unsaved work and a note above it; hide the bar if there is neither.
 
-        The name is that of every panel; QWidget's own `render`, which paints into a device, is not used.
+        Every panel has a method of this name; QWidget's own `render` is not used.
         """
-        self._offers = tuple(offers)
-        number = "A document" if len(offers) == 1 else count_of(len(offers), "document")
-        self._title.setText(f"{number} with unsaved work from last time:")
-        self._title.setVisible(bool(offers))
+        self._unsaved = tuple(unsaved)
+        number = "A document" if len(unsaved) == 1 else count_of(len(unsaved), "document")
+        self._title.setText(f"{number} with unsaved work from the last run:")
+        self._title.setVisible(bool(unsaved))
         self._note.setText(note)
         self._note.setVisible(bool(note))
         self._build_rows()
-        self.setVisible(bool(offers or note))
-        if offers or note:
+        self.setVisible(bool(unsaved or note))
+        if unsaved or note:
             self.place()
             self.raise_()
 
     @property
     def text(self) -> str:
-        """The sentences at the top; empty while the panel is hidden."""
-        shown = [label.text() for label in (self._title, self._note) if not label.isHidden()]
-        return "" if self.isHidden() else "\n".join(shown)
+        """The texts at the top; empty while the bar is hidden."""
+        texts = [label.text() for label in (self._title, self._note) if not label.isHidden()]
+        return "" if self.isHidden() else "\n".join(texts)
 
     def _build_rows(self) -> None:
         content = QWidget()
         self._pictures.clear()
-        rows = [self._row(index, offer) for index, offer in enumerate(self._offers)]
+        rows = [self._row(index, work) for index, work in enumerate(self._unsaved)]
         column_of(*rows, 1, margins=(0, 0, 6, 0), spacing=8, parent=content)
         self._paint_pictures()
         self._rows.setWidget(content)
         content.setAutoFillBackground(False)
         self._rows.viewport().setAutoFillBackground(False)
-        self._rows.setVisible(bool(self._offers))
+        self._rows.setVisible(bool(self._unsaved))
 
-    def _row(self, index: int, offer: UnsavedWork) -> QHBoxLayout:
-        picture = Label(name=f"recoveryPicture{index}", label=f"Picture of {offer.name}")
+    def _row(self, index: int, work: UnsavedWork) -> QHBoxLayout:
+        picture = Label(name=f"recoveryPicture{index}", label=f"Picture of {work.name}")
         self._pictures.append(picture)
         picture.setFixedSize(*_PICTURE)
         name, details = ElidedLabel(), ElidedLabel()
-        name.setText(offer.name)
+        name.setText(work.name)
         font = name.font()
         font.setBold(True)
         name.setFont(font)
-        details.setText(offer.details)
+        details.setText(work.details)
         details.setObjectName("recoveryTold")
-        name.setToolTip(tip_of(offer.tip or offer.name))
+        name.setToolTip(tip_of(work.tip or work.name))
         words = column_of(1, name, details, 1, spacing=2)
-        return row_of(picture, (words, 1), *self._buttons(index, offer.name), spacing=10)
+        return row_of(picture, (words, 1), *self._buttons(index, work.name), spacing=10)
 
     def _buttons(self, index: int, name: str) -> Iterator[QPushButton]:
         for key, text, tip, asked in (
             ("restoreWork", "Restore", f"Open the unsaved work on {name}", self.restore_asked),
-            ("discardWork", "Discard", f"Delete the unsaved work on {name} for good", self.discard_asked),
+            ("discardWork", "Discard", f"Delete the unsaved work on {name}", self.discard_asked),
             ("laterWork", "Later", f"Keep the unsaved work on {name} for the next start", self.later_asked),
         ):
             button = push_button(f"{key}{index}", text, tip_of(tip), tip)
@@ -141,18 +141,18 @@ class RecoveryBar(OverlayFrame):
             yield button
 
     def place(self) -> None:
-        """Lie at the bottom, in the middle; half of the parent stays free, the rows scroll."""
+        """Move to the bottom, centred; at most half of the canvas is covered, rows scroll."""
         below = self.below
         width = min(below.width() - 2 * _SIDE, _WIDEST)
         content = self._rows.widget()
-        wanted = content.sizeHint().height() if self._offers and content is not None else 0
-        self._rows.setFixedHeight(min(wanted, max(below.height() // 2, _PICTURE[1])))
+        row_height = content.sizeHint().height() if self._unsaved and content is not None else 0
+        self._rows.setFixedHeight(min(row_height, max(below.height() // 2, _PICTURE[1])))
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
         top = max(below.height() - height - _BELOW, 0)
         self.setGeometry((below.width() - width) // 2, top, width, height)
 
     def take_focus(self) -> None:
-        """Put the keyboard's focus on the first button."""
+        """Focus the first button."""
         button = self.findChild(QPushButton, "restoreWork0") or self._close
         button.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
@@ -173,8 +173,8 @@ class RecoveryBar(OverlayFrame):
 
     def _paint_pictures(self) -> None:
         ratio = self.devicePixelRatioF()
-        for picture, offer in zip(self._pictures, self._offers, strict=True):
-            image = thumbnail(offer.document, *_PICTURE, self.theme, ratio)
+        for picture, work in zip(self._pictures, self._unsaved, strict=True):
+            image = thumbnail(work.document, *_PICTURE, self.theme, ratio)
             picture.setPixmap(QPixmap.fromImage(image))
 
 
@@ -184,18 +184,18 @@ _MINUTE, _HOUR, _DAY = 60.0, 3600.0, 86400.0
 
 
 class UnsavedWork(msgspec.Struct, frozen=True):
-    """Unsaved work as the panel shows it.
+    """Unsaved work in a row of the bar.
 
     Attributes
     ----------
     name
-        What the document is called.
+        Name of the document.
     details
-        When it was kept, and what there is to know.
+        Age of the snapshot, and the state of the file.
     tip
-        Where its file is; empty where it has none.
+        Path of the file; empty for a document that was never saved.
     document
-        The work itself, for the picture.
+        The document, for the picture.
     """
 
     name: str
@@ -205,31 +205,31 @@ class UnsavedWork(msgspec.Struct, frozen=True):
 
 
 def unsaved_work_of(snapshots: Sequence[Snapshot]) -> list[UnsavedWork]:
-    """Return how the snapshots are shown; those of one name are numbered."""
-    offers = [_unsaved_work(each) for each in snapshots]
-    places = {name: {each.tip for each in offers if each.name == name} for name in {o.name for o in offers}}
+    """Return the unsaved work in snapshots; entries of one name are distinguished."""
+    rows = [_unsaved_work(snapshot) for snapshot in snapshots]
+    tips = {name: {row.tip for row in rows if row.name == name} for name in {row.name for row in rows}}
     # Files of one name in several folders …
-    offers = [
-        replace(each, name=os.path.join(*Path(each.tip).parts[-2:]))  # noqa: PTH118 - as it is written
-        if each.tip and len(places[each.name]) > 1
-        else each
-        for each in offers
+    rows = [
+        replace(row, name=os.path.join(*Path(row.tip).parts[-2:]))  # noqa: PTH118 - as it is written
+        if row.tip and len(tips[row.name]) > 1
+        else row
+        for row in rows
     ]
     # … and several windows of one file.
-    total, seen = Counter((each.name, each.tip) for each in offers), Counter[tuple[str, str]]()
-    for index, (offer, snapshot) in enumerate(zip(offers, snapshots, strict=True)):
-        key = (offer.name, offer.tip)
-        seen[key] += 1
+    total, counts = Counter((row.name, row.tip) for row in rows), Counter[tuple[str, str]]()
+    for index, (row, snapshot) in enumerate(zip(rows, snapshots, strict=True)):
+        key = (row.name, row.tip)
+        counts[key] += 1
         if total[key] > 1:
-            name = f"{offer.name} ({seen[key]} of {total[key]})"
-            offers[index] = replace(offer, name=name, details=f"{_contents(snapshot)} · {offer.details}")
-    return offers
+            name = f"{row.name} ({counts[key]} of {total[key]})"
+            rows[index] = replace(row, name=name, details=f"{_contents(snapshot)} · {row.details}")
+    return rows
 
 
 def _contents(snapshot: Snapshot) -> str:
-    """Return when it was kept, to the second, and how much it holds."""
+    """Return the time of a snapshot to the second, and its size."""
     curves = snapshot.document.curves
-    points = count_of(sum(len(each.points) for each in curves), "point")
+    points = count_of(sum(len(curve.points) for curve in curves), "point")
     moment = time.strftime("%H:%M:%S", time.localtime(snapshot.written))
     return f"{moment} · {shape_count_label(curves)}, {points}"
 
@@ -240,7 +240,7 @@ def _unsaved_work(snapshot: Snapshot) -> UnsavedWork:
     if file is None:
         words.append("never saved")
     elif not file.exists():
-        words.append("file gone")
+        words.append("file missing")
     elif not origin.is_unchanged:
         words.append("file changed since")
     first = document.curves[0].name
@@ -250,30 +250,30 @@ def _unsaved_work(snapshot: Snapshot) -> UnsavedWork:
 
 
 def damaged_note(damaged: tuple[Path, ...]) -> str:
-    """Return what to say of backups that cannot be read."""
+    """Return the note about damaged snapshots."""
     if not damaged:
         return ""
     if len(damaged) == 1:
-        return f"⚠ A damaged backup cannot be read; it was set aside as {printable_path(damaged[0].name)}."
+        return f"⚠ A damaged backup cannot be read. It was renamed to {printable_path(damaged[0].name)}."
     folder = printable_path(damaged[0].parent)
-    return f"⚠ {len(damaged)} damaged backups cannot be read; they were set aside in {folder}."
+    return f"⚠ {len(damaged)} damaged backups cannot be read. They were kept in {folder}."
 
 
 def restored_message(origin: SnapshotOrigin, *, is_unchanged: bool) -> str:
-    """Return what to say of work that was restored, by the file it came from."""
+    """Return the message about restored work, which depends on its file."""
     if origin.path is None:
-        return "Restored; it has no file yet."
+        return "Restored. The document has no file yet."
     name = printable_path(origin.path.name)
     if is_unchanged:
-        return f"Restored; {name} does not hold these changes until you save."
+        return f"Restored. Save to write the changes to {name}."
     if not origin.path.exists():
-        return f"{name} is gone; your work was restored as a new document."
-    return f"{name} has changed since; your work was restored as a new document."
+        return f"{name} no longer exists. Your work was restored as a new document."
+    return f"{name} has changed since then. Your work was restored as a new document."
 
 
 def age_in_words(seconds: float) -> str:
-    """Return how long ago something was, as people say it; of more than a month the date."""
-    if seconds < 45:  # also where the clock was set back
+    """Return an age in words, "3 minutes ago"; the date if it is more than a month."""
+    if seconds < 45:  # or negative, if the clock was set back
         return "a moment ago"
     if seconds > 30 * _DAY:
         then = QDateTime.fromSecsSinceEpoch(round(time.time() - seconds))
@@ -294,18 +294,18 @@ def age_in_words(seconds: float) -> str:
 _LINE_WIDTH, _POINT_RADIUS = 1.5, 2.0
 
 _LEAST = 0.3
-"""Pixels of a line, at least: a finer one is to scale, but nobody sees it."""
+"""Least width of a line in pixels: a finer line to scale would be invisible."""
 
 _MARGIN = 3.0
 
 _MOST_NODES = 200
-"""Of a larger document every so manieth point is joined by straight lines: its curves would take too long."""
+"""Largest number of points whose curves are drawn; larger documents are drawn as polylines of some points."""
 
 
 def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: float = 1.0) -> QImage:
-    """Return a picture of `width` × `height` pixels of a window with this device pixel ratio.
+    """Return a picture of a document with `width` × `height` logical pixels.
 
-    Where nothing can be drawn it is empty paper.
+    If nothing can be drawn, it is empty paper.
     """
     image = QImage(round(width * ratio), round(height * ratio), QImage.Format.Format_ARGB32_Premultiplied)
     image.setDevicePixelRatio(ratio)
@@ -318,18 +318,18 @@ def thumbnail(document: Document, width: int, height: int, theme: Theme, ratio: 
         else:
             _paint_points(painter, document, QRectF(0, 0, width, height), theme)
     except ExchangeError:
-        pass  # a single point, for instance
+        pass  # a document with a single point, for instance
     finally:
         painter.end()
     return image
 
 
 def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme, size: tuple[int, int]) -> None:
-    """Paint a drawing with lines as on the canvas, and points."""
+    """Paint the curves of a drawing as on the canvas, and their points."""
     drawing = drawing.fitted(*size)
-    usual = (replace(each, style=_with_line(each.style)) for each in drawing.outlines)
+    visible = (replace(outline, style=_with_line(outline.style)) for outline in drawing.outlines)
     ink = PictureStyle(theme.curve.name(), theme.paper.name(), theme.name)
-    Painting(replace(drawing, outlines=tuple(usual)), painter, ink).paint(points=False, report=silent)
+    Painting(replace(drawing, outlines=tuple(visible)), painter, ink).paint(points=False, report=silent)
     painter.setPen(Qt.PenStyle.NoPen)
     for outline in drawing.outlines:
         painter.setBrush(QColor(ink.visible_colour(outline.colour)))
@@ -338,7 +338,7 @@ def _paint_curves(painter: QPainter, drawing: Drawing, theme: Theme, size: tuple
 
 
 def _with_line(style: Style) -> Style:
-    """Return a style whose line, if there is one, can be seen as small as this."""
+    """Return a style whose line, if there is one, is visible in the picture."""
     width = _LINE_WIDTH if style.width is None else style.width
     return replace(style, width=max(width, _LEAST) if width else 0.0)
 
@@ -347,14 +347,14 @@ def _paint_points(painter: QPainter, document: Document, frame: QRectF, theme: T
     curves = [curve for curve in document.curves if curve.visible and curve.points]
     if not curves:
         return
-    places = np.array([point.position for curve in curves for point in curve.points])
-    low = places.min(axis=0)
-    size = np.maximum(places.max(axis=0) - low, np.finfo(float).tiny)
+    positions = np.array([point.position for curve in curves for point in curve.points])
+    low = positions.min(axis=0)
+    size = np.maximum(positions.max(axis=0) - low, np.finfo(float).tiny)
     room = frame.adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
     scale = min(room.width() / size[0], room.height() / size[1])
     corner = np.array([room.center().x(), room.center().y()]) - scale * size / 2
     for curve in curves:
-        flat = (_thinned(curve, len(places)) - low) * scale
+        flat = (_thinned(curve, len(positions)) - low) * scale
         flat[:, 1] = scale * size[1] - flat[:, 1]
         style = curve.style
         width = _LINE_WIDTH if style.width is None else max(style.width * scale, _LEAST)
