@@ -40,7 +40,7 @@ def test_dragging_a_tick_changes_t_and_makes_the_parameters_manual(editor, panel
 
 
 @pytest.mark.parametrize("to", [0.8, "far to the right"])
-def test_after_a_drag_of_the_last_tick_its_interval_is_shown_and_undo_shows_the_same(editor, panel, to):
+def test_a_drag_of_the_last_tick_shows_the_new_interval_and_undo_the_old_one(editor, panel, to):
     """The range stayed -0.035 to 1.035, a tick at 1.4 out of sight; undo and redo showed another one."""
     before = panel.camera.t_range
     start = panel.rail_pixel(1.0)
@@ -60,7 +60,7 @@ def test_after_a_drag_of_the_last_tick_its_interval_is_shown_and_undo_shows_the_
     assert panel.camera.t_range == pytest.approx(shown)
 
 
-def test_escape_leaves_the_part_of_t_that_is_shown(editor, panel):
+def test_escape_restores_the_visible_part_of_t(editor, panel):
     panel.camera.show_t(0.9, 1.1)
     editor.settle()
     start = panel.rail_pixel(1.0)
@@ -74,14 +74,14 @@ def test_escape_leaves_the_part_of_t_that_is_shown(editor, panel):
     assert panel.camera.t_range == pytest.approx((0.9, 1.1))
 
 
-def test_a_drag_inside_the_interval_leaves_the_part_of_t_that_is_shown(editor, panel):
+def test_a_drag_inside_the_interval_keeps_the_visible_part_of_t(editor, panel):
     panel.camera.show_t(0.2, 0.8)
     editor.settle()
     editor.drag_parameter(3, to=editor.parameters[3] + 0.02)
     assert panel.camera.t_range == pytest.approx((0.2, 0.8))
 
 
-def test_functions_are_told_apart_by_numbers_at_their_crests(editor, panel):
+def test_functions_have_numbers_at_their_crests(editor, panel):
     """By colour alone functions 2 and 3 are the same grey to a deuteranope."""
     editor.choose_family(HERMITE)
     editor.wait_for_rest()
@@ -138,7 +138,7 @@ def test_no_function_crosses_the_number_of_another(editor, panel, family, count,
         assert (heights[inside] >= cell.height() / 2 - 3).all(), (x, y)
 
 
-def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, panel):
+def test_numbers_keep_their_sides_while_crests_move(editor, panel):
     """They went from one side to the other with every line that came by."""
     editor.wait_for_rest()
     names, start = panel.drawing.functions._names, panel.rail_pixel(editor.parameters[3])
@@ -160,7 +160,7 @@ def test_numbers_keep_their_sides_of_moving_crests_until_these_rest(editor, pane
     assert np.array_equal(names._offsets, at_rest)
 
 
-def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
+def test_the_picture_of_functions_at_rest_is_not_painted_again(editor, panel):
     """Both plots were painted twice for every change, in case a drag had gone on meanwhile."""
     plots, session = (editor.window.canvas, panel), editor.session
     timers = editor.window.canvas.drawing.points._soon, panel.drawing.functions._names._choose_timer
@@ -196,7 +196,7 @@ def test_a_picture_of_what_rests_is_not_painted_again(editor, panel):
     session.cancel()
 
 
-def test_another_hovered_point_alone_has_the_functions_painted_again(editor, panel):
+def test_only_another_hovered_point_repaints_the_functions(editor, panel):
     editor.wait_for_rest()
     panel.drawing.set_hovered(-1)
     panel.drawing.set_selection(editor.session.selection)
@@ -206,7 +206,7 @@ def test_another_hovered_point_alone_has_the_functions_painted_again(editor, pan
     panel.drawing.set_hovered(-1)
 
 
-def test_numbers_at_crests_do_not_meet():
+def test_numbers_at_crests_do_not_overlap():
     cell = QSizeF(20, 12)
     places = np.array([[0.0, 5.0], [10.0, 5.0], [10.0, 30.0], [25.0, 5.0], [60.0, 5.0]])
     assert sorted(apart(places, cell).tolist()) == [0, 2, 3, 4]
@@ -221,7 +221,7 @@ def test_a_tick_stops_before_its_neighbours(editor):
     assert t[2] < t[3] < t[4]
 
 
-def test_the_curve_follows_a_tick_live_and_escape_puts_it_back(editor, panel):
+def test_the_curve_follows_a_dragged_tick_and_escape_restores_the_curve(editor, panel):
     document, curve = editor.session.document, editor.session.active_view.curve
     start = panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
@@ -234,7 +234,7 @@ def test_the_curve_follows_a_tick_live_and_escape_puts_it_back(editor, panel):
     assert editor.session.undo_stack.count() == 0
 
 
-def test_the_functions_shown_are_those_of_the_curve(editor, panel):
+def test_the_panel_shows_the_functions_of_the_curve(editor, panel):
     for family in FAMILIES:
         editor.choose_family(family)
         basis, curve = panel.drawing.basis, editor.session.active_view.curve
@@ -246,13 +246,13 @@ def test_the_functions_shown_are_those_of_the_curve(editor, panel):
                 assert values == pytest.approx(exact, abs=1e-9)
 
 
-def test_at_a_parameter_only_its_own_function_is_one(editor, panel):
+def test_at_a_parameter_only_the_function_of_the_point_is_one(editor, panel):
     basis = panel.drawing.basis
     for index, t in enumerate(editor.parameters):
         assert basis.value_at(t, 0) == pytest.approx(np.eye(8)[index], abs=1e-14)
 
 
-def test_hovering_a_function_lights_its_point_and_a_click_selects_it(editor, panel):
+def test_hovering_a_function_highlights_the_point_and_a_click_selects_the_point(editor, panel):
     t = editor.parameters[2]
     pixel = panel.to_pixel(t, 1.0)
     editor.send(panel, QEvent.Type.MouseMove, pixel, held=False)
@@ -271,7 +271,7 @@ def test_a_drag_from_a_function_scrubs_and_selects_nothing(editor, panel):
     assert editor.session.scrub.t == pytest.approx(0.5, abs=2e-3)
 
 
-def test_without_parameters_the_panel_says_why_it_is_empty(editor):
+def test_without_parameters_the_panel_explains_why_there_are_no_functions(editor):
     editor.session.commit(set_position(editor.session.document, 0, 2, editor.point(1)), "Meet")
     editor.settle()
     assert "gives no parameters" in editor.window.findChild(QLabel, "basisDrawing").text()
@@ -290,14 +290,14 @@ def test_larger_drawing_enlarges_the_rail_and_the_numbers_at_the_axes(editor, pa
     assert panel.rail_pixel(0.5).y() == pytest.approx(place, abs=1)
 
 
-def test_hovering_a_point_of_the_canvas_lights_its_tick(editor, panel):
+def test_hovering_a_point_of_the_canvas_highlights_the_tick(editor, panel):
     editor.hover(editor.point(5))
     assert panel.drawing.functions.emphasised == {5}
     editor.hover((-1.0, -0.2))
     assert panel.drawing.functions.emphasised == frozenset()
 
 
-def test_scrubbing_shows_the_weights_that_add_up_to_one(editor):
+def test_scrubbing_shows_weights_that_add_up_to_one(editor):
     editor.scrub(0.37)
     canvas = editor.window.canvas
     assert editor.session.scrub.t == pytest.approx(0.37, abs=2e-3)
@@ -356,14 +356,14 @@ def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, 
     assert not fit.isVisible()
 
 
-def test_a_point_dragged_at_frozen_parameters_leaves_the_functions_alone(editor, panel):
+def test_a_drag_of_a_point_at_frozen_parameters_keeps_the_functions(editor, panel):
     editor.trigger("freezeParameters")
     basis = panel.drawing.basis
     editor.drag_point(2, to=(0.2, 4.5))
     assert panel.drawing.basis is basis
 
 
-def test_wheel_zooms_along_t_alone(editor, panel):
+def test_the_wheel_zooms_along_t_only(editor, panel):
     _, y_min, _, y_max = panel.pixel_map.box
     panel.camera.zoom(2.0, QPointF(panel.to_pixel(0.5, 0.5)))
     editor.settle()
@@ -393,7 +393,7 @@ def test_functions_are_sampled_densely_enough_in_a_long_segment(editor, panel):
 
 
 @pytest.mark.parametrize("width", [1024, 1280])
-def test_the_header_fits_whatever_it_has_to_say(editor, width):
+def test_the_header_fits_with_every_note(editor, width):
     editor.window.resize(width, 700)
     # Two parameters close together, as after a drag.
     times = editor.parameters

@@ -106,7 +106,7 @@ def test_the_handle_of_a_new_point_is_under_the_pointer(editor):
     editor.release((3, 3))
 
 
-def test_handles_stay_where_they_were_put_when_a_point_is_appended(editor):
+def test_handles_stay_when_a_point_is_appended(editor):
     editor.new()
     editor.choose_family(HERMITE)
     editor.add_point(0, 0)
@@ -168,7 +168,7 @@ def test_escape_cancels_a_drag_and_leaves_nothing_behind(arch):
     assert arch.session.document is document
 
 
-def test_undo_in_the_middle_of_a_drag_takes_back_the_drag_alone(arch):
+def test_undo_during_a_drag_cancels_only_the_drag(arch):
     document = arch.session.document
     arch.press(arch.point(1))
     arch.move((2, 4))
@@ -187,14 +187,14 @@ def test_a_press_that_moves_two_pixels_is_a_click(arch):
     assert arch.session.selection == {1}
 
 
-def test_a_point_is_grabbed_ten_pixels_beside_it(arch):
+def test_a_press_ten_pixels_beside_a_point_grabs_the_point(arch):
     canvas = arch.window.canvas
     start = canvas.to_pixel(*arch.point(1)) + QPoint(-6, -7)
     arch.drag_pixels(canvas, start, start + QPoint(40, 0))
     assert arch.point(1) == pytest.approx((1 + 40 * arch.pixel, 2), abs=1.5 * arch.pixel)
 
 
-def test_the_selected_point_wins_over_one_on_top_of_it(arch):
+def test_a_selected_point_is_hit_before_a_point_on_top(arch):
     arch.drag_point(2, to=arch.point(1))
     arch.select([1])
     arch.drag(arch.point(2), (0.5, 3))
@@ -285,7 +285,7 @@ def test_each_kind_of_handle_is_hit_and_its_drag_cancelled(arch):
         arch.release((3, 4))
 
 
-def test_several_points_show_their_velocities_and_one_alone_all_derivatives(arch):
+def test_several_points_show_velocities_and_a_single_point_all_derivatives(arch):
     arch.choose_family("septic_hermite")
     arch.select_point(1)
     assert len(arch.window.canvas.drawing.points.handles) == 6
@@ -370,7 +370,7 @@ def test_to_pixel_and_to_plane_are_inverse(arch):
         assert canvas.to_plane(canvas.to_pixel(*point)) == pytest.approx(point, abs=arch.pixel)
 
 
-def test_hovering_says_what_a_press_would_do(arch):
+def test_the_hint_describes_the_effect_of_a_press(arch):
     arch.hover(arch.point(2))
     assert "Drag to move point 2" in arch.window.status_line.hint
     assert arch.session.selected.hovered == 2
@@ -378,7 +378,7 @@ def test_hovering_says_what_a_press_would_do(arch):
     assert arch.session.selected.hovered == -1
 
 
-def test_what_is_hovered_follows_the_view(arch):
+def test_the_hovered_point_follows_the_view(arch):
     """It used to stay: after F the point that had been under the pointer was still large."""
     arch.hover(arch.point(2))
     arch.wheel((0, 0), 3)
@@ -476,7 +476,7 @@ def test_the_pen_closes_the_curve_at_its_first_point(arch, family):
     assert arch.session.document == before
 
 
-def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
+def test_the_pen_explains_why_a_polynomial_cannot_be_closed(arch):
     arch.choose_family(LAGRANGE)
     arch.trigger("addTool")
     arch.click((5, 1))
@@ -487,7 +487,7 @@ def test_the_pen_says_why_a_polynomial_cannot_be_closed(arch):
     assert arch.status.startswith(f"To close the curve, choose {closing}")
 
 
-def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
+def test_the_pen_drags_the_first_point_and_continues_at_the_last(arch):
     arch.choose_family(HERMITE)
     arch.trigger("addTool")
     arch.press(arch.point(0))
@@ -505,7 +505,7 @@ def test_the_pen_still_drags_the_first_point_and_goes_on_at_the_last(arch):
     assert not arch.curve.is_closed
 
 
-def test_two_points_alone_are_too_few_to_go_around(editor):
+def test_a_curve_of_two_points_cannot_be_closed(editor):
     editor.new()
     editor.choose_family("cubic_spline")
     for point in ((0, 0), (2, 1)):

@@ -38,7 +38,7 @@ def switch(editor):
     return editor.window.findChild(QToolButton, "withEstimates")
 
 
-def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
+def test_the_switch_shows_the_effect_of_each_point_and_the_title_changes(uneven):
     panel, cardinal = uneven.window.basis_panel, uneven.session.active_view.cardinal
     assert label(uneven, "basisTitle") == "Basis functions"
     assert panel.drawing.basis.kinds == 2
@@ -75,7 +75,7 @@ def test_the_switch_shows_what_each_point_does_and_says_so(uneven):
     uneven.trigger("toggleEstimates")
 
 
-def test_the_functions_follow_a_drag_and_a_handle_and_stay_where_nothing_changes(uneven):
+def test_the_functions_follow_a_drag_and_a_handle_and_stay_without_a_change(uneven):
     panel = uneven.window.basis_panel
     uneven.trigger("toggleEstimates")
     for move in (lambda: uneven.drag_point(3, (4.0, 2.0)), lambda: uneven.drag_parameter(2, to=0.2)):
@@ -146,7 +146,7 @@ def test_the_first_point_of_a_closed_spline_has_one_function(editor):
     assert len(crests_of(panel.drawing.basis, [0])) == 5  # its number stands at both ends
 
 
-def test_the_growth_by_akimas_rule_is_shown_as_that_at_these_points(editor):
+def test_the_growth_by_akimas_rule_is_marked_as_that_of_the_present_points(editor):
     """Λ 1.69 stood there: a mean of x and y. At a corner between straight runs it has no bound."""
     worse = ((1.0, 6.0), (0.0, 0.0), (3.0, 0.0), (1.0, 3.0), (2.0, 6.0), (4.0, 6.0), (2.0, 6.0))
     rule = VelocityRule.AKIMA

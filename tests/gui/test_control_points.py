@@ -49,7 +49,7 @@ def places(editor, t):
     return tuple(curve_of(editor).evaluate(t).tolist())
 
 
-def test_a_control_point_is_dragged_where_it_is(drawn, name):
+def test_a_control_point_is_dragged_by_its_disc(drawn, name):
     """It lies beside the curve, which answers by the weight of the point."""
     editor = drawn(name)
     weight = float(curve_of(editor).basis(np.array([0.4]))[0, 2, 0])
@@ -63,7 +63,7 @@ def test_a_control_point_is_dragged_where_it_is(drawn, name):
         assert np.array(places(editor, 0.4)) - start == pytest.approx(weight * way, abs=1e-12)
 
 
-def test_its_polygon_is_drawn_and_that_of_others_is_not(drawn, name):
+def test_the_active_curve_has_a_control_polygon_and_others_have_none(drawn, name):
     editor = drawn(name)
     canvas = editor.window.canvas
 
@@ -100,7 +100,7 @@ def test_a_click_on_the_curve_adds_a_control_point_and_keeps_the_shape(drawn, na
     assert [point.position for point in editor.curve.points] == list(POINTS)
 
 
-def test_what_is_inserted_and_dragged_goes_the_way_of_the_pointer(drawn, name):
+def test_an_inserted_point_follows_the_pointer(drawn, name):
     editor = drawn(name)
     editor.trigger("addTool")
     x, y = places(editor, 0.5)
@@ -114,7 +114,7 @@ def test_what_is_inserted_and_dragged_goes_the_way_of_the_pointer(drawn, name):
     assert moved == pytest.approx((0.3, 0.4), abs=4 * editor.pixel)
 
 
-def test_the_scrub_line_is_a_place_for_one_more(drawn, name):
+def test_a_point_can_be_inserted_at_the_scrub_line(drawn, name):
     editor = drawn(name)
     before = shape(editor)
     editor.scrub(0.5)
@@ -123,7 +123,7 @@ def test_the_scrub_line_is_a_place_for_one_more(drawn, name):
     assert np.abs(shape(editor) - before).max() < 1e-14
 
 
-def test_ticks_that_do_nothing_are_said_so(drawn, name):
+def test_ticks_without_effect_have_a_hint(drawn, name):
     editor = drawn(name)
     panel = editor.window.basis_panel
     before = shape(editor)
@@ -158,7 +158,7 @@ def test_ticks_that_do_nothing_are_said_so(drawn, name):
     ]  # fmt: skip
 
 
-def test_hollow_ticks_make_way(drawn, name):
+def test_a_solid_tick_pushes_hollow_ticks(drawn, name):
     """They stood in the way of the ticks beside them, though they do nothing."""
     editor = drawn(name)
     times = editor.parameters
@@ -178,7 +178,7 @@ def test_hollow_ticks_make_way(drawn, name):
     editor.trigger("undo")
 
 
-def test_ticks_that_make_way_are_told_and_so_is_the_rule_that_ends(drawn, name):
+def test_pushed_ticks_and_the_end_of_a_rule_are_reported(drawn, name):
     editor = drawn(name)
     panel, grabbed = editor.window.basis_panel, 2 if name == "b_spline" else 5
     place = panel.rail_pixel(editor.parameters[grabbed])
@@ -211,7 +211,7 @@ def test_a_hollow_tick_takes_others_along_with_e(drawn, name):
     assert np.abs(shape(editor) - before).max() > 1e-3 or name == "bezier"
 
 
-def test_the_dots_on_the_rail_s_edge_say_what_they_are(drawn, name):
+def test_dots_on_the_edge_of_the_rail_have_a_hint(drawn, name):
     editor = drawn(name)
     panel, document = editor.window.basis_panel, editor.session.document
     curve = curve_of(editor)
@@ -248,7 +248,7 @@ def test_a_split_keeps_the_shape(drawn, name):
         assert np.abs(view.curve.evaluate(at) - before.evaluate(at)).max() < 1e-14
 
 
-def test_a_spline_becomes_a_hermite_curve_and_comes_back(drawn):
+def test_a_spline_becomes_a_hermite_curve_and_a_spline_again(drawn):
     editor = drawn("b_spline")
     before = shape(editor)
     editor.trigger("convertToHermite")
@@ -284,7 +284,7 @@ def conversions(editor):
     return entry
 
 
-def test_a_menu_tells_before_what_a_conversion_does(drawn, conversions):
+def test_text_and_tip_of_a_conversion_describe_its_result(drawn, conversions):
     editor = drawn("b_spline")
     assert conversions("Hermite").text().replace("&", "") == "Convert to Hermite, Keeping the Shape"
     assert conversions("Hermite").isEnabled()
@@ -304,7 +304,7 @@ def test_a_menu_tells_before_what_a_conversion_does(drawn, conversions):
     assert "of degree 5, the pieces of a Hermite curve have degree 3" in conversions("Hermite").toolTip()
 
 
-def test_a_rational_curve_is_followed_and_this_is_said_before_and_after(drawn, conversions):
+def test_a_rational_curve_is_approximated_and_tip_and_message_say_so(drawn, conversions):
     editor = drawn("floater_hormann")
     before = shape(editor)
     size = np.ptp(np.array(POINTS), axis=0).max()
@@ -330,7 +330,7 @@ def test_a_rational_curve_is_followed_and_this_is_said_before_and_after(drawn, c
     assert not any(point.corner for point in editor.curve.points)
 
 
-def test_a_reason_is_told_in_the_palette(drawn):
+def test_the_palette_shows_the_reason_of_a_disabled_conversion(drawn):
     editor = drawn("b_spline")
     editor.find_command("Convert to Bézier")
     palette = editor.window.findChild(QWidget, "commandPalettePanel")

@@ -44,7 +44,7 @@ def coloured(code, points=LINE):
 
 @pytest.mark.parametrize(("theme", "style"), PAPERS)
 @pytest.mark.parametrize("code", ["", *CODES])
-def test_every_colour_is_seen_on_its_paper_and_is_the_same_in_a_file(theme, style, code):
+def test_every_colour_is_visible_on_its_paper_and_the_same_in_a_file(theme, style, code):
     colour = curve_colour(code, theme)
     assert contrast(colour, theme.paper) >= 3.0  # was 1.56 for #1b5e20 in the dark
     if code and contrast(code, theme.paper) >= 3.0:
@@ -58,7 +58,7 @@ def test_every_colour_is_seen_on_its_paper_and_is_the_same_in_a_file(theme, styl
     assert drawn[1] == colour.name()
 
 
-def test_any_colour_keeps_its_hue_and_is_moved_no_further_than_it_must():
+def test_a_colour_keeps_its_hue_and_is_adjusted_no_more_than_necessary():
     random = np.random.default_rng(5)
     for code in (f"#{value:06x}" for value in random.integers(0, 1 << 24, 300)):
         for theme in (LIGHT, DARK):
@@ -75,7 +75,7 @@ def test_any_colour_keeps_its_hue_and_is_moved_no_further_than_it_must():
                 assert abs(turn) < 3  # rounding to eight bits, at the smallest chroma
 
 
-def test_without_paper_a_file_has_the_colours_that_were_chosen():
+def test_without_paper_a_file_has_the_chosen_colours():
     assert 'stroke="#f0e442"' in svg_of(Document((coloured("#f0e442"),)), Options(style=INK)).text
     assert adjustment_of(None, "#f0e442") == ""
 
@@ -98,7 +98,7 @@ def has(image, colour):
     return is_colour(image, QColor(colour)).sum() > 30
 
 
-def test_the_screen_shows_what_the_picture_shows(editor, dressed):
+def test_screen_and_picture_have_the_same_colours(editor, dressed):
     theme, style = dressed
     dim = "#1b5e20" if theme is DARK else "#f0e442"
     document = Document((coloured("#d55e00"), coloured(dim, OTHER)))
@@ -129,7 +129,7 @@ def test_the_screen_shows_what_the_picture_shows(editor, dressed):
     assert how not in view.parts.tip_at(spot_rect(view.parts.row_rect(0), Spot.SWATCH).center())
 
 
-def test_a_faint_curve_is_thin_but_seen(editor, dressed):
+def test_a_faint_curve_is_thin_but_visible(editor, dressed):
     theme, _ = dressed
     editor.session.commit(Document((replace(coloured("#d55e00"), visible=False),)), "Begin")
     editor.fit()
@@ -142,7 +142,7 @@ def test_a_faint_curve_is_thin_but_seen(editor, dressed):
     assert contrast(theme.handle, theme.paper) >= 3.0
 
 
-def test_the_export_dialog_tells_of_colours_that_cannot_be_seen_as_chosen(qtbot):
+def test_the_export_dialog_reports_colours_that_are_adjusted(qtbot):
     dialog = ExportDialog(ExportChoice(ending=".svg"))
     qtbot.addWidget(dialog)
     dialog.show()

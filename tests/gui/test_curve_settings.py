@@ -75,7 +75,7 @@ def quintic(qtbot):
     return Form(qtbot, QUINTIC_HERMITE)
 
 
-def test_it_shows_the_curve(form):
+def test_the_form_shows_the_curve(form):
     assert form["curveName"].text() == "Letter"
     assert (form["intervalStart"].text(), form["intervalEnd"].text()) == ("0", "1")
     facts = form["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
@@ -91,7 +91,7 @@ def test_it_shows_the_curve(form):
         (QUINTIC_HERMITE, ["velocityRule", "accelerationRule"]),
     ],
 )
-def test_the_rules_are_those_of_the_family(qtbot, family, shown):
+def test_the_form_shows_the_rules_of_the_family(qtbot, family, shown):
     form = Form(qtbot, family)
     rules = ("velocityRule", "accelerationRule")
     assert [name for name in rules if form[name].isVisible()] == shown
@@ -193,7 +193,7 @@ def test_a_bad_interval_is_explained_and_can_be_mended(form, name, text, words):
     assert form.session.document == before
 
 
-def test_tab_does_not_leave_a_bad_text_behind(form):
+def test_tab_stays_in_a_field_with_an_invalid_text(form):
     form.type("intervalStart", "1/0", Qt.Key.Key_Tab)
     assert form["intervalStart"].hasFocus()
     assert form["intervalStart"].text() == "1/0"
@@ -207,7 +207,7 @@ def test_tab_does_not_leave_a_bad_text_behind(form):
 @pytest.mark.parametrize(
     ("name", "text"), [("intervalEnd", "5"), ("intervalEnd", "1/0"), ("curveName", "Swan")]
 )
-def test_a_text_that_was_not_entered_gives_way_when_the_field_is_left(form, name, text):
+def test_a_text_that_was_not_entered_is_discarded_when_the_field_loses_focus(form, name, text):
     before, shown = form.session.document, form[name].text()
     form.type(name, text, None)
     form["intervalStart"].setFocus(Qt.FocusReason.MouseFocusReason)
@@ -217,7 +217,7 @@ def test_a_text_that_was_not_entered_gives_way_when_the_field_is_left(form, name
 
 
 @pytest.mark.parametrize("way", ["a valid entry", "the same number", "another edit", "a click elsewhere"])
-def test_a_refusal_goes_with_its_cause(form, way):
+def test_a_refusal_is_removed_with_its_cause(form, way):
     form.type("intervalEnd", "-1")
     assert form.message
     if way == "a valid entry":
@@ -233,7 +233,7 @@ def test_a_refusal_goes_with_its_cause(form, way):
     assert form.message == ""
 
 
-def test_another_window_leaves_what_is_typed(form):
+def test_a_typed_text_survives_a_change_to_another_window(form):
     form.type("intervalEnd", "4", None)
     field = form["intervalEnd"]
     QApplication.sendEvent(
@@ -273,7 +273,7 @@ def test_a_closed_curve_with_a_corner(quintic):
     assert quintic.curve.points[3].velocity_after is None
 
 
-def test_escape_takes_back_what_was_typed(form):
+def test_escape_discards_a_typed_text(form):
     steps = form.session.undo_stack.count()
     form.type("intervalEnd", "7", Qt.Key.Key_Escape)
     assert form["intervalEnd"].text() == "1"
@@ -281,7 +281,7 @@ def test_escape_takes_back_what_was_typed(form):
     assert form.session.undo_stack.count() == steps
 
 
-def test_what_is_being_typed_survives_a_change_of_the_curve(form):
+def test_a_text_being_typed_survives_a_change_of_the_curve(form):
     form.type("intervalEnd", "4", None)
     form.session.commit(point_edits.move_points(form.session.document, 0, [0], (1.0, 0.0)), "Move point 0")
     assert form["intervalEnd"].text() == "4"
@@ -324,7 +324,7 @@ def test_reset_all_to_estimated(quintic):
     assert not button.isVisible()
 
 
-def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
+def test_a_reset_keeps_derivatives_beyond_those_of_the_family(qtbot):
     form = Form(qtbot, HERMITE)
     document = point_edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
     form.session.commit(point_edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
@@ -336,7 +336,7 @@ def test_a_reset_leaves_alone_what_the_family_does_not_show(qtbot):
 # What is wrong
 
 
-def test_a_problem_is_told_with_a_sign(form):
+def test_a_problem_is_shown_with_a_warning_sign(form):
     form.session.commit(point_edits.set_position(form.session.document, 0, 1, POINTS[0]), "Move")
     assert form.message == f"⚠ {form.session.active_view.problem}"
     assert form["curveFacts"].text() == "8\N{NO-BREAK SPACE}points"

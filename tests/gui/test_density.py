@@ -19,7 +19,7 @@ def row(count, gap):
 
 
 @pytest.mark.parametrize("count", [2, 8, 60, 1000])
-def test_discs_leave_half_of_the_way_free(count):
+def test_discs_leave_half_of_the_curve_free(count):
     for gap in (4.0, 7.0, 10.0, 15.0):
         discs = discs_for(*row(count, gap), 1.0)
         assert discs.radius <= max(gap / 4, 1.25)
@@ -41,7 +41,7 @@ def test_one_close_pair_does_not_shrink_the_others():
     assert discs_for(pixels, visible, 1.0).radius == RADIUS
 
 
-def test_neighbours_of_the_chosen_are_drawn_unless_the_chosen_are_many():
+def test_neighbours_of_selected_points_are_drawn_unless_these_are_many():
     among = np.arange(100)
     assert with_neighbours([0, 50], among).tolist() == [0, 1, 2, 48, 49, 50, 51, 52]
     assert with_neighbours(range(60), among).tolist() == []
@@ -80,7 +80,7 @@ def ink_share(editor):
     return sum(seen) / len(seen)
 
 
-def test_the_curve_is_seen_between_sixty_points(wave):
+def test_the_curve_is_visible_between_sixty_points(wave):
     wave.trigger("themeLight")
     canvas = wave.window.canvas
     far = math.dist(canvas.to_pixel(0, 0).toTuple(), canvas.to_pixel(0.1, 0.0998).toTuple())
@@ -89,7 +89,7 @@ def test_the_curve_is_seen_between_sixty_points(wave):
     assert canvas.drawing.points.note == ""
 
 
-def test_of_a_ribbon_of_points_only_the_chosen_are_drawn_and_a_note_says_so(wave):
+def test_of_a_ribbon_of_points_only_selected_ones_are_drawn_with_a_note(wave):
     canvas = wave.window.canvas
     canvas.camera.zoom(0.12, canvas.camera.centre())
     wave.settle()
@@ -112,7 +112,7 @@ def test_a_point_that_is_not_drawn_is_grabbed_all_the_same(wave):
     assert wave.point(59) == pytest.approx((before[0] + 2, before[1] + 1), abs=1.5 * wave.pixel)
 
 
-def test_discs_find_their_size_after_points_came_together_without_another_event(wave):
+def test_discs_shrink_after_points_came_together_without_another_event(wave):
     canvas = wave.window.canvas
     document = wave.session.document
     wave.session.commit(scaled(document, 0.1), "Shrink")

@@ -59,7 +59,7 @@ def test_less_than_a_segment_is_nothing(count):
     assert (painted(wave(count)) == 255).all()
 
 
-def test_what_leaves_the_area_is_cut_and_comes_back():
+def test_a_line_that_leaves_the_area_is_cut_and_continues_where_it_returns():
     points = wave(400, height=1e6)
     segments = visible_segments(points, WIDTH, HEIGHT)
     assert segments.min() >= -MARGIN
@@ -70,7 +70,7 @@ def test_what_leaves_the_area_is_cut_and_comes_back():
 
 
 @pytest.mark.parametrize("far", [1e6, 1e12, 1e20, 1e75, 1e300])
-def test_what_comes_from_afar_is_where_it_arrives(far):
+def test_a_segment_from_far_away_is_cut_at_the_exact_position(far):
     """It was (0, 0, 0, 0): seen from 1e20 pixels, all that lies in the area is at one place."""
     arrives = visible_segments(np.array([[100 - far, 100 - 2 * far], [100.0, 100.0]]), WIDTH, HEIGHT)
     leaves = visible_segments(np.array([[100.0, 100.0], [100 - far, 100 - 2 * far]]), WIDTH, HEIGHT)
@@ -89,7 +89,7 @@ CALM = {
 
 
 @pytest.mark.parametrize("points", CALM.values(), ids=list(CALM))
-def test_a_calm_curve_is_painted_as_qt_paints_it(points):
+def test_a_smooth_curve_is_painted_as_by_qt(points):
     assert (painted(points) == painted_by_qt(points)).all()
 
 
@@ -108,7 +108,7 @@ CROWDS = {
 
 
 @pytest.mark.parametrize("points", CROWDS.values(), ids=list(CROWDS))
-def test_a_crowd_is_painted_all_but_as_qt_paints_it(points):
+def test_a_crowd_is_painted_almost_as_by_qt(points):
     """The bounds are what can be missed: a pixel at a turn, for there are no joints, and a trace of paper.
 
     Qt fills what a piece covers at once; strokes that cover a pixel by halves, one by one, leave a quarter.
@@ -120,7 +120,7 @@ def test_a_crowd_is_painted_all_but_as_qt_paints_it(points):
     assert (off > 64).mean() < 0.005
 
 
-def test_strokes_of_a_crowd_that_are_apart_are_as_qt_paints_them():
+def test_separate_segments_of_a_crowd_are_painted_as_by_qt():
     points = np.column_stack([np.linspace(-1e3, 4e3, 1000), np.tile([-2e4, 2e4], 500)])
     stroke = Stroke()
     off = painted(points, stroke, width=3000).astype(int) - painted_by_qt(points, width=3000)
@@ -129,7 +129,7 @@ def test_strokes_of_a_crowd_that_are_apart_are_as_qt_paints_them():
     assert np.abs(off).max() <= 16
 
 
-def test_strokes_at_the_edge_of_what_they_fill_are_told_from_those_within():
+def test_segments_at_the_edge_of_an_area_are_distinguished_from_those_inside():
     """Steep strokes and level ones, with a gap of three pixels; then one that ends half-way."""
     at = np.concatenate([np.arange(20.0, 60.0, 0.4), np.arange(63.0, 90.0, 0.4)])
     steep = np.column_stack([at, np.full(len(at), -20.0), at + 30.0, np.full(len(at), 220.0)])
@@ -154,7 +154,7 @@ def test_a_crowd_that_calms_down_is_joined_again():
     assert (painted(wave(300), stroke) == painted_by_qt(wave(300))).all()
 
 
-def test_a_stroke_filled_again_forgets_what_it_was():
+def test_a_refilled_stroke_draws_only_the_new_line():
     stroke = Stroke()
     painted(wave(300), stroke)
     again = painted(wave(40, height=20.0), stroke)

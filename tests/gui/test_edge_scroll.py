@@ -77,7 +77,7 @@ def start_of(editor, what):
     }[what]
 
 
-def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch):
+def test_the_view_scrolls_under_a_resting_mouse_and_the_drag_follows(arch):
     document = arch.session.document
     for what in ("point", "handle", "bend", "curve", "band"):
         steps, committed = arch.session.undo_stack.count(), arch.session.committed
@@ -103,7 +103,7 @@ def test_the_view_goes_on_under_a_mouse_that_rests_and_so_does_the_drag(arch):
         again(arch, document)
 
 
-def test_it_goes_towards_the_edge_where_the_pointer_is(arch):
+def test_the_view_scrolls_towards_the_edge_at_the_pointer(arch):
     document = arch.session.document
     for where in ("right", "left", "top", "bottom"):
         shown = arch.window.canvas.camera.pixel_map
@@ -123,7 +123,7 @@ def test_it_goes_towards_the_edge_where_the_pointer_is(arch):
         again(arch, document)
 
 
-def test_back_inside_it_stops_and_escape_leaves_no_trace(arch):
+def test_scrolling_stops_inside_and_escape_restores_everything(arch):
     document, steps, seen = arch.session.document, arch.session.undo_stack.count(), left_edge(arch)
     arch.press(POINTS[1])
     move_to(arch, edge(arch, "right", 20))
@@ -141,7 +141,7 @@ def test_back_inside_it_stops_and_escape_leaves_no_trace(arch):
     assert arch.session.undo_stack.count() == steps
 
 
-def test_a_press_at_the_edge_scrolls_nothing_until_it_is_dragged_outwards(arch):
+def test_a_press_at_the_edge_scrolls_only_after_a_drag_outwards(arch):
     canvas, seen = arch.window.canvas, left_edge(arch)
     at = edge(arch, "right", -5)
     arch.send(canvas, QEvent.Type.MouseButtonPress, at)
@@ -153,7 +153,7 @@ def test_a_press_at_the_edge_scrolls_nothing_until_it_is_dragged_outwards(arch):
     release_at(arch, at + QPoint(20, 40))
 
 
-def test_without_a_button_the_edge_does_nothing(arch):
+def test_without_a_button_the_edge_does_not_scroll(arch):
     arch.select([1])
     arch.hover((2, 2))
     arch.key(Qt.Key.Key_G)

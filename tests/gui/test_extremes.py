@@ -94,7 +94,7 @@ def test_the_pen_far_away_on_an_interval_of_timestamps_divides_by_nothing(opened
 
 
 @pytest.mark.parametrize("closed", [False, True])
-def test_what_squeezes_parameters_to_nothing_leaves_derivatives(closed):
+def test_a_squeezed_interval_keeps_the_derivatives(closed):
     interval = Parametrization(start=1.7e9, end=1.7e9 + 1)
     points = tuple(Point(float(x), float(x), velocity=(1.0, 0.0)) for x in range(3))
     before = view_of(Curve("Time", HERMITE, interval, points, closed=closed))
@@ -149,7 +149,7 @@ def test_the_nearest_segment_of_several_polylines():
     assert PixelOutline([np.zeros((1, 2))]).nearest((0.0, 0.0)) is None
 
 
-def test_a_line_that_has_too_few_vertices_says_how_far_it_is_off(opened):
+def test_a_line_with_too_few_vertices_has_a_note_on_its_deviation(opened):
     """A thousand points, 4 vertices for each: the line was off by 7 pixels and looked like the curve."""
     points = 2.0 * np.random.default_rng(0).normal(size=(1000, 2))
     rule = Parametrization(ParametrizationKind.CHEBYSHEV)

@@ -57,7 +57,7 @@ def chosen(editor):
         (6, "6 points · rational, blended degree 3 · 0 ≤ t ≤ 1"),
     ],
 )
-def test_the_form_says_what_a_rational_curve_is(editor, count, said):
+def test_the_form_describes_a_rational_curve(editor, count, said):
     """It said "no polynomial", of few points too, where the curve is one."""
     points = [(float(k), float(k % 2)) for k in range(count)]
     curve = make_curve(points, family=FAMILIES.named("floater_hormann"))
@@ -99,7 +99,7 @@ def test_a_number_that_cannot_be_is_refused_and_stays_to_be_mended(swaying, text
     assert amount(swaying).text() == "2"
 
 
-def test_what_is_no_number_is_refused(swaying):
+def test_a_text_that_is_no_number_is_refused(swaying):
     enter(swaying, amount(swaying), "few")
     assert widget(swaying, QLabel, "curveProblem").text().startswith("⚠ ")
     assert chosen(swaying) == {}
@@ -198,7 +198,7 @@ def test_a_choice_is_chosen_and_undone(swaying):
     assert box.currentText() == "Left"
 
 
-def test_the_fields_are_those_of_the_family(swaying):
+def test_the_form_has_the_fields_of_the_family(swaying):
     swaying.choose_family(LAGRANGE)
     assert swaying.window.findChild(QLineEdit, "settingAmount") is None
     swaying.trigger("undo")

@@ -54,7 +54,7 @@ def test_both_axes_have_the_same_steps_and_labels_at_every_zoom(editor):
 
 
 @pytest.mark.parametrize("size", [(960, 540), (1024, 640), (1500, 950)])
-def test_no_axis_is_ever_without_two_numbers_that_are_told_apart(editor, size):
+def test_every_axis_has_two_different_numbers(editor, size):
     """Zoomed in far from the origin, "1.7e+09" stood at the left five times; between zooms, nothing."""
     editor.window.resize(*size)
     canvas = editor.window.canvas
@@ -83,7 +83,7 @@ def boxes_are_apart(canvas, side, found):
     )
 
 
-def test_numbers_far_from_the_origin_say_once_what_they_have_in_common(editor):
+def test_numbers_far_from_the_origin_share_an_offset(editor):
     canvas = editor.window.canvas
     canvas.camera.show_box((0.0, 1.0), (1234567.25, 1234567.75))
     offset = canvas.getAxis("left").ticks_in(canvas.pixel_map)
@@ -114,7 +114,7 @@ def test_the_axis_of_t_has_two_numbers_at_every_zoom(editor):
     editor.fit()
 
 
-def test_a_narrow_axis_says_at_its_end_what_the_numbers_leave_out(qapp):
+def test_a_narrow_axis_has_the_offset_of_its_numbers_at_its_end(qapp):
     wide = QFontMetricsF(qapp.font()).horizontalAdvance
     room = LabelRoom(wide, lambda _text: 10.0, 10.0, 20.0, 20.0, 0.0)
     seen = Stretch(1.7e9, 1.7e9 + 0.05, 150.0)
@@ -142,7 +142,7 @@ def test_numbers_for_which_there_is_no_room_are_not_written_to_find_that_out(mid
             assert len(written) < seen.size / 2
 
 
-def test_what_snaps_to_the_grid_meets_a_fine_line_both_ways(editor):
+def test_a_snapped_point_lies_on_fine_lines_in_both_directions(editor):
     editor.session.commit(Document((make_curve(((0.0, 0.0), (4.0, 3.0))),)), "Begin")
     editor.window.canvas.camera.show_box((-3, 7), (-3, 5))
     editor.settle()
@@ -153,7 +153,7 @@ def test_what_snaps_to_the_grid_meets_a_fine_line_both_ways(editor):
     assert editor.point(1) == pytest.approx((4 + 3 * fine, 3 - 2 * fine), abs=1e-12)
 
 
-def test_labels_are_decimal_numbers_and_told_apart_far_from_the_origin():
+def test_labels_are_decimal_numbers_and_differ_far_from_the_origin():
     assert tick_labels([-0.2, 0.0, 0.2, 0.6000000000000001], 1.0, 0.2) == ["−0.2", "0", "0.2", "0.6"]
     far = tick_labels([1e6, 1e6 + 0.02, 1e6 + 0.04], 1.0, 0.02)
     assert far == ["1000000", "1000000.02", "1000000.04"]

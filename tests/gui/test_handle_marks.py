@@ -19,7 +19,7 @@ from app.view_model.palette import contrast
 from app.view_model.point_kinds import CORNER, SMOOTH, kind_at
 
 
-def test_marks_of_one_point_can_be_told_apart(editor):
+def test_marks_of_one_point_do_not_overlap(editor):
     """Of 20 points under septic Hermite all three marks of a side lay over each other, 11 pixels wide."""
     for family, count in product(("hermite", "quintic_hermite", "septic_hermite"), (3, 20)):
         points = [(float(k), 2.0 * math.sin(1.3 * k)) for k in range(count)]
@@ -51,7 +51,7 @@ def zigzag(editor):
     return editor
 
 
-def test_of_several_points_each_handle_is_dragged_for_itself_and_its_kind_holds(zigzag):
+def test_handles_of_several_points_are_dragged_separately_and_kinds_hold(zigzag):
     """With two points selected no handle was shown."""
     zigzag.select([2])
     zigzag.trigger(SMOOTH.action)
@@ -114,7 +114,7 @@ def test_handles_that_face_the_selected_points_are_fainter_and_dragged_as_well(z
     assert not len(canvas.drawing.points.visible_handles.facing(canvas.pixel_map))
 
 
-def test_a_straight_segment_has_the_handles_of_a_single_point_alone(zigzag):
+def test_a_straight_segment_has_handles_of_a_single_point_only(zigzag):
     layer = zigzag.window.canvas.drawing.points
     zigzag.select([2, 3])
     zigzag.trigger("straightSegment")
@@ -129,7 +129,7 @@ def test_a_straight_segment_has_the_handles_of_a_single_point_alone(zigzag):
     assert {(2, True), (3, False)} < {(each.index, each.ahead) for each in layer.handles}
 
 
-def test_of_very_many_points_handles_are_shown_when_few_are_in_sight(editor):
+def test_of_very_many_selected_points_handles_are_shown_when_few_are_visible(editor):
     count = 3 * MOST_POINTS
     points = [(float(abs(k % 40 - 19.5)), float(k // 20)) for k in range(count)]
     editor.session.commit(Document((make_curve(points, family=HERMITE),)), "Begin", active=0)

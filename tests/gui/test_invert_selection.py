@@ -44,7 +44,7 @@ def test_a_key_turns_the_choice_around_of_curves_and_of_points(row):
     assert row.session.selection == {1, 2}
 
 
-def test_nothing_is_turned_around_where_all_is_locked(row):
+def test_invert_is_refused_when_all_curves_are_locked(row):
     curves = tuple(replace(curve, locked=True) for curve in row.session.document.curves)
     row.session.commit(Document(curves), "Lock")
     row.session.selected.select_whole([])

@@ -56,7 +56,7 @@ def test_functions_beyond_all_pixels_are_drawn_without_a_warning():
         (500, HERMITE, FunctionDrawing.ENVELOPE),
     ],
 )
-def test_how_many_are_drawn_and_that_the_envelope_holds_them(n, family, way, closed):
+def test_the_drawing_follows_the_number_of_functions_and_the_envelope_contains_all(n, family, way, closed):
     basis = basis_view(view_of(wave(n, family, closed=closed)))
     assert drawing_of(basis) is way
     assert basis.point_count == n
@@ -136,7 +136,7 @@ def test_wide_functions_among_many_narrow_ones_are_smooth(open_wave, family):
                 assert distance_from(spans, exact) < 0.5
 
 
-def test_a_curve_with_pieces_alike_is_drawn_with_its_samples_alone():
+def test_a_curve_with_equal_pieces_is_drawn_with_its_samples_only():
     """Chords are added where a piece is wide only: a drag of many points must stay as fast as it is."""
     for n in (70, 200, 390):
         for family in (HERMITE, QUINTIC_HERMITE):
@@ -146,7 +146,7 @@ def test_a_curve_with_pieces_alike_is_drawn_with_its_samples_alone():
 
 
 @pytest.mark.parametrize("family", [LAGRANGE, HERMITE])
-def test_the_pane_says_what_it_leaves_out(open_wave, family):
+def test_the_pane_has_a_note_on_functions_that_are_not_drawn(open_wave, family):
     editor = open_wave(450, family)
     note = editor.window.findChild(QLabel, "basisDrawing")
     assert "450 functions: envelope + selection" in note.text()
@@ -154,7 +154,7 @@ def test_the_pane_says_what_it_leaves_out(open_wave, family):
     assert not editor.screenshot().isNull()
 
 
-def test_a_point_among_very_many_is_hit_dragged_and_taken_back(open_wave):
+def test_a_point_among_very_many_is_hit_dragged_and_restored(open_wave):
     editor = open_wave(2000, HERMITE)
     before, place = editor.session.document, editor.point(1000)
     editor.press(place)
@@ -172,7 +172,7 @@ def test_many_points_share_colours_and_neighbours_still_differ():
     assert (cells_of(np.arange(256), 256) == np.arange(256)).all()
 
 
-def test_stamped_points_are_seen(open_wave):
+def test_stamped_points_are_visible(open_wave):
     editor = open_wave(300, HERMITE)
     image = editor.window.canvas.grab().toImage()
     pixel = editor.window.canvas.to_pixel(*editor.point(150))

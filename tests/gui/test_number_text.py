@@ -117,7 +117,7 @@ def test_a_column_has_room_for_all_its_numbers(qapp, values):
             )
 
 
-def test_widths_are_those_of_the_font(qapp):
+def test_widths_depend_on_the_font(qapp):
     (known,) = numbers_of_columns(np.array([[-12.5], [1e-7]]))
     font, widths = QGuiApplication.font(), ColumnWidths()
     for size in (9, 18, 9):

@@ -110,13 +110,13 @@ def has_inner_class(text):
     return any(isinstance(node, ast.ClassDef) and node not in tree.body for node in ast.walk(tree))
 
 
-def test_no_class_is_made_where_the_walk_does_not_see_it():
+def test_no_class_is_defined_inside_a_function():
     files = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "app").rglob("*.py")}
     assert [name for name, text in files.items() if has_inner_class(text)] == []
     assert has_inner_class("def make():\n    class Hidden: pass")
 
 
-def test_every_override_of_the_plots_own_library_is_safe(editor):
+def test_every_override_of_pyqtgraph_is_guarded(editor):
     plots = (editor.window.canvas, editor.window.basis_panel)
     parts = {*plots, *(each for plot in plots for each in (plot.scene(), *plot.items()))}
     classes = {cls for part in parts for cls in type(part).__mro__ if cls.__module__.startswith("pyqtgraph.")}
@@ -125,7 +125,7 @@ def test_every_override_of_the_plots_own_library_is_safe(editor):
     assert [(cls, name) for cls, name, method in of_library if not hasattr(method, "__wrapped__")] == []
 
 
-def test_every_override_that_fails_gives_qt_what_it_declares(qapp):
+def test_a_failing_override_returns_an_empty_value_of_the_declared_type(qapp):
     for cls in qt_classes(app):
         for name, method in overrides(cls):
             declared = inspect.get_annotations(inspect.unwrap(method))["return"]
@@ -136,7 +136,7 @@ def test_every_override_that_fails_gives_qt_what_it_declares(qapp):
                 assert type(result).__name__ == declared.partition("[")[0].rpartition(".")[2], (cls, name)
 
 
-def test_faults_in_many_places_are_told_and_the_process_lives_on(own_home):
+def test_faults_in_many_overrides_are_reported_and_the_process_goes_on(own_home):
     here = Path(__file__).parent
     done = subprocess.run(
         [sys.executable, here / "plant_faults.py"],
@@ -188,7 +188,7 @@ class Child(SafeOverrides, QLabel):
         self.painted += 1
 
 
-def test_what_did_not_fail_is_not_stopped_halfway(qtbot, faults):
+def test_code_that_calls_a_failing_override_goes_on(qtbot, faults):
     window = FailsToPaint()
     qtbot.addWidget(window)
     child = Child("child", window)

@@ -25,7 +25,7 @@ def test_plates_that_would_cover_each_other_stand_apart():
         assert not any(one.intersects(other) for one, other in combinations(placed, 2))
 
 
-def test_what_covers_nothing_stays():
+def test_a_plate_that_covers_nothing_stays():
     plate = QRectF(0.0, 0.0, 10.0, 5.0)
     assert clear_of([QRectF(0.0, 5.0, 10.0, 5.0), QRectF(10.0, 0.0, 5.0, 5.0)], plate) == plate
     assert clear_of([QRectF(0.0, 1.0, 10.0, 5.0)], plate).bottom() == 0.0

@@ -156,21 +156,21 @@ def septic(qtbot):
         (SEPTIC_HERMITE, "t x y vx vy ax ay jx jy"),
     ],
 )
-def test_the_columns_are_those_of_the_family(qtbot, family, names):
+def test_the_table_has_the_columns_of_the_family(qtbot, family, names):
     model = Table(qtbot, family).model
     shown = [model.headerData(column, Qt.Orientation.Horizontal) for column in range(model.columnCount())]
     assert shown[: len(names.split())] == names.split()
     assert shown == [column.name for column in columns_of(family.derivatives)]
 
 
-def test_it_holds_the_numbers_of_the_view_exactly(septic):
+def test_the_model_has_the_exact_numbers_of_the_view(septic):
     view = septic.session.active_view
     for row in range(len(view.points)):
         numbers = [septic.value(row, column) for column in range(9)]
         assert numbers == [view.parameters[row], *view.curve.jets[row].ravel()]
 
 
-def test_a_panel_that_was_never_shown_holds_the_numbers_too(qtbot):
+def test_a_panel_that_was_never_shown_has_the_numbers(qtbot):
     session = Session()
     panel = PointTable()
     qtbot.addWidget(panel)
@@ -188,7 +188,7 @@ def test_numbers_are_rounded_for_the_eye_only(table):
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])
-def test_rows_bear_the_colours_of_their_points(table, theme):
+def test_rows_have_the_colours_of_points(table, theme):
     table.panel.set_theme(theme)
     colours = point_colours(8, theme)
     for row, colour in enumerate(colours):
@@ -206,7 +206,7 @@ def test_without_a_curve_there_are_no_parameters_but_the_points_stay(table):
     assert "no parameters" in table.message
 
 
-def test_estimated_numbers_are_muted_italic_and_say_by_which_rule(hermite):
+def test_estimated_numbers_are_muted_and_italic_and_the_tip_names_the_rule(hermite):
     index = hermite.model.index(2, VX)
     assert hermite.model.data(index, Role.FontRole).italic()
     assert hermite.model.data(index, Role.ForegroundRole) == LIGHT.muted
@@ -227,7 +227,7 @@ def test_t_x_y_and_velocities_fit_in_a_narrow_dock(hermite):
 
 
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
-def test_it_is_drawn_in_both_themes(qtbot, qapp, mode):
+def test_the_table_is_drawn_in_both_themes(qtbot, qapp, mode):
     theme = apply_theme(qapp, mode)
     table = Table(qtbot, HERMITE)
     table.session.selected.set_points([2])
@@ -262,7 +262,7 @@ def test_typing_a_digit_begins_to_edit_even_if_the_digit_is_a_shortcut(table):
     assert table.point(2).y == 0.25
 
 
-def test_enter_edits_and_enter_goes_down(table):
+def test_enter_edits_a_cell_and_enter_again_moves_down(table):
     table.click(0, X)
     for text in ("1", "2", "3"):
         table.qtbot.keyClick(table.view, Qt.Key.Key_Return)
@@ -279,7 +279,7 @@ def test_tab_commits_and_edits_the_next_cell(table):
     table.qtbot.keyClick(table.editor, Qt.Key.Key_Escape)
 
 
-def test_a_bad_number_stays_open_and_says_why(table):
+def test_an_invalid_number_keeps_the_editor_open_with_a_reason(table):
     before = table.session.document
     said = refusals_of(table.session)
     editor = table.type(3, X, "2*")
@@ -295,7 +295,7 @@ def test_a_bad_number_stays_open_and_says_why(table):
     assert table.point(3).x == 8.0
 
 
-def test_a_bad_number_gives_way_when_the_editor_is_left(table):
+def test_an_invalid_number_is_discarded_when_the_editor_loses_focus(table):
     before = table.session.document
     editor = table.edit(3, X)
     table.qtbot.keyClicks(editor, "abc")
@@ -359,13 +359,13 @@ def test_imported_parameters_read_well_and_are_whole_when_edited(table, times, s
     assert sum(table.view.columnWidth(each) for each in (T, X, Y)) <= table.view.viewport().width()
 
 
-def test_leaving_an_estimated_cell_untouched_keeps_it_estimated(hermite):
+def test_an_estimated_cell_that_is_not_edited_stays_estimated(hermite):
     editor = hermite.edit(2, VX)
     hermite.qtbot.keyClick(editor, Qt.Key.Key_Return)
     assert hermite.point(2).velocity is None
 
 
-def test_what_is_being_typed_survives_a_change_of_the_curve(table):
+def test_a_text_being_typed_survives_a_change_of_the_curve(table):
     editor = table.edit(3, X)
     table.qtbot.keyClicks(editor, "42")
     table.session.commit(point_edits.move_points(table.session.document, 0, [3], (1.0, 1.0)), "Move point 3")
@@ -501,7 +501,7 @@ def test_the_button_resets_the_selected_points(quintic):
     assert not button.isEnabled()
 
 
-def test_the_reset_is_offered_only_where_there_is_something_to_estimate(table):
+def test_the_reset_is_enabled_only_with_derivatives_that_are_set(table):
     assert not table.panel.findChild(QToolButton, "resetToEstimated").isVisible()
     assert not table.panel.findChild(QAction, "resetCellsToEstimated").isVisible()
 
@@ -537,12 +537,12 @@ def test_selecting_points_selects_their_rows(table):
     assert changes.count() == 2  # no echo
 
 
-def test_cells_chosen_by_hand_stay_chosen(table):
+def test_cells_selected_by_hand_stay_selected(table):
     table.click(2, X)
     assert table.view.selected_cells() == {(2, X)}
 
 
-def test_rows_and_columns_are_those_of_the_cells(hermite):
+def test_rows_and_columns_match_the_cells(hermite):
     for row, column in ((1, T), (4, VX), (6, VX)):
         hermite.click(row, column, Qt.KeyboardModifier.ControlModifier)
         cells = hermite.view.selected_cells()
@@ -588,7 +588,7 @@ def test_copied_cells_are_whole_numbers_with_tabs_between(table):
     assert table.copy() == "3.1\t3.35\n0.3333333333333333\t-2.0"
 
 
-def test_what_is_copied_comes_back_bit_for_bit(hermite):
+def test_copied_numbers_are_pasted_bit_for_bit(hermite):
     before = hermite.session.active_view.curve.jets
     hermite.session.selected.set_points(range(8))
     text = hermite.copy()
@@ -616,7 +616,7 @@ def test_paste_beyond_the_end_appends_points(table):
     assert curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
 
 
-def test_paste_with_parameters_makes_them_manual(table):
+def test_a_paste_with_parameters_makes_parameters_manual(table):
     table.click(6, T)
     table.paste("t\tx\ty\n2\t1\t1\n3\t2\t2\n4\t3\t3\n")
     curve = table.session.active_curve
@@ -626,7 +626,7 @@ def test_paste_with_parameters_makes_them_manual(table):
     assert table.session.undo_stack.undoText() == "Paste 3 points"
 
 
-def test_paste_appends_to_manual_parameters_at_their_pace(table):
+def test_a_paste_appends_manual_parameters_at_the_last_step(table):
     document = rule_edits.freeze_parameters(table.session.document, 0, list(range(8)))
     table.session.commit(document, "Freeze")
     table.click(7, X)
@@ -637,7 +637,7 @@ def test_paste_appends_to_manual_parameters_at_their_pace(table):
 
 
 @pytest.mark.parametrize("is_closed", [False, True])
-def test_pasted_points_leave_the_handles_of_the_others_alone(hermite, is_closed):
+def test_pasted_points_keep_the_handles_of_other_points(hermite, is_closed):
     if is_closed:
         closed(hermite)
     document = point_edits.set_velocity(hermite.session.document, 0, 2, (3.0, 4.0))
@@ -692,7 +692,7 @@ BAD_PASTES = [
 ]
 
 
-def test_a_bad_paste_changes_nothing_and_says_why(table):
+def test_an_invalid_paste_changes_nothing_and_shows_a_reason(table):
     for cell, text, words in BAD_PASTES:
         before, steps = table.session.document, table.session.undo_stack.count()
         table.click(*cell)
@@ -719,7 +719,7 @@ def test_copy_and_paste_belong_to_the_table_only_while_it_has_the_focus(table):
 
 
 @pytest.mark.parametrize("key", ["Ctrl+C", "Ctrl+V"])
-def test_a_shortcut_of_the_window_does_not_take_copy_and_paste(table, key):
+def test_shortcuts_of_the_window_do_not_replace_copy_and_paste(table, key):
     QShortcut(QKeySequence(key), table.window, lambda: pytest.fail("the shortcut took the key"))
     table.click(0, X)
     assert table.copy() == "3.1"
@@ -775,7 +775,7 @@ def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
     until(lambda: table.value(3, X) == 1.25)
 
 
-def test_a_hidden_table_rests_until_it_is_shown(qtbot):
+def test_a_hidden_table_is_not_updated_until_it_is_shown(qtbot):
     table = Table(qtbot)
     table.panel.hide()
     changes = QSignalSpy(table.model.dataChanged)
@@ -853,7 +853,7 @@ def test_another_window_leaves_the_editor_open(table):
 
 
 @pytest.mark.parametrize("way", ["escape", "click elsewhere", "another edit", "a preview", "another widget"])
-def test_a_refusal_goes_with_its_cause(table, way):
+def test_a_refusal_is_removed_with_its_cause(table, way):
     field = QLineEdit(table.window)
     field.show()
     editor = table.type(3, X, "2*")
@@ -872,7 +872,7 @@ def test_a_refusal_goes_with_its_cause(table, way):
     assert table.message == ""
 
 
-def test_a_refused_paste_is_told_until_another_cell_is_chosen(table):
+def test_a_refused_paste_is_explained_until_another_cell_is_current(table):
     table.click(2, X)
     table.paste("abc")
     assert table.message
@@ -908,7 +908,7 @@ def test_a_column_keeps_its_decimals_while_previews_stream(table):
     assert decimals(table, X) == {2}
 
 
-def test_a_number_that_outgrows_its_column_takes_decimals_once(table):
+def test_a_number_that_outgrows_its_column_loses_decimals_once(table):
     before = table.session.document
     counts = []
     for x in (0.123, 5000.123, 0.123):
@@ -932,7 +932,7 @@ def test_a_change_of_decimals_is_painted_in_every_row(table):
     assert set(painted) == set(range(8))
 
 
-def test_rounding_residues_are_shown_as_zero_and_kept_whole(hermite):
+def test_rounding_residues_are_displayed_as_zero_and_stored_exactly(hermite):
     document = point_edits.set_velocity(hermite.session.document, 0, 2, (8e-16, -1043.4))
     hermite.session.commit(document, "Set")
     assert float(texts(hermite, VX)[2]) == 0
@@ -1085,7 +1085,7 @@ def test_pasting_into_a_closed_curve(hermite):
     assert view.parameters.tolist() == list(range(11))
 
 
-def test_at_a_corner_the_table_has_what_is_before_it(hermite):
+def test_at_a_corner_the_table_shows_the_number_before_the_corner(hermite):
     document = point_edits.make_corner(hermite.session.document, 0, 3, (1.0, 2.0), (3.0, 4.0))
     hermite.session.commit(document, "Corner")
     assert (hermite.value(3, VX), hermite.value(3, VY)) == (1.0, 2.0)
@@ -1109,7 +1109,7 @@ def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
     assert hermite.point(3).velocity_after is None
 
 
-def test_a_corner_at_the_first_point_has_what_is_after_it(hermite):
+def test_a_corner_at_the_first_point_shows_the_number_after_the_corner(hermite):
     document = point_edits.make_corner(hermite.session.document, 0, 0, None, (3.0, 4.0))
     hermite.session.commit(document, "Corner")
     assert (hermite.value(0, VX), hermite.value(0, VY)) == (3.0, 4.0)

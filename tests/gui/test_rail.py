@@ -47,7 +47,7 @@ def test_shift_click_selects_more_and_takes_out_again(editor):
     assert editor.session.undo_stack.count() == 0
 
 
-def test_dragging_one_of_the_selected_moves_all(editor, panel):
+def test_a_drag_of_a_selected_tick_moves_all_selected_ticks(editor, panel):
     old = np.array(editor.parameters)
     editor.select([2, 3])
     editor.drag_parameter(3, to=old[3] + 0.05)
@@ -61,7 +61,7 @@ def test_dragging_one_of_the_selected_moves_all(editor, panel):
     assert editor.parameters == old.tolist()
 
 
-def test_dragging_another_moves_that_alone(editor):
+def test_a_drag_of_a_tick_that_is_not_selected_moves_only_that_tick(editor):
     old = editor.parameters
     editor.select([2, 3])
     editor.drag_parameter(5, to=old[5] + 0.05)
@@ -70,7 +70,7 @@ def test_dragging_another_moves_that_alone(editor):
 
 
 @pytest.mark.parametrize("to", [-0.4, 1.4])
-def test_the_order_is_kept_however_far_they_are_dragged(editor, to):
+def test_ticks_keep_their_order_however_far_they_are_dragged(editor, to):
     for chosen in ([2, 3], [1, 4, 5], [0, 6], [0, 7], list(range(8))):
         editor.select(chosen)
         before = editor.session.document
@@ -82,7 +82,7 @@ def test_the_order_is_kept_however_far_they_are_dragged(editor, to):
         assert editor.session.document is before
 
 
-def test_the_ends_move_too_and_a_closed_curve_keeps_its_closing_knot(editor):
+def test_the_end_ticks_can_be_dragged_and_a_closed_curve_keeps_its_closing_knot(editor):
     editor.choose_family(HERMITE)
     editor.run_command("centripetal")
     editor.session.commit(set_closed(editor.session.document, 0, True), "Close")
@@ -98,7 +98,7 @@ def test_the_ends_move_too_and_a_closed_curve_keeps_its_closing_knot(editor):
 
 
 @pytest.mark.parametrize(("by", "moving"), [(0.04, [3, 4, 5, 6, 7]), (-0.04, [0, 1, 2, 3])])
-def test_with_e_all_ticks_on_that_side_go_along(editor, panel, by, moving):
+def test_with_e_all_ticks_on_one_side_move_along(editor, panel, by, moving):
     old = np.array(editor.parameters)
     panel.setFocus()
     QTest.keyPress(panel, Qt.Key.Key_E)
@@ -113,7 +113,7 @@ def test_with_e_all_ticks_on_that_side_go_along(editor, panel, by, moving):
     assert np.count_nonzero(np.array(editor.parameters) - old) == 1
 
 
-def test_e_counts_when_it_is_pressed_during_the_drag_and_escape_takes_all_back(editor, panel):
+def test_e_acts_during_the_drag_and_escape_restores_all_ticks(editor, panel):
     document, old = editor.session.document, editor.parameters
     start = panel.rail_pixel(old[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
@@ -127,7 +127,7 @@ def test_e_counts_when_it_is_pressed_during_the_drag_and_escape_takes_all_back(e
     assert editor.session.undo_stack.count() == 0
 
 
-def test_the_hint_names_it_all(editor, panel):
+def test_the_hint_names_all_gestures_on_a_tick(editor, panel):
     editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[3]), held=False)
     hint = editor.window.status_line.hint
     for word in ("point 3", "E:", "Shift+click", "Double-click"):
@@ -186,7 +186,7 @@ def test_an_untouched_value_is_no_change(editor, panel):
     assert document is not frozen
 
 
-def test_a_click_elsewhere_gives_it_up(editor, panel):
+def test_a_click_elsewhere_closes_the_line_at_a_tick(editor, panel):
     panel.edit_tick(3)
     editor.click((-1.0, -0.2))
     assert not panel.tick_edit.isVisible()
@@ -235,7 +235,7 @@ def test_a_start_keeps_the_interval(editor):
 
 
 @pytest.mark.qt_log_ignore("grabbing the (keyboard|mouse)")
-def test_a_right_click_offers_them_and_selects_the_tick(editor, panel):
+def test_a_right_click_opens_the_menu_of_the_rail_and_selects_the_tick(editor, panel):
     place = panel.rail_pixel(editor.parameters[4]).toPoint()
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, panel.viewport().mapToGlobal(place))
     QApplication.sendEvent(panel.viewport(), event)
@@ -327,7 +327,7 @@ def test_a_ghost_that_fades_is_painted_in_few_steps(editor):
     assert opacities == sorted(opacities, reverse=True)
 
 
-def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel):
+def test_a_cancelled_drag_removes_the_ghost(editor, panel):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
     editor.send(panel, QEvent.Type.MouseButtonPress, start)
@@ -337,7 +337,7 @@ def test_the_ghost_goes_when_the_drag_is_cancelled(editor, panel):
     until_it_faded(canvas)
 
 
-def test_the_alpha_slider_has_a_ghost_too(editor):
+def test_the_alpha_slider_shows_a_ghost(editor):
     canvas, slider = editor.window.canvas, editor.window.findChild(QSlider, "alphaSlider")
     at_press = canvas.drawing.curve.polyline(canvas.pixel_map).points
     slider.setSliderDown(True)

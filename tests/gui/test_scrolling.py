@@ -109,7 +109,7 @@ def test_shift_and_a_tilted_wheel_move_sideways(canvas):
     assert (by, factor) == (pytest.approx((60, 0)), pytest.approx(1.0))
 
 
-def test_what_the_fingers_began_goes_on_when_ctrl_is_pressed_after_they_left(canvas):
+def test_momentum_continues_a_pan_when_ctrl_is_pressed_later(canvas):
     canvas.after(scroll, pixels=(0, 5), angle=(0, 5), phase=Phase.ScrollBegin)
     canvas.after(scroll, phase=Phase.ScrollEnd)
     by, factor = canvas.after(
@@ -122,7 +122,7 @@ def test_what_the_fingers_began_goes_on_when_ctrl_is_pressed_after_they_left(can
     assert factor == pytest.approx(1.2)
 
 
-def test_a_pinch_zooms_about_the_place_between_the_fingers(canvas):
+def test_a_pinch_zooms_about_the_position_between_the_fingers(canvas):
     at = canvas.plot.to_plane(canvas.middle)
     _, factor = canvas.after(pinch, 0.25)
     assert factor == pytest.approx(1.25)
@@ -134,7 +134,7 @@ def test_a_pinch_zooms_about_the_place_between_the_fingers(canvas):
     assert canvas.after(pinch, -1.5)[1] == pytest.approx(1.0)
 
 
-def test_the_basis_panel_moves_along_t_alone(basis):
+def test_the_basis_panel_scrolls_along_t_only(basis):
     low, high = basis.plot.pixel_map.box[1::2]
     by, factor = basis.after(scroll, pixels=(25, 40), angle=(25, 40), phase=Phase.ScrollUpdate)
     assert (by[0], factor) == (pytest.approx(25), pytest.approx(1.0))
@@ -142,7 +142,7 @@ def test_the_basis_panel_moves_along_t_alone(basis):
     assert basis.plot.pixel_map.box[1::2] == pytest.approx((low, high))
 
 
-def test_every_plot_scrolls_in_the_one_way():
+def test_every_plot_scrolls_alike():
     def heirs(kind):
         return {kind} | {each for heir in kind.__subclasses__() for each in heirs(heir)}
 

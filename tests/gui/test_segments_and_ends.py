@@ -101,7 +101,7 @@ def on_segment(editor, index, share=0.4):
     return tuple(editor.session.active_view.curve.evaluate(start + share * (end - start)).tolist())
 
 
-def test_a_click_on_a_segment_selects_both_of_its_ends_and_keys_act_on_these(ring):
+def test_a_click_on_a_segment_selects_both_ends_and_keys_act_on_the_ends(ring):
     view = ring.session.active_view
     closing = tuple(view.curve.evaluate(float(view.parameters[4:].mean())).tolist())
     ring.hover(closing)
@@ -123,7 +123,7 @@ def test_a_click_on_a_segment_selects_both_of_its_ends_and_keys_act_on_these(rin
     assert places(ring.curve) == [RING[0], RING[1], RING[4]]
 
 
-def test_a_drag_on_a_segment_bends_it_though_its_ends_are_selected(ring):
+def test_a_drag_bends_a_segment_whose_ends_are_selected(ring):
     ring.click(on_segment(ring, 1))
     before = ring.session.active_view
     x, y = on_segment(ring, 1, 0.5)

@@ -91,7 +91,7 @@ def dialogs(window):
     yield ManualWindow(window)
 
 
-def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monkeypatch):
+def test_every_dialog_fits_on_the_screen_with_visible_buttons(qtbot, type_size, monkeypatch):
     editor = Editor(qtbot)
     monkeypatch.setattr("app.widgets.frames.room_on", lambda _screen: ROOM)
     shown = set()
@@ -111,7 +111,7 @@ def test_every_dialog_fits_and_its_buttons_stay_in_sight(qtbot, type_size, monke
     assert shown == every_dialog()
 
 
-def test_a_question_about_a_long_name_fits_and_is_read_to_its_end(qtbot, type_size, tmp_path):
+def test_a_question_about_a_long_name_fits_on_the_screen(qtbot, type_size, tmp_path):
     """A name of 200 letters went out of the box at the right, and with it the question mark."""
     path = tmp_path / f"{'n' * 200}.curve.json"
     save(path, LINE)

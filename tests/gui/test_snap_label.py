@@ -31,7 +31,7 @@ def snapping(editor):
 # The corner
 
 
-def test_what_a_box_covers_of_segments_is_measured():
+def test_the_length_of_segments_inside_a_box_is_measured():
     boxes = [QRectF(10, 10, 20, 10), QRectF(100, 100, 5, 5)]
     segments = np.array(
         [
@@ -142,7 +142,7 @@ def test_one_line_of_the_grid_is_shown_as_a_line(snapping):
     assert not has_accent(snapping, place, (30, 60))
 
 
-def test_a_drag_along_one_axis_names_the_line_that_holds_it(snapping):
+def test_a_drag_along_an_axis_is_labelled_with_the_snapped_line(snapping):
     document = snapping.session.document
     snapping.press(snapping.point(1))
     snapping.move((2.5 + 2 * snapping.pixel, 2.1), keys=SHIFT)

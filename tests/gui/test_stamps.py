@@ -43,7 +43,7 @@ def pictures(qapp):
     """An application, without which there are no pictures."""
 
 
-def test_one_point_more_is_one_mark_more():
+def test_an_added_point_adds_one_mark():
     marks = Marks()
     marks.picture(5)
     assert marks.drawn == 5 * WITHIN_A_PIXEL
@@ -62,7 +62,7 @@ def test_another_form_and_another_theme_are_drawn():
 
 
 @pytest.mark.parametrize("counts", [(5, 6, 5), (3, 12, 7, 40, 3), (60, 61, 70, 9), (300, 20), (2, 300)])
-def test_a_sheet_that_has_grown_shows_what_a_new_one_shows(counts):
+def test_an_enlarged_sheet_shows_the_same_as_a_new_sheet(counts):
     marks = Marks()
     for count in counts:
         forms = np.arange(count) % 2

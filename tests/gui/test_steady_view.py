@@ -41,7 +41,7 @@ CHANGES = {
 
 @pytest.mark.parametrize("is_fitted", [True, False], ids=["fitted", "zoomed"])
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
-def test_scale_and_place_stay(editor, change, is_fitted):
+def test_scale_and_position_stay_when_panels_are_resized(editor, change, is_fitted):
     canvas = editor.window.canvas
     if not is_fitted:
         editor.trigger("zoomIn")
@@ -55,7 +55,7 @@ def test_scale_and_place_stay(editor, change, is_fitted):
     assert (after[2] - before[2]).manhattanLength() <= 1
 
 
-def test_what_goes_and_comes_back_leaves_no_trace(editor):
+def test_a_panel_that_is_hidden_and_shown_again_does_not_move_the_view(editor):
     editor.trigger("zoomIn")
     before = editor.window.canvas.pixel_map.box
     for name in ("toggleBasis", "toggleSidePanel") * 2:

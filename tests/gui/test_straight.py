@@ -124,7 +124,7 @@ def test_the_context_menu_takes_the_segment_under_the_pointer(drawn):
         assert distance_from_chord(bow.session.active_view, 2) < 1e-14, family
 
 
-def test_points_that_are_no_neighbours_are_told(drawn):
+def test_points_that_are_no_neighbours_are_refused(drawn):
     for family in WITH_VELOCITIES:
         bow = drawn(family)
         bow.select([0, 2])
@@ -134,7 +134,7 @@ def test_points_that_are_no_neighbours_are_told(drawn):
         assert bow.status.startswith("Select two neighbouring points"), family
 
 
-def test_it_can_be_found_by_its_name(drawn):
+def test_the_action_can_be_found_by_its_name(drawn):
     for family in WITH_VELOCITIES:
         bow = drawn(family)
         bow.select([0, 1])
@@ -155,7 +155,7 @@ def test_a_locked_curve_stays(drawn):
         bow.trigger("curveLocked")
 
 
-def test_a_polynomial_has_none_and_says_why(editor):
+def test_a_polynomial_has_no_straight_segments_and_the_action_explains_why(editor):
     action = editor.action("straightSegment")
     editor.choose_family(LAGRANGE)
     assert not action.isEnabled()

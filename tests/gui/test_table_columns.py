@@ -97,7 +97,7 @@ def paste(table, text):
     QTest.keyClick(table, Key.Key_V, CTRL)
 
 
-def test_they_are_shown(editor, table):
+def test_added_columns_are_shown(editor, table):
     names = [table.model().headerData(column, Qt.Orientation.Horizontal) for column in range(R + 1)]
     assert names == names_of(0)
     tip = table.model().headerData(R, Qt.Orientation.Horizontal, Role.ToolTipRole)
@@ -110,7 +110,7 @@ def test_they_are_shown(editor, table):
     assert table.cell_delegate.text(1, R) == "10"
 
 
-def test_their_widths_follow_their_numbers(editor, table):
+def test_widths_of_columns_follow_the_numbers(editor, table):
     """A small number takes more digits: 7.14e−10."""
     before = table.cell_delegate.needed_widths(6, 6, table.fontMetrics())
     editor.session.change(
@@ -123,7 +123,7 @@ def test_their_widths_follow_their_numbers(editor, table):
     assert table.horizontalHeader().sectionSize(R) >= least[R]
 
 
-def test_they_are_copied(table):
+def test_added_columns_are_copied(table):
     cell(table, 0, R)
     cell(table, 0, KAPPA, adds=True)
     cell(table, 1, R, adds=True)
@@ -132,7 +132,7 @@ def test_they_are_copied(table):
     assert rows == [[repr(data(table, 0, KAPPA)), "5.0"], ["", "10.0"]]
 
 
-def test_one_that_can_be_set_is_typed(editor, table):
+def test_a_settable_column_can_be_typed(editor, table):
     cell(table, 0, R)
     QTest.keyClick(table, Key.Key_F2)
     line = table.findChild(CellEditor)
@@ -143,7 +143,7 @@ def test_one_that_can_be_set_is_typed(editor, table):
     assert editor.session.undo_stack.undoText() == "Set r of point 0"
 
 
-def test_what_it_refuses_is_said_and_stays_to_be_mended(editor, table):
+def test_a_refused_number_is_explained_and_stays_for_correction(editor, table):
     before = editor.session.document
     cell(table, 0, R)
     QTest.keyClick(table, Key.Key_F2)
@@ -156,7 +156,7 @@ def test_what_it_refuses_is_said_and_stays_to_be_mended(editor, table):
     assert editor.session.document is before
 
 
-def test_it_is_filled(editor, table):
+def test_a_column_can_be_filled(editor, table):
     cell(table, 0, R)
     cell(table, 2, R, adds=True)
     paste(table, "1")
@@ -164,14 +164,14 @@ def test_it_is_filled(editor, table):
     assert editor.session.undo_stack.undoText() == "Fill 2 cells"
 
 
-def test_it_is_pasted(editor, table):
+def test_a_column_can_be_pasted(editor, table):
     cell(table, 1, R)
     paste(table, "1\n2\n3")
     assert [data(table, row, R) for row in range(4)] == pytest.approx([5.0, 1.0, 2.0, 3.0])
     assert editor.session.undo_stack.undoText() == "Paste 3 values"
 
 
-def test_it_is_pasted_by_its_title_into_new_points_too(editor, table):
+def test_a_column_can_be_pasted_by_title_into_new_points(editor, table):
     cell(table, 3, R)
     paste(table, "x\ty\tr\n0\t1\t7\n3\t4\t25")
     assert editor.session.active_curve.points[3].position == pytest.approx((0.0, 7.0))
@@ -179,7 +179,7 @@ def test_it_is_pasted_by_its_title_into_new_points_too(editor, table):
     assert editor.session.undo_stack.undoText() == "Paste 2 points"
 
 
-def test_one_that_is_computed_is_neither_typed_nor_pasted(editor, table):
+def test_a_computed_column_can_be_neither_typed_nor_pasted(editor, table):
     before = editor.session.document
     cell(table, 0, KAPPA)
     for key in (Key.Key_F2, Key.Key_Return, Key.Key_1):
@@ -192,7 +192,7 @@ def test_one_that_is_computed_is_neither_typed_nor_pasted(editor, table):
     assert editor.session.document is before
 
 
-def test_a_family_shows_those_for_its_derivatives(monkeypatch, editor, table):
+def test_a_family_shows_columns_for_its_derivatives(monkeypatch, editor, table):
     more = Column(name="s", tip="", get=distances, derivatives=1)
     monkeypatch.setattr(columns, "COLUMNS", (*columns.COLUMNS, more))
     editor.choose_family(HERMITE)
@@ -209,7 +209,7 @@ def curvatures_inside(view):
 
 
 @pytest.mark.parametrize("get", [curvatures, curvatures_inside])
-def test_a_paste_passes_over_what_is_computed_and_says_so(monkeypatch, editor, table, get):
+def test_a_paste_skips_computed_columns_and_reports_them(monkeypatch, editor, table, get):
     """A whole table copied and pasted onto itself was refused: kappa is computed, or row 1 of it is empty."""
     monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, replace(CURVATURE, get=get), DISTANCE))
     editor.session.change("Again", lambda document: point_edits.set_position(document, 0, 0, (6.0, 2.5)))
@@ -238,7 +238,7 @@ def test_a_paste_passes_over_what_is_computed_and_says_so(monkeypatch, editor, t
 
 
 @pytest.mark.parametrize("column", [KAPPA, R])
-def test_delete_on_a_column_of_its_own_deletes_no_point(editor, table, column):
+def test_delete_on_an_added_column_deletes_no_point(editor, table, column):
     """It deleted the point: nothing but the orders of derivatives counted."""
     before = editor.session.document
     cell(table, 0, column)
@@ -248,7 +248,7 @@ def test_delete_on_a_column_of_its_own_deletes_no_point(editor, table, column):
     assert editor.status == f"No rule estimates {name}; Delete on t, x or y deletes the point."
 
 
-def test_delete_leaves_what_a_rule_estimates_to_that(monkeypatch, editor, table):
+def test_delete_resets_a_column_to_its_rule(monkeypatch, editor, table):
     """The speed at a point: set by hand in the direction of the velocity, else that of the rule."""
 
     def speeds(view):

@@ -46,7 +46,7 @@ def close(editor):
 # Tangents
 
 
-def test_a_corner_has_two_handles_that_move_alone(wave):
+def test_the_two_handles_of_a_corner_move_independently(wave):
     wave.select_point(1)
     before = wave.session.active_view.velocity_of(1)
     wave.key(Qt.Key.Key_2, ALT)
@@ -63,7 +63,7 @@ def test_a_corner_has_two_handles_that_move_alone(wave):
     assert wave.curve.points[1].velocity != before
 
 
-def test_symmetric_makes_one_velocity_of_two(wave):
+def test_symmetric_merges_two_velocities(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     wave.drag_handle((1.5, 2), ahead=True)
@@ -88,7 +88,7 @@ def test_estimated_leaves_everything_to_the_rules(wave):
     assert wave.curve.points == make_curve(WAVE).points
 
 
-def test_a_corner_moves_nothing_before_it_is_touched(wave):
+def test_a_new_corner_keeps_the_curve_until_a_handle_is_dragged(wave):
     t, document = np.linspace(0, 1, 999), wave.session.document
     for family in (family for family in FAMILIES if family.derivatives):
         wave.session.commit(document, "Again")
@@ -111,7 +111,7 @@ def marked(editor):
     return [name.removeprefix("tangent") for name in names if editor.action(name).isChecked()]
 
 
-def test_the_menu_marks_what_the_points_are(wave):
+def test_the_menu_checks_the_kind_of_the_points(wave):
     assert marked(wave) == []
     wave.select([1])
     assert marked(wave) == ["Estimated"]
@@ -156,7 +156,7 @@ def test_the_sheet_of_keys_and_the_point_table_speak_of_velocities():
     assert "{" not in said
 
 
-def test_an_estimated_velocity_that_is_seen_becomes_explicit_as_it_is(wave):
+def test_an_estimated_velocity_becomes_explicit_without_a_change(wave):
     wave.select([0, 3])
     before = wave.session.active_view
     wave.trigger("pullVelocity")
@@ -231,7 +231,7 @@ def test_a_corner_sets_no_more_estimates_than_the_shape_needs(editor, rule, velo
     assert after == pytest.approx(before, abs=1e-13)
 
 
-def test_the_history_tells_the_side_of_a_corner(wave):
+def test_the_undo_step_names_the_side_of_a_corner(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     wave.hover(wave.handle(ahead=False).position)
@@ -268,7 +268,7 @@ def test_tangents_need_points_and_derivatives(wave):
     assert not any(wave.action(name).isEnabled() for name in names)
 
 
-def test_the_settings_tell_closed_and_corners(wave):
+def test_the_form_shows_closed_and_the_number_of_corners(wave):
     wave.show_dock("curveDock")
     wave.trigger("closeCurve")
     wave.select_point(1)
@@ -278,7 +278,7 @@ def test_the_settings_tell_closed_and_corners(wave):
     assert "4 pieces · closed · 1 corner" in facts
 
 
-def test_the_table_tells_which_side_of_a_corner_it_shows(wave):
+def test_the_table_marks_the_side_of_a_corner(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     model = wave.window.point_table.model()
@@ -329,7 +329,7 @@ def test_a_click_on_a_handle_over_a_point_selects_the_point(wave):
     assert wave.curve.points[1].velocity != pytest.approx(reach)
 
 
-def test_a_corner_s_own_side_counts_as_set_by_the_person(wave):
+def test_a_side_set_at_a_corner_counts_as_explicit(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     wave.trigger("resetVelocities")
@@ -365,7 +365,7 @@ def test_x_and_y_of_a_point_are_typed_by_its_menu(wave):
     assert wave.point(2) == (2.25, -0.125)
 
 
-def test_the_place_of_a_point_is_asked_for_while_it_is_typed(wave):
+def test_typing_the_position_of_a_point_again_keeps_the_open_editor(wave):
     """Qt refused to edit a cell that had a field: behind another window that had not lost the keyboard."""
     wave.select([2])
     other = QWidget()
@@ -392,7 +392,7 @@ def test_the_menu_keeps_a_selection_that_the_point_belongs_to(wave):
 
 
 @pytest.mark.parametrize("name", ["insertPointHere", "splitHere"])
-def test_the_menu_of_the_curve_acts_where_it_was_opened(wave, name):
+def test_the_menu_of_the_curve_acts_at_the_position_of_the_click(wave, name):
     at = tuple(wave.session.active_view.curve.evaluate(0.43))
     wave.open_menu(at)
     wave.choose(name)
@@ -424,7 +424,7 @@ def test_the_menu_of_the_canvas(wave):
     assert len(wave.session.selection) == 4
 
 
-def test_escape_leaves_the_menu_and_everything_as_it_was(wave):
+def test_escape_closes_the_menu_without_a_change(wave):
     document = wave.session.document
     wave.open_menu((1.5, 1.4))
     close(wave)
@@ -479,7 +479,7 @@ def test_points_pasted_out_of_sight_are_brought_into_view(wave, name):
     assert wave.window.canvas.framing.shows_all_points
 
 
-def test_a_new_curve_begins_with_parameters_of_its_own(wave):
+def test_a_pasted_curve_has_its_own_parameters(wave):
     document = rule_edits.set_interval(wave.session.document, 0, 0.5, 2.0)
     wave.session.commit(document, "Interval")
     wave.trigger("freezeParameters")
@@ -523,7 +523,7 @@ def test_points_are_copied_to_another_curve_with_their_derivatives(wave):
     assert wave.session.undo_stack.undoText() == "Paste 4 points"
 
 
-def test_handles_keep_their_proportions_where_the_parameters_are_others(wave):
+def test_handles_keep_their_proportions_with_other_parameters(wave):
     wave.select_point(1)
     wave.trigger("tangentSmooth")
     wave.select([0, 1, 2])
@@ -550,7 +550,7 @@ def test_cut_takes_the_points_away(wave):
     assert [point.position for point in wave.curve.points] == [(1, 1), (2, 0)]
 
 
-def test_copied_points_are_text_too(wave):
+def test_copied_points_are_also_text(wave):
     wave.select([1, 3])
     wave.key(Qt.Key.Key_C, CTRL)
     assert QGuiApplication.clipboard().text() == "1.0\t1.0\n3.0\t1.0"
@@ -600,7 +600,7 @@ NO_POINTS = (
 )
 
 
-def test_text_that_is_no_points_is_refused_with_its_row(wave):
+def test_text_without_points_is_refused_with_a_row_number(wave):
     document = wave.session.document
     for text, reason in NO_POINTS:
         wave.paste_text(text)
@@ -609,7 +609,7 @@ def test_text_that_is_no_points_is_refused_with_its_row(wave):
         assert wave.session.document is document, text
 
 
-def test_text_makes_a_curve_of_its_own(wave):
+def test_text_can_be_pasted_as_a_new_curve(wave):
     wave.paste_text("0 5\n1 6\n2 5")
     wave.key(Qt.Key.Key_N, CTRL | ALT)
     assert wave.curve.name == "Curve 1"
@@ -626,7 +626,7 @@ def test_text_makes_a_curve_of_its_own(wave):
     assert wave.status.startswith("Row 2: t must be greater than 1")
 
 
-def test_copied_points_make_a_curve_of_their_own(wave):
+def test_copied_points_can_be_pasted_as_a_new_curve(wave):
     wave.trigger("freezeParameters")
     wave.trigger("selectAll")
     wave.trigger("tangentSmooth")
@@ -638,7 +638,7 @@ def test_copied_points_make_a_curve_of_their_own(wave):
     assert wave.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t))
 
 
-def test_a_manual_curve_goes_on_at_the_distances_of_the_points_pasted(wave):
+def test_a_paste_continues_manual_parameters_at_the_distances_of_the_points(wave):
     wave.trigger("freezeParameters")
     wave.select([1, 2])
     step = wave.parameters[2] - wave.parameters[1]
@@ -648,7 +648,7 @@ def test_a_manual_curve_goes_on_at_the_distances_of_the_points_pasted(wave):
     assert wave.session.active_view.is_current
 
 
-def test_pasting_into_a_closed_manual_curve_leaves_it_whole(wave):
+def test_a_paste_into_a_closed_manual_curve_keeps_the_curve_valid(wave):
     wave.trigger("closeCurve")
     wave.trigger("freezeParameters")
     wave.select([1, 2])
@@ -707,7 +707,7 @@ def test_both_sides_of_a_corner_are_copied(wave):
     )
 
 
-def test_without_derivatives_on_the_clipboard_pasting_says_so(wave):
+def test_a_paste_without_derivatives_on_the_clipboard_is_reported(wave):
     wave.paste_text("1 2")
     wave.select_point(1)
     assert not wave.action("pasteDerivatives").isEnabled()

@@ -115,7 +115,7 @@ def test_the_curve_is_the_strongest_thing_and_the_grid_the_faintest(theme):
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda each: each.name)
-def test_marks_are_seen_on_the_paper(theme):
+def test_marks_are_visible_on_the_paper(theme):
     marks = [theme.accent, theme.handle, theme.warning]
     for mark in marks:
         assert contrast(mark, theme.paper) >= 3.0, mark.name()
@@ -147,7 +147,7 @@ def test_up_to_eight_points_have_the_hues_of_okabe_and_ito(theme):
     assert np.abs(turn).max() < 1.5
 
 
-def test_fewer_points_keep_their_colours_when_one_is_added():
+def test_up_to_eight_points_keep_their_colours_when_a_point_is_added():
     for n in range(8):
         assert point_colours(n, DARK) == point_colours(n + 1, DARK)[:n]
     assert point_colours(0, LIGHT) == ()
@@ -155,7 +155,7 @@ def test_fewer_points_keep_their_colours_when_one_is_added():
 
 @pytest.mark.parametrize("theme", THEMES)
 @pytest.mark.parametrize("eyes", EYES)
-def test_eight_points_are_told_apart_by_all_eyes(theme, eyes):
+def test_eight_points_have_colours_that_colour_blind_people_distinguish(theme, eyes):
     lab = oklab(point_colours(8, theme), eyes)
     least = min(np.linalg.norm(a - b) for a, b in itertools.combinations(lab, 2))
     # A step of 0.02 is just seen; the published colours, untouched, come down to 0.06 to 0.08.
@@ -175,7 +175,7 @@ def test_a_ramp_is_even_and_neighbours_differ(theme, n):
         assert ring.max() < 1.6 * ring.min() + 0.006
 
 
-def test_a_theme_is_told_by_its_palette():
+def test_a_palette_determines_the_theme():
     assert theme_of(palette_of(LIGHT)) is LIGHT
     assert theme_of(palette_of(DARK)) is DARK
     assert theme_of(QPalette(QColor("#202020"))) is DARK
@@ -243,7 +243,7 @@ def test_another_theme_sets_the_style_no_second_time(dressed, qtbot, monkeypatch
     assert set_to == []
 
 
-def test_applying_switches_open_windows_at_once_and_tells_them(dressed, qtbot):
+def test_a_new_theme_is_applied_to_open_windows_at_once(dressed, qtbot):
     window = QMainWindow()
     qtbot.addWidget(window)
     canvas = Canvas()
@@ -259,20 +259,20 @@ def test_applying_switches_open_windows_at_once_and_tells_them(dressed, qtbot):
         assert set(canvas.told) == {theme}
 
 
-def test_following_the_system_forgets_what_was_chosen_before(dressed):
+def test_following_the_system_replaces_the_chosen_theme(dressed):
     own = apply_theme(dressed, ThemeMode.SYSTEM)
     apply_theme(dressed, ThemeMode.DARK if own is LIGHT else ThemeMode.LIGHT)
     assert apply_theme(dressed, ThemeMode.SYSTEM) is own
 
 
-def test_a_system_that_does_not_say_is_judged_by_its_palette(dressed):
+def test_a_system_without_a_colour_scheme_is_judged_by_its_palette(dressed):
     for theme in (DARK, LIGHT):
         forget_the_system(dressed)
         dressed.setPalette(palette_of(theme))
         assert apply_theme(dressed, ThemeMode.SYSTEM) is theme
 
 
-def test_applying_the_same_again_leaves_the_widgets_alone(dressed, qtbot):
+def test_the_same_theme_again_changes_no_widget(dressed, qtbot):
     canvas = Canvas()
     qtbot.addWidget(canvas)
     apply_theme(dressed, ThemeMode.DARK)
@@ -312,7 +312,7 @@ def left_border(widget):
 
 @pytest.mark.parametrize(("mode", "theme"), MODES)
 @pytest.mark.parametrize("make", [QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, editable_box])
-def test_fields_have_a_border_that_is_seen_and_tells_the_focus(dressed, qtbot, mode, theme, make):
+def test_fields_have_a_visible_border_that_shows_the_focus(dressed, qtbot, mode, theme, make):
     apply_theme(dressed, mode)
     panel, field = QWidget(), make()
     layout = QVBoxLayout(panel)
@@ -334,7 +334,7 @@ def test_fields_have_a_border_that_is_seen_and_tells_the_focus(dressed, qtbot, m
 
 
 @pytest.mark.parametrize(("mode", "theme"), MODES)
-def test_boxes_to_check_have_a_border_that_is_seen(dressed, qtbot, mode, theme):
+def test_check_boxes_have_a_visible_border(dressed, qtbot, mode, theme):
     apply_theme(dressed, mode)
     box = QCheckBox("Grid")
     qtbot.addWidget(box)
@@ -354,7 +354,7 @@ def test_buttons_are_flat(dressed, qtbot, mode, theme):
 
 
 @pytest.mark.parametrize(("mode", "theme"), MODES)
-def test_the_buttons_of_docks_are_seen(dressed, qtbot, mode, theme):
+def test_the_buttons_of_docks_are_visible(dressed, qtbot, mode, theme):
     apply_theme(dressed, mode)
     window = QMainWindow()
     dock = Dock("Points", QWidget, window)
@@ -372,7 +372,7 @@ def test_the_buttons_of_docks_are_seen(dressed, qtbot, mode, theme):
         assert len(seen) >= 10
 
 
-def test_dialogs_have_words_on_their_buttons_and_no_pictures(dressed, qtbot):
+def test_buttons_of_dialogs_have_texts_and_no_icons(dressed, qtbot):
     apply_theme(dressed, ThemeMode.DARK)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
     qtbot.addWidget(buttons)
@@ -408,7 +408,7 @@ def test_every_icon_draws_in_ink_and_stays_inside(qapp, name):
 
 @pytest.mark.parametrize("ratio", [1.0, 2.0])
 @pytest.mark.parametrize("size", [16, 20, 24, 32, 40])
-def test_icons_are_drawn_at_the_size_shown(qapp, size, ratio):
+def test_icons_are_drawn_at_their_exact_size(qapp, size, ratio):
     drawn = icon("open", DARK).pixmap(QSize(size, size), ratio)
     assert drawn.size() == QSize(round(size * ratio), round(size * ratio))
     assert drawn.devicePixelRatio() == ratio
@@ -444,7 +444,7 @@ def test_an_unknown_icon_is_named(qapp):
         icon("unicorn", LIGHT)
 
 
-def test_the_program_has_an_icon_of_its_own(qapp):
+def test_the_program_has_its_own_icon(qapp):
     sizes = app_icon().availableSizes()
     assert QSize(16, 16) in sizes
     assert QSize(256, 256) in sizes
@@ -455,7 +455,7 @@ def test_resources_without_a_name_give_the_folder():
     assert resource("icons", "app.svg").is_file()
 
 
-def test_check_boxes_have_a_border_that_is_seen_in_the_dark(editor):
+def test_check_boxes_have_a_visible_border_in_the_dark_theme(editor):
     editor.trigger("exportPicture")
     dialog = editor.window.findChild(QDialog, "exportDialog")
     rims = {}
@@ -475,7 +475,7 @@ def test_check_boxes_have_a_border_that_is_seen_in_the_dark(editor):
 
 
 @pytest.mark.parametrize(("mode", "theme"), [(ThemeMode.LIGHT, LIGHT), (ThemeMode.DARK, DARK)])
-def test_the_arrow_to_the_rest_of_the_toolbar_is_seen(dressed, qtbot, mode, theme):
+def test_the_extension_arrow_of_the_toolbar_is_visible(dressed, qtbot, mode, theme):
     apply_theme(dressed, mode)
     bar = QToolBar()
     qtbot.addWidget(bar)

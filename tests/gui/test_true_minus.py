@@ -74,7 +74,7 @@ def negative(editor, request):
     return editor
 
 
-def test_what_is_painted_is_seen_by_this_test(negative):
+def test_painted_text_is_found_by_this_test(negative):
     """That the axes paint numbers, and that these are what the test reads."""
     assert any(text.startswith("−") for text in painted(negative.window.canvas))
     assert any(text.startswith("−") for text in painted(negative.window.basis_panel))
@@ -94,13 +94,13 @@ def test_no_hyphen_stands_for_a_minus(negative):
 
 
 @pytest.mark.parametrize(("t", "words"), [("-3", "greater than −2"), ("-0.9", "less than −1")])
-def test_what_a_refused_parameter_must_be_is_said_with_a_true_minus(negative, t, words):
+def test_the_reason_of_a_refused_parameter_has_a_true_minus(negative, t, words):
     negative.rail.type(1, t)
     assert words in negative.message + negative.status
     assert not HYPHEN.search(negative.message + negative.status)
 
 
-def test_the_pointer_and_what_is_dragged_are_told_with_a_true_minus(negative):
+def test_coordinates_and_drags_are_displayed_with_a_true_minus(negative):
     editor = negative
     editor.drag_point(1, to=(-2.0, -2.75))
     assert hyphened(editor) == []

@@ -67,7 +67,7 @@ def test_a_sharp_corner_is_closed():
 
 @pytest.mark.parametrize("width", [1.5, 3.0, 8.0])
 @pytest.mark.parametrize("points", [wave(40), wave(150), circle(12), circle(80), ZIGZAG])
-def test_round_ends_and_corners_are_those_of_qt(points, width):
+def test_round_ends_and_corners_look_like_those_of_qt(points, width):
     """Neither lacks any ink, nor does any lie where Qt has none."""
     ours, joined = ours_and_qt(points, width, rounded=True)
     assert np.abs(ours - joined)[joined > 0].mean() < 0.06
@@ -76,7 +76,7 @@ def test_round_ends_and_corners_are_those_of_qt(points, width):
     assert ours.sum() == pytest.approx(joined.sum(), rel=0.05)
 
 
-def test_a_line_with_a_pen_of_its_own_leaves_the_pen_as_it_was():
+def test_a_line_restores_the_pen_of_the_painter():
     """What is drawn next has the ends of the pen that was set."""
     pen = QPen(QColor("black"), 8.0, c=Qt.PenCapStyle.RoundCap)
     line, dot = RoundLine(), polygon(np.array([150.0]), np.array([20.0]))
@@ -90,17 +90,17 @@ def test_a_line_with_a_pen_of_its_own_leaves_the_pen_as_it_was():
     assert painted(draw, pen)[16, 146] < 0.5
 
 
-def test_a_round_line_that_leaves_the_area_draws_nothing_of_it():
+def test_a_round_line_outside_of_the_area_draws_nothing():
     away = np.array([[1e6, 100.0], [2e6, 100.0]])
     assert ours_and_qt(away, 3.0, rounded=True)[0].sum() == 0
 
 
-def test_a_vertex_that_comes_twice_and_none_at_all_are_nothing_to_draw():
+def test_a_repeated_vertex_and_an_empty_line_draw_nothing():
     twice = np.array([[40.0, 40.0], [40.0, 40.0], [160.0, 160.0]])
     assert ours_and_qt(twice, 2.0)[0].sum() > 100
     assert ours_and_qt(twice[:1], 2.0)[0].sum() == ours_and_qt(twice[:0], 2.0)[0].sum() == 0
 
 
-def test_far_beyond_the_area_only_what_lies_near_is_drawn():
+def test_only_the_part_of_a_line_near_the_area_is_drawn():
     far = np.array([[-1e6, 100.0], [1e6, 100.0]])
     assert (ours_and_qt(far, 2.0)[0][100] > 0.4).all()

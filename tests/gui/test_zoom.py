@@ -77,7 +77,7 @@ def test_keys_zoom_about_the_pointer_or_the_middle(drawing):
     assert (canvas.to_pixel(*place) - pixel).manhattanLength() > 20
 
 
-def test_the_enlarging_for_projectors_has_keys_of_its_own(drawing):
+def test_the_scale_for_projectors_has_its_own_keys(drawing):
     before = zoom_of(drawing)
     for key, scale in ((Qt.Key.Key_Equal, 1.25), (Qt.Key.Key_Minus, 1.0), (Qt.Key.Key_Minus, 0.75)):
         drawing.key(key, CTRL | ALT)
@@ -95,7 +95,7 @@ def test_true_size_is_that_of_the_unit_on_this_screen():
     assert pixels_at_full_size("", 96) == pixels_at_full_size("s", 96) == 100
 
 
-def test_ctrl_0_shows_a_millimetre_as_long_as_it_is(drawing):
+def test_ctrl_0_shows_a_millimetre_at_its_real_length(drawing):
     drawing.set_unit("mm")
     drawing.key(Qt.Key.Key_0, CTRL)
     canvas = drawing.window.canvas
@@ -128,7 +128,7 @@ def test_a_zoom_is_typed_as_a_number_or_an_expression(text):
 
 
 @pytest.mark.parametrize("text", ["", "%", "0", "-5 %", "big", "1e13"])
-def test_what_is_no_zoom_is_refused(text):
+def test_a_text_that_is_no_zoom_is_refused(text):
     with pytest.raises(ExpressionError):
         read_zoom(text)
 
@@ -142,7 +142,7 @@ def type_zoom(editor, text, key=Qt.Key.Key_Return):
     editor.settle()
 
 
-def test_a_typed_zoom_is_taken_and_the_canvas_has_the_keys_again(drawing):
+def test_a_typed_zoom_is_applied_and_the_focus_returns_to_the_canvas(drawing):
     leave(drawing)
     middle = drawing.window.canvas.to_plane(drawing.window.canvas.camera.centre())
     type_zoom(drawing, "250 %")
@@ -152,7 +152,7 @@ def test_a_typed_zoom_is_taken_and_the_canvas_has_the_keys_again(drawing):
     assert field(drawing).text() == "250 %"
 
 
-def test_escape_and_nonsense_leave_the_zoom_as_it_is(drawing):
+def test_escape_and_invalid_texts_keep_the_zoom(drawing):
     before = zoom_of(drawing)
     type_zoom(drawing, "nonsense")
     assert "“nonsense” is not a number" in drawing.status
@@ -176,7 +176,7 @@ def test_the_readout_follows_the_wheel(drawing):
     assert field(drawing).text() == per_cent_text(before * ZOOM_STEP**2 / 100)
 
 
-def test_a_click_beside_the_readout_offers_what_is_usual(drawing):
+def test_a_click_beside_the_zoom_offers_usual_values(drawing):
     field(drawing)
     button = drawing.window.findChild(QToolButton, "zoomChoices")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
@@ -222,7 +222,7 @@ def test_selected_curves_fill_the_canvas_where_no_point_is_selected(drawing):
     assert x_max > 92
 
 
-def test_previous_view_goes_back_step_by_step(drawing):
+def test_previous_view_returns_step_by_step(drawing):
     camera = drawing.window.canvas.camera
     leave(drawing)
     boxes = [camera.pixel_map.box]
@@ -249,7 +249,7 @@ def test_notches_of_the_wheel_in_a_row_are_one_step_back(drawing):
     assert camera.pixel_map.box == pytest.approx(before)
 
 
-def test_another_document_has_no_views_of_the_one_before(drawing):
+def test_another_document_has_no_previous_views(drawing):
     drawing.key(Qt.Key.Key_0, CTRL)
     drawing.new()
     drawing.trigger("previousView")
@@ -257,7 +257,7 @@ def test_another_document_has_no_views_of_the_one_before(drawing):
     assert drawing.status == "There is no previous view."
 
 
-def test_with_nothing_chosen_there_is_nothing_to_zoom_to(drawing):
+def test_without_a_selection_there_is_nothing_to_zoom_to(drawing):
     drawing.session.selected.select_whole(())
     before = drawing.window.canvas.pixel_map.box
     assert not drawing.action("fitSelection").isEnabled()
