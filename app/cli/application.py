@@ -14,12 +14,12 @@ from .output import RefusalError
 
 
 def qt_application(without: str) -> QApplication:
-    """Return the application, which is made where there is none.
+    """Return the application, which is created if needed.
 
     Parameters
     ----------
     without
-        A sentence about what goes without a display.
+        A sentence on the commands that need no display.
     """
     spare_sources()
     running = QApplication.instance()

@@ -77,7 +77,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def common_options() -> argparse.ArgumentParser:
     """Return the parser of the options that every command has, wherever they stand.
 
-    They are taken first: which families there are decides what other options may say.
+    These are parsed first, as the families decide on the values of other options.
     """
     parser = argparse.ArgumentParser("curvebench", add_help=False, allow_abbrev=False)
     parser.add_argument(

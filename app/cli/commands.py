@@ -21,7 +21,7 @@ def run_command(words: Sequence[str]) -> int:
     Raises
     ------
     RefusalError
-        If what was asked cannot be done.
+        If the command cannot be done.
     """
     parser = _command_parser(words[0])
     options, more = parser.parse_known_args(words)

@@ -120,7 +120,7 @@ def _outcome(
     reader: ReaderProcess,
     following: str | None,
 ) -> _Converted | str:
-    """Return the result of a conversion, or a sentence on why there is none."""
+    """Return the result of a conversion, or the sentence of its error."""
     try:
         return _converted(options, conversion, report, reader, following)
     except (RefusalError, ExchangeError, StorageError) as problem:
@@ -132,7 +132,7 @@ def _outcome(
 
 
 def _report_outcome(conversion: _Conversion, result: _Converted | str, *, is_quiet: bool) -> dict[str, Any]:
-    """Print the outcome of a conversion, a failure always, and return it as plain values."""
+    """Print the outcome of a conversion, or only its failure, and return it as plain values."""
     if isinstance(result, str):
         tell([result])
         return {"input": conversion.source, "error": result}

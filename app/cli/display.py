@@ -36,18 +36,18 @@ NO_DISPLAY = "There is no display to open a window on."
 
 
 def has_display() -> bool:
-    """Whether the environment names a display, or how to do without."""
+    """Whether the environment names a display, or a platform."""
     names = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
     return sys.platform != "linux" or any(os.environ.get(name) for name in names)
 
 
 @contextmanager
 def why_no_window(plugins: Path) -> Iterator[str]:
-    """Yield why Qt could open no window, as a sentence; empty where it can, as far as that is known before.
+    """Yield the reason why Qt cannot open a window, as a sentence; empty where none is known.
 
-    Only X11 is tried out: with Wayland at hand, or a platform that the person chose, Qt finds its own way.
+    Only X11 is tested: with Wayland, or a platform that the user chose, Qt decides by itself.
     Qt does not load these libraries again. Create the application within: an X server that has no
-    other client starts anew when we leave it, and would then not answer Qt.
+    other client restarts when this connection ends, and would then not answer Qt.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def _loading_problem(plugin: Path) -> str:
 
 
 def missing_library(problem: str) -> str:
-    """Return which package has the library that a loader misses, as a sentence; empty for other problems."""
+    """Return a sentence on the package of the library that a loader misses; empty for other problems."""
     # The text between is in the language of the system.
     missing_file = re.escape(os.strerror(errno.ENOENT))
     match = re.fullmatch(rf"(lib[\w.+-]+\.so[\w.]*): .*: {missing_file}", problem)
@@ -94,7 +94,7 @@ def missing_library(problem: str) -> str:
 
 
 def _also_missing() -> dict[str, str]:
-    """Return all that is missing at once: nobody shall install one, to be told of the next."""
+    """Return all missing libraries at once, so that nobody has to install them one by one."""
     missing = {}
     for name, package in _PACKAGES.items():
         try:
@@ -106,7 +106,7 @@ def _also_missing() -> dict[str, str]:
 
 @contextmanager
 def _connected() -> Iterator[bool]:
-    """Connect to the X server that DISPLAY names; yield whether it lets us in."""
+    """Connect to the X server that DISPLAY names; yield whether it answers."""
     try:
         xcb = ctypes.CDLL("libxcb.so.1")
     except OSError:

@@ -11,7 +11,7 @@ from .output import RefusalError
 
 @contextmanager
 def families_of_files(paths: Sequence[str]) -> Iterator[None]:
-    """Have the families of files while a command runs; refuse the command where one is wrong."""
+    """Add the families of files while a command runs; refuse the command where one is wrong."""
     try:
         with family_file.families_of_files(FAMILIES, paths):
             yield

@@ -93,13 +93,13 @@ def _edges_text(low: float, high: float) -> str:
 
 
 def _range_text(low: float, high: float) -> str:
-    """Return two numbers with as many digits as tell them apart."""
+    """Return two numbers with enough digits to distinguish them."""
     digits = digits_of_range(low, high)
     return f"{low:.{digits}g} to {high:.{digits}g}"
 
 
 def _missing(facts: CurveFacts) -> dict[str, str]:
-    """Return why a length or a constant is not known, by their names."""
+    """Return the reasons why length or constant are unknown, by their names."""
     if facts.domain is None:
         return dict.fromkeys(("length", "lebesgue_constant"), facts.warnings[0])
     growth = facts.lebesgue_constant

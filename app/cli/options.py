@@ -56,7 +56,7 @@ def _unit(text: str) -> str:
 
 
 def add_picture_options(parser: argparse.ArgumentParser) -> None:
-    """Let a command take the options of pictures."""
+    """Add the options of pictures to a command."""
     _add_size_options(parser)
     _add_look_options(parser)
 
@@ -123,7 +123,7 @@ def _add_look_options(parser: argparse.ArgumentParser) -> None:
 
 
 def add_motion_options(render: argparse.ArgumentParser) -> None:
-    """Let `render` make films."""
+    """Add the options of films to `render`."""
     add = render.add_argument_group(
         "motion",
         "A dot that moves along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
@@ -150,7 +150,7 @@ curvebench convert IN OUT [options]
 
 
 def add_convert_options(convert: argparse.ArgumentParser) -> None:
-    """Let `convert` take its files, the options of tables and those of pictures."""
+    """Add files and the options of tables and pictures to `convert`."""
     convert.usage = _CONVERT_USAGE
     convert.set_defaults(parser=convert)  # for errors about its files
     add = convert.add_argument
@@ -210,7 +210,7 @@ _DEST = "own_"
 
 
 def add_format_options(parser: argparse.ArgumentParser, formats: Iterable[Format]) -> None:
-    """Let a command take the options that single formats have."""
+    """Add the options of single formats to a command."""
     for option in _listed_options(formats):
         try:
             parser.add_argument(option.flag, dest=f"{_DEST}{option.name}", help=option.help, **_typed(option))

@@ -11,7 +11,7 @@ from typing import Any, Self
 
 
 class RefusalError(Exception):
-    """A command cannot be done; the text says why."""
+    """Error of a command; the text says why."""
 
 
 def say(text: str = "", end: str = "\n") -> None:
@@ -52,7 +52,7 @@ def _has_name(problem: OSError) -> bool:
 
 
 def one_line(text: str) -> str:
-    """Return text on one line, without characters that would steer a terminal."""
+    """Return text on one line, without control characters."""
     return "".join(character if character.isprintable() else " " for character in text)
 
 
@@ -64,9 +64,9 @@ PATIENCE = 0.2
 
 
 class TerminalProgress:
-    """Report that writes to a terminal how far work has come, from 0.2 s on.
+    """Report that shows the progress of work on a terminal, from 0.2 s on.
 
-    A context manager: the line goes with it.
+    A context manager that removes the line at its end.
     """
 
     def __init__(self) -> None:
@@ -81,7 +81,7 @@ class TerminalProgress:
             print(f"\r{word}: {share:.0%}\033[K", end="", file=sys.stderr, flush=True)
 
     def clear(self) -> None:
-        """Take the line away, before something else is printed."""
+        """Remove the line before other output."""
         if self._is_visible:
             self._is_visible = False
             print("\r\033[K", end="", file=sys.stderr, flush=True)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 def add_options(render: argparse.ArgumentParser) -> None:
-    """Let `render` take its files, and the options of pictures and films."""
+    """Add files and the options of pictures and films to `render`."""
     render.add_argument("file", metavar="FILE")
     render.add_argument(
         "-o",

@@ -50,9 +50,9 @@ def edit(files: Sequence[str], lesson: str = "") -> int:
 
 
 def _problems_of(files: Sequence[str]) -> dict[str, RefusalError | StorageError]:
-    """Return why files cannot be opened, imported or traced; those that can be are left out.
+    """Return the problems of files that cannot be opened, imported or traced.
 
-    A large document is read once, beside its window, which says what is wrong with it.
+    A large document is read once, beside its window, which reports its problem.
     """
     documents = given_files(map(Path, files)).documents
     problems: dict[str, RefusalError | StorageError] = {}
@@ -80,7 +80,7 @@ def no_garbage_sought() -> Iterator[None]:
     """Exempt all objects that are created within from garbage collection, for good.
 
     This saves some 8 % of the start, and makes later collections shorter and rarer. Where Qt runs
-    already, this is no start, and nothing happens.
+    already, nothing happens.
     """
     if "PySide6.QtWidgets" in sys.modules:
         yield

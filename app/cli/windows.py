@@ -39,8 +39,8 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
 
     A large document is read beside its window, which is empty until then, and stays so if it is refused.
 
-    The first one takes what else there is as it takes a drop, says what was wrong with other files, as
-    sentences in `problems`, and opens a lesson that is named.
+    The first window imports the other files as it imports a drop, shows the problems of others, as
+    sentences in `problems`, and opens the lesson.
     """
     others = given_files(map(Path, files))
     documents = [Path(path) for path in files if Path(path) in others.documents]
@@ -76,7 +76,7 @@ def _begin_empty(sessions: Iterable[Session]) -> None:
 
 
 def run(application: QApplication, windows: list[MainWindow]) -> int:
-    """Keep the work of the windows until the last is closed, and return the exit code."""
+    """Run the windows until the last is closed, and return the exit code."""
     lifecycle = Lifecycle(application, windows)
     windows.clear()  # or this list would keep closed windows
     lifecycle.start()
@@ -201,7 +201,7 @@ class Lifecycle(QObject):
             self._log_file = diagnostics.log_file.LogFile(state_folder())
 
     def stop(self) -> None:
-        """Give everything back that `start` took."""
+        """Undo `start`."""
         self._application.setQuitOnLastWindowClosed(True)
         self._application.commitDataRequest.disconnect(self.prepare_for_end)
         self.crashes.uninstall()
@@ -215,14 +215,14 @@ class Lifecycle(QObject):
             self._log_file.close()
 
     def write_now(self) -> bool:
-        """Write a backup of everything unsaved; return whether that was possible."""
+        """Write a backup of all unsaved work; return whether that was possible."""
         outcomes = [autosave.write_now() for autosave in self._autosaves.values()]
         return all(outcomes)
 
     def prepare_for_end(self, _manager: object = None) -> None:
-        """Write a backup of everything unsaved; a window whose work is safe closes without a question.
+        """Write a backup of all unsaved work; a window with a backup closes without a question.
 
-        The system calls this before it ends, and closes the windows afterwards or does not even do that.
+        The system calls this before it ends, and may not close the windows afterwards.
         """
         for window, autosave in self._autosaves.items():
             window.session.files.check()
@@ -273,7 +273,7 @@ class Lifecycle(QObject):
 class SignalWatch(QObject):
     """Bridge for the signals that end a program into Qt's event loop.
 
-    Python runs a handler between two of its own instructions only, and while nothing happens in the window
+    Python runs a handler only between two of its own instructions, and while nothing happens in the window
     there are none; a byte in a socket wakes the loop.
     """
 
@@ -289,12 +289,12 @@ class SignalWatch(QObject):
         self._notifier.activated.connect(self._receive)
 
     def start(self) -> None:
-        """Take the signals."""
+        """Install the handlers."""
         self._old_descriptor = signal.set_wakeup_fd(self._sender.fileno(), warn_on_full_buffer=False)
         self._handlers = {number: signal.signal(number, _leave_to_event_loop) for number in _SIGNALS}
 
     def stop(self) -> None:
-        """Give the signals back."""
+        """Restore the old handlers."""
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
         signal.set_wakeup_fd(self._old_descriptor)
@@ -339,7 +339,7 @@ class FaultFile:
 
 
 def _leave_to_event_loop(number: int, _frame: FrameType | None) -> None:
-    """Let the event loop deal with a signal; the next one ends the process, should the loop hang."""
+    """Leave a signal to the event loop; the next one ends the process, in case the loop hangs."""
     signal.signal(number, signal.SIG_DFL)
 
 
@@ -348,7 +348,7 @@ def _names_of(path: Path) -> tuple[str, ...]:
 
 
 def _move_beside(window: MainWindow, beside: MainWindow) -> None:
-    """Put a window a step down and right of another, as large, but no further out of the screen than that."""
+    """Put a window a step below and right of another, of its size, but no further off the screen."""
     frame = beside.frameGeometry()
     room = beside.screen().availableGeometry().united(frame).bottomRight() - frame.bottomRight()
     over = QPoint(_ASIDE, _ASIDE) - room

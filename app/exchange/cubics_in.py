@@ -73,9 +73,9 @@ class ImportResult:
     document
         The curves; the only one has no points where the file has no curve.
     deviation
-        Largest distance of its curves from what the file describes, but for rounding.
+        Largest distance of its curves from those of the file, but for rounding.
     remarks
-        One sentence for each kind of content that was left out or comes in otherwise.
+        One sentence for each kind of content that was left out or changed.
     """
 
     document: Document
@@ -93,30 +93,30 @@ class ImportResult:
         return any(curve.points for curve in self.document.curves)
 
     def with_curves(self) -> ImportResult:
-        """Return the same.
+        """Return the result itself.
 
         Raises
         ------
         ExchangeError
-            If there is no curve, with what was left out.
+            If there is no curve, with the remarks.
         """
         if not self.has_curves:
             raise ExchangeError(" ".join(["The file contains no curves.", *self.remarks]))
         return self
 
     def only(self, included: Sequence[bool]) -> ImportResult:
-        """Return some of the curves, at least one; how far they are from the file is a bound still."""
+        """Return some of the curves, at least one; the deviation stays a bound."""
         curves = tuple(compress(self.document.curves, included))
         document = msgspec.structs.replace(self.document, curves=curves)
         return replace(self, document=tidy_shapes(document))
 
     def named(self, names: Sequence[str]) -> ImportResult:
-        """Return the curves that have one of these names or lie in a group that has; “*” stands for anything.
+        """Return the curves with one of these names, or in a group with one; “*” stands for any text.
 
         Raises
         ------
         ExchangeError
-            If there is none, with the names that there are.
+            If there is none, with the names in the file.
         """
         names_of_curves = [(*curve.groups, curve.shape, curve.name) for curve in self.document.curves]
         included = [
@@ -158,13 +158,13 @@ class ImportedPath:
     name
         As in `Curve`.
     look
-        All else that a curve takes from it.
+        Style, shape, groups, visibility and lock.
     pieces
         (k, 4, 2); each begins where the one before ends.
     closed
-        Whether the last piece ends where the first begins, on purpose.
+        Whether the path is meant to be closed: the last piece ends where the first begins.
     deviation
-        Largest distance from what the file describes.
+        Largest distance from the path of the file.
     letters
         Kinds of its points; see `letters_of`.
     has_dots
@@ -182,7 +182,7 @@ class ImportedPath:
 
 @dataclass(frozen=True)
 class PathThroughPoints:
-    """A curve of which a file gives no more than the points that it passes.
+    """A path that a file gives only by the points on it.
 
     Attributes
     ----------
@@ -201,7 +201,7 @@ class PathThroughPoints:
 
 
 def import_paths(paths: Sequence[ImportedPath | PathThroughPoints], losses: Losses) -> ImportResult:
-    """Return the curves of paths as a document; single points, and curves beyond limits, are missed."""
+    """Return the curves of paths as a document; single points and curves out of range are losses."""
     curves, deviation = list[Curve](), 0.0
     for index, path in enumerate(paths):
         outcome = _curve_through(path) if isinstance(path, PathThroughPoints) else _curve(path)
@@ -261,12 +261,12 @@ def _joined(pieces: FloatArray, bound: float) -> FloatArray:
 
 
 def has_length(pieces: FloatArray) -> BoolArray:
-    """Return which of the pieces (k, 4, 2) are more than a point."""
+    """Return for each of the pieces (k, 4, 2) whether it is more than a point."""
     return np.asarray((pieces != pieces[:, :1]).any(axis=(1, 2)))
 
 
 def put_end(piece: FloatArray, end: FloatArray) -> None:
-    """Move the end of a piece (4, 2), in place; a line stays one, and a handle of no length has none."""
+    """Move the end of a piece (4, 2), in place; lines and handles without length stay such."""
     first, second = piece[1:3] + (end - piece[3]) * np.array([[1 / 3], [2 / 3]])
     piece[1] = piece[0] if (piece[1] == piece[0]).all() else first
     piece[2] = end if (piece[2] == piece[3]).all() else second
@@ -281,14 +281,14 @@ class _CurveOfPath(NamedTuple):
 
 
 def _dot(path: ImportedPath) -> _CurveOfPath:
-    """Return a curve of no length, with both of its points at one place: its caps are seen."""
+    """Return a curve without length, of two points at one position, for the caps of its stroke."""
     x, y = path.pieces[0, 0].tolist()
     points = tuple(Point(x, y, t, (0.0, 0.0)) for t in (0.0, 1.0))
     return _CurveOfPath(_curve_with(replace(path, closed=False), _MANUAL, points))
 
 
 def _curve_through(path: PathThroughPoints) -> _CurveOfPath:
-    """Return the natural spline through points, by chord length: nothing else is known of it."""
+    """Return the natural spline through points, by chord length."""
     return _CurveOfPath(_curve_with(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
 
 
@@ -311,7 +311,7 @@ def _curve_with(
 
 
 def _curve(path: ImportedPath) -> _CurveOfPath | Loss:
-    """Return a path as a curve, or why it cannot be one."""
+    """Return a path as a curve, or the loss."""
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
         return _TOO_LARGE
@@ -342,7 +342,7 @@ MOST_PIECES = 1000
 
 @dataclass(frozen=True, eq=False)
 class Arc:
-    """An arc as cubic pieces (k, 4, 2), and how far they are from it at most."""
+    """An arc as cubic pieces (k, 4, 2), with a bound of their distance from it."""
 
     pieces: FloatArray
     deviation: float
@@ -392,7 +392,7 @@ def arc_between(
     rotation
         Rotation of its first axis, in degrees.
     large, positive
-        The two flags: the longer way round, and in the direction of growing angles.
+        The two flags: the longer arc, and the direction of growing angles.
     """
     rx, ry = abs(radii[0]), abs(radii[1])
     if rx == 0 or ry == 0 or (start == end).all():
@@ -447,7 +447,7 @@ def error_of_arc(angle: float) -> float:
 
 
 def letters_of(curve: Curve, pieces: FloatArray) -> str:
-    """Return the letter of each point of a curve that is these pieces, (k, 4, 2); none if it is not."""
+    """Return the letter of each point of a curve of these pieces, (k, 4, 2); empty for other curves."""
     segments = len(curve.points) - (not curve.is_closed)
     if curve.family is not HERMITE or len(pieces) != segments:
         return ""
@@ -455,7 +455,7 @@ def letters_of(curve: Curve, pieces: FloatArray) -> str:
 
 
 def guessed(pieces: FloatArray, *, closed: bool) -> str:
-    """Return the letters of points that pieces come in with where a file has no letters."""
+    """Return the letters that a reader gives to pieces without letters in the file."""
     if not np.ptp(pieces, axis=1).any(axis=1).all():
         return ""  # a reader leaves out those of no length
     try:
@@ -482,16 +482,16 @@ def _letter(point: Point, is_even: bool) -> str:
 
 
 def joined(outlines: Sequence[tuple[str, bool]]) -> str:
-    """Return the letters of all outlines of a path, each with whether it is closed; none if some have none.
+    """Return the letters of a path from those of its outlines, each open or closed; empty if some lack.
 
-    The first of a closed one stands at its end, too.
+    The first letter of a closed outline is repeated at its end.
     """
     parts = [letters + (letters[:1] if closed else "") for letters, closed in outlines]
     return "".join(parts) if all(parts) else ""
 
 
 def parted(letters: str, outlines: Sequence[tuple[int, bool]]) -> list[str]:
-    """Return the letters of each outline of so many pieces; none where they are not so many."""
+    """Return the letters of each outline, by its number of pieces; empty where the numbers do not fit."""
     ends = np.cumsum([count + 1 for count, _ in outlines]).tolist()
     if len(letters) != ends[-1]:
         return [""] * len(outlines)

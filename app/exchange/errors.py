@@ -11,11 +11,11 @@ LEFT_OUT = "left out"
 
 
 class ExchangeError(ValueError):
-    """A document cannot be exported, or a file not be imported, as asked; the message says why."""
+    """Error of an export or an import; the message says why."""
 
 
 class Loss(NamedTuple):
-    """Kind of content that is not taken over as it is.
+    """Kind of content that an import loses or changes.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Losses:
         self._names: dict[Loss, dict[Hashable, str]] = {}
 
     def note(self, loss: Loss, key: Hashable, name: str = "") -> None:
-        """Count something, known by a key, once for each flaw; its name is empty where it has none."""
+        """Count an object, identified by a key, once for each loss; its name may be empty."""
         self._names.setdefault(loss, {})[key] = name
 
     @property

@@ -36,7 +36,7 @@ class ExportChoice:
     Attributes
     ----------
     ending
-        The format's.
+        Ending of the format.
     values
         Values other than the defaults, by the options' names.
     """
@@ -55,11 +55,11 @@ class ExportChoice:
         return next(form for form in FORMATS.offered if form.ending == self.ending)
 
     def of_selected(self) -> ExportChoice:
-        """Return the same for the chosen curves alone."""
+        """Return the same choice for the selected curves only."""
         return ExportChoice(self.ending, {**self.values, EXTENT.name: Extent.SELECTED})
 
     def relevant_options(self, unit: str = "") -> tuple[Option[Any], ...]:
-        """Return the options of the format that matter with these values, in a document of that unit."""
+        """Return the options of the format that have an effect with these values and that unit."""
         options = self.format.options
         values = {option.name: self[option] for option in options}
         values[BY_DPI.name] = self[BY_DPI] if known_unit(unit) else None
@@ -74,7 +74,7 @@ class ExportChoice:
         Parameters
         ----------
         active
-            The curve that is edited.
+            Index of the active curve.
         selected
             The selected curves, if any.
         with_estimates
@@ -177,6 +177,6 @@ def offered_options() -> tuple[Option[Any], ...]:
 
 
 def text_of(choice: ExportChoice) -> str:
-    """Return a choice as JSON, for other documents: which curves are chosen here says nothing there."""
+    """Return a choice as JSON for other documents, without its extent."""
     values = {key: value for key, value in choice.values.items() if key != EXTENT.name}
     return msgspec.json.encode({"ending": choice.ending, **values}).decode()

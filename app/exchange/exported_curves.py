@@ -48,7 +48,7 @@ _SAMPLES_AT_ONCE = 500
 
 
 class Deviation(NamedTuple):
-    """A largest distance, and whether it is nowhere more: else it was measured at many parameters."""
+    """A largest distance, and whether it is a bound: otherwise it was measured at many parameters."""
 
     deviation: float
     is_bound: bool = True
@@ -63,7 +63,7 @@ class Polynomials(NamedTuple):
         Pieces of the curve in a family that all writers know, or cubic Hermite curves that follow
         them.
     deviation, is_bound
-        Largest distance of these from the curve, and whether it is nowhere more.
+        Largest distance of the pieces from the curve, and whether it is a bound.
     """
 
     pieces: tuple[ParametricCurve, ...]
@@ -103,7 +103,7 @@ class ExportedCurve:
 
     @cached_property
     def formulas(self) -> Polynomials:
-        """The curve as formulas write it: over control points of its own, where it has such, by these."""
+        """The curve as formulas write it: by its own control points, where it has some."""
         pieces = self.core.pieces
         if any(piece.interpolates or _controls_of(piece) is None for piece in pieces):
             return self.polynomials
@@ -132,7 +132,7 @@ class Beziers:
         Parameters of the ends of the pieces, (k + 1,).
     deviation, is_bound
         Largest distance from the curve, zero where the pieces are the curve itself but for rounding; and
-        whether it is nowhere more.
+        whether it is a bound.
     """
 
     control_points: FloatArray
@@ -230,7 +230,7 @@ def stated(deviation: float, is_bound: bool) -> str:
 
 
 def accuracy(deviation: float, is_bound: bool) -> str:
-    """Return the sentence that says how far a file is from the true curves."""
+    """Return the sentence on the deviation of a file from the true curves."""
     return (
         f"Curvebench {__version__}. Largest deviation from the true curves: {stated(deviation, is_bound)}, "
         "in the unit of the document."
@@ -238,7 +238,7 @@ def accuracy(deviation: float, is_bound: bool) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return text as it may stand in any comment: one line, nothing but printable characters."""
+    """Return text for a comment: on one line, with printable characters only."""
     return "".join(char if char.isprintable() else " " for char in text).encode("utf-8", "replace").decode()
 
 
@@ -280,7 +280,7 @@ def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
     Raises
     ------
     ExchangeError
-        If the control points are beyond all numbers.
+        If the control points are out of range.
     """
     if piece.bezier_pieces() is not None:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)

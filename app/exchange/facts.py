@@ -38,14 +38,14 @@ _POINTS_AT_ONCE = 2000
 
 
 class Growth(NamedTuple):
-    """Lebesgue constants: how many times errors can come out enlarged on the curve.
+    """Lebesgue constants: factors by which errors can grow on the curve.
 
     Attributes
     ----------
     data
-        Errors of the points, where velocities and accelerations stay.
+        Growth of errors of the points where velocities and accelerations stay.
     points
-        Errors of the points, where those that are estimated follow them.
+        Growth of errors of the points where estimated derivatives follow them.
     holds
         Validity of the constant of the points, where other points have another one; else empty.
     """
@@ -80,15 +80,15 @@ class CurveFacts:
     degree
         Degree of the polynomial, or of each piece.
     kind
-        Words for its functions where they are no polynomials; empty where that is not known.
+        Name of its functions where they are no polynomials; empty where it is unknown.
     difference_digits
-        Digits of the first derivatives where these are differences of values; empty where they are not.
+        Digits of the first derivatives where these are differences of values; otherwise empty.
     pieces
         Number of pieces; 0 without a curve.
     domain
         First and last parameter.
     length
-        Arc length over the domain, with a bound of its error. None too where it is beyond all floats.
+        Arc length over the domain, with a bound of its error; also None beyond all floats.
     lebesgue_constant
         Growth of errors; `LARGEST` or more is beyond all floats.
     box
@@ -121,7 +121,7 @@ class CurveFacts:
 
 
 def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, ...]:
-    """Return the facts about every curve of a document; `report` hears how far it has come."""
+    """Return the facts about every curve of a document; `report` is called with the progress."""
     facts: list[CurveFacts] = []
     for curves in _blocks(document.curves):
         shapes = []
@@ -134,7 +134,7 @@ def facts_of(document: Document, report: Report = silent) -> tuple[CurveFacts, .
 
 
 def _blocks(curves: Sequence[Curve]) -> Iterator[list[Curve]]:
-    """Divide curves into blocks that are worked on together: a small one costs the calls, not the work."""
+    """Divide curves into blocks that are computed together, as calls cost more than small curves."""
     block: list[Curve] = []
     points = 0
     for curve in curves:
@@ -230,7 +230,7 @@ def _facts_of_points(curve: Curve) -> CurveFacts:
 
 
 def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | None, tuple[str, ...]]:
-    """Return the edges of the curve and nothing to say, or no edges and the reason."""
+    """Return the edges of the curve without a warning, or no edges with one."""
     corners = np.array([box.minimum, box.maximum])
     try:
         refuse_wild(curve, corners)

@@ -49,7 +49,7 @@ class ImportOptions:
     missing
         Tables: "skip" to leave out rows without numbers, "split" to begin another curve after them.
     only
-        The names of curves, or of groups of them, that are taken, such as "line2d_*"; by default all are.
+        Names of the curves or groups to import, such as "line2d_*"; by default all.
     """
 
     tolerance: float | None = None
@@ -69,7 +69,7 @@ class ForeignFile:
     Attributes
     ----------
     name
-        Without the ending.
+        Name without the ending.
     form
         The format, by the content, or else by the ending.
     data
@@ -116,17 +116,17 @@ def import_file(
     Parameters
     ----------
     path, options
-        The file, and what concerns its format.
+        The file, and the options of its format.
     report
         Called now and then; may raise `Cancelled`.
     process
-        Reads drawings; by default one for this file alone.
+        Process that reads drawings; by default one for this file alone.
 
     Raises
     ------
     ExchangeError
-        For an unknown ending, or with the place in the file and the reason; for a table of which nobody
-        knows what its columns are.
+        For an unknown ending, or with the position in the file and the reason; for a table whose columns
+        have unknown roles.
     StorageError
         If the file cannot be read at all.
     """
@@ -147,7 +147,7 @@ def format_to_read(path: str | os.PathLike[str]) -> Format:
     Raises
     ------
     ExchangeError
-        For an unknown ending; of known kinds that are not read it says what to do.
+        For an unknown ending; for known kinds that are not read the message says what to do.
     """
     if clause := foreign_name_clause(os.fspath(path)):
         raise ExchangeError(f"{clause[0].upper()}{clause[1:]}.")
@@ -183,7 +183,7 @@ def export(document: Document, path: str | os.PathLike[str], options: Options = 
     ExchangeError
         For an unknown ending, or if the document cannot be written in that format.
     StorageError
-        If the file cannot be written; an old one stays as it was.
+        If the file cannot be written; an old one stays unchanged.
     """
     options = replace(options, path=os.fspath(path))
     if options.width is not None and options.width < 1:

@@ -61,7 +61,7 @@ class Option(Generic[Value]):
         object.__setattr__(self, "flag", self.flag or "--" + "-".join(words))
 
     def checked(self, value: object) -> Value:
-        """Return a value that was remembered or typed; the default if it is none of this option's."""
+        """Return a value that was stored or typed; the default if it is not valid."""
         return self.default
 
 
@@ -127,7 +127,7 @@ class OneOf(Option[Value]):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SomeOf(Option[tuple[str, ...]]):
-    """Some of several words, at least one; `needed` is said where there is none."""
+    """Some of several words, at least one; `needed` is the message without any."""
 
     choices: tuple[str, ...]
     needed: str
@@ -250,17 +250,17 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     basis
         Pictures: index of the curve whose basis functions are drawn below; None for none.
     with_estimates
-        Whether these are what each point does with the estimates that follow it, where there are any, and not
-        the functions of the family.
+        Whether these include the estimates that follow each point, where there are any, in place of the
+        functions of the family.
     unit
         Pictures, TikZ and DXF: unit of length, such as "mm". Without a `width` an SVG or PDF then
-        has true size, as TikZ always has; of a PNG it gives the pixels per inch.
+        has true size, as TikZ always has; a PNG gets its pixels per inch.
     format_options
-        The options that one format alone has, by their names.
+        Values of the options of single formats, by their names.
     report
         Called with the progress; until the file is put in place it may raise `Cancelled`.
     path
-        The file that is written, for formats that say where other files lie.
+        Path of the file, for formats with paths relative to it.
     from_corner
         SVG: whether its coordinates begin in its upper left corner, and not where those
         of the document do.
@@ -284,12 +284,12 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
     from_corner: bool = False
 
     def __getitem__(self, option: Option[Value]) -> Value:
-        """Return an option that one format alone has."""
+        """Return the value of an option of a single format."""
         value: Value = self.format_options.get(option.name, option.default)
         return value
 
     def reporting(self, report: Report) -> Options:
-        """Return the same options with somebody who hears how far it has come."""
+        """Return the same options with a report of the progress."""
         return replace(self, report=report)
 
     @property
@@ -304,7 +304,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def vector_style(self) -> PictureStyle:
-        """The colours of an SVG or PDF, with paper only where colours were asked for."""
+        """The colours of an SVG or PDF, with paper only where a style is given."""
         return self._on_paper(self.style or INK)
 
     def _on_paper(self, style: PictureStyle) -> PictureStyle:

@@ -111,7 +111,7 @@ def answer_to(request: Request, memory: int | None = None) -> Answer:
 def limit_memory(extra: int | None) -> None:
     """Limit the memory of this process to `extra` bytes more than it has; None lifts the limit.
 
-    Only Linux counts that.
+    Only Linux has such a limit.
     """
     if sys.platform != "linux":
         return

@@ -80,7 +80,7 @@ class ReaderProcess:
         Raises
         ------
         ExchangeError
-            If there can be no process, or the content cannot be passed on.
+            If the process cannot be started, or the content cannot be passed to it.
         """
         seconds = seconds_for(len(data)) if seconds is None else seconds
         request = Request(reader.__module__, reader.__name__, tolerance, data, memory, seconds)
@@ -121,7 +121,7 @@ class ReaderProcess:
         seconds, memory
             The limits, by default `seconds_for` the file and `MEMORY`; processor time, and bytes.
         report
-            Called all the time; when it raises, the process is ended.
+            Called repeatedly; when it raises, the process is ended.
 
         Raises
         ------

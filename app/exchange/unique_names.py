@@ -8,19 +8,19 @@ from typing import Protocol
 
 
 class NameContainer(Protocol):
-    """Collection of names that are taken."""
+    """Collection of names in use."""
 
     def __contains__(self, name: str, /) -> bool:
-        """Return whether a name is taken."""
+        """Return whether a name is in use."""
 
 
 class UniqueNames:
-    """Source of names, each given once; where many begin alike, the next number is known and not searched.
+    """Source of names, each given once; the next number for a base is remembered, not searched.
 
     Parameters
     ----------
     used
-        Names that somebody else has handed out.
+        Names that others use.
     between
         Between a name and its number.
     """
@@ -41,7 +41,7 @@ class UniqueNames:
 
 
 def numbered(names: Sequence[str]) -> list[str]:
-    """Return names, of which those that are there several times are "A (1)", "A (2)"."""
+    """Return names with numbers where they repeat: "A (1)", "A (2)"."""
     counts, occurrences, result = Counter(names), Counter[str](), []
     for name in names:
         occurrences[name] += 1

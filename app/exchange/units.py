@@ -54,7 +54,7 @@ def factor_between(unit: str, other: str) -> float:
 
 
 def in_unit(document: Document, unit: str) -> Document:
-    """Return the document in a unit; as it is where either is no length."""
+    """Return the document in a unit; unchanged where either is no length."""
     factor = factor_between(document.unit, unit)
     if factor == 1.0:
         return document
@@ -62,7 +62,7 @@ def in_unit(document: Document, unit: str) -> Document:
 
 
 def enlarged(value: _Value, factor: float) -> _Value:
-    """Return a document, or a part of one, so many times as large: all that its fields call lengths."""
+    """Return a document, or a part of one, with all of its lengths multiplied by a factor."""
     changed: dict[str, object] = {}
     for field in _sized_fields(type(value)):
         content = getattr(value, field.name)
@@ -83,7 +83,7 @@ def _sized_fields(kind: type[Value]) -> tuple[Field, ...]:
 
 
 def shifted(document: Document, by: Vector) -> Document:
-    """Return a document with its curves and guides elsewhere, by decimals, whether locked or not.
+    """Return a document with its curves and guides moved, in decimals, even if locked.
 
     A document that would be out of range stays unchanged.
     """

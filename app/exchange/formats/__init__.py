@@ -1,10 +1,10 @@
 r"""Formats of files, one record each: `FORMATS` finds those that the modules of this package define.
 
-Nothing else names a format: the dialogs, their filters, dropped files, the command line, the README and the
+Nothing else names a format: the dialogs, their filters, dropped files, the command line, the manual and the
 tests read the registry. The modules are imported when it is first asked; what takes long to import (Qt,
 ezdxf) they import when they use it.
 
-To add a format, add a module here, and a row in the README, which a test shows::
+To add a format, add a module here, and a row in the manual (``07_files.md``), which a test shows::
 
     # app/exchange/formats/gcode.py
     from curvecore import flatten_pieces
@@ -77,7 +77,7 @@ class ExportResult:
     content
         Content of the file.
     deviation
-        Largest distance of what the file holds from the true curves, in the document's unit.
+        Largest distance of the file's curves from the true ones, in the document's unit.
     is_bound
         Whether the deviation is a bound; otherwise it was measured at many parameters.
     remarks
@@ -152,7 +152,7 @@ class Format(FileKind):
     Attributes
     ----------
     description
-        The title in a sentence; a format without one is not offered there.
+        Description in a sentence; a format without one is not in the export dialog.
     rank
         Rank in lists, which are sorted by it.
     options
@@ -160,7 +160,7 @@ class Format(FileKind):
     hidden
         Function of the values, by the options' names, that returns the options without effect.
     write
-        Returns what to write; None if it is not written. Long work reports to `Options.report`.
+        Writer; None if the format is not written. Long work reports to `Options.report`.
     preview
         Preview of a picture, of at most so many pixels; see `image.PicturePreview`.
     kind
@@ -172,7 +172,7 @@ class Format(FileKind):
         content and returns a `Table`. That of a drawing takes the content and the tolerance and returns an
         `ImportResult`; it stands at the top level of its module, for another process calls it by name.
     recognises
-        Whether a content is of this format, in a file whose name ends as those of others; None if none is.
+        Test of a content in a file with the ending of another format; None for no such test.
     """
 
     description: str = ""
@@ -248,7 +248,7 @@ Known = TypeVar("Known", bound=FileKind)
 
 
 def endings_of(formats: Sequence[FileKind]) -> tuple[str, ...]:
-    """Return the endings of all their files."""
+    """Return the endings of all formats."""
     return tuple(ending for form in formats for ending in form.endings)
 
 
@@ -258,7 +258,7 @@ def format_of(path: str | os.PathLike[str], formats: Sequence[Known]) -> Known:
     Raises
     ------
     ExchangeError
-        If it has none, or is a folder's.
+        If it has none, or names a folder.
     """
     name, endings = Path(path).name, endings_of(formats)
     if ending := _longest(name, endings):
@@ -285,9 +285,9 @@ def ending_in(path: str | os.PathLike[str], known: Format) -> str:
 
 
 def with_ending(path: Path, ending: str) -> Path:
-    """Return `path` so that its name stands for the format of `ending`.
+    """Return `path` with the ending of a format.
 
-    An ending of the same kind gives way: p.csv and p.points.csv are the same name for two formats.
+    An ending of the same kind is replaced: p.csv and p.points.csv are one name in two formats.
     """
     known = _longest(path.name, endings_of(FORMATS.written))
     if known == ending:
@@ -311,7 +311,7 @@ def is_document(data: bytes) -> bool:
 
 
 def file_filters(pictures: str = "") -> str:
-    """Return the kinds of files that are read, for the dialog that asks for one; pictures by patterns."""
+    """Return the filters of a file dialog for all files that are read, and for pictures by patterns."""
     read = " ".join(form.patterns for form in FORMATS.read)
     kinds = [f"{form.plural} ({form.patterns})" for form in FORMATS.read]
     if pictures:
@@ -321,7 +321,7 @@ def file_filters(pictures: str = "") -> str:
 
 
 def can_import(path: Path) -> bool:
-    """Whether a file that somebody hands over is to be imported; documents are opened."""
+    """Whether a file that is opened or dropped is imported; documents are opened."""
     name = path.name.lower()
     # Before the registry imports all formats: a window that opens a document starts without them.
     if name.endswith(DOCUMENT_ENDING) or not name.endswith(endings_of(FORMATS.read)):

@@ -127,7 +127,7 @@ def _array(values: FloatArray, indent: int) -> str:
 
 
 def _scipy_object(name: str, curve: ExportedCurve) -> tuple[str, float]:
-    """Return the code of a curve's interpolator, and how far its formulas are from the curve."""
+    """Return the code of a curve's interpolator, and the deviation of its formulas from the curve."""
     first, *others = pieces = curve.polynomials.pieces
     arrays, note = [first.parameters, first.points], ""
     if first.is_one_polynomial:

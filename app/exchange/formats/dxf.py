@@ -76,7 +76,7 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> ExportResult:
 
     Hermite curves, and Lagrange curves up to degree 10, are written exactly but for
     rounding, with their parameters as knots; others as cubics within the tolerance. With `CUBIC` all above
-    degree 3 are: some programs, LibreCAD among them, show nothing of a spline of higher degree. With points
+    degree 3 are: some programs, LibreCAD among them, do not show splines of higher degree. With points
     the layer of each curve holds its points as well, as POINTs. The header names the `unit`.
 
     Raises
@@ -179,7 +179,7 @@ _END = re.compile(r"(^|\n)[ \t]*0[ \t]*\n[ \t]*EOF\s*\Z")
 def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
     """Return the curves in the model space of a DXF file.
 
-    SPLINE up to degree 3 and LINE, LWPOLYLINE and POLYLINE without bulges are taken exactly; arcs,
+    SPLINE up to degree 3 and LINE, LWPOLYLINE and POLYLINE without bulges are read exactly; arcs,
     circles, ellipses and splines of higher degree within the tolerance. Rational and periodic splines,
     and splines with fit points only, are left out with a remark.
 

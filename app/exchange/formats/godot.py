@@ -23,7 +23,7 @@ _NOT_APPLIED = Loss("node", "with a position, rotation or scale of its own impor
 def read_curves(data: bytes, _tolerance: float | None = None) -> ImportResult:
     """Return the curves of a resource or scene, named after the nodes that use them.
 
-    A curve whose last point is its first comes closed. A piece without handles is a straight line.
+    A curve whose last point is its first is closed. A piece without handles is a straight line.
 
     Raises
     ------

@@ -99,7 +99,7 @@ def _degrees(number: int, point: Element) -> tuple[float, float]:
 
 
 def _seconds(point: Element) -> float:
-    """Return the time of a point, in UTC where the zone is not said; NaN without one."""
+    """Return the time of a point, in UTC without a zone; NaN without a time."""
     try:
         time = datetime.fromisoformat(_text(point, "time").strip())
     except ValueError:

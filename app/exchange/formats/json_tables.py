@@ -34,7 +34,7 @@ def read_json(data: bytes) -> Table:
     Raises
     ------
     ExchangeError
-        If it is no JSON, or nothing that is a table, with the row of what is no number.
+        If it is not JSON, or not a table, with the row of a value that is not a number.
     """
     content: Any = json_in(data, object)
     if isinstance(content, dict) and content.get("type") in _GEO.split():
@@ -80,7 +80,7 @@ def _records(content: list[dict[str, object]]) -> Table:
 
 
 def _numbers(rows: Sequence[Sequence[object]]) -> FloatArray:
-    """Return rows of numbers, NaN for null, or say where something else is."""
+    """Return rows of numbers, NaN for null; refuse other values with their cell."""
     width = len(rows[0]) if rows else 0
     for number, row in enumerate(rows, start=1):
         if not isinstance(row, list | tuple) or len(row) != width:
@@ -162,7 +162,7 @@ def json_in(data: bytes, kind: type[Content]) -> Content:
     Raises
     ------
     ExchangeError
-        With the place, for what is no JSON, or not of that type; for more than `MOST_BYTES`.
+        With the position, for invalid JSON or other types; for more than `MOST_BYTES`.
     """
     if len(data) > MOST_BYTES:
         raise ExchangeError(f"The JSON file is larger than {MOST_BYTES >> 20} MB.")

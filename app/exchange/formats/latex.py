@@ -69,7 +69,7 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> ExportResul
     """Return every curve as a formula in LaTeX with the numbers that go into it; needs amsmath.
 
     Lagrange curves are written in Lagrange's form, Hermite curves by the Bézier control points of their
-    segments. The deviation is what rounding the numbers to `DIGITS` costs.
+    segments. The deviation is that of rounding the numbers to `DIGITS`.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> ExportResult
     Raises
     ------
     ExchangeError
-        If nothing can be drawn, or if TeX counts no lengths as large or as small.
+        If nothing can be drawn, or if the size is out of range for TeX.
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     frame, known = drawing.frame, known_unit(options.unit)

@@ -67,7 +67,7 @@ def read_pathplanner(data: bytes, _tolerance: float | None = None) -> ImportResu
     Raises
     ------
     ExchangeError
-        With the place of what is missing, or no number.
+        With the position of a missing or invalid number.
     """
     path, losses = json_in(data, _Path), Losses()
     sides = ((0, "anchor"), (0, "next_control"), (1, "prev_control"), (1, "anchor"))
@@ -117,7 +117,7 @@ def read_pathweaver(data: bytes) -> Table:
     Raises
     ------
     ExchangeError
-        With the row of what is no number, and the title of a column that there is not.
+        With the row of an invalid number, and for a missing column.
     """
     titles = preview_table(data, _LAYOUT).titles
     words = ",curve=Reversed" if "reversed" in map(str.lower, titles) else ""
@@ -292,7 +292,7 @@ def read_trajectories(data: bytes) -> Table:
     Raises
     ------
     ExchangeError
-        With the place of what is missing, or no number, and where nothing was generated yet.
+        With the position of a missing or invalid number, and without a generated trajectory.
     """
     content = json_in(data, _File)
     samples = content.trajectory.samples if content.trajectory else content.samples

@@ -40,7 +40,7 @@ def read_array(data: bytes) -> Table:
     Raises
     ------
     ExchangeError
-        If it is none, holds objects (pickles are never loaded), or has no shape that is a table.
+        If it is invalid, contains objects (pickles are never loaded), or has no shape of a table.
     """
     array = _array(data)
     titles: tuple[str, ...] = ()
@@ -66,7 +66,7 @@ def read_array(data: bytes) -> Table:
 
 
 def _array(data: bytes) -> npt.NDArray[Any]:
-    """Return the array without a copy; NumPy's own reader would make room for whatever the head claims."""
+    """Return the array without a copy; NumPy's own reader would allocate whatever the header claims."""
     file = io.BytesIO(data)
     try:
         version = np.lib.format.read_magic(file)
@@ -120,8 +120,8 @@ def points_table(document: Document, options: Options = DEFAULT) -> ExportResult
 
     Tabs separate the cells of a file whose name ends in .tsv, commas those of any other.
 
-    Derivatives are those in force, estimated ones too. The derivatives after a corner stand in columns of
-    their own. The last row of a closed curve is its first point again, with the parameter at which it
+    Derivatives are those in force, including estimated ones. Those after a corner have columns of their
+    own. The last row of a closed curve is its first point again, with the parameter at which it
     returns there.
 
     Raises
@@ -178,7 +178,7 @@ MOST_SAMPLES = 1_000_000
 
 _DERIVATIVES = tuple(f"{derivative.letter}{axis}" for derivative in DERIVATIVES for axis in "xy")
 TITLES = ("t", "x", "y", "vx", "vy", "ax", "ay", "curvature", "length")
-"""The columns of a table, unless others are chosen."""
+"""The default columns of a table."""
 
 _ALL = ("t", "x", "y", *_DERIVATIVES, "curvature", "length")
 
@@ -277,7 +277,7 @@ def _samples_of(
 
 
 def _columns(titles: tuple[str, ...]) -> list[int]:
-    """Return the places of the columns wanted, in their usual order."""
+    """Return the indices of the selected columns, in their usual order."""
     if not titles or not set(titles) <= set(_ALL):
         raise ExchangeError(f"A table can have the columns {', '.join(_ALL)}; at least one is needed.")
     return [column for column, title in enumerate(_ALL) if title in titles]
@@ -289,8 +289,8 @@ def _parameters_of(
     """Return the parameters to sample a curve at, both ends of its domain among them.
 
     The second value is a bound of the deviation of the polyline through the samples, None where that is
-    to be measured. A tolerance that takes more vertices than a polyline can have is missed, and the bound
-    says so.
+    to be measured. A tolerance that needs more vertices than a polyline can have is not reached, as the
+    bound tells.
     """
     samples, spacing = options[SAMPLES], options[SPACING]
     if spacing is Spacing.TOLERANCE:

@@ -96,7 +96,7 @@ class Cascade:
 
     Parameters
     ----------
-    missed
+    losses
         Record of the rules that are ignored.
     """
 

@@ -26,7 +26,7 @@ class Group:
     Attributes
     ----------
     number
-        Another one for each, however they are called.
+        Unique number, whatever the name.
     name
         Name in the file; empty without one.
     """
@@ -44,7 +44,7 @@ class DrawnPath:
     path
         The path.
     element
-        The number of its element, another one each time that this is drawn.
+        Number of its element, another one each time that the element is drawn.
     groups
         Groups around the path.
     """
@@ -66,7 +66,7 @@ def with_line(drawn: DrawnPath) -> DrawnPath:
 
 
 def _elements_of_groups(drawn: Sequence[DrawnPath]) -> dict[Group, set[int]]:
-    """Return which elements are in each group."""
+    """Return the elements in each group."""
     held: dict[Group, set[int]] = {}
     for path in drawn:
         for group in path.groups:
@@ -75,9 +75,9 @@ def _elements_of_groups(drawn: Sequence[DrawnPath]) -> dict[Group, set[int]]:
 
 
 def with_group_names(drawn: Sequence[DrawnPath]) -> list[ImportedPath]:
-    """Return paths with the names of their groups, another one for each.
+    """Return paths with unique names for their groups.
 
-    A group without a name, around a single shape, is none.
+    A group without a name around a single shape is dropped.
     """
     held = _elements_of_groups(drawn)
     groups_in_use = {group for group, elements in held.items() if group.name or len(elements) > 1}
@@ -94,7 +94,7 @@ class _GivenNames:
         self._groups, self._shapes = UniqueNames(), UniqueNames()
 
     def given(self, drawn: DrawnPath, groups: Sequence[Group]) -> ImportedPath:
-        """Return a path with names of its groups, and one of its shape, that no others have."""
+        """Return a path with unique names for its groups and its shape."""
         chain = self._chain(groups)
         look = replace(drawn.path.look, shape=self._shape(drawn), groups=chain)
         return replace(drawn.path, look=look)
@@ -132,7 +132,7 @@ class ClipBox:
         Matrix from those units to the document's plane.
     element
         Element with the box.
-    flaw
+    loss
         Loss to note where a shape lies outside the box.
     """
 
@@ -144,7 +144,7 @@ class ClipBox:
     def holds(self, points: FloatArray, reach: float = 0.0) -> bool:
         """Whether points (n, 2) of the document lie in the box, with `reach` to spare on every side.
 
-        Only boxes with upright edges know that.
+        Only valid for boxes with upright edges.
         """
         x, y, width, height = self.box
         corners = moved(np.array([(x, y), (x + width, y + height)]), self.matrix)
@@ -157,7 +157,7 @@ class ClipBox:
 def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport) -> Box | None:
     """Return the upright rectangle of a `clip-path`, in the units of its element; None for other shapes.
 
-    Programs put one around all that they draw.
+    Programs put one around their whole drawing.
     """
     clip = elements.referred(declared.get("clip-path", "none"))
     if clip is None or tag_of(clip) != "clipPath" or _hangs_on_box(clip):

@@ -55,7 +55,7 @@ _STEPS = {"smaller": "0.8333333333333334em", "larger": "1.2em"}
 
 @dataclass(frozen=True)
 class Viewport:
-    """Lengths that others are parts of, in user units; None where nobody says.
+    """Reference lengths of percentages and fonts, in user units; None where unknown.
 
     Attributes
     ----------
@@ -85,11 +85,11 @@ class Viewport:
         return length(text, self.side(name), self.em, self.rem)
 
     def sized(self, width: float, height: float) -> Viewport:
-        """Return another one of the same fonts."""
+        """Return a viewport of another size with the same fonts."""
         return replace(self, width=width, height=height)
 
     def with_font(self, size: str) -> Viewport:
-        """Return the one within an element that declares this font size; an invalid one counts as none."""
+        """Return the viewport within an element that declares this font size; an invalid size is ignored."""
         word = _STEPS.get(size.lower(), size.lower())
         try:
             em = _FONT_SIZES[word] if word in _FONT_SIZES else length(word, self.em, self.em, self.rem)
@@ -98,12 +98,12 @@ class Viewport:
         return replace(self, em=em) if em is not None and 0 <= em <= MAX_MAGNITUDE else self
 
     def in_pixels(self, text: str) -> str:
-        """Return lengths with those in units of a font as numbers."""
+        """Return a list of lengths with those in units of a font converted to numbers."""
         return _IN_FONTS.sub(lambda match: repr(length(match[0], None, self.em, self.rem)), text)
 
 
 def length(text: str, of: float | None = None, em: float | None = None, rem: float = _MEDIUM) -> float | None:
-    """Return a length in user units; None where it is a part of something that nobody says.
+    """Return a length in user units; None where its reference length is unknown.
 
     Raises
     ------
@@ -126,7 +126,7 @@ def length(text: str, of: float | None = None, em: float | None = None, rem: flo
 
 
 def with_unit(text: str, em: float) -> tuple[float, str] | None:
-    """Return a positive length as a number and its unit; None for every other, and for shares.
+    """Return a positive length as a number and its unit; None for other lengths, and for percentages.
 
     Parameters
     ----------
@@ -172,17 +172,17 @@ def transform_of(
     text
         The list.
     box
-        The box that lengths in percent are parts of.
+        Box that percentages refer to.
     origin
-        The place in it that the transforms are about, as `transform-origin` has it; by default its corner.
+        Origin of the transforms in the box, as in `transform-origin`; by default its corner.
     corner
         The corner of the box.
 
     Raises
     ------
     ExchangeError
-        With the place in it, or the part of it, that is broken, that is no transform of a plane, or that has
-        a length which nobody knows.
+        With the position or the part of the list that is invalid, is no transform of a plane, or has
+        a length of unknown size.
     """
     result, position = np.eye(2, 3), 0
     # Every match advances the position, and no text is copied.
@@ -223,7 +223,7 @@ def _argument(kind: str, word: tuple[str, str], box: Viewport) -> float:
 
 
 def _origin_in(box: Viewport, origin: str) -> tuple[float, float]:
-    """Return the place in a box that a `transform-origin` has."""
+    """Return the position of a `transform-origin` in a box."""
     words = [*origin.lower().split()[:2], "center"]
     if words[0] in ("top", "bottom") or words[1] in ("left", "right"):
         words[:2] = words[1::-1]
@@ -237,7 +237,7 @@ def _origin_in(box: Viewport, origin: str) -> tuple[float, float]:
 
 
 def _about(x: float, y: float, matrix: FloatArray) -> FloatArray:
-    """Return a transform about the origin as one about another place."""
+    """Return a transform about the origin as one about another position."""
     result = matrix.copy()
     with np.errstate(all="ignore"):
         result[:, 2] += (x, y) - result[:, :2] @ (x, y)
@@ -271,7 +271,7 @@ _MATRICES: dict[str, tuple[str, Callable[..., ArrayLike]]] = {
 
 
 def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
-    """Return the matrix that does the inner one first."""
+    """Return the product of matrices that applies the inner one first."""
     with np.errstate(all="ignore"):
         result = outer[:, :2] @ inner
         result[:, 2] += outer[:, 2]
@@ -279,23 +279,23 @@ def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
 
 
 def moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
-    """Return points (…, 2) where a matrix puts them."""
+    """Return points (…, 2) transformed by a matrix."""
     with np.errstate(all="ignore"):
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
 def shifting(x: float, y: float) -> FloatArray:
-    """Return the matrix that shifts."""
+    """Return the matrix of a translation."""
     return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
 
 
 def largest_scale(matrix: FloatArray) -> float:
-    """Return by how much a matrix stretches at most."""
+    """Return the largest factor by which a matrix stretches."""
     return float(np.linalg.norm(matrix[:, :2], 2))
 
 
 def mean_scale(matrix: FloatArray) -> float:
-    """Return the square root of by how much a matrix enlarges areas."""
+    """Return the square root of the factor by which a matrix enlarges areas."""
     with np.errstate(all="ignore"):
         return float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
 
@@ -307,7 +307,7 @@ def is_uneven(matrix: FloatArray) -> bool:
 
 
 def box_of(text: str) -> Box | None:
-    """Return a view box; None where there is none that shows anything."""
+    """Return a view box; None for an invalid or empty one."""
     try:
         x, y, width, height = (float(number) for number in re.split(r"[\s,]+", text.strip()))
     except ValueError:
@@ -317,7 +317,7 @@ def box_of(text: str) -> Box | None:
 
 
 def fitted_box(box: Box, area: Box, ratio: str) -> FloatArray:
-    """Return the matrix from a view box to the place that it fills, as `preserveAspectRatio` says."""
+    """Return the matrix from a view box to the area that it fills, by `preserveAspectRatio`."""
     across, down = area[2] / box[2], area[3] / box[3]
     match = _ALIGN.fullmatch(ratio or "xMidYMid")
     x_share = y_share = 0.0
@@ -344,13 +344,13 @@ class Page:
     Attributes
     ----------
     unit
-        The document's; empty where the file has no size.
+        Unit of the document; empty where the file has no size.
     matrix
         Matrix from user units, y down, to the document, y up. The origin stays.
     viewport
         Viewport that percentages refer to.
     pixel
-        A CSS pixel in the document.
+        Length of a CSS pixel in the document.
     frame
         Frame that the file shows, in the document; None where it is unknown.
     """
@@ -371,7 +371,7 @@ class Page:
 
 
 def page_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) -> Page:
-    """Return the sheet of a file whose root declares a font size; a nominal size means nothing."""
+    """Return the page of a file whose root declares a font size; a nominal size is ignored."""
     em = Viewport().with_font(font_size).em
     fonts = Viewport(em=em, rem=em)
     box = box_of(root.get("viewBox", ""))
@@ -392,7 +392,7 @@ def page_of(root: ET.Element, font_size: str = "", *, is_nominal: bool = False) 
 
 
 def _size(root: ET.Element, box: Box | None, em: float) -> tuple[float, float, str] | None:
-    """Return width and height of a file in one unit; None where it does not say both, in any way."""
+    """Return width and height of a file in one unit; None where they are not both known."""
     across, down = (with_unit(root.get(name, ""), em) for name in ("width", "height"))
     first = across or down
     if first is None or (box is None and (across is None or down is None)):

@@ -32,7 +32,7 @@ SMALL = 2**16
 
 @dataclass(frozen=True)
 class Fragment:
-    """Something to be read as SVG.
+    """Text to be read as SVG.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class Fragment:
 
 
 def fragment_in(text: str) -> Fragment | None:
-    """Return the SVG that a text is: a file, elements of one, or path data; None where it is none."""
+    """Return the SVG in a text: a file, elements of one, or path data; None for other text."""
     data = text.strip().removeprefix("d=").strip("\"';")
     if _PATH.fullmatch(data):
         return Fragment(f'<svg xmlns="{_SVG}"><path d="{data}"/></svg>'.encode(), is_bare=True)
@@ -62,7 +62,7 @@ def fragment_in(text: str) -> Fragment | None:
 
 
 def _declared(text: str) -> str:
-    """Return a file with the name spaces that it needs: inside of a page of HTML they go without saying."""
+    """Return a file with the namespaces that it needs, which are implied within HTML."""
     root = _ROOT.search(text)
     assert root is not None
     end = root.end() - 1

@@ -29,7 +29,7 @@ class OwnFile:
     is_so
         Whether Curvebench wrote the file.
     has_nominal_size
-        Whether the size of the file says nothing.
+        Whether the size of the file is only nominal.
     """
 
     def __init__(self, root: ET.Element) -> None:
@@ -44,7 +44,7 @@ class OwnFile:
         return self.is_so and element.get("id") in NO_CURVES
 
     def restored(self, style: Style) -> Style:
-        """Return a style as it was before it had the ink and the line of a picture."""
+        """Return a style with defaults in place of the ink and the line width of a picture."""
         if not self.is_so:
             return style
         stroke, fill = map(_restored_paint, (style.stroke, style.fill))
@@ -54,5 +54,5 @@ class OwnFile:
 
 
 def _restored_paint(paint: str) -> str:
-    """Return a paint that is the ink of a picture as the ink."""
+    """Return the default ink for the ink of a picture, and other paints unchanged."""
     return INK if paint in _INKS else paint

@@ -104,7 +104,7 @@ _WITH_LENGTHS = (*LENGTHS, "use", "svg")
 def read_svg(data: bytes, tolerance: float | None = None) -> ImportResult:
     """Return the curves of an SVG file; of one without any, the edges of its page as guides.
 
-    Cubic and quadratic pieces and lines are taken exactly but for rounding; arcs, circles and ellipses
+    Cubic and quadratic pieces and lines are read exactly but for rounding; arcs, circles and ellipses
     become cubics, one for each quarter turn.
 
     Parameters
@@ -117,14 +117,14 @@ def read_svg(data: bytes, tolerance: float | None = None) -> ImportResult:
     Raises
     ------
     ExchangeError
-        For anything that is no SVG or that is hostile: entities beyond bounds, more than `MAX_ELEMENTS`
+        For files that are not SVG, or hostile: entities out of bounds, more than `MAX_ELEMENTS`
         elements.
     """
     return _read(data, tolerance)[0]
 
 
 def read_svg_above(data: bytes, tolerance: float | None = None) -> ImportResult:
-    """Return the same; of a file of others whose corner is the origin it lies above the x axis."""
+    """Return the same curves, above the x axis for files of other programs with the origin in a corner."""
     result, reader = _read(data, tolerance)
     frame = reader.page.frame
     if reader.ours.is_so or frame is None or (frame.left, frame.top) != (0.0, 0.0):
@@ -145,7 +145,7 @@ def _read(data: bytes, tolerance: float | None) -> tuple[ImportResult, _Reader]:
 
 @dataclass(frozen=True, eq=False)
 class ElementContext:
-    """State that an element passes on to those in it.
+    """State that an element passes on to its children.
 
     Attributes
     ----------
@@ -154,15 +154,15 @@ class ElementContext:
     viewport
         Viewport that percentages refer to.
     around
-        The elements that it is in, and those that a `use` shows, with the `use`.
+        Its ancestors, including each `use` and its target.
     is_used
-        Whether a `use` shows it.
+        Whether the element is shown by a `use`.
     groups
         Groups around the element, the outermost first.
-    windows
-        The boxes that it is shown in, but for that of the file.
+    clips
+        Boxes that clip the element, except that of the file.
     is_locked
-        Whether Inkscape keeps it from being touched.
+        Whether the element is locked in Inkscape.
     copied
         Name of the element that a `use` copies; empty for other elements.
     """
@@ -179,13 +179,13 @@ class ElementContext:
 
 
 class _Reader:
-    """Walks the tree of one file.
+    """Reader of the tree of one file.
 
     Attributes
     ----------
-    sheet
+    page
         Size of the file.
-    missed
+    losses
         Losses of the import.
     ours
         Marks of files that Curvebench wrote.
@@ -208,7 +208,7 @@ class _Reader:
         self._extents: dict[tuple[object, ...], FloatArray] = {}
 
     def all_paths(self) -> list[ImportedPath]:
-        """Return the paths of the file; of those that nobody painted only where there are no others."""
+        """Return the painted paths of the file; without any, all paths as lines."""
         drawn = list(self._drawn(self._root, ElementContext(self.page.matrix, self.page.viewport), depth=0))
         painted = [path for path in drawn if is_painted(path)]
         outcome = "left out" if painted else "imported with a plain stroke"
@@ -219,7 +219,7 @@ class _Reader:
         return with_group_names(painted or [with_line(path) for path in drawn])
 
     def _drawn(self, element: ET.Element, context: ElementContext, depth: int) -> Iterator[DrawnPath]:
-        """Yield the paths of an element and those in it."""
+        """Yield the paths of an element and of its children."""
         self._visits[self._measuring > 0] += 1
         if max(self._visits) > MAX_ELEMENTS:
             raise ExchangeError(f"The file draws more than {MAX_ELEMENTS} elements.")
@@ -235,7 +235,7 @@ class _Reader:
     def _content(
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext, depth: int
     ) -> Iterator[DrawnPath]:
-        """Yield the paths of an element and those in it, in its own state."""
+        """Yield the paths of an element and of its children, in its own context."""
         tag, first, paths = tag_of(element), len(self._shapes), _NOTHING
         if self._measuring and not context.properties.is_displayed:
             return
@@ -257,7 +257,7 @@ class _Reader:
     def _transformed(
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext, depth: int
     ) -> ElementContext:
-        """Return the state around an element as its transform changes it."""
+        """Return the context with the transform of an element."""
         text = element.get("transform", "").strip()
         if text.lower() in ("", "none"):
             return context
@@ -342,7 +342,7 @@ class _Reader:
     def _in_view_box(
         self, element: ET.Element, sized: ET.Element, context: ElementContext, corner: tuple[float, float]
     ) -> ElementContext:
-        """Return the state in a view box, whose size another element may say."""
+        """Return the context in a view box, whose size another element may give."""
         width, height = (
             self._length(sized, name, context) or self._length(element, name, context) or whole
             for name, whole in (("width", context.viewport.width), ("height", context.viewport.height))
@@ -428,7 +428,7 @@ class _Reader:
             yield DrawnPath(path, len(self._shapes), context.groups)
 
     def _note_clips(self, context: ElementContext, drawn: Iterable[Subpath], style: Style) -> None:
-        """Tell which of the boxes that a shape is shown in cut some of it off."""
+        """Note the boxes that cut off a part of a shape."""
         if context.clips:
             extent = extent_of(np.concatenate([moved(path.cleaned, context.matrix) for path in drawn]))
             reach = half_width(style)
@@ -494,7 +494,7 @@ class _ElementLosses(Losses):
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
 
     def emptied(self) -> _ElementLosses:
-        """Return another one of the same file, of which nothing is missed."""
+        """Return an empty record of the same file."""
         other = copy(self)
         other._names = {}
         return other
@@ -509,5 +509,5 @@ class _ElementLosses(Losses):
             self.note(loss, element, label_of(element))
 
     def note_at(self, element: ET.Element, loss: Loss, where: str = "") -> None:
-        """Take note of an error in an element, and where in it, once for each flaw."""
+        """Note an error in an element with its position, once for each loss."""
         self.note(loss, element, f"{self.name_of(element)} {where}".strip())

@@ -42,7 +42,7 @@ _SIZES = ("width", "height", "rx", "ry", "r")
 
 
 class UnknownLengthError(ExchangeError):
-    """A length that is a part of something that nobody says."""
+    """A length whose reference length is unknown."""
 
 
 def outline_of(element: ET.Element, viewport: Viewport, tolerance: float | None) -> ReadPath:
@@ -51,9 +51,9 @@ def outline_of(element: ET.Element, viewport: Viewport, tolerance: float | None)
     Raises
     ------
     UnknownLengthError
-        For lengths that nobody can know.
+        For lengths of unknown size.
     ExchangeError
-        For an outline beyond all numbers.
+        For an outline out of range.
     """
     tag = tag_of(element)
     if tag == "path":
@@ -65,12 +65,12 @@ def outline_of(element: ET.Element, viewport: Viewport, tolerance: float | None)
 
 
 def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | None:
-    """Return a length that an attribute says, in user units; None without, and for one that is invalid.
+    """Return the length of an attribute in user units; None without one, and for an invalid one.
 
     Raises
     ------
     UnknownLengthError
-        For one that nobody can know.
+        For a length of unknown size.
     """
     text = element.get(name, "").strip()
     if text.lower() in ("", "auto") or not _is_length(name, text):
@@ -81,14 +81,14 @@ def length_of(element: ET.Element, name: str, viewport: Viewport) -> float | Non
 
 
 def invalid_lengths(element: ET.Element) -> list[str]:
-    """Return the attributes of an element that should be lengths, or sizes, and are not: 'width “44mmx”'."""
+    """Return the attributes of an element with invalid lengths or sizes: 'width “44mmx”'."""
     names = LENGTHS.get(tag_of(element), LENGTHS["rect"][:4])
     given = ((name, text) for name in names if (text := element.get(name, "").strip()))
     return [f"{name} “{text[:20]}”" for name, text in given if not _is_length(name, text)]
 
 
 def _is_length(name: str, text: str) -> bool:
-    """Whether an attribute of this name may say so."""
+    """Whether a text is a valid length for an attribute of this name."""
     try:
         value = length(text, 1.0, 1.0)
     except ExchangeError:
@@ -210,7 +210,7 @@ class Subpath:
 
     @property
     def cleaned(self) -> FloatArray:
-        """All pieces that are no roundings, (k, 4, 2); one of no length where there are none."""
+        """Pieces longer than roundings, (k, 4, 2); one without length where there are none."""
         pieces = without_roundings(self.controls, closed=self.closed)
         return pieces if len(pieces) else np.tile(self.start, (1, 4, 1))
 
@@ -243,7 +243,7 @@ def read_path_data(data: str, tolerance: float | None = None) -> ReadPath:
     Raises
     ------
     ExchangeError
-        If the data are longer than any drawing needs.
+        If the data are too long.
     """
     if len(data) > _LONGEST:
         raise ExchangeError("its data are too long.")
@@ -270,7 +270,7 @@ def read_points(data: str, *, closed: bool) -> ReadPath:
 
 
 def _drawn(data: str, pen: _Pen) -> int | None:
-    """Draw path data up to the first error, and return its place; None where there is none."""
+    """Draw path data up to the first error, and return its position; None without an error."""
     # The length stays the same, for the positions of errors.
     data = _BARE_POINT.sub(r"\1 ", data)
     loss, reader = _PASSED_OVER.search(data), _Reader()
@@ -293,14 +293,14 @@ def _error_at(at: int | None, data: str) -> str:
 
 
 class _Reader(SVGLexicalParser):  # type: ignore[misc]  # that package has no types
-    """Reads commands; a number or flag that is missing is an error, not None or the end of the path.
+    """Parser of commands; a missing number or flag is an error, not None or the end of the path.
 
     Attributes
     ----------
     command
         The letter of the last command.
     end_before
-        The place where the number before the last one ends.
+        Position after the number before the last one.
     """
 
     command: str | None = None
@@ -429,7 +429,7 @@ class _Pen:
         self._is_open = False
 
     def _go_home(self) -> None:
-        """Go to where the subpath begins; from nearby, for steps of few digits add up, without a line."""
+        """Return to the start of the subpath; without a line where the distance is a rounding."""
         current = self._current
         controls, gap = current.controls, np.abs(current.end - current.start).max()
         if gap > _ROUNDING * float(np.ptp(controls.reshape(-1, 2), axis=0).max()):

@@ -47,7 +47,7 @@ class Properties:
     opacity
         Opacity of the element times that of all groups around it.
     is_displayed
-        Whether neither it nor a group around it is `display: none`.
+        Whether neither the element nor a group around it has `display: none`.
     """
 
     values: Mapping[str, str] = field(default_factory=lambda: INHERITED)
@@ -55,7 +55,7 @@ class Properties:
     is_displayed: bool = True
 
     def entered(self, declared: Mapping[str, str], viewport: Viewport) -> Properties:
-        """Return the properties within an element that declares these, of whose font lengths are parts."""
+        """Return the properties within an element that declares these, with lengths of its font."""
         if not declared:
             return self
         known = {name: value for name, value in declared.items() if name in INHERITED}
@@ -85,7 +85,7 @@ class Properties:
 
     @property
     def has_caps(self) -> bool:
-        """Whether a line of no length is seen, by its caps."""
+        """Whether a line without length is visible by its caps."""
         has_caps = self.values["stroke-linecap"].lower() in ("round", "square")
         return has_caps and self.values["stroke"].lower() != "none"
 
@@ -98,7 +98,7 @@ def style_of(
     Raises
     ------
     ExchangeError
-        For a width that is no length.
+        For an invalid width.
     """
     values = properties.values
     current = values["color"]
@@ -220,7 +220,7 @@ class Paint:
         "#rrggbb", or "none".
     opacity
         Opacity from 0 to 1.
-    flaw
+    loss
         Loss of the import; None for none.
     """
 
@@ -249,7 +249,7 @@ def colour_of(text: str) -> Paint | None:
 
 
 def is_paint(text: str) -> bool:
-    """Whether a value stands for a paint at all; CSS passes over others."""
+    """Whether a value is a valid paint; CSS ignores others."""
     word = text.lower()
     return (
         word in ("none", "currentcolor", "inherit", "context-fill", "context-stroke")
@@ -265,7 +265,7 @@ class Paints:
         self._elements = elements
 
     def paint(self, text: str, current: str) -> Paint:
-        """Return the paint of a value, where `currentColor` is this."""
+        """Return the paint of a value, with this `currentColor`."""
         word = text.strip()
         if word.lower() == "currentcolor":
             word = current
@@ -287,7 +287,7 @@ class Paints:
         return _instead(plain, noun)
 
     def _colours_of(self, pattern: ET.Element) -> list[str]:
-        """Return the colours that the elements of a pattern say they are painted with."""
+        """Return the colours of the elements of a pattern."""
         declared = (self._elements.declared(child) for child in pattern.iter())
         values = (style[name] for style in declared for name in _PAINTS if name in style)
         colours = map(colour_of, values)
@@ -321,14 +321,14 @@ def share_of(text: str, default: float = 1.0) -> float:
 
 
 def _instead(paint: Paint, noun: str) -> Paint:
-    """Return a paint that stands for one of another kind."""
+    """Return a paint that replaces one of another kind."""
     outcome = "imported as one colour" if paint.colour != "none" else LEFT_OUT
     return Paint(paint.colour, paint.opacity, Loss(noun, outcome))
 
 
 @dataclass(frozen=True)
 class Stop:
-    """A colour at a place of a gradient: from 0, its start, to 1; "#rrggbb", and an opacity."""
+    """A colour of a gradient, "#rrggbb", with its offset, from 0 at the start to 1, and its opacity."""
 
     offset: float
     colour: str
@@ -336,7 +336,7 @@ class Stop:
 
 
 def stops_of(element: ET.Element, elements: Elements, read: Callable[[ET.Element], Stop]) -> tuple[Stop, ...]:
-    """Return the stops of a gradient: its own, or else those of the one that it refers to."""
+    """Return the stops of a gradient: its own, or those of the gradient that it refers to."""
     chain = [element]
     while True:
         if stops := [child for child in chain[-1] if tag_of(child) == "stop"]:
@@ -349,7 +349,7 @@ def stops_of(element: ET.Element, elements: Elements, read: Callable[[ET.Element
 
 
 def mean_of(stops: Sequence[Stop]) -> Stop:
-    """Return the mean colour from the start of a gradient to its end, as far as it is seen, and opacity."""
+    """Return the mean colour of a gradient, weighted by opacity, and its mean opacity."""
     offsets = np.array([0.0, *(stop.offset for stop in stops), 1.0])
     padded = [stops[0], *stops, stops[-1]]
     # Between two stops the mean is that of both.
@@ -369,7 +369,7 @@ def mixed(colours: Sequence[str], weights: ArrayLike = 1.0) -> str:
 
 
 def _ascending(stops: Sequence[Stop]) -> tuple[Stop, ...]:
-    """Return stops none of which lies before another that comes earlier."""
+    """Return stops with ascending offsets, as SVG corrects them."""
     result, least = list[Stop](), 0.0
     for stop in stops:
         least = max(least, stop.offset)

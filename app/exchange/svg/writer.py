@@ -47,13 +47,13 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
     part of a document they may be those from its upper left corner. A piece of a cubic Hermite curve is
     exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as the tolerance
     takes; the largest deviation stands in a comment and in the metadata. The curves of a shape are one path,
-    in their groups and with its style; hidden ones are there, and not displayed.
+    in their groups and with its style; hidden ones are written, but not displayed.
     Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
 
     Raises
     ------
     ExchangeError
-        If nothing can be drawn, or if the coordinates are beyond what a picture can hold.
+        If nothing can be drawn, or if the coordinates are out of range for a picture.
     """
     style, report = options.vector_style, part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
@@ -82,7 +82,7 @@ def picture_of(
 
 
 def _cornered(drawing: Drawing) -> Drawing:
-    """Return a drawing whose upper left corner is on the origin but for rounding with it right there."""
+    """Return a drawing with its upper left corner exactly at the origin, where it is but for rounding."""
     frame = drawing.frame
     if max(abs(frame.left), abs(frame.top)) > _CORNER_ROUNDING * frame.side:
         return drawing  # too far away to be moved within a document
@@ -90,12 +90,12 @@ def _cornered(drawing: Drawing) -> Drawing:
 
 
 def nominal_width(drawing: Drawing, width: float | None) -> float:
-    """Return the width in CSS pixels of a picture whose size is that asked for, or nobody's."""
+    """Return the width in CSS pixels: the given one, or that of the nominal size."""
     return NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
 
 
 def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options: Options) -> str:
-    """Return a drawing, whose curves are written, as SVG."""
+    """Return the SVG of a drawing with the elements of its curves."""
     frame = drawing.frame
     wide, high = _size_attributes(drawing, options.width, options.unit)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
@@ -118,14 +118,14 @@ def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options:
 
 
 def _css_length(value: float, unit: str) -> str:
-    """Return a length in one of the units as SVG takes it."""
+    """Return a length with its unit for SVG."""
     if unit not in _CSS_UNITS:
         value, unit = value * MILLIMETRES[unit], "mm"
     return f"{number(value)}{unit}"
 
 
 def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[str, str]:
-    """Return width and height: at true size in a unit, of that width in CSS pixels, or of the usual one."""
+    """Return width and height: true size in a unit, with that width in CSS pixels, or nominal."""
     frame, known = drawing.frame, known_unit(unit)
     if known and width is None:
         return _css_length(frame.width, known), _css_length(frame.height, known)
@@ -167,12 +167,12 @@ def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
 
 
 def _disc_colour(outline: Outline, style: PictureStyle) -> str:
-    """Return the curve's own colour as an attribute; nothing where the picture's ink is meant."""
+    """Return the curve's own colour as an attribute; empty for the ink of the picture."""
     return f' fill="{style.visible_colour(outline.colour)}"' if outline.colour else ""
 
 
 def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
-    """Return the group of lines with this name; nothing where there are none."""
+    """Return the group of annotations with this name; empty without any."""
     paths = [_strokes(annotation, style) for annotation in drawing.annotations if annotation.name == name]
     return [f'  <g id="{name}" fill="none" stroke-linejoin="round">', *paths, "  </g>"] if paths else []
 
@@ -210,7 +210,7 @@ _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
 
 
 class Tree:
-    """Lines of SVG for shapes, one after the other; each opens and closes the groups that it has to.
+    """Lines of SVG for shapes in order, which open and close groups as needed.
 
     Parameters
     ----------
@@ -260,13 +260,13 @@ class Tree:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
     def _called(self, name: str) -> str:
-        """Return an id of its own and, where the name is another word, that as Inkscape's label."""
+        """Return a unique id and, where the name differs, the name as Inkscape's label."""
         ident = self._ids.unique(_as_id(name))
         return f' id="{ident}"' + (f' inkscape:label="{quoted(name)}"' if name and name != ident else "")
 
 
 def _as_id(name: str) -> str:
-    """Return a name as an id may be."""
+    """Return a name as a valid id."""
     word = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
     return word if word[:1].isalpha() else f"curve_{word}".rstrip("_")
 
@@ -279,7 +279,7 @@ def _node_types(shape: tuple[Outline, ...]) -> str:
 
 
 def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
-    """Return the pieces of outlines as path data, y negated, one piece per line; if need be all as cubics."""
+    """Return outlines as path data, y negated, one piece per line; without lines all are cubics."""
     return "\n      ".join(line for outline in shape for line in _data_lines(outline, has_lines))
 
 
@@ -301,7 +301,7 @@ def _data_lines(outline: Outline, has_lines: bool) -> Iterator[str]:
 def _are_lines(pieces: FloatArray) -> list[bool]:
     """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding.
 
-    A handle is as long as velocity times parameters, and these are rounded as parts of the whole length.
+    The length of a handle is velocity times parameters, which are rounded as parts of the whole length.
     """
     start, end = pieces[:, 0], pieces[:, 3]
     third = (end - start) / 3
@@ -327,7 +327,7 @@ def dash_style(dashes: Sequence[float], offset: float = 0.0) -> str:
     """Return lengths of dashes and gaps as CSS.
 
     When Inkscape enlarges a stroke, it keeps attributes unchanged, for instance where a drawing in pixels
-    is pasted into one in millimetres; of CSS it enlarges both.
+    is pasted into one in millimetres; it enlarges both in CSS.
     """
     css = f"stroke-dasharray:{','.join(map(number, dashes))}"
     return f"{css};stroke-dashoffset:{number(offset)}" if offset else css
@@ -376,7 +376,7 @@ _NOT_IN_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 def number(value: float) -> str:
     """Return the shortest text that reads back as the same float; adding zero turns -0.0 into 0.0.
 
-    One that is a decimal of up to 12 digits but for rounding is that: 32.3, and not 32.29999999999999.
+    A decimal of up to 12 digits but for rounding is written as such: 32.3, not 32.29999999999999.
     """
     text = repr(value + 0.0).removesuffix(".0")
     if len(text) < _SHORT:
@@ -386,12 +386,12 @@ def number(value: float) -> str:
 
 
 def quoted(text: str) -> str:
-    """Return text as an attribute in quotation marks may hold it."""
+    """Return text escaped for an attribute in quotation marks."""
     return escaped(" ".join(text.splitlines())).replace('"', "&quot;")
 
 
 def escaped(text: str) -> str:
-    """Return text as XML may hold it."""
+    """Return text escaped for XML."""
     # Compiled late and cached by `re`: compiling takes longer than importing this module.
     text = re.sub(_NOT_IN_XML, "\ufffd", text)
     # As xml.sax.saxutils, without the network modules that it imports.

@@ -65,7 +65,7 @@ def parsed(data: bytes, most_elements: int = MAX_ELEMENTS) -> ET.Element:
     Raises
     ------
     ExchangeError
-        With the place, for what is not XML; for entities that are outside the file, that are parameters, or
+        With the position, for invalid XML; for entities that are outside the file, that are parameters, or
         that come to more than `MAX_NESTING` and `MAX_TEXT`; for more than `most_elements`, and elements
         deeper than `MAX_DEPTH`.
     """
@@ -88,7 +88,7 @@ def reference_of(element: ET.Element) -> str:
 
 
 def speaks_to_us(element: ET.Element) -> bool:
-    """Whether an element of a `switch` is for everybody, or for those who read English."""
+    """Whether an element of a `switch` is for all languages, or for English."""
     language = element.get("systemLanguage", "en")
     return not element.get("requiredExtensions") and any(
         tag.strip().startswith("en") for tag in language.split(",")
@@ -118,10 +118,10 @@ class _ExternalId(Exception):  # noqa: N818 - found, not wrong
 
 
 class _Parser(DefusedXMLParser):  # type: ignore[misc]  # that package has no types
-    """Stops at a DOCTYPE that points outside the file, and refuses parameter entities and external ones.
+    """Parser that stops at an external DOCTYPE, and refuses parameter entities and external ones.
 
-    Expat itself would read on after the former, but then drop every “&name;” in an attribute without a
-    word, for a DTD that it has not read might declare it.
+    After an external DOCTYPE Expat would silently drop every “&name;” in an attribute, as an unread
+    DTD might declare it.
     """
 
     def __init__(self, builder: _CountingBuilder, declared: _Declared, may_point_outside: bool) -> None:
@@ -159,7 +159,7 @@ def _refused_parameter() -> NoReturn:
 class _Declared:
     """Entities and default values that a DOCTYPE declares, and how much text they add to a file.
 
-    Counted before any of it is made: by the references that stand in the file, in whichever encoding, those
+    Counted before the text is made, by the references in the file, in any encoding, those
     in comments and in other entities included.
     """
 
@@ -169,7 +169,7 @@ class _Declared:
         self._defaults: Counter[str] = Counter()
 
     def entity(self, name: str, value: str) -> None:
-        """Take note of the length of an entity with those in it, and how deep they are."""
+        """Record the length of an entity with its nested ones, and their depth."""
         inner = Counter(re.findall(_ENTITY, value))
         if unknown := next((reference for reference in inner if reference not in self._entities), None):
             raise ExchangeError(
@@ -188,7 +188,7 @@ class _Declared:
         return Counter(re.findall(_ENTITY.encode(), self._data.replace(b"\0", b"")))
 
     def attribute(self, element: str, name: str, _kind: str, default: str | None, _required: int) -> None:
-        """Take note of the length of a default value."""
+        """Record the length of a default value."""
         self._add(len(name))
         if default is not None:
             self._defaults[element.rpartition(":")[2]] += len(name) + len(default)
@@ -204,7 +204,7 @@ class _Declared:
 
 
 def _without_external_id(data: bytes, keyword: bytes, end: int) -> bytes:
-    """Return the file with blanks from a keyword in its DOCTYPE to the mark at `end`: no place moves."""
+    """Return the file with blanks from a keyword in its DOCTYPE to the mark at `end`, of the same length."""
     # In UTF-16 every character takes two bytes, and the zero stands before or after.
     width = 2 if 0 in data[end : end + 2] else 1
     unit = data[end : end + width]
@@ -221,7 +221,7 @@ def _without_external_id(data: bytes, keyword: bytes, end: int) -> bytes:
 
 
 class _CountingBuilder(ET.TreeBuilder):
-    """Builds the tree as long as it is neither large nor deep."""
+    """Builder of the tree that refuses large and deep ones."""
 
     def __init__(self, declared: _Declared, most_elements: int) -> None:
         super().__init__()
@@ -255,7 +255,7 @@ def _in_line(name: str) -> str:
 
 
 def label_of(element: ET.Element) -> str:
-    """Return a name to find an element by: its own, or the words in it; empty without."""
+    """Return a label for an element: its name, or its text; empty without."""
     return name_of(element) or " ".join("".join(element.itertext()).split())[:40]
 
 
@@ -273,7 +273,7 @@ class Elements:
     by_id
         Elements with an id.
     declared
-        Returns what an element declares.
+        Function that returns the declarations of an element.
     """
 
     by_id: Mapping[str, ET.Element]
@@ -287,7 +287,7 @@ class Elements:
         )
 
     def used(self, element: ET.Element) -> ET.Element | None:
-        """Return the element of the file whose place in it an element gives; None without one."""
+        """Return the element of the file that an element refers to; None without one."""
         reference = reference_of(element)
         return self.by_id.get(reference[1:]) if reference.startswith("#") else None
 

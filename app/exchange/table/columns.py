@@ -82,7 +82,7 @@ class Guess:
     mapping
         Roles of the columns; None where no two columns are numbers.
     is_certain
-        Whether names, or the lack of any choice, say so; where not, somebody should be asked.
+        Whether the titles, or the lack of alternatives, decide it; otherwise the user is asked.
     """
 
     mapping: ColumnMapping | None
@@ -90,14 +90,14 @@ class Guess:
 
 
 def numbered_titles(count: int) -> tuple[str, ...]:
-    """Return the titles of so many columns that have none."""
+    """Return the titles of so many columns without titles."""
     return tuple(f"Column {number}" for number in range(1, count + 1))
 
 
 def role_of(title: str) -> str:
     """Return the role of a column with this title; empty where the title has none.
 
-    A unit in brackets, or behind the name, counts for nothing: "x [mm]", "time_s", "x in m".
+    A unit in brackets, or behind the name, is ignored: "x [mm]", "time_s", "x in m".
     """
     plain = title.strip().lower()
     if plain in AFTER or plain in WORDS:
@@ -162,12 +162,12 @@ def _by_order(known: dict[str, int], free: list[int]) -> Guess:
 
 
 def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
-    """Return the columns that somebody chose: "t=time,x=pos_x,y=3", by title or number from 1.
+    """Return the roles of columns in a text: "t=time,x=pos_x,y=3", by title or number from 1.
 
     Raises
     ------
     ExchangeError
-        For a role or column that there is not, or without x or y.
+        For an unknown role or column, or without x or y.
     """
     roles = [field.name for field in fields(ColumnMapping)]
     columns: dict[str, int] = {}
@@ -184,7 +184,7 @@ def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:
 def mapping_summary(mapping: ColumnMapping, titles: Sequence[str]) -> str:
     """Return a sentence on the roles of the columns, and on those left out.
 
-    Nothing is said of columns that are all what they are called, but for a y before x.
+    Empty where all titles are the names of their roles, unless y comes before x.
     """
     columns = mapping.columns((*ROLES, *AFTER, *WORDS))
     if columns == {title: index for index, title in enumerate(titles)} and columns["x"] < columns["y"]:
@@ -213,7 +213,7 @@ def _named(titles: Sequence[str]) -> dict[str, int]:
 
 
 def _columns_along(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> list[int]:
-    """Return the columns that are lengths along the way by their titles, and increase in the first rows."""
+    """Return the columns that are lengths along the curve by their titles, and increase in the first rows."""
     columns = [column for column, title in enumerate(titles) if _ALONG.fullmatch(_without_unit(title))]
     return [column for column in columns if _increases(rows, column)]
 
@@ -251,7 +251,7 @@ _CLOSED = "closed"
 
 
 class FamilyCell(NamedTuple):
-    """A cell's words about a curve.
+    """Content of a cell of families.
 
     Attributes
     ----------
@@ -278,7 +278,7 @@ def read_family_cell(text: str) -> FamilyCell:
     Raises
     ------
     ValueError
-        With what it must be, to follow "must be".
+        With the valid contents, as text that follows "must be".
     """
     words = text.strip().lower().split()
     closed = words[:1] == [_CLOSED]

@@ -61,7 +61,7 @@ class TableOptions:
     name
         Name of the curve, unless a column has one.
     thin
-        None to take every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
+        None to keep every row; otherwise the rows are thinned out, and the curves are cubic Hermite curves.
     thinning
         The line that stays within that distance of every row.
     missing
@@ -143,7 +143,7 @@ def _groups(table: Table, mapping: ColumnMapping, name: str) -> list[Group]:
 def _without_missing(
     table: Table, columns: dict[str, int], groups: list[Group], missing: MissingRows
 ) -> list[Group]:
-    """Return the groups without rows that lack t, x or y; split there if asked."""
+    """Return the groups without rows that lack t, x or y, or split at these rows."""
     if missing is MissingRows.REFUSE:
         return groups
     needed = [column for role, column in columns.items() if role in ("t", "x", "y")]
@@ -160,7 +160,7 @@ def _without_missing(
 
 
 def _numbered(groups: list[Group]) -> list[Group]:
-    """Return the groups, of which those with one name are numbered."""
+    """Return the groups, with numbers for those of one name."""
     if len(groups) > MOST_CURVES:
         raise ExchangeError(f"The table contains {len(groups)} curves; at most {MOST_CURVES} can be read.")
     titles = numbered([title for title, _ in groups])
@@ -199,7 +199,7 @@ class _Rows:
     table, columns
         The table, and its columns of numbers by role.
     rows
-        Their places in the table.
+        Their indices in the table.
     """
 
     table: Table

@@ -35,7 +35,7 @@ class TableSource:
     data
         The content.
     lines
-        About how many rows it has.
+        Approximate number of rows.
     """
 
     def __init__(self, data: bytes, read_whole: Callable[[bytes], Table] | None = None) -> None:
@@ -72,7 +72,7 @@ class TableSource:
         Raises
         ------
         ExchangeError
-            With the place of what is no number.
+            With the position of a value that is not a number.
         """
         if not self._is_text:
             return self._all()
@@ -85,7 +85,7 @@ class TableSource:
         return table
 
     def cells(self, layout: TextLayout, number: int) -> tuple[str, ...]:
-        """Return the cells of the row that a problem names by this number; none where there is none."""
+        """Return the cells of the row with this number in a problem; empty without such a row."""
         if self._is_text:
             return cells_of_row(plain_utf_8(self.data), layout, number)
         whole = self._all()
@@ -186,13 +186,13 @@ class PreparedTable:
     rows
         Number of rows of numbers; 0 where they could not be read.
     tolerance
-        The one used; 0 where all rows are kept.
+        Tolerance used; 0 where all rows are kept.
     document, deviation
-        The curves, and how far they are from the rows at most; None where there is a problem.
+        The curves, and a bound of their distance from the rows; None where there is a problem.
     problem
         Problem that keeps the rows from becoming curves; empty for none.
     wider_than
-        The distance that would have been used had it not left too many points; 0 where it was used.
+        The smaller distance that would have left too many points; 0 where the usual one was used.
     bad_row, bad_column, bad_cells
         Cell of the problem, counted from 1, and the cells of its row; 0 and empty without a row.
     lacks_numbers
@@ -249,7 +249,7 @@ def prepare_table(source: TableSource, choice: TableChoice, report: Report = sil
 
 
 def _curves_of(table: Table, choice: TableChoice, report: Report) -> PreparedTable:
-    """Return the curves; where nobody chose a distance, with one that leaves few enough points."""
+    """Return the curves; without a given distance, with one that leaves few enough points."""
     suggested = _suggested(table, choice.mapping) if choice.thinning is not None else 0.0
     tolerance = (choice.tolerance or suggested) if choice.thinning is not None else 0.0
     for _ in range(_MOST_DOUBLINGS):

@@ -24,7 +24,7 @@ class RowProblem(ExchangeError):  # noqa: N818 - the word for people
     Attributes
     ----------
     row, column
-        Counted from 1, the row as an editor of text counts lines; None where no one cell is meant.
+        Row, as an editor of text counts lines, and column from 1; None without a single cell.
     """
 
     def __init__(self, what: str, row: int, column: int | None = None) -> None:
@@ -33,7 +33,7 @@ class RowProblem(ExchangeError):  # noqa: N818 - the word for people
 
 
 class MissingNumber(RowProblem):
-    """A cell says that there is no number: its row can be left out, or another curve begin after it."""
+    """Cell without a number: its row can be left out, or another curve begin after it."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class TextLayout:
     separator
         One of `SEPARATORS`; a space stands for any run of blanks.
     decimal_comma
-        Whether numbers are written 0,5.
+        Whether numbers are written like 0,5.
     header
         Whether the first row holds titles.
     skipped
@@ -181,7 +181,7 @@ def table_of(
     blocks: tuple[int, ...] = (),
     remark: str = "",
 ) -> Table:
-    """Return a table of numbers that were no text; NaN stands where there is none.
+    """Return a table of numbers that were not text; NaN stands for a missing one.
 
     Raises
     ------
@@ -202,7 +202,7 @@ def table_of(
 
 
 def preview_of(table: Table) -> Preview:
-    """Return the first rows of a table that was no text."""
+    """Return the first rows of a table that was not text."""
     count = min(PREVIEW_ROWS, len(table.values))
     cells = tuple(cells_at(table, row) for row in range(count))
     numbers = tuple(map(table.line_of, range(count)))
@@ -212,7 +212,7 @@ def preview_of(table: Table) -> Preview:
 
 
 def cells_at(table: Table, row: int) -> tuple[str, ...]:
-    """Return the cells of a row, from 0, of a table that was no text, as text."""
+    """Return the cells of a row, from 0, of a table that was not text, as text."""
     numbers = table.values[row].tolist()
     return tuple(
         table.words[column][row] if column in table.words else format_number(numbers[column])

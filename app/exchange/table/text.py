@@ -84,7 +84,7 @@ def read_table(
     layout
         Layout of the text.
     mapping
-        The columns that are wanted; what stands in the others is not looked at.
+        Roles of the columns to read; the others are ignored.
     allows_missing
         Whether "nan" and the like may stand in place of a number.
     report
@@ -167,7 +167,7 @@ def _wanted(width: int, mapping: ColumnMapping) -> _Wanted:
 
 
 class _Collector:
-    """Gathers the numbers and the words of all rows."""
+    """Collector of the numbers and the words of all rows."""
 
     def __init__(self, layout: TextLayout, wanted: _Wanted, rows: int, allows_missing: bool) -> None:
         self._layout, self._wanted, self._allows_missing = layout, wanted, allows_missing
@@ -181,7 +181,7 @@ class _Collector:
         self._known: dict[str, str] = {}
 
     def table(self, titles: tuple[str, ...]) -> Table:
-        """Return all that was gathered.
+        """Return the table of all rows.
 
         Raises
         ------
@@ -199,7 +199,7 @@ class _Collector:
         return Table(titles, values, self._first_row, gaps, self._words, blocks)
 
     def add(self, lines: list[str], first: int) -> None:
-        """Take in lines, of which the first has the number `first`."""
+        """Add lines, of which the first has the number `first`."""
         are_data = list(map(is_data, lines))
         if self._above:
             skipped = self._skipped(are_data)
@@ -250,7 +250,7 @@ class _Collector:
 
 
 def _blocks(breaks: list[int], count: int) -> tuple[int, ...]:
-    """Return the rows at which blocks begin after empty lines; none where one would be no curve."""
+    """Return the rows at which blocks begin after empty lines; empty where one would not be a curve."""
     starts = [row for row in breaks if 0 < row < count]
     sizes = np.diff([0, *starts, count])
     return tuple(starts) if (sizes >= 2).all() else ()
@@ -300,7 +300,7 @@ def _is_even(lines: list[str], text: str, layout: TextLayout, width: int) -> boo
 def _careful(
     lines: list[str], first: int, layout: TextLayout, wanted: _Wanted, allows_missing: bool
 ) -> FloatArray:
-    """Return the numbers row by row, or say where the first cell is that is none."""
+    """Return the numbers row by row; refuse the first cell that is not a number."""
     rows = []
     for number, line in enumerate(lines, start=first):
         if not is_data(line):
@@ -382,7 +382,7 @@ def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayou
 
 
 def _is_above(row: list[str], has_other_width: bool, layout: TextLayout) -> bool:
-    """Whether a row is no row of numbers, nor a broken one."""
+    """Whether a row is neither a row of numbers nor a damaged one."""
     numbers = sum(is_number(cell, layout) or is_missing(cell) for cell in row)
     if numbers == len(row):
         return False
@@ -497,7 +497,7 @@ def plain_utf_8(data: bytes) -> bytes:
     Raises
     ------
     ExchangeError
-        If it is empty, has too many lines, or claims UTF-16 and is none.
+        If it is empty, has too many lines, or is damaged UTF-16.
     """
     if not data or data.isspace():
         raise ExchangeError("The file is empty.")
@@ -515,7 +515,7 @@ def plain_utf_8(data: bytes) -> bytes:
 
 
 def parts_of(data: bytes) -> Iterator[tuple[int, list[str], int]]:
-    """Yield the lines of UTF-8 bytes in parts: the first one's number, the lines, the place after them.
+    """Yield the lines of UTF-8 bytes in parts: number of the first, the lines, position after them.
 
     Lines end where an editor ends them, not where str.splitlines does.
     """
@@ -545,7 +545,7 @@ class FirstLines:
     comments: dict[int, str]
 
     def comments_above(self, index: int) -> list[str]:
-        """Return the comments above the line at a place in `lines`."""
+        """Return the comments above the line with an index in `lines`."""
         first = self.numbers[index] if index < len(self.numbers) else math.inf
         return [text for number, text in self.comments.items() if number < first]
 

@@ -23,7 +23,7 @@ _DEEPEST = 1_000
 
 
 class TooManyPointsError(ExchangeError):
-    """The tolerance is so small that hardly anything is thinned out."""
+    """The tolerance is so small that almost all points would be kept."""
 
 
 class Thinning(NamedEnum):
@@ -60,7 +60,7 @@ def thin_out(
     *,
     report: Report = silent,
 ) -> ThinnedPoints:
-    """Return few of the points, such that the natural spline or the polyline through them is near all.
+    """Return few of the points, such that the spline or polyline through them is close to all of them.
 
     Starts with few points and adds the farthest of every segment that is too far away, until none is. For
     the polyline this is the method of Douglas and Peucker (Cartographica 10 (1973) 112-122), all segments
@@ -84,7 +84,7 @@ def thin_out(
     ------
     ExchangeError
         If the tolerance is no positive number, or all points coincide.
-    TooManyLeftError
+    TooManyPointsError
         If more than `MAX_POINTS` points would be kept.
     """
     if not 0 < tolerance < np.inf:
@@ -100,7 +100,7 @@ def thin_out(
 def _enough_points(
     points: FloatArray, t: FloatArray, tolerance: float, is_curve: bool, report: Report
 ) -> IntArray:
-    """Return the points that are enough, distinct ones of parameters t (n,)."""
+    """Return the indices of sufficient points among distinct ones with parameters t (n,)."""
     first, began = _FIRST if is_curve else 2, 0.0
     indices = np.unique(np.linspace(0, len(t) - 1, min(first, len(t))).round().astype(np.intp))
     for _ in range(_ROUNDS if is_curve else _DEEPEST):
@@ -126,7 +126,7 @@ def _share(began: float, worst: float, tolerance: float) -> float:
 
 
 def _along(points: FloatArray) -> tuple[FloatArray, IntArray]:
-    """Return the length of the polyline up to each distinct point, and which points those are."""
+    """Return the length of the polyline up to each distinct point, and the indices of these points."""
     length = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
     distinct = np.flatnonzero(np.append(True, np.diff(length) > 0))
     return length[distinct], distinct

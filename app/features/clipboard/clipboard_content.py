@@ -25,16 +25,16 @@ _WIDTH = 1600
 class ClipboardContent(SafeOverrides, QMimeData):
     """Curves, or points of one, for this program and for others.
 
-    Pictures of them are drawn when a program asks: most of what is copied is pasted here.
+    Pictures are drawn when another program asks for them: most copies are pasted in this one.
 
     Parameters
     ----------
     mime_type
-        The MIME type of what this program takes: `document`, as it is saved.
+        MIME type of the document, for this program.
     document
         The curves.
     text
-        For programs that take text; where empty, the SVG.
+        Text for other programs; the SVG where empty.
     """
 
     def __init__(self, mime_type: str, document: Document, text: str = "") -> None:
@@ -47,7 +47,7 @@ class ClipboardContent(SafeOverrides, QMimeData):
         self._formats = [mime_type, *drawn]
 
     def document_of(self, mimetype: str) -> Document | None:
-        """Return the curves themselves where they are offered as this: in this program nobody reads them."""
+        """Return the document itself for its MIME type, so that this program need not decode it."""
         return self._document if mimetype == self._mime_type else None
 
     def formats(self) -> list[str]:

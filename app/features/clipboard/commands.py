@@ -38,7 +38,7 @@ from .paste_commands import PasteCommands, give_keys_to_drawing
 
 
 class ClipboardCommands:
-    """Cut and copy, with the canvas or the list of curves in focus; the point table has its own for cells."""
+    """Cut and copy, with the canvas or the list of curves in focus; the point table has its own."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
@@ -65,7 +65,7 @@ class ClipboardCommands:
         self._session.say(f"Copied {what.said(self._session.document)}.")
 
     def _offer(self, what: ClipboardSelection) -> ClipboardContent:
-        """Return the offer: for other programs, of points a table, of curves an SVG."""
+        """Return the content: for other programs, points as a table and curves as SVG."""
         session, mark = self._session, decimal_mark()
         if len(what.points.parts) != 1:
             return ClipboardContent(CURVES, Document(self._copied_curves(what), unit=session.document.unit))
@@ -141,7 +141,7 @@ class HighlightCommands:
 
 
 class DerivativeCommands:
-    """Copies the derivatives of a point, and gives them to others."""
+    """Copy and paste of derivatives."""
 
     def __init__(self, context: WindowContext) -> None:
         self._session = context.session
@@ -226,7 +226,7 @@ def _derivatives_on_clipboard() -> Point | None:
 
 
 def _with_derivatives(point: Point, jet: Point) -> Point:
-    """Return `point` with the derivatives of `jet`; of a higher order it keeps its own."""
+    """Return `point` with the derivatives of `jet`; higher orders stay."""
     copied = [kind for kind in derivatives.DERIVATIVES if getattr(jet, kind.name) is not None]
     vectors = {name: getattr(jet, name) for kind in copied for name in (kind.name, kind.after)}
     return replace(point, corner=jet.corner, tied=jet.tied, even=jet.even, **vectors)

@@ -98,14 +98,14 @@ class PasteCommands:
         return data.hasFormat(CURVES) or drawing_in(data) is not None
 
     def paste_dropped(self, data: QMimeData, position: Vector) -> None:
-        """Add a drawing that was dropped at a place."""
+        """Add a drawing that was dropped at a position."""
         try:
             self._add_drawing_in(data, position)
         except EditError as reason:
             self._session.refuse(str(reason))
 
     def _add_drawing_in(self, data: QMimeData, position: Vector | None) -> bool:
-        """Add the curves or the drawing in `data`, at a place or where they are; return whether it has any.
+        """Add the curves or the drawing in `data`, at a position or their own; return whether there are any.
 
         Raises
         ------
@@ -207,7 +207,7 @@ class PasteCommands:
             session.say(f"Pasted {count_of(len(curve.points), 'point')} as “{name}”{pasted.note}.")
 
     def _show_points(self) -> None:
-        """Fit the view if points that were pasted lie outside it."""
+        """Fit the view if pasted points lie outside it."""
         if not self._context.central.canvas.framing.shows_all_points:
             self._context.actions["fitView"].trigger()
 
@@ -229,10 +229,10 @@ def _filled(
 
 
 class PointsContent(msgspec.Struct, frozen=True):
-    """Points, and the row of the text that they begin in.
+    """Points, and the first row of their text.
 
-    `like` is the curve that they were copied from, in `unit`; `note` goes on the sentence that tells what
-    was pasted.
+    `like` is the curve that they were copied from, in `unit`; `note` is appended to the message about
+    the paste.
     """
 
     points: tuple[Point, ...]
@@ -306,7 +306,7 @@ def _in_order(block: Block) -> list[list[float]]:
 
 
 def give_keys_to_drawing(context: WindowContext, commands: type) -> None:
-    """Let the keys of a command set act with the focus on the canvas, or in a panel that has none such."""
+    """Restrict the keys of a command set to the canvas and to panels without keys of their own."""
     table = context.docks["pointsDock"]
     owners: list[QWidget] = [
         context.central.canvas,

@@ -124,7 +124,7 @@ FAR_STYLE = LineStyle("warning", width=2.0)
 
 
 class FitCommands(QObject):
-    """Fits a curve of fewer points to the active one, and shows it until it is wanted or not."""
+    """Fit of a curve of fewer points to the active one, shown until it is applied or cancelled."""
 
     def __init__(self, context: WindowContext) -> None:
         super().__init__(context.window)
@@ -169,14 +169,14 @@ class FitCommands(QObject):
         make_room(self._context.window, self._dock, _HEIGHT)
 
     def follow_drag(self, _view: CurveView) -> bool:
-        """Fit anew where the curve is another one."""
+        """Fit again where the curve has changed."""
         is_visible = self._panel is not None and self._is_visible
         if is_visible:
             self._ask()
         return is_visible
 
     def escape(self) -> bool:
-        """Put the curve of fewer points away, computed or not; return whether there was one."""
+        """Discard the fit; return whether there was one."""
         was_visible = self._is_visible
         if was_visible:
             self._cancel()
@@ -280,7 +280,7 @@ def _fitted(view: CurveView, wish: FitWish, report: Report) -> Fitted | str:
 
 
 def _cross(position: Vector, size: float) -> list[FloatArray]:
-    """Return two strokes across a place."""
+    """Return two strokes of a cross at a position."""
     at = np.array(position)
     return [np.array([at - arm, at + arm]) for arm in size * np.array([[1.0, 1.0], [1.0, -1.0]])]
 

@@ -20,14 +20,14 @@ _COUNTS = (2, 500)
 
 
 class Goal(NamedEnum):
-    """The quantity that is given."""
+    """Goal of a fit: a distance or a number of points."""
 
     WITHIN = "within", "Within a distance"
     COUNT = "count", "Number of points"
 
 
 class FitWish(msgspec.Struct, frozen=True):
-    """The fit that a person asks for: one of the two is given."""
+    """Options of a fit; either the count or the tolerance is given."""
 
     family: Family
     count: int | None
@@ -41,9 +41,9 @@ class FitPanel(SafeOverrides, QScrollArea):
     Signals
     -------
     wished
-        Something else is asked for.
+        The options have changed.
     applied, cancelled
-        The result is wanted; nothing of it is.
+        The result is applied, or discarded.
     """
 
     wished = Signal()
@@ -118,7 +118,7 @@ class FitPanel(SafeOverrides, QScrollArea):
 
     @property
     def wish(self) -> FitWish | str:
-        """The fit that is asked for, or the reason against it."""
+        """The options of the fit, or the problem of one."""
         is_count = self.goal.currentIndex() == list(Goal).index(Goal.COUNT)
         if problem := str(self.count.problem if is_count else self.tolerance.problem):
             return problem
@@ -130,7 +130,7 @@ class FitPanel(SafeOverrides, QScrollArea):
         )
 
     def begin(self, family: Family, tolerance: float, count: int) -> None:
-        """Begin with the family of a curve, and a tolerance and a number of points that suit its size."""
+        """Show the family of a curve, and a tolerance and a number of points that suit its size."""
         self._is_rendering = True
         if family in self._families:
             self.family.setCurrentIndex(self._families.index(family))

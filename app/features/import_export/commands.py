@@ -41,7 +41,7 @@ _NOT_IMPORTED = "{} not imported because another document was opened in the mean
 
 
 class ImportCommands:
-    """Files of other formats that come in, read beside the window's own thread."""
+    """Import of files in other formats, read in a thread of their own."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._work = context, context.work
@@ -70,9 +70,9 @@ class ImportCommands:
             self.import_files(drawings)
 
     def import_files(self, paths: Iterable[Path], opened: Path | None = None) -> None:
-        """Import these one after the other, each when the one before has been answered.
+        """Import files one after the other, each after the dialog of the one before.
 
-        One that is `opened` is meant as a document of its own.
+        The file `opened` becomes a document of its own.
         """
         if not self._series.is_busy:
             self._target_number, self._opened = self._document_number, None
@@ -80,7 +80,7 @@ class ImportCommands:
         self._series.add(paths)
 
     def _open(self, path: Path) -> None:
-        """Import a file as a new document, unless the person wants it in this one."""
+        """Import a file as a new document, unless the user adds it to this one."""
         if not self._work.refuse_second():
             self.import_files([path], opened=path)
 
@@ -175,7 +175,7 @@ class ImportCommands:
         return path.absolute() in self._preferences.recent_files
 
     def _take_in(self, path: Path, result: ImportResult | PreparedTable, anew: bool) -> None:
-        """Begin with the curves or add them, and go on with the next file; many are computed beside."""
+        """Begin a document with the curves or add them, then go on with the next file."""
         files, session, intake = self._context.files, self._session, import_export.intake
         assert result.document is not None
         if anew and (self._goes_elsewhere(path, result) or not files.may_discard()):

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 class ExportCommands:
-    """Files of other formats that go out, written beside the window's own thread."""
+    """Export to other formats, written in a thread of its own."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._work = context, context.work
@@ -112,7 +112,7 @@ class ExportCommands:
         self.export(path, order.options, order.document)
 
     def export(self, path: Path, options: Options | None = None, document: Document | None = None) -> None:
-        """Write the document, or a part of it, in the format that the ending names; say how exactly."""
+        """Write the document, or a part of it, in the format of the ending; state its accuracy."""
         document = document or self._session.document
         options = options or exchange.options.Options(unit=document.unit)
 
@@ -135,7 +135,7 @@ _ANY_CURVE = Need("a curve with at least two points", lambda state: state.has_cu
 
 
 class CopyCommands:
-    """Copies as SVG, as a picture and as path data."""
+    """Copies as SVG, as an image and as path data."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session

@@ -49,12 +49,12 @@ _SQUARE = 8
 
 
 class ExportDialog(WorkDialog):
-    """Asks for the options first; where to write is asked next.
+    """Dialog for the options of an export; the file dialog follows.
 
     Signals
     -------
     export_requested
-        The person wants a file: the `ExportChoice`.
+        Export was pressed: the `ExportChoice`.
     """
 
     export_requested = Signal(object)
@@ -164,7 +164,7 @@ class ExportDialog(WorkDialog):
 
 
 def _on_squares(image: QImage, ratio: float, colours: tuple[QColor, QColor]) -> QPixmap:
-    """Return a picture on a chessboard that shows where it has no background."""
+    """Return a picture on a checkerboard that shows where it has no background."""
     image.setDevicePixelRatio(ratio)
     result = QPixmap(image.size())
     result.setDevicePixelRatio(ratio)
@@ -188,12 +188,12 @@ class ExportForm(QWidget):
     Signals
     -------
     changed
-        The person chose something else.
+        The user changed a value.
 
     Attributes
     ----------
     fields
-        One for each option of any format, by the options' names.
+        Fields of the options of all formats, by the options' names.
     """
 
     changed = Signal()
@@ -267,7 +267,7 @@ class ExportForm(QWidget):
         Raises
         ------
         ExpressionError
-            If no column is, or a number that concerns the format is out of its range.
+            If no column is selected, or a number of the format is out of range.
         """
         values = {option: self.fields[option.name].value() for option in self._options}
         choice = choice_with(self._formats[self.format_box.currentIndex()].ending, values)
@@ -314,13 +314,13 @@ class Field(ABC, Generic[Value]):
         """Show a value."""
 
     def problem(self) -> str:
-        """Return why the value cannot be used; empty where it can."""
+        """Return the problem of the value; empty for none."""
         return ""
 
 
 @singledispatch
 def field_for(option: Option[Any], _change: Callable[[], object]) -> Field[Any]:
-    """Return a field for an option; `change` is called when the person chooses something else."""
+    """Return a field for an option; `change` is called when the user changes its value."""
     raise NotImplementedError(f"{type(option).__name__} has no field")
 
 
@@ -344,7 +344,7 @@ class CheckField(Field[bool]):
 
 @field_for.register(Whole)
 class WholeField(Field[int]):
-    """A spin box that says which numbers are possible."""
+    """A spin box that shows its limits."""
 
     widget: RangedSpinBox
 
@@ -364,7 +364,7 @@ class WholeField(Field[int]):
         self.widget.setValue(value)
 
     def problem(self) -> str:
-        """Return why the value cannot be used."""
+        """Return the problem of the value."""
         return str(self.widget.problem)
 
 
@@ -410,13 +410,13 @@ class SomeOfField(Field[tuple[str, ...]]):
             check.setChecked(choice in value)
 
     def problem(self) -> str:
-        """Return why the value cannot be used."""
+        """Return the problem of the value."""
         return "" if self.value() else self._needed
 
 
 @field_for.register(Real)
 class RealField(Field[float | None]):
-    """A field for a number, or “automatic” where there need not be one."""
+    """A field for a number, or “automatic” where the number is optional."""
 
     widget: FieldEdit
 

@@ -56,12 +56,12 @@ class ImportDrawingDialog(WorkDialog):
     verb, name
         Verb of the dialog, and name of the file.
     rest
-        Returns what is said of all that stays behind where the curves go: to a new document, or this one.
+        Returns the sentence on content that is not added, for a new document or for this one.
 
     Signals
     -------
     import_requested
-        The person wants it: an `ImportResult`, and whether it is to become a new document.
+        Import was pressed: the `ImportResult`, and whether it becomes a new document.
     """
 
     import_requested = Signal(object, bool)
@@ -122,7 +122,7 @@ class ImportDrawingDialog(WorkDialog):
         return self.groups.included if self.groups is not None else [True] * len(self._result.document.curves)
 
     def _show_included(self) -> None:
-        """Show how much of the drawing is taken; without a curve there is nothing to import."""
+        """Show the part of the drawing that is checked; without a curve there is nothing to import."""
         included = self._included()
         self.ok.setEnabled(any(included))
         some = self._result if all(included) or not any(included) else self._result.only(included)
@@ -158,12 +158,12 @@ def _remarks(result: ImportResult) -> str:
 
 
 class GroupTree(QTreeWidget):
-    """The groups of a drawing, and the shapes in them; to check a group is to check all in it.
+    """The groups of a drawing, and the shapes in them; checking a group checks all in it.
 
     Signals
     -------
     selection_changed
-        Other curves are taken now.
+        Other curves are checked.
     """
 
     selection_changed = Signal()
@@ -188,7 +188,7 @@ class GroupTree(QTreeWidget):
         self.itemChanged.connect(lambda _item, _column: self.selection_changed.emit())
 
     def _fill(self) -> list[QTreeWidgetItem]:
-        """Make the items; return for each curve the one that it hangs on."""
+        """Create the items; return the item of each curve."""
         curves, leaves = self._document.curves, list[QTreeWidgetItem]()
         groups = [curve.groups[:_DEEPEST] for curve in curves]
         ranges = list(shape_ranges(self._document.curves))
@@ -216,7 +216,7 @@ class GroupTree(QTreeWidget):
         return leaves
 
     def _item(self, chain: _Chain, name: str, holds: str) -> QTreeWidgetItem:
-        """Return the item of a group or shape, made and hung up where it is new."""
+        """Return the item of a group or shape, created and inserted if needed."""
         if chain not in self._items:
             item = QTreeWidgetItem([name, holds])
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsAutoTristate)
@@ -230,12 +230,12 @@ class GroupTree(QTreeWidget):
 
     @property
     def included(self) -> list[bool]:
-        """Whether each curve is taken."""
+        """Whether each curve is checked."""
         return [leaf.checkState(0) == Qt.CheckState.Checked for leaf in self._leaves]
 
 
 class ImportPicture(QWidget):
-    """The curves that are taken, in their styles.
+    """Preview of the checked curves, in their styles.
 
     Attributes
     ----------
@@ -254,7 +254,7 @@ class ImportPicture(QWidget):
         column_of(self.picture, 1, margins=0, parent=self)
 
     def show_document(self, document: Document) -> None:
-        """Draw a document, beside the window's own thread."""
+        """Draw a document in a thread of its own."""
         ratio = self.devicePixelRatioF()
         room = (round(_PICTURE_WIDTH * ratio), round(_PICTURE_HEIGHT * ratio))
 
@@ -281,7 +281,7 @@ class ImportPicture(QWidget):
 
 
 def _is_for_dark_paper(document: Document) -> bool:
-    """Whether nothing of a document would be seen on light paper."""
+    """Whether nothing of a document would be visible on light paper."""
     paints = {
         paint
         for curve in document.curves

@@ -9,7 +9,7 @@ import msgspec
 
 
 class Turn(msgspec.Struct, frozen=True):
-    """Place of a file among several that are asked about, from 1 on, and how many there are."""
+    """Number of a file in a series of imports, from 1, and the count of files."""
 
     number: int = 1
     count: int = 1
@@ -21,21 +21,21 @@ class Turn(msgspec.Struct, frozen=True):
 
 
 class ImportSeries:
-    """The files of a drop, or a single one, on their way in.
+    """Files that are imported one after the other.
 
     Parameters
     ----------
     begin
-        Reads a file and asks about it; calls `end` when that is over, however it ended.
+        Begins the import of a file; it ends with a call of `end`, whatever its outcome.
     is_free
         Whether a file can be read now.
     warn
-        Shows what could not be imported.
+        Shows a warning about files that could not be imported.
 
     Attributes
     ----------
     changed
-        Called with the turn when more files have come while one is asked about.
+        Called with the turn when files are added during the dialog of another.
     """
 
     def __init__(
@@ -50,30 +50,30 @@ class ImportSeries:
 
     @property
     def is_busy(self) -> bool:
-        """Whether a file is being read or asked about, or waits for that."""
+        """Whether a file is being imported, or waits."""
         return self._now is not None or bool(self._waiting)
 
     @property
     def turn(self) -> Turn:
-        """Place of the file that is on its way now."""
+        """Turn of the file that is being imported."""
         return Turn(self._number, self._number + len(self._waiting))
 
     def add(self, paths: Iterable[Path]) -> None:
-        """Import these, after those that came before."""
+        """Import files after those that wait."""
         self._waiting += paths
         if self.changed is not None:
             self.changed(self.turn)
         self.go_on()
 
     def go_on(self) -> None:
-        """Begin with the next file, if it can be read now."""
+        """Begin the next file, if it can be read now."""
         if self._now is None and self._waiting and self._is_free():
             self._now = self._waiting.pop(0)
             self._number += 1
             self._begin(self._now)
 
     def end(self, problem: str = "") -> None:
-        """Go on with the next file; `problem` says why this one was not imported."""
+        """Go on with the next file; `problem` is the reason why this one was not imported."""
         self._now = None
         self._problems += [problem] if problem else []
         if self._problems:
@@ -84,7 +84,7 @@ class ImportSeries:
         self.go_on()
 
     def skip_rest(self) -> list[str]:
-        """Forget the files that wait; return the names of the one that is asked about and of these."""
+        """Forget the files that wait; return their names, after that of the current file."""
         left = [path.name for path in (self._now, *self._waiting) if path is not None]
         self._waiting.clear()
         return left

@@ -66,7 +66,7 @@ class ImportTableDialog(WorkDialog):
     Signals
     -------
     import_requested
-        The person wants the curves: a `PreparedTable`, and whether they are to become a new document.
+        Import was pressed: the `PreparedTable`, and whether it becomes a new document.
     """
 
     import_requested = Signal(object, bool)
@@ -217,7 +217,7 @@ class ImportTableDialog(WorkDialog):
         self._take_distance(self.tolerance_edit.text())
 
     def _take_distance(self, text: str) -> bool:
-        """Compute with the distance that was typed, or say why not; return whether it is one."""
+        """Compute with a typed distance, or show its problem; return whether it is valid."""
         try:
             self._tolerance = _distance(text)
         except ExpressionError as reason:
@@ -334,7 +334,7 @@ class ImportTableDialog(WorkDialog):
 
 
 def _distance(text: str) -> float | None:
-    """Return the distance that was typed; None for nothing, which leaves it to the program."""
+    """Return a typed distance; None for no text, which means automatic."""
     if not text.strip():
         return None
     value = parse_number(text, decimal_mark())
@@ -413,7 +413,7 @@ class TablePreview(QTableWidget):
     def mark(self, number: int, column: int, cells: Sequence[str]) -> None:
         """Mark the cell of a problem: its column, from 1, or 0 for the whole row; number 0 for no row.
 
-        A row that is none of the first ones is shown below them.
+        A row beyond the first ones is shown below them.
         """
         self.setRowCount(len(self._numbers))
         for row in range(self.rowCount()):
@@ -460,12 +460,12 @@ def _short(text: str) -> str:
 
 
 class RoleHeader(SafeOverrides, QHeaderView):
-    """A horizontal head with titles, and a box above each.
+    """A horizontal header with titles, and a box above each.
 
     Signals
     -------
     role_changed
-        The person gave a column another role.
+        The user gave a column another role.
     """
 
     role_changed = Signal()
@@ -504,7 +504,7 @@ class RoleHeader(SafeOverrides, QHeaderView):
         return box
 
     def _choose(self, box: QComboBox) -> None:
-        """Take the role away from the column that had it: two cannot have the same."""
+        """Remove the role from the column that had it: two cannot have the same."""
         for other in self.boxes:
             if other is not box and other.currentIndex() == box.currentIndex() != 0:
                 other.setCurrentIndex(0)

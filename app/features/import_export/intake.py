@@ -27,7 +27,7 @@ def intake(
     new: Document,
     report: Callable[[float], object] | None = None,
 ) -> AddedCurves:
-    """Return a document with the curves of another in front, and views of them if one is `report`.
+    """Return a document with the curves of another in front, and their views if there is a `report`.
 
     Lengths are converted to the unit of the document; an empty document gets the unit and the guides.
     """

@@ -31,7 +31,7 @@ INTO = ("This document", A_NEW_DOCUMENT)
 
 
 def enters_number(dialog: QDialog, event: QKeyEvent) -> bool:
-    """Whether a key is the Enter that ends typing into a field, and no order to go ahead."""
+    """Whether a key is an Enter that ends typing into a field, and does not accept the dialog."""
     is_enter = event.key() in ENTER
     return is_enter and isinstance(dialog.focusWidget(), QLineEdit | QAbstractSpinBox)
 
@@ -56,7 +56,7 @@ def into_box(verb: Verb) -> QComboBox:
 
 
 def buttons(text: str, name: str, tip: str, cancel: str) -> tuple[QDialogButtonBox, QPushButton]:
-    """Return the buttons at the foot of a dialog, and the one that goes ahead.
+    """Return the buttons at the foot of a dialog, and the accepting one.
 
     `cancel` is the object name of the other one.
     """
@@ -77,7 +77,7 @@ class WorkDialog(FittedDialog):
     jobs
         The computation.
     problem
-        A line that says what is wrong.
+        Label with the problem.
     """
 
     def __init__(self, name: str, title: str, problem: str, parent: QWidget | None = None) -> None:
@@ -113,7 +113,7 @@ class ImportFoot(QWidget):
     Signals
     -------
     rest_skipped
-        The person wants neither this file nor those that wait.
+        Skip the Rest was pressed.
     """
 
     rest_skipped = Signal()

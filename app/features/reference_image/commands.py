@@ -63,7 +63,7 @@ class ImageCommands:
 
     @Panel("imageDock", "Image")
     def build_panel(self, parent: QWidget) -> QWidget:
-        """Return the form of the picture, with its buttons."""
+        """Return the form of the image, with its buttons."""
         panel = self.panel = ImagePanel(self._actions.in_bar(IMAGE_BUTTONS)[1], parent)
         self._edits = FormEdits(self._session, panel)
         self._opacity = SliderGesture(
@@ -76,7 +76,7 @@ class ImageCommands:
         return panel
 
     def render_panel(self, view: CurveView) -> None:
-        """Show the picture of the document, or say why it cannot be shown."""
+        """Show the image of the document, or why it cannot be shown."""
         image = self._session.document.image
         if image == self._image and self._is_loaded:
             return
@@ -100,7 +100,7 @@ class ImageCommands:
             self.panel.show_problem(self._problem)
 
     def _show_dock(self, visible: bool) -> None:
-        """Show the panel while there is a picture; without one it is disabled and stays away."""
+        """Show the panel while there is an image; without one it is disabled and hidden."""
         dock = self._dock
         dock.setEnabled(visible)
         dock.toggleViewAction().setVisible(visible)
@@ -187,7 +187,7 @@ class ImageCommands:
             self.find(path)
 
     def find(self, path: Path) -> None:
-        """Show a picture where the present one lies, or say why not."""
+        """Show another file at the position of the image, or warn."""
         name = str(path.absolute())
         pixels = self._read(name)
         if pixels is not None:
@@ -200,7 +200,7 @@ class ImageCommands:
         return Path(name) if name else None
 
     def _read(self, path: str) -> QImage | None:
-        """Return the picture at `path`, or say why there is none."""
+        """Return the picture at `path`, or warn."""
         try:
             return read_image(path)
         except ImageFileError as problem:

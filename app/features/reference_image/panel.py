@@ -76,7 +76,7 @@ class ImagePanel(FieldForm):
     # Rendering: nothing here writes back
 
     def render_image(self, image: ReferenceImage | None) -> None:
-        """Show where `image` lies, as it is told; nothing of one that is there no more."""
+        """Show the numbers of `image`; empty without one."""
         self._image = image
         if image is None:
             for edit in self._edits:
@@ -99,7 +99,7 @@ class ImagePanel(FieldForm):
         self.render_image(self._image)
 
     def show_problem(self, text: str) -> None:
-        """Say why the picture cannot be shown; empty where it can."""
+        """Show why the image cannot be shown; empty where it can."""
         # Paths may be wrapped after folders, so that a long one does not widen the window.
         super().show_problem(text.replace("/", "/\N{ZERO WIDTH SPACE}"))
         self.problem.setToolTip(tip_of(text))
@@ -116,7 +116,7 @@ class ImagePanel(FieldForm):
             self._ask("Scale image", (image.x, image.y), width)
 
     def _ask(self, text: str, corner: Vector, width: float) -> None:
-        """Ask for the picture with its lower left corner there, and so wide."""
+        """Ask for the image with this lower left corner and width."""
         self.edited.emit(text, lambda document, _curve: place_image(document, corner, width))
         self._render_again()
 
