@@ -7,7 +7,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSlider, QWidget
 
 from app.document.model import Document, make_curve
-from app.families import FAMILIES, LAGRANGE
+from app.families import FAMILIES, LAGRANGE, FamilySetting
+from app.features.curve_settings.panel import NumberField
 from tests.own_families import EVERY
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0))
@@ -184,6 +185,28 @@ def test_the_slider_of_a_real_setting_moves_by_its_step_and_a_drag_is_one_step(s
     assert chosen(spline) == {"tension": -1.0}
     assert spline.session.undo_stack.count() == steps + 1
     assert spline.session.undo_stack.undoText() == "Set tension to −1"
+
+
+@pytest.mark.parametrize(
+    ("default", "limits", "step", "values"),
+    [
+        (0.0, (0.0, 1.0), 0.3, [0.0, 0.3, 0.6, 0.9, 1.0]),
+        (0.5, (-1.0, 1.0), 0.5, [-1.0, -0.5, 0.0, 0.5, 1.0]),
+        (2, (1, 4), None, [1, 2, 3, 4]),
+        (4, (0, 9), 4, [0, 4, 8, 9]),
+    ],
+)
+def test_a_slider_reaches_both_limits_by_steps_of_the_setting(editor, default, limits, step, values):
+    setting = FamilySetting("amount", "amount", default, "How much", limits=limits, step=step)
+    field = NumberField(setting, limits)
+    field.row.setParent(None)
+    assert [field.value_at(position) for position in range(field.slider.maximum() + 1)] == values
+    for position, value in enumerate(values):
+        field.render_value(value)
+        assert field.slider.value() == position
+        assert type(field.value_at(position)) is type(default)
+    field.edit.deleteLater()
+    field.slider.deleteLater()
 
 
 def test_a_choice_is_chosen_and_undone(swaying):

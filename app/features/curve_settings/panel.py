@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 
 import numpy as np
@@ -64,7 +65,8 @@ class NumberField:
         slider = LiveSlider()
         tip = f"{setting.tip} ({reach}; Escape cancels a drag)".strip()
         self.slider = named(slider, f"{name}Slider", f"{label}, slider", tip)
-        self.slider.setRange(0, self._position_of(self._most))
+        # The last step is shorter where the limits are not a whole number of steps apart.
+        self.slider.setRange(0, math.ceil(round((self._most - self._least) / self._step, 9)))
         self.slider.setPageStep(1)
         self._value: SettingValue | None = setting.default
         self.slider.drag_ended.connect(self._show)
@@ -82,16 +84,15 @@ class NumberField:
         value = min(float(f"{self._least + position * self._step:.12g}"), self._most)
         return int(value) if self._setting.is_whole else value
 
-    def _position_of(self, value: float) -> int:
-        return round((value - self._least) / self._step)
-
     def _show(self) -> None:
         if not isinstance(self._value, int | float):
             self.edit.show_text("")
             return
         self.edit.show_number(self._value, None if self._setting.is_whole else _DIGITS)
         if not self.slider.isSliderDown():
-            self.slider.setValue(self._position_of(self._value))
+            is_most = self._value == self._most
+            steps = round((self._value - self._least) / self._step)
+            self.slider.setValue(self.slider.maximum() if is_most else steps)
 
 
 class ChoiceField:
