@@ -96,7 +96,7 @@ class _Lines(TaylorPieces):
 
 
 class CubicSplineCurve(ParametricCurve):
-    """Cubic pieces whose bend does not jump.
+    """Cubic pieces with continuous acceleration.
 
     Twice continuously differentiable; c'''(t) may jump at the joints. Of all such curves through the points
     the one with natural ends has the least integral of c''(t)**2.

@@ -62,7 +62,7 @@ _NO_EXPONENT = np.zeros(1, dtype=np.int64)
 
 
 class FloaterHormannCurve(ParametricCurve):
-    """A smooth blend of the polynomials through neighbouring points; it stays calm at even parameters.
+    """Smooth blend of polynomials through neighbouring points; calm at uniform parameters.
 
     Parameters
     ----------
