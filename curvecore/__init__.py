@@ -44,9 +44,9 @@ A family of your own says what its functions are, and gets all of the above:
 ...     "An ellipse from the ends of its two axes."
 ...     name = title = "ellipse"
 ...     interpolates = False
-...     def _basis(self, t, order):  # t (m,) -> (m, n, R)
+...     def _basis(self, t, order):  # t (m,) -> (m, n)
 ...         angle = t + order * np.pi / 2
-...         return np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, :, None]
+...         return np.stack([np.cos(angle), np.sin(angle)], axis=1)
 >>> ellipse = Ellipse([[2, 0], [0, 1]], [0, 2 * np.pi])
 >>> round(arc_length(ellipse, 1e-9).value, 6)
 9.688448

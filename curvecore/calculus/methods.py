@@ -273,7 +273,7 @@ class Calculus:
         ----------
         polynomial : scipy.interpolate.BPoly or PPoly
             With values of shape () or (dim,). A `CubicSpline` and its kin are PPolys.
-        **settings : int or str
+        **settings : int, float or str
             Values of the family's `settings`, by their names; the defaults where none is given.
 
         Returns

@@ -81,7 +81,7 @@ class BasisCurve(ParametricCurve):
         t_i, finite and strictly increasing. Copied.
     scheme : Scheme, optional
         The functions; those of the class where it has some. Whether the curve passes its points is measured.
-    **settings : int or str
+    **settings : int, float or str
         Values of the class's `settings`, by their names; the defaults where none is given.
 
     Raises

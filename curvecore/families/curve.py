@@ -52,7 +52,7 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
         p_i, finite; n >= 2, dim >= 1. Copied.
     parameters : array_like, shape (n,)
         t_i, finite and strictly increasing. Copied.
-    **settings : int or str
+    **settings : int, float or str
         Values of the family's `settings`, by their names; the defaults where none is given.
 
     Raises
@@ -63,21 +63,21 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
     Attributes
     ----------
     name : str
-        The family's, as files store it: of one name, one set of functions for given parameters and settings.
+        The name of the family in files: of one name, one set of functions for given parameters and settings.
     settings : tuple of FamilySetting
-        What may be chosen about the functions beside the parameters.
+        Choices about the functions beside the parameters.
     title : str
-        The family's, as people read it.
+        The name of the family for people.
     functions : str
         The name of the basis functions, to begin a sentence, where they have one.
     derivatives : int
-        How many derivatives belong to each point: R - 1.
+        The number of derivatives of each point: R - 1.
     full_title : str
-        The title where nothing else says what it is: cubic Hermite.
+        A title that is clear by itself: cubic Hermite; the title, if it is not given.
     short_title : str
-        The title where room is short; the title's first word, if it is not given.
+        A short title; the first word of the title, if it is not given.
     rank : int
-        Where it stands among the families of a program that lists them, in ascending order.
+        The position of the family in menus, in ascending order.
     can_close : bool
         Whether a last segment may lead back to the first point as smoothly as all others.
     interpolates : bool
@@ -89,13 +89,13 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
     is_one_polynomial : bool
         Whether it is the polynomial of degree n - 1 through its n points.
     is_calm : bool
-        Whether it is offered as a cure for a curve that swings out between its points: through points alone
-        it stays near them, whatever their parameters.
+        Whether curves through points alone stay near them, whatever the parameters: such a family is
+        suggested for a curve that swings out between its points.
     follows : bool
-        Whether `near` comes as close as is wanted to curves that do not consist of polynomials.
+        Whether `near` comes within any tolerance of curves that do not consist of polynomials.
     most_points : int or None
-        How many points a curve can have: what is derived from `_basis` takes m * n numbers. None, any
-        number, in a family that overrides `_evaluate`, `bezier_pieces` and whatever else it can do with less.
+        The largest number of points: the defaults take m * n numbers. None for any number, in a family that
+        overrides `_evaluate`, `bezier_pieces` and other methods that can do with less.
 
     See Also
     --------
@@ -112,7 +112,7 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
     ...     interpolates = False
     ...     def _basis(self, t, order):
     ...         angle = t + order * np.pi / 2
-    ...         return np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, :, None]
+    ...         return np.stack([np.cos(angle), np.sin(angle)], axis=1)
     >>> ellipse = Ellipse([[2, 0], [0, 1]], [0, 2 * np.pi])
     >>> ellipse
     Ellipse(n=2, dim=2, domain=(0, 6.28319))
@@ -151,7 +151,7 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
     def _basis(self, t: FloatArray, order: int) -> FloatArray:
         """Return B_ir^(order) at finite t (m,), inside the domain or not, as (m, n, R); order >= 0.
 
-        At a break the piece to the right counts. Where R is 1, the shape (m, n) will do. Numbers may overflow
+        At a break the piece to the right counts. Where R is 1, the shape may be (m, n). Numbers may overflow
         or be invalid: they are made finite, without warnings.
         """
 
@@ -224,7 +224,7 @@ class ParametricCurve(FamilyDefaults, Calculus, Immutable):
             Finite numbers; n >= 2.
         parameters : array_like, shape (n,)
             Finite and strictly increasing.
-        **settings : int or str
+        **settings : int, float or str
             Values of the family's `settings`, by their names; the defaults where none is given.
 
         Returns
