@@ -63,7 +63,7 @@ class Keymap(QObject):
         super().__init__(parent)
         self._bindings: dict[str, Binding] = {}
         # By default key: Qt reports a key that two actions have only when it is pressed.
-        self._default_owners: dict[str, Binding] = {}
+        self._defaults: dict[str, Binding] = {}
 
     def add(self, binding: Binding) -> None:
         """Add an action and give it its default keys.
@@ -76,7 +76,7 @@ class Keymap(QObject):
         for key in binding.defaults:
             if reason := refusal(key):
                 raise ValueError(f"“{binding.text}” cannot have its default key: {reason}")
-            other = self._default_owners.setdefault(key.toString(), binding)
+            other = self._defaults.setdefault(key.toString(), binding)
             if other is not binding:
                 raise ValueError(
                     f"“{other.text}” and “{binding.text}” both have the default key {native(key)}."
@@ -87,9 +87,7 @@ class Keymap(QObject):
     def remove(self, name: str) -> None:
         """Remove an action and free its keys."""
         binding = self._bindings.pop(name)
-        self._default_owners = {
-            key: other for key, other in self._default_owners.items() if other is not binding
-        }
+        self._defaults = {key: other for key, other in self._defaults.items() if other is not binding}
         _bind(binding.action, [])
 
     @property

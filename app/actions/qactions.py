@@ -110,9 +110,7 @@ class Actions(QObject):
     def _sorted_by_bar(self) -> dict[ActionBar, dict[int, list[QAction | MenuSection]]]:
         """Return the entries of each bar in the order of their positions, grouped by tens."""
         entries: list[tuple[BarPosition, QAction | MenuSection]]
-        entries = [
-            (position, self[item.action.name]) for item in self._handlers for position in item.positions
-        ]
+        entries = [(at, self[item.action.name]) for item in self._handlers for at in item.positions]
         entries += [(position, item) for menu in MENUS for item in menu.sections for position in item.also]
         by_bar: dict[ActionBar, dict[int, list[QAction | MenuSection]]] = {}
         for position, entry in sorted(entries, key=lambda pair: pair[0].number):

@@ -33,9 +33,7 @@ def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
 
     Letters that are only scattered over a name count where no name has them in one piece.
     """
-    rated = [
-        (fit, index) for index, thing in enumerate(things) if (fit := fitness(typed, *thing)) is not None
-    ]
+    rated = [(fit, i) for i, thing in enumerate(things) if (fit := fitness(typed, *thing)) is not None]
     if any(_is_whole(typed, things[index]._replace(tip="")) for _, index in rated):
         rated = [(fit, index) for fit, index in rated if _is_whole(typed, things[index])]
     return [index for _, index in sorted(rated, key=lambda pair: -pair[0])]

@@ -165,11 +165,7 @@ class FocusCommands:
         """Yield the visible panels with the widget of each that gets the focus."""
         context = self._context
         docks = sorted(context.docks.all, key=lambda dock: (dock.x(), dock.y()))
-        panels: list[QWidget] = [
-            *context.central.stops,
-            *docks,
-            context.toolbar,
-        ]
+        panels: list[QWidget] = [*context.central.stops, *docks, context.toolbar]
         for panel in panels:
             target = first_in(panel) if _is_in_sight(panel) else None
             if target is not None:

@@ -88,7 +88,7 @@ def test_leaving_is_said_and_no_points_are_shown(three):
     three.hover((1.5, 4.4))
     assert "Escape: whole curves" in three.window.status_line.hint
     three.escape()
-    assert three.status == "“B” is selected as a whole. Press Enter to edit its points."
+    assert three.status == "“B” is selected as a whole; Enter edits its points."
     assert not shows_points(three)
     three.key(RETURN)
     assert state(three) == (True, "", "B")
@@ -111,7 +111,7 @@ def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
     whole.escape()
     assert (selected.is_editing, chosen(whole)) == (False, "AC")
     assert whole.status.startswith("2 curves are selected as wholes")
-    assert whole.status.endswith("Press Enter to edit their points.")
+    assert whole.status.endswith("Enter edits their points.")
     # By the action it goes the same way.
     for is_editing in (True, False):
         whole.trigger("editCurve")

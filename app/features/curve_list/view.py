@@ -143,11 +143,8 @@ class CurveListView(ClaimsKeys, QListView):
         if self.parts.is_on_opener(position):
             self._fold(row, is_open=not self.curves.entries[row].is_open)
             return
-        indices, spot, selected = (
-            self._indices_of(row),
-            self.parts.spot_at(position),
-            self.curves.marks.curves,
-        )
+        indices, spot = self._indices_of(row), self.parts.spot_at(position)
+        selected = self.curves.marks.curves
         held = event.modifiers()
         if spot is not Spot.NAME:
             self.spot_clicked.emit(self.curves.entries[row].node, spot)
@@ -201,15 +198,10 @@ class CurveListView(ClaimsKeys, QListView):
             self.moved.emit(self.curves.entries[row].node, drop)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        position = event.position().toPoint()
+        at = event.position().toPoint()
         is_plain = not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-        row, parts = self.parts.row_at(position), self.parts
-        if (
-            is_plain
-            and row >= 0
-            and not parts.is_on_opener(position)
-            and parts.spot_at(position) is Spot.NAME
-        ):
+        row, parts = self.parts.row_at(at), self.parts
+        if is_plain and row >= 0 and not parts.is_on_opener(at) and parts.spot_at(at) is Spot.NAME:
             self.edit_name(row)
         else:
             self.mousePressEvent(event)

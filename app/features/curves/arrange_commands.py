@@ -117,10 +117,8 @@ class OrderCommands:
 
     def _commit_gathered(self, name: str, arrange: Arrange, step: int, where: str) -> None:
         """Move the selected curves in the order, as one step."""
-        session, what = (
-            self._session,
-            name_or_count(self._session.document, self._session.selected.with_shapes),
-        )
+        session = self._session
+        what = name_or_count(session.document, session.selected.with_shapes)
         document = reorder_curves(session.document, arrange(session.document, session.selected.curves, step))
         active = index_of(document, session.active_curve)
         if session.change(name.format(what), lambda _: document, active=active):

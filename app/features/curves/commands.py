@@ -104,9 +104,7 @@ class CurveCommands:
         }
         group = group_points((curve, frozenset(between)) for curve, between in segments.items())
         if not group.parts:
-            session.refuse(
-                "Select two neighbouring points, or double-click the curve to insert a point there."
-            )
+            session.refuse("Select two neighbouring points, or double-click the curve to insert a point.")
             return
 
         def one(document: Document, curve: int, between: Collection[int]) -> Document:
@@ -136,9 +134,7 @@ class CurveCommands:
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub.t
         if t is None:
-            self._session.refuse(
-                "Select inner points, or move the scrub line (T) to the position on the curve."
-            )
+            self._session.refuse("Select inner points, or move the scrub line (T) along the curve.")
         else:
             act(t)
 

@@ -336,7 +336,4 @@ def _style_in(data: QMimeData) -> Style | None:
     return None
 
 
-COMMAND_SETS = (
-    StyleCommands,
-    StyleClipboardCommands,
-)
+COMMAND_SETS = (StyleCommands, StyleClipboardCommands)

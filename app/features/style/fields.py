@@ -276,13 +276,9 @@ class PercentField(QWidget):
 
     def __init__(self, name: str, label: str, tip: str) -> None:
         super().__init__()
-        self.slider = named(
-            LiveSlider(), f"{name}Slider", f"{label}, slider", f"{tip}; Escape cancels a drag"
-        )
+        self.slider = named(LiveSlider(), f"{name}Slider", f"{label}, slider", f"{tip}; Escape cancels")
         self.slider.setRange(0, STEPS)
-        self.edit = NumberEdit(
-            name, label, f"{tip}, in per cent (Enter to set; ↑ ↓ by 5 %)", read_percent, _step
-        )
+        self.edit = NumberEdit(name, label, f"{tip}, in % (Enter to set; ↑ ↓ by 5 %)", read_percent, _step)
         self.edit.setFixedWidth(_FIELD_WIDTH)
         row_of((self.slider, 1), self.edit, margins=0, spacing=8, parent=self)
         self._value: object = None

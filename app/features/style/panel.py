@@ -73,9 +73,7 @@ class StylePanel(FieldForm):
         self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
         self.fill = PaintField("fillPaint", "Fill")
         self.stroke = PaintField("strokePaint", "Stroke")
-        self._rule = ChoiceRow(
-            "fillRule", "Fill rule", "Regions that are filled where curves cross", FillRule
-        )
+        self._rule = ChoiceRow("fillRule", "Fill rule", "Regions filled where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Shape of the ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Shape of the corners of lines", LineJoin)
         self._make_numbers()
@@ -145,12 +143,7 @@ class StylePanel(FieldForm):
         self.watch(*numbers, *shares, self.fill.edit, self.stroke.edit)
         for name, paint in (("fill", self.fill), ("stroke", self.stroke)):
             self._connect_paint(paint, name)
-        parts = (
-            (self._rule, "fill_rule"),
-            (self._cap, "cap"),
-            (self._join, "join"),
-            (self._dash, "dash"),
-        )
+        parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
         # Chosen by its name it is to be seen; who types 0 is told why nothing is.

@@ -206,8 +206,4 @@ class SelectionCommands:
         """Scale width and height together when one of them is typed."""
 
 
-COMMAND_SETS = (
-    SelectionCommands,
-    AlignCommands,
-    TransformPanelCommands,
-)
+COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands)

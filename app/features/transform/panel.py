@@ -109,10 +109,7 @@ class TransformPanel(FieldForm):
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON
         )
         self.skew_edit = _angle("transformSkew", "Skew by", _SKEW)
-        self.skew_buttons = (
-            _skew_button("Across", "horizontally"),
-            _skew_button("Up", "vertically"),
-        )
+        self.skew_buttons = (_skew_button("Across", "horizontally"), _skew_button("Up", "vertically"))
         self.proportions = action_button(actions.proportions, name="panelProportions", flat=True)
         self.reference = choice_box(
             "alignReference",

@@ -132,10 +132,8 @@ class ViewCommands:
         document = self._session.document
         name = common_name(document, curves)
         if name is None:
-            return (
-                f"{name_or_count(document, curves)} are selected as wholes. Press Enter to edit their points."
-            )
-        return f"“{name}” is selected as a whole. Press Enter to edit its points."
+            return f"{name_or_count(document, curves)} are selected as wholes; Enter edits their points."
+        return f"“{name}” is selected as a whole; Enter edits its points."
 
     @widget_at(TOOLBAR(35))
     def build_more_tools(self) -> ToolbarWidget:
@@ -226,10 +224,7 @@ class ViewCommands:
         if self._store.state.basis:
             session.say("Drag the scrub line in the basis panel. Every point shows its weight.")
         else:
-            session.offer(
-                "Every point shows its weight. Drag the scrub line in the basis panel.",
-                "toggleBasis",
-            )
+            session.offer("Every point shows its weight. Drag the line in the basis panel.", "toggleBasis")
 
     @switch(
         "basis",
