@@ -170,17 +170,14 @@ def _bent(curve: Curve, sides: PointSides) -> PointSides:
     if not curve.family.derivatives:
         return sides
     arms = zip(sides.indices.tolist(), sides.ahead.tolist(), strict=True)
-    is_bent = np.array(
-        [not is_straight_beside(curve, index, ahead=ahead) for index, ahead in arms], dtype=bool
-    )
+    is_bent = np.array([not is_straight_beside(curve, i, ahead=ahead) for i, ahead in arms], dtype=bool)
     return sides if is_bent.all() else PointSides(sides.indices[is_bent], sides.ahead[is_bent])
 
 
 def _joined(first: PointSides, second: PointSides) -> PointSides:
     """Return the sides of both."""
-    return PointSides(
-        np.concatenate([first.indices, second.indices]), np.concatenate([first.ahead, second.ahead])
-    )
+    indices = np.concatenate([first.indices, second.indices])
+    return PointSides(indices, np.concatenate([first.ahead, second.ahead]))
 
 
 def _reach_into(handles: Handles, pixel_map: PixelMap) -> BoolArray:

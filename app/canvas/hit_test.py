@@ -30,6 +30,9 @@ _NEAR_ENOUGH = 0.5
 _SLIDES, _SAMPLES = 3, 17
 """Rounds of the search, and samples of each: the piece that is left is below a part in 4096."""
 
+_Near = tuple[Hit, float] | None
+"""A hit with its distance in pixels, None for none within reach."""
+
 
 def hit_test(
     pixel: Vector,
@@ -60,9 +63,7 @@ def hit_test(
     return _on_curve(pixel, pixel_map, view, polyline) if polyline is not None else None
 
 
-def _nearest_point(
-    pixel: Vector, pixel_map: PixelMap, view: CurveView, indices: Sequence[int]
-) -> tuple[Hit, float] | None:
+def _nearest_point(pixel: Vector, pixel_map: PixelMap, view: CurveView, indices: Sequence[int]) -> _Near:
     if not len(indices):
         return None
     candidates = np.asarray(indices)
@@ -76,7 +77,7 @@ def _nearest_point(
     return Hit(Part.POINT, index, view.source.points[index].position), float(distances[best])
 
 
-def _nearest_handle(pixel: Vector, pixel_map: PixelMap, handles: Handles) -> tuple[Hit, float] | None:
+def _nearest_handle(pixel: Vector, pixel_map: PixelMap, handles: Handles) -> _Near:
     if not len(handles):
         return None
     away = pixel_map.points(handles.positions) - pixel

@@ -202,9 +202,8 @@ class Legend(OverlayFrame):
         text = Label(row.text)
         text.setFont(font)
         text.setToolTip(tip_of(row.tip))
-        text.setStyleSheet(
-            f"color: {(self._style.theme.muted if row.is_muted else self._style.theme.ink).name()}"
-        )
+        colour = self._style.theme.muted if row.is_muted else self._style.theme.ink
+        text.setStyleSheet(f"color: {colour.name()}")
         first = 0 if row.style is None else 1
         self._grid.addWidget(text, index, first, 1, (2 if row.figure else 4) - first)
         self._visible_rows.append(_VisibleRow(row, text, None, self._add_figure(index, row, font)))

@@ -171,7 +171,7 @@ class PointLayer(Layer):
         if before is not None and map_before is pixel_map and self._shift(before, view, pixel_map):
             return
         self._pixels = pixel_map.points(view.points)
-        visible = np.flatnonzero(_is_near(self._pixels, pixel_map))
+        visible = np.flatnonzero(pixel_map.near(self._pixels, _MARGIN))
         if not np.array_equal(visible, self._visible):
             self._visible = visible
 
@@ -393,14 +393,6 @@ class PointLayer(Layer):
 def opacity_of(view: CurveView) -> float:
     """Return the opacity of the points of a curve: less than 1 where the curve is hidden."""
     return 1.0 if view.source.visible else _HIDDEN
-
-
-def _is_near(pixels: FloatArray, pixel_map: PixelMap) -> BoolArray:
-    """Return which points are close enough to the visible area to be drawn."""
-    x, y = pixels[:, 0], pixels[:, 1]
-    return (
-        (x > -_MARGIN) & (x < pixel_map.width + _MARGIN) & (y > -_MARGIN) & (y < pixel_map.height + _MARGIN)
-    )
 
 
 def _is_near_pixel(x: float, y: float, pixel_map: PixelMap) -> bool:

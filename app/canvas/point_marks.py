@@ -187,15 +187,12 @@ class PointStamps:
     ) -> None:
         """Draw the points with the indices `calm` of those at `pixels` (n, 2), of `kinds` (n,)."""
         self._theme = theme
+        radius = discs.radius
         if not is_plain:
-            self._coloured.draw(
-                painter, pixels[calm], calm, len(pixels), theme, discs.radius, discs.rim, kinds
-            )
+            self._coloured.draw(painter, pixels[calm], calm, len(pixels), theme, radius, discs.rim, kinds)
             return
         rim = PLAIN_RIM if discs.rim else _FINE_RIM
-        self._plain.draw(
-            painter, pixels[calm], kinds[calm], len(POINT_KINDS), theme, discs.radius, rim, _KINDS
-        )
+        self._plain.draw(painter, pixels[calm], kinds[calm], len(POINT_KINDS), theme, radius, rim, _KINDS)
 
     def _paint_coloured(self, painter: QPainter, radius: float, kind: int) -> None:
         assert self._theme is not None

@@ -111,11 +111,8 @@ def paint_shape(
         Draws fine lines; one serves for many shapes.
     """
     style = shape[0].source.style
-    parts = [
-        _Part(line_of(view, pixel_map, style).points, view.source.is_closed)
-        for view in shape
-        if view.has_curve
-    ]
+    curves = (view for view in shape if view.has_curve)
+    parts = [_Part(line_of(view, pixel_map, style).points, view.source.is_closed) for view in curves]
     if style.has_fill:
         area = _area(parts, pixel_map)
         area.setFillRule(FILL_RULES[style.fill_rule])

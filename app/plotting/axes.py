@@ -209,9 +209,8 @@ class Side:
         half = metrics.height() / 2
         if not self._is_upright:
             away = _TICK + _GAP / 2
-            painter.drawText(
-                self.box(along - half, along + half, away, away + 2 * half), _IN_THE_MIDDLE, text
-            )
+            box = self.box(along - half, along + half, away, away + 2 * half)
+            painter.drawText(box, _IN_THE_MIDDLE, text)
             return
         width, room = metrics.horizontalAdvance(text), self.axis.thickness - _TICK - _GAP
         end = self.point(along, _TICK + _GAP)

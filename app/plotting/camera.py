@@ -159,10 +159,8 @@ class Camera(QObject):
         """Show the plane as in `pixel_map`, on the same pixels, though the plot area has `moved`."""
         rect = self._box.rect()
         left, top = pixel_map.plane(*moved)
-        right, bottom = (
-            left + max(rect.width(), 1.0) / pixel_map.sx,
-            top - max(rect.height(), 1.0) / pixel_map.sy,
-        )
+        right = left + max(rect.width(), 1.0) / pixel_map.sx
+        bottom = top - max(rect.height(), 1.0) / pixel_map.sy
         self._box.setRange(xRange=(left, right), yRange=(bottom, top), padding=0)
 
     def zoom(self, factor: float, pixel: QPointF) -> None:

@@ -92,8 +92,8 @@ class PixelMap(msgspec.Struct, frozen=True, dict=True):
 
     def near(self, pixels: FloatArray, margin: float = 0.0) -> BoolArray:
         """Return which of pixels (n, 2) lie in the area, or in a margin around it."""
-        is_near = (pixels > -margin) & (pixels < (self.width + margin, self.height + margin))
-        return is_near[:, 0] & is_near[:, 1]
+        x, y = pixels[:, 0], pixels[:, 1]
+        return (x > -margin) & (x < self.width + margin) & (y > -margin) & (y < self.height + margin)
 
     @cached_property
     def box(self) -> tuple[float, float, float, float]:

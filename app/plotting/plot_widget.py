@@ -185,11 +185,8 @@ _MODIFIERS = {
 }
 """Modifier keys with their field of a pointer and Qt's flag."""
 
-_BY_KEYS = (
-    Qt.FocusReason.TabFocusReason,
-    Qt.FocusReason.BacktabFocusReason,
-    Qt.FocusReason.ShortcutFocusReason,
-)
+_REASON = Qt.FocusReason
+_BY_KEYS = (_REASON.TabFocusReason, _REASON.BacktabFocusReason, _REASON.ShortcutFocusReason)
 
 
 def _with_keys(pointer: Pointer, modifiers: Qt.KeyboardModifier, **changes: bool) -> Pointer:

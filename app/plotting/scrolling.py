@@ -193,9 +193,8 @@ class EdgeScroll(QObject):
         """Start or stop to scroll, for a pointer at this pixel."""
         if not any(self._overshoot(pixel)) and self._offset == (0.0, 0.0):
             return
-        x, y = (
-            _beyond(now, before) for now, before in zip(self._overshoot(pixel), self._at_press, strict=True)
-        )
+        pairs = zip(self._overshoot(pixel), self._at_press, strict=True)
+        x, y = (_beyond(now, before) for now, before in pairs)
         self._offset = (_step(x), _step(y))
         if not any(self._offset):
             self._timer.stop()

@@ -16,12 +16,7 @@ from ..tools.pointer import Cursor, Hint, Hit, Pointer
 from ..tools.toolbox import Toolbox
 from .plot_widget import PlotWidget
 
-_ARROWS = {
-    Qt.Key.Key_Left: "left",
-    Qt.Key.Key_Right: "right",
-    Qt.Key.Key_Up: "up",
-    Qt.Key.Key_Down: "down",
-}
+_ARROWS = {Qt.Key[f"Key_{name.capitalize()}"]: name for name in ("left", "right", "up", "down")}
 """Names of the arrow keys, with any modifiers."""
 
 _NAMES = {

@@ -433,15 +433,9 @@ class CrestNames:
         lines = Lines(pixel_map, basis, kinds, (width - rim, height - rim))
         centres = np.column_stack([x, beyond])
         is_clear = lines.leave_free(centres)
-        for dx, other in (
-            (0.0, inside),
-            (-aside, beyond),
-            (aside, beyond),
-            (-aside, inside),
-            (aside, inside),
-        ):
-            candidates = np.column_stack([x + dx, other])
-            fits = (other >= half) & (other + half <= floor) & (x + dx >= 0) & (x + dx <= pixel_map.width)
+        for dx, side in ((0.0, inside), (-aside, beyond), (aside, beyond), (-aside, inside), (aside, inside)):
+            candidates = np.column_stack([x + dx, side])
+            fits = (side >= half) & (side + half <= floor) & (x + dx >= 0) & (x + dx <= pixel_map.width)
             better = np.flatnonzero(~is_clear & fits)
             better = better[lines.leave_free(candidates[better])]
             centres[better], is_clear[better] = candidates[better], True

@@ -50,7 +50,7 @@ def hit_test(
     scrub = rail.scrub
     if scrub is not None and abs(pixel_map.point(scrub, 0)[0] - pointer.pixel[0]) <= _SCRUB_REACH:
         return Hit(Part.SCRUB, -1, (scrub, 0.0))
-    return _hit_function(pointer, pixel_map, basis, kinds) if basis is not None else None
+    return _hit_line(pointer, pixel_map, basis, kinds) if basis is not None else None
 
 
 def _hit_node(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | None:
@@ -82,9 +82,7 @@ def _hit_tick(pointer: Pointer, pixel_map: PixelMap, rail: RailLayer) -> Hit | N
     return Hit(Part.TICK, rail.owner(index), (float(parameters[index]), 0.0), knot=index)
 
 
-def _hit_function(
-    pointer: Pointer, pixel_map: PixelMap, basis: BasisView, kinds: frozenset[int]
-) -> Hit | None:
+def _hit_line(pointer: Pointer, pixel_map: PixelMap, basis: BasisView, kinds: frozenset[int]) -> Hit | None:
     t = pointer.position[0]
     start, end = basis.curve.domain
     if not start <= t <= end:

@@ -96,9 +96,7 @@ class PointTable(FollowsTheme, QWidget):
     def _add_actions(self) -> None:
         self._copy = self._action("copyCells", "Copy", "Copy the selected cells", self.copy)
         self._copy.setShortcut(QKeySequence.StandardKey.Copy)
-        self._paste = self._action(
-            "pasteCells", "Paste", "Paste numbers, starting at the current cell", self.paste
-        )
+        self._paste = self._action("pasteCells", "Paste", "Paste numbers at the current cell", self.paste)
         self._paste.setShortcut(QKeySequence.StandardKey.Paste)
         for action in (self._copy, self._paste):
             set_full_name(action, f"{action.text()} Cells")

@@ -242,13 +242,11 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         if not self._streaming:
             decimals = column_decimals(self._model.values[:, column], digits)
             return ColumnFormat(digits, decimals, numbers.negligible)
-        previous = before[column] if column < len(before) else None
+        old = before[column] if column < len(before) else None
         decimals, negligible = most_decimals(numbers.extent.whole_digits, digits), numbers.negligible
-        if previous is None:
+        if old is None:
             return ColumnFormat(digits, decimals, negligible)
-        return ColumnFormat(
-            min(digits, previous.digits), min(decimals, previous.decimals), previous.negligible
-        )
+        return ColumnFormat(min(digits, old.digits), min(decimals, old.decimals), old.negligible)
 
     # Editing
 
