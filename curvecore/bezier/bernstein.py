@@ -39,9 +39,8 @@ import numpy as np
 from curvecore.arrays import BoolArray, FloatArray, IntArray, read_only
 
 _DEPTH = 40  # halvings after which an interval that still changes sign counts as a root
-_MOST = (
-    4096  # intervals at a time, or one for each coefficient: halving adds no changes of sign but by rounding
-)
+_MOST = 4096
+"""Intervals at a time, or one for each coefficient: halving adds no changes of sign but by rounding."""
 _STEPS = 60
 _PRECISION = 2.0**-49
 """Steps of Newton's method at most, and the length of the last one."""

@@ -28,9 +28,8 @@ from curvecore.families.curve import Extrapolate, ParametricCurve, checked_extra
 Function: TypeAlias = Callable[[FloatArray], FloatArray]
 """A function of t (m,) with values (m, q)."""
 
-_MOST_EXACT = (
-    40  # degree of polynomials that one rule integrates; above they are smooth functions like others
-)
+_MOST_EXACT = 40
+"""Degree of polynomials that one rule integrates; above they are smooth functions like others."""
 _POINTS = 12
 _TOLERANCE = 2.0**-46  # relative to the integral of the absolute values
 _ROUNDS = 40

@@ -115,9 +115,8 @@ def _check_equal(curve: ParametricCurve, given: PolynomialPieces) -> None:
 
 # Curves as piecewise polynomials, and piecewise polynomials as curves
 
-_MOST_SAMPLED = (
-    24  # degree from which on Bernstein coefficients of sampled values have lost half their digits
-)
+_MOST_SAMPLED = 24
+"""Degree from which on Bernstein coefficients of sampled values have lost half their digits."""
 
 
 def polynomial_pieces(curve: ParametricCurve) -> FloatArray:

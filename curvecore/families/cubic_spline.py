@@ -614,9 +614,8 @@ def _periodic(h: FloatArray, shares: _Shares) -> FloatArray:
 
 # Tridiagonal systems in which every unknown outweighs its neighbours
 
-_FEW_EQUATIONS = (
-    48  # equations, up to which a full matrix takes a fifth of the time of NumPy's calls without one
-)
+_FEW_EQUATIONS = 48
+"""Equations, up to which a full matrix takes a fifth of the time of NumPy's calls without one."""
 _WIDE = 64  # columns from which on a loop over the rows takes less than rounds over all of them
 
 
