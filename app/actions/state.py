@@ -195,7 +195,7 @@ class ActionFacts:
 
 def _highlighted(session: Session) -> str:
     document, selected = session.document, session.selected
-    curves = selected.highlight(whole_curves=True).curves or selected.with_shapes
+    curves = selected.for_clipboard(whole_curves=True).curves or selected.with_shapes
     nodes = whole_nodes(document.curves, curves)
     if len(nodes) > 1:
         return count_label(document, curves).title().replace(" And ", " and ")

@@ -39,7 +39,7 @@ def raiser_of(reason: EditError) -> str:
     return frame.f_code.co_qualname
 
 
-def why_safe(before: Document, after: Document) -> str:
+def why_locked(before: Document, after: Document) -> str:
     """Return the sentence about a locked curve of `before` that is changed in `after`; empty for none."""
     try:
         refuse_locked(before, after)
@@ -48,7 +48,7 @@ def why_safe(before: Document, after: Document) -> str:
     return ""
 
 
-def why_not_kept(before: Document, after: Document) -> str:
+def why_unsavable(before: Document, after: Document) -> str:
     """Return why no file may hold the values that are new in `after`; empty where one may."""
     try:
         validate_changes(before, after)

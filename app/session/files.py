@@ -18,7 +18,7 @@ from ..storage.files import load
 from ..storage.open_file import FileChange, LoadedDocument, OpenFile
 from ..storage.resources import is_resource
 from ..view_model.curve.curve_view import CurveView
-from .change import why_not_kept
+from .change import why_unsavable
 from .history import DocumentOrigin, HistoryState
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ class Files:
         self._session = session
         self.path: Path | None = None
         self.file: OpenFile | None = None
-        self.origin = DocumentOrigin(gives_way=True)
+        self.origin = DocumentOrigin(is_disposable=True)
         # By the beginnings of the documents that undo and redo go to.
         self._exports: dict[DocumentOrigin, Export] = {}
         self.blank: Callable[[], Document] = empty_document
@@ -71,7 +71,7 @@ class Files:
     def is_untouched(self) -> bool:
         """Whether this is the first sketch or an empty document, unchanged."""
         is_as_it_came = not self._session.undo_stack.canUndo() and not self.is_modified
-        return self.origin.gives_way and self.path is None and is_as_it_came
+        return self.origin.is_disposable and self.path is None and is_as_it_came
 
     @property
     def last_export(self) -> Export:
@@ -102,7 +102,7 @@ class Files:
 
     def begin(self, document: Document) -> None:
         """Begin with the first sketch, or with an empty document."""
-        self.replace(with_plain_numbers(document), None, origin=DocumentOrigin(gives_way=True))
+        self.replace(with_plain_numbers(document), None, origin=DocumentOrigin(is_disposable=True))
 
     def begin_imported(
         self,
@@ -121,7 +121,7 @@ class Files:
             If no file of ours may hold it.
         """
         document = tidy_shapes(with_plain_numbers(document))
-        if reason := why_not_kept(self.blank(), document):
+        if reason := why_unsavable(self.blank(), document):
             raise EditError(reason)
         session, origin = self._session, DocumentOrigin(title=name, file_stem=name)
         if not step:

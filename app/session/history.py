@@ -34,7 +34,7 @@ class DocumentOrigin(msgspec.Struct, frozen=True, eq=False):
         the history begins with it.
     file_stem
         Name for its file without ending; empty for that of a curve.
-    gives_way
+    is_disposable
         Whether it is the first sketch or an empty document: unchanged, it is nobody's work.
     """
 
@@ -42,7 +42,7 @@ class DocumentOrigin(msgspec.Struct, frozen=True, eq=False):
     title: str = ""
     before: DocumentOrigin | None = None
     file_stem: str = ""
-    gives_way: bool = False
+    is_disposable: bool = False
 
 
 class HistoryState(msgspec.Struct, frozen=True):

@@ -85,7 +85,7 @@ class Selection:
 
     @property
     def whole_curves(self) -> frozenset[int]:
-        """The curves that are acted on as wholes: those chosen, or several beside the one that is edited."""
+        """The curves that are selected as wholes: any, or several beside the active one that is edited."""
         if not self.is_editing:
             return self._whole_curves
         return self.curves if len(self.curves) > 1 else frozenset()
@@ -101,8 +101,8 @@ class Selection:
         """The curves that are marked as selected: the edited ones, those selected as wholes, or none."""
         return self.curves if self.is_editing else self._whole_curves
 
-    def highlight(self, *, whole_curves: bool = False) -> ClipboardSelection:
-        """Return the selected points, or else the chosen curves, or the edited one with all of its shape.
+    def for_clipboard(self, *, whole_curves: bool = False) -> ClipboardSelection:
+        """Return the selected points, or else the whole curves, or the active one with all of its shape.
 
         `whole_curves` passes over the points, as where the list of curves has the focus.
         """
@@ -118,7 +118,7 @@ class Selection:
 
     @property
     def state(self) -> SelectionState:
-        """All that is selected now."""
+        """The present selection."""
         active = self._session.active_index
         return SelectionState(active, self.group, self.curves, self.whole_curves, self.is_editing)
 
@@ -201,8 +201,8 @@ class Selection:
         Curves of one shape are selected together. The active one is one of them, as in `set_curves`.
         """
         document = self._session.document
-        places = [index for index in indices if 0 <= index < len(document.curves)]
-        self._take(expand_to_shapes(document, places), is_editing=False)
+        existing = [index for index in indices if 0 <= index < len(document.curves)]
+        self._take(expand_to_shapes(document, existing), is_editing=False)
 
     def edit_active(self) -> None:
         """Edit the active curve, because the tool needs one; it is implicit where nobody selected it."""
@@ -241,9 +241,9 @@ class Selection:
         if session.is_previewing:
             # The gesture may edit a curve that goes with its preview.
             session.interrupt()
-        before, places = self.state, range(len(session.document.curves))
-        wanted = active if active is not None and active in places else session.active_index
-        existing = frozenset(index for index in indices if index in places)
+        before, present = self.state, range(len(session.document.curves))
+        wanted = active if active is not None and active in present else session.active_index
+        existing = frozenset(index for index in indices if index in present)
         if wanted not in existing:
             wanted = min(existing, key=lambda index: abs(index - wanted), default=wanted)
         self.assign((*existing, wanted), existing, is_editing=is_editing)
@@ -338,7 +338,7 @@ class Selection:
             yield
             session.scrub.keep()
             return
-        marked = [each for place, each in enumerate(before.curves) if place in self.marked]
+        marked = [curve for index, curve in enumerate(before.curves) if index in self.marked]
         session.active_index = min(session.active_index, len(curves) - 1)
         old = self.state
         new = followed_selection(old, before.curves, curves)
@@ -348,7 +348,7 @@ class Selection:
         if marked and not self.marked:
             # They were deleted: what is drawn next looks like the foremost of them, unless they were brought.
             self.next_style = self.next_style or marked[-1].style
-        elif all(each is not curves[new.active] for each in before.curves):
+        elif all(curve is not curves[new.active] for curve in before.curves):
             # It was begun, or worked on.
             self.is_implicit, self.next_style = False, None
         self.keep_group(self.group)
@@ -397,27 +397,27 @@ class ClipboardSelection(msgspec.Struct, frozen=True):
     curves
         The curves, whole; those of the points where there are points.
     points
-        The points; none where whole curves are meant.
-    stays
-        What was meant, too, but cannot be changed: "1 locked curve stays"; empty for nothing.
+        The points; none for whole curves.
+    remark
+        The part that cannot be changed: "1 locked curve stays"; empty for nothing.
     """
 
     curves: frozenset[int]
     points: PointGroup = NO_POINTS
-    stays: str = ""
+    remark: str = ""
 
-    def changeable(self, document: Document) -> ClipboardSelection:
+    def unlocked(self, document: Document) -> ClipboardSelection:
         """Return it without the curves that are locked, unless all are; points stay as they are."""
         if self.points.parts:
             return self
         return ClipboardSelection(
-            unlocked_curves(document, self.curves), stays=locked_remark(document, self.curves)
+            unlocked_curves(document, self.curves), remark=locked_remark(document, self.curves)
         )
 
     def curves_of(self, document: Document) -> frozenset[int]:
-        """Return the curves that are meant as a whole: also those of which all points are.
+        """Return the curves that are whole: also those of which all points are selected.
 
-        The points of the only curve are not: without them the document is empty, and of the same family.
+        The only curve never is: without them the document is empty, and of the same family.
         """
         if not self.points.parts:
             return self.curves
@@ -429,21 +429,21 @@ class ClipboardSelection(msgspec.Struct, frozen=True):
             if len(indices) == len(document.curves[curve].points)
         )
 
-    def words(self, document: Document) -> str:
+    def label(self, document: Document) -> str:
         """Return the words "point 3" or "4 points", the name of the curve, or "2 curves"."""
         is_whole = self.curves_of(document) == self.curves
         return name_or_count(document, self.curves) if is_whole else self.points.label
 
-    def said(self, document: Document) -> str:
+    def label_in_sentence(self, document: Document) -> str:
         """Return its label within a sentence: "3 points", the name in quotation marks, or "2 curves"."""
         if self.points.parts:
             return self.points.count_label
         name = common_name(document, self.curves)
         return name_or_count(document, self.curves) if name is None else f"“{name}”"
 
-    def told(self, document: Document) -> str:
+    def label_with_remark(self, document: Document) -> str:
         """Return the label with the remark: "2 curves; 1 locked curve stays"."""
-        return "; ".join(filter(None, (self.said(document), self.stays)))
+        return "; ".join(filter(None, (self.label_in_sentence(document), self.remark)))
 
     def removed_from(self, document: Document, delete: PointsEdit) -> Document:
         """Return the document without it; `delete` deletes points of one curve."""

@@ -21,7 +21,7 @@ from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import LoadedDocument
 from ..view_model.curve.curve_view import CurveView
-from .change import Change, Message, MessageKind, raiser_of, why_not_kept, why_safe
+from .change import Change, Message, MessageKind, raiser_of, why_locked, why_unsavable
 from .files import Files
 from .history import DocumentOrigin, History, HistoryState
 from .selection import BoxState, ScrubLine, Selection
@@ -176,9 +176,9 @@ class Session(SessionSignals):
         self.box = BoxState(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
-        self._committed = self._shown = with_plain_numbers(first_sketch())
+        self._committed = self._document = with_plain_numbers(first_sketch())
         self._home: SelectionState | None = None
-        # The document that a gesture gave to be shown; `_shown` is what came of it.
+        # The document that a gesture gave to be shown; `_document` is what came of it.
         self._asked: Document | None = None
         # What a gesture selects together with its preview.
         self._selects: SelectionState | None = None
@@ -200,7 +200,7 @@ class Session(SessionSignals):
             return
         self.history.end_run()
         self._home = self._asked = self._selects = None
-        self._committed = self._shown = state.document
+        self._committed = self._document = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
         self.selected.reset()
@@ -219,7 +219,7 @@ class Session(SessionSignals):
     @property
     def document(self) -> Document:
         """The current document; during a gesture, its preview."""
-        return self._shown
+        return self._document
 
     @property
     def committed(self) -> Document:
@@ -235,17 +235,17 @@ class Session(SessionSignals):
     @property
     def is_previewing(self) -> bool:
         """Whether a gesture in flight shows something else than the history's last state."""
-        return self._shown is not self._committed
+        return self._document is not self._committed
 
     @property
     def active_curve(self) -> Curve:
         """The curve that is edited."""
-        return self._shown.curves[self.active_index]
+        return self._document.curves[self.active_index]
 
     @property
     def views(self) -> list[CurveView]:
         """The view-models of all curves."""
-        return self._views.of(self._shown.curves)
+        return self._views.of(self._document.curves)
 
     def expect(self, views: Sequence[CurveView]) -> None:
         """Accept views of curves that the next change adds, computed beforehand."""
@@ -273,8 +273,8 @@ class Session(SessionSignals):
 
         A blank document has nothing to choose from: its curve is the one that is about to be drawn.
         """
-        is_meant = self.selected.marked or is_blank(self._shown)
-        return self.active_view if is_meant else None
+        is_target = self.selected.marked or is_blank(self._document)
+        return self.active_view if is_target else None
 
     @property
     def undo_stack(self) -> QUndoStack:
@@ -324,10 +324,10 @@ class Session(SessionSignals):
         `selects` is the selection meanwhile and after the commit, from the first preview on that has it; its
         active curve may be one that the gesture begins.
         """
-        asked, document = document, tidy_shapes(with_plain_numbers(document, self._shown), self._shown)
-        if document is self._shown:
+        asked, document = document, self._normalised(document)
+        if document is self._document:
             return True
-        if reason := why_safe(self._committed, document):
+        if reason := why_locked(self._committed, document):
             self.refuse(reason)
             return False
         if self._home is None:
@@ -350,18 +350,20 @@ class Session(SessionSignals):
         with self.batch:
             return self._make_step(document, text, active)
 
+    def _normalised(self, document: Document) -> Document:
+        """Return the document with plain numbers, and shapes that are whole."""
+        return tidy_shapes(with_plain_numbers(document, self._document), self._document)
+
     def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
-        """Make `document` the current one, unless a curve is safe from that, or no file could hold it."""
-        is_shown = document is self._asked or document is self._shown
-        document = (
-            self._shown if is_shown else tidy_shapes(with_plain_numbers(document, self._shown), self._shown)
-        )
+        """Make `document` the current one, unless a locked curve changes, or no file could hold it."""
+        is_previewed = document is self._asked or document is self._document
+        document = self._document if is_previewed else self._normalised(document)
         if document == self._committed:
             self.cancel()
             return Change(is_done=False)
-        if not is_shown and (reason := why_safe(self._committed, document)):
+        if not is_previewed and (reason := why_locked(self._committed, document)):
             return self._refused(reason, "the lock of a curve")
-        if reason := why_not_kept(self._committed, document):
+        if reason := why_unsavable(self._committed, document):
             return self._refused(reason, "the file format")
         before, selects = self.state, self._selects
         self._home = self._asked = self._selects = None
@@ -426,7 +428,7 @@ class Session(SessionSignals):
 
     def _is_on_screen(self, state: HistoryState) -> bool:
         """Return whether a gesture previews this state."""
-        is_previewed = self.is_previewing and state.document is self._shown
+        is_previewed = self.is_previewing and state.document is self._document
         return is_previewed and state.active == self.active_index
 
     def _settle(self, state: HistoryState) -> None:
@@ -464,15 +466,15 @@ class Session(SessionSignals):
         self._show(state.document)
 
     def _show(self, document: Document) -> None:
-        shown, self._shown = self._shown, document
-        with self.selected.following(shown):
+        before, self._document = self._document, document
+        with self.selected.following(before):
             self.document_changed.emit(document)
 
     def renew(self, families: Collection[Family]) -> None:
         """Show curves of these families anew: the families have changed, not the document."""
         self.interrupt()
         self._views.renew(families)
-        self.document_changed.emit(self._shown)
+        self.document_changed.emit(self._document)
 
     # Files
 

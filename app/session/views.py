@@ -18,7 +18,7 @@ _STATES = 2
 
 
 class Views:
-    """The views of a document's curves; made anew only for curves that are other values than before."""
+    """The views of a document's curves; computed anew only for curves that are other values than before."""
 
     def __init__(self) -> None:
         self._views: list[CurveView] = []
@@ -30,31 +30,31 @@ class Views:
         """Return the views of `curves`."""
         if self._curves is curves:
             return self._views
-        place = self._only_moved(curves)
-        if place is not None:
+        index = self._only_moved(curves)
+        if index is not None:
             self._views = [*self._views]
-            self._views[place] = view_of(curves[place], self._views[place])
+            self._views[index] = view_of(curves[index], self._views[index])
         else:
             known = list(self._known())
             self._leave_behind(curves)
             by_curve = {id(view.source): view for view in known}
             by_points = {id(view.source.points): view for view in known}
-            found = [by_curve.get(id(curve)) or _alike(curve, by_points) for curve in curves]
-            # A curve that was changed takes its last good shape from its place in the list.
+            known_views = [by_curve.get(id(curve)) or _alike(curve, by_points) for curve in curves]
+            # A curve that was changed takes its last good shape from its index in the list.
             before = self._views if len(curves) == len(self._views) else [None] * len(curves)
-            missing = [place for place, view in enumerate(found) if view is None]
-            made = views_after(
-                [curves[place] for place in missing],
-                [before[place] for place in missing],
+            missing = [index for index, view in enumerate(known_views) if view is None]
+            new_views = views_after(
+                [curves[index] for index in missing],
+                [before[index] for index in missing],
                 are_moved=are_last_moved(self._curves, curves),
             )
-            new = iter(made)
-            self._views = [view or next(new) for view in found]
+            new = iter(new_views)
+            self._views = [view or next(new) for view in known_views]
         self._curves = curves
         return self._views
 
     def _only_moved(self, curves: tuple[Curve, ...]) -> int | None:
-        """Return the place of the one curve that has other points, as under most drags; None otherwise."""
+        """Return the index of the one curve that has other points, as under most drags; None otherwise."""
         if self._ahead or len(curves) != len(self._curves):
             return None
         others = list(compress(range(len(curves)), map(is_not, curves, self._curves)))
@@ -84,7 +84,7 @@ class Views:
         ]
 
     def expect(self, views: Sequence[CurveView]) -> None:
-        """Have views of curves that come with the next change, made beside the window."""
+        """Accept views of curves that the next change adds, computed in a thread."""
         self._ahead = views
 
     def take(self, views: Sequence[CurveView] = ()) -> None:
@@ -94,6 +94,6 @@ class Views:
 
 
 def _alike(curve: Curve, by_points: Mapping[int, CurveView]) -> CurveView | None:
-    """Return the view of a new curve that runs as one of the same points does; None where none is known."""
+    """Return the view of a new curve with the points and the line of a known one; None for none."""
     alike = by_points.get(id(curve.points))
     return same_line(curve, alike) if alike else None

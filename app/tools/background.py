@@ -12,7 +12,7 @@ from ..tasks.progress import Report, silent
 
 
 class Jobs(Protocol):
-    """DocumentOrigin and end of work beside the window."""
+    """Thread that does one piece of work at a time."""
 
     @property
     def is_busy(self) -> bool:

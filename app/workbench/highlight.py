@@ -36,7 +36,7 @@ def highlighted(context: WindowContext) -> ClipboardSelection:
     focus, in_list = QApplication.focusWidget(), is_in_list(context)
     if in_list and isinstance(focus, ListsCurves):
         return ClipboardSelection(focus.target_curves)
-    return context.session.selected.highlight(whole_curves=in_list)
+    return context.session.selected.for_clipboard(whole_curves=in_list)
 
 
 def highlighted_curves(context: WindowContext) -> frozenset[int]:
@@ -44,7 +44,7 @@ def highlighted_curves(context: WindowContext) -> frozenset[int]:
     focus, selected = QApplication.focusWidget(), context.session.selected
     if isinstance(focus, ListsCurves):
         return focus.target_curves
-    return selected.highlight(whole_curves=True).curves or selected.with_shapes
+    return selected.for_clipboard(whole_curves=True).curves or selected.with_shapes
 
 
 def remove(
@@ -67,7 +67,7 @@ def remove(
 
     delete = without if keeps_shape else leaving
     change = session.change(
-        f"{verb} {what.words(document)}",
+        f"{verb} {what.label(document)}",
         lambda document: what.removed_from(document, delete),
         active=active_after_removal(document, gone, active, edited_curves) if gone else None,
     )

@@ -49,8 +49,8 @@ class ClipboardCommands:
     def _cut(self) -> None:
         """Cut the selected points, or the selected curves if no points are selected."""
         session = self._session
-        what = highlighted(self._context).changeable(session.document)
-        offer, words = self._offer(what), what.told(session.document)
+        what = highlighted(self._context).unlocked(session.document)
+        offer, words = self._offer(what), what.label_with_remark(session.document)
         # Locked curves stay, and then the clipboard stays unchanged.
         if remove(self._context, what, "Cut"):
             put_on_clipboard(offer)
@@ -62,7 +62,7 @@ class ClipboardCommands:
         """Copy the selected points with their derivatives, or else the selected curves."""
         what = highlighted(self._context)
         put_on_clipboard(self._offer(what))
-        self._session.say(f"Copied {what.said(self._session.document)}.")
+        self._session.say(f"Copied {what.label_in_sentence(self._session.document)}.")
 
     def _offer(self, what: ClipboardSelection) -> ClipboardContent:
         """Return the content: for other programs, points as a table and curves as SVG."""
@@ -122,8 +122,8 @@ class HighlightCommands:
     def _delete(self) -> None:
         """Delete the selected points, keeping the shape, or else the selected curves."""
         session = self._session
-        what = highlighted(self._context).changeable(session.document)
-        words = what.told(session.document)
+        what = highlighted(self._context).unlocked(session.document)
+        words = what.label_with_remark(session.document)
         if remove(self._context, what, "Delete") and not what.points.parts:
             session.say(f"Deleted {words}.")
 
@@ -137,7 +137,7 @@ class HighlightCommands:
     )
     def _delete_plainly(self) -> None:
         """Delete the selected points; the handles beside them stay unchanged."""
-        remove(self._context, self._session.selected.highlight(), "Delete", keeps_shape=False)
+        remove(self._context, self._session.selected.for_clipboard(), "Delete", keeps_shape=False)
 
 
 class DerivativeCommands:

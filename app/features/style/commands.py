@@ -23,7 +23,7 @@ from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import name_or_count
 from ...document.style import Style
 from ...document.style_edits import STYLE_WORDS, colours_of, set_style, swap_paints
-from ...session.change import why_not_kept
+from ...session.change import why_unsavable
 from ...session.session import Session
 from ...settings.preferences import Preferences
 from ...storage.format_error import FormatError
@@ -184,7 +184,7 @@ class StyleCommands:
         model = msgspec.structs.replace(make_curve(()), style=session.model.style)
         before = Document((model,))
         after = edit(before, frozenset({0}))
-        if not (refusal := why_not_kept(before, after)):
+        if not (refusal := why_unsavable(before, after)):
             session.selected.next_style = after.curves[0].style
         elif self._panel is not None:
             self._panel.refuse(refusal)
