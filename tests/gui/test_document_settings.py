@@ -66,14 +66,14 @@ def test_a_click_selects_the_unit_so_that_typing_replaces_it(editor, panel):
     assert not line.hasSelectedText()
 
 
-def test_a_unit_that_no_file_knows_is_taken_and_told(editor, panel):
+def test_an_unknown_unit_is_kept_and_a_note_says_so(editor, panel):
     note = panel.findChild(QLabel, "documentUnitNote")
     retype(editor, unit_line(panel), "mm")
     assert not note.isVisible()
     retype(editor, unit_line(panel), "nonemm")
     assert editor.session.document.unit == "nonemm"
     assert note.isVisible()
-    assert note.text().startswith("“nonemm” is no length that files know")
+    assert note.text().startswith("“nonemm” is not a known unit of length")
     assert note.text() in editor.status
     editor.trigger("undo")
     assert not note.isVisible()

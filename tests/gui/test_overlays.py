@@ -114,7 +114,7 @@ def test_an_overlay_switched_on_during_a_drag_follows_the_drag(editor):
     for step in range(1, 4):
         # While nothing is shown, nobody but the basis functions and the table is asked.
         editor.move((x + 0.05 * step, y))
-    editor.window.context.analysis.show(comb.COMB, shown=True)
+    editor.window.context.analysis.show(comb.COMB, visible=True)
     seen = []
     for step in range(1, 4):
         editor.move((x + 0.3 * step, y + 0.3))

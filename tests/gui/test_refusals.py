@@ -242,12 +242,13 @@ def test_a_row_of_titles_above_pasted_points_is_skipped(line):
 
 
 @pytest.mark.parametrize("titles", ["x vx", "x x", "x y vx"])
-def test_titles_of_something_else_are_refused(line, titles):
+def test_a_table_with_other_columns_is_refused(line, titles):
     before = line.session.document
     line.paste_text(titles + "\n" + " ".join("1" for _ in titles.split()))
     line.key(Qt.Key.Key_V, CTRL)
     assert line.status == (
-        f"Points are x y, or t x y; the titles are {titles}. The point table takes them all."
+        f"Points have the columns x y or t x y, but the titles are {titles}. "
+        "Paste other columns into the point table."
     )
     assert line.session.document is before
 
