@@ -35,7 +35,7 @@ class SettingsFile:
             self.complaint = (
                 f"{self._settings.fileName()} was damaged and has been set aside. Default settings are used."
             )
-            # What the first one has read of it is forgotten.
+            # A new QSettings object: the first one has cached the damaged file.
             self._settings.sync()
             self._settings = _open(store)
         if self._settings.status() is not QSettings.Status.NoError:

@@ -235,7 +235,7 @@ class SavedCurve(TextSetting[Curve]):
             curve = decode(text.encode()).curves[0]
         except FormatError:
             raise _UnusableError("it is not a curve") from None
-        # Its family may have been in a file that was given to another start.
+        # Its family may be defined in a file of families that is not in use now.
         return self.default if curve.family.is_missing else curve
 
     def _stored(self, value: Curve) -> object:
@@ -337,7 +337,7 @@ class Folder(Setting[Path]):
     """Folder; the home folder when not set, or when it no longer exists."""
 
     def _read(self, file: SettingsFile) -> Path:
-        # A drive that is gone, or a name with a NUL in it, is no folder either.
+        # Also False for a missing drive or a name with a NUL.
         stored = file.text(self.key)
         return Path(stored) if os.path.isdir(stored) else Path.home()  # noqa: PTH112
 

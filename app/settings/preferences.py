@@ -38,7 +38,7 @@ USUAL_UNITS: Final = (NO_UNIT, "mm", "cm", "m", "in", "px", "s")
 
 
 def _note_of_unit(name: str) -> str:
-    # Units are loaded when one is first shown.
+    # The module of units is loaded when first used.
     return exchange.units.note_of_unknown(name)
 
 
@@ -178,7 +178,7 @@ class Preferences:
     @property
     def recent_files(self) -> list[Path]:
         """At most ten recent files that exist, the latest first."""
-        # A drive that is gone, or a name with a NUL in it, is no file either.
+        # Also False for a missing drive or a name with a NUL.
         return [path for path in self._recent() if os.path.isfile(path)]  # noqa: PTH113
 
     def add_recent_file(self, path: Path) -> None:

@@ -180,7 +180,7 @@ class WindowStore(QObject):
             return
         self.state = state
         if self._is_announcing:
-            # By one who has just heard of a change: all others hear of that first.
+            # Changed by a receiver of the signal: all others get the first change first.
             return
         self._is_announcing = True
         try:

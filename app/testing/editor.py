@@ -38,7 +38,7 @@ _LEFT = Qt.MouseButton.LeftButton
 
 
 if not has_display():
-    # Where there is no display Qt would end the test run; it reads this when the application is made.
+    # Without a display Qt would end the test run; it reads this when the application is created.
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
 
 
@@ -174,7 +174,7 @@ class Editor(InputDriver):
         assert box is not None
         require_reachable(box)
         box.setFocus()
-        # Every key chooses the rule that it comes to.
+        # Each key press selects the next rule.
         steps = list(ParametrizationKind).index(ParametrizationKind(kind)) - box.currentIndex()
         for _ in range(abs(steps)):
             QTest.keyClick(box, Qt.Key.Key_Down if steps > 0 else Qt.Key.Key_Up)

@@ -47,7 +47,7 @@ class InputDriver:
         canvas = self.window.canvas
         pixel = canvas.to_pixel(*at)
         self.click(at, keys=keys)
-        # The same place of the screen, whatever the first click has changed.
+        # The same pixel, even if the first click has moved the view.
         self.send(canvas, QEvent.Type.MouseButtonDblClick, pixel, keys=keys)
         self.send(canvas, QEvent.Type.MouseButtonRelease, pixel, held=False, keys=keys)
         self.settle()

@@ -104,7 +104,7 @@ def wait_for_rest(widget: QWidget, *, up_to_ms: int = SHORT_MS) -> None:
         if time.monotonic() > deadline:
             raise TimeoutError(f"The window does not come to rest within {WAIT_S:g} s.")
         for timer in timers:
-            # One may go, or be stopped, by what another one does.
+            # A timer may be deleted or stopped by another one.
             if isValid(timer) and timer.isActive():
                 timer.stop()
                 timer.timeout.emit()

@@ -82,9 +82,9 @@ class CommandPalette(OverlayFrame):
         super().__init__("commandPalettePanel", below)
         self.setAccessibleName("Command palette")
         self._commands_now = commands
-        # With the words that each is found by, which are gathered once an opening and not at every letter.
+        # With their search texts, collected once per opening and not at every letter.
         self._commands: list[tuple[Command, SearchEntry]] = []
-        # By their ids, while they live.
+        # The ids of actions that exist.
         self._heard: set[int] = set()
         self._focus_before: QWidget | None = None
         self.search = _SearchField(self)
@@ -131,12 +131,12 @@ class CommandPalette(OverlayFrame):
     def close_and_return(self) -> None:
         """Close, and restore the focus."""
         before, self._focus_before = self._focus_before, None
-        # A cell's editor is gone by now: it closes when it loses the focus.
+        # The editor of a table cell is gone by now: it closes when it loses the focus.
         target = before if before is not None and isValid(before) and before.isVisible() else self.below
         target.setFocus(Qt.FocusReason.PopupFocusReason)
         self.hide()
 
-    # Finding and doing
+    # Search and run
 
     @property
     def found(self) -> list[str]:
@@ -174,7 +174,7 @@ class CommandPalette(OverlayFrame):
             self._note.show()
             self.place()
             return
-        # Closed first: what is done may open a dialog, or care for who has the focus.
+        # Closed first: the command may open a dialog, or depend on the focus.
         self.close_and_return()
         command.action.trigger()
 

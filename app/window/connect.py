@@ -56,7 +56,7 @@ class Commands:
         self._sets = {kind: kind(context) for kind in command_sets}
         context.central.fill(self._sets)
         self._follow, self._render = self._hooks("follow_drag"), self._hooks("render_panel")
-        # Those that have something to show; all others are not asked while only points move.
+        # The hooks that have something to show; others are not called while only points move.
         self._following = self._follow
         self._show_document = self._hooks("show_document")
         self.drops = Drops(context, self._sets.values())
@@ -112,7 +112,7 @@ class Commands:
         """Cancel a gesture, or else return from a panel to the canvas, or else step back."""
         if self._context.cancel_gesture() or self[FocusCommands].back_to_canvas():
             return
-        # Those of features that stand further down come first; one that returns true has taken the key.
+        # Later features come first; a hook that returns true has used the key.
         any(escape() for escape in reversed(self._hooks("escape")))
 
     def build_dock(self, name: str, *parent: QWidget) -> QWidget:
@@ -169,9 +169,9 @@ class Rendering(QObject):
         super().__init__(context.window)
         self._context, self._commands, self._session = context, commands, context.session
         self._canvas = context.central.canvas
-        # What the panels show; behind the session while it tells that what was selected is there no more.
+        # The rendered view; behind the session while the session updates its selection.
         self._rendered: CurveView | None = None
-        # The document that is drawn, and its curve that is edited.
+        # The drawn document and the index of its active curve.
         self._drawn: tuple[Document, int] | None = None
         self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
         self._panels_due.timeout.connect(self._render_rest)
@@ -179,7 +179,7 @@ class Rendering(QObject):
         self._render_document()
         self._render_file()
         if self._session.files.path is None and not self._session.files.origin.title:
-            # Who opens a document came to work on it.
+            # No greeting for someone who has opened a document.
             commands.messages.greet()
         if context.preferences.complaint:
             context.status_line.refuse(context.preferences.complaint)
@@ -215,7 +215,7 @@ class Rendering(QObject):
             self._render_rest()
             return
         if drawn is not None and drawn[1] != session.active_index:
-            # The gesture begins another curve, of another family perhaps.
+            # The gesture has begun another curve, which may have another family.
             self._context.actions.follow()
         if not self._panels_due.isActive():
             self._panels_due.start()
@@ -260,7 +260,7 @@ class Rendering(QObject):
         )
 
     def _render_selected_curves(self) -> None:
-        # What was said was about the curves that were selected before.
+        # The message was about the previous selection.
         self._context.status_line.clear_message()
         self._render_others()
         self._session.batch.then(self._canvas.hover_again)
@@ -286,7 +286,7 @@ class Rendering(QObject):
         read_only = " (read-only)" if session.files.is_read_only else ""
         window.setWindowTitle(f"{name}[*]{read_only} – Curvebench")
         if window.isWindowModified() != session.files.is_modified:
-            # Qt writes the title anew, whatever is there.
+            # Setting the flag makes Qt write the title again.
             window.setWindowModified(session.files.is_modified)
 
     def _tell(self, message: Message) -> None:

@@ -68,7 +68,7 @@ class Drops:
         What was wrong with other files, `problems`, is said together with what is left out.
         """
         left = [*problems, *self._open(files.documents)]
-        # Else a large document, which takes a while, would come in the place of what they were added to.
+        # Else a large document, which is opened later, would replace the one that they were added to.
         self._context.files.after_opening(
             lambda problem: self._add(files, [problem, *left] if problem else left)
         )
@@ -125,7 +125,7 @@ class Drops:
                 self.open_window(path)
                 opened.append(path)
             except (FormatError, StorageError) as problem:
-                # It was there just now, when somebody looked.
+                # The file was readable a moment ago.
                 left.append(f"{path.name} was not opened. {problem}")
         if opened:
             windows = "a window of its own" if len(opened) == 1 else "windows of their own"

@@ -54,7 +54,7 @@ def fitness(typed: str, name: str, path: str = "", tip: str = "", keywords: str 
         total += best
     if typed.strip() and name.casefold().startswith(" ".join(typed.casefold().split())):
         total += _BEGINS  # the words as they were typed are how it is called
-    # Of two that fit alike the shorter is meant.
+    # Of two equal matches the shorter name wins.
     return total - 0.05 * len(name)
 
 
@@ -84,7 +84,7 @@ def _word_fitness(word: str, text: str) -> float:
 
 
 def _begins_word(word: str, text: str) -> bool:
-    # Most texts have it nowhere, and are not taken apart: at every letter there are a thousand.
+    # Most texts do not contain the word and are not split: there are a thousand at every letter.
     return word in text and any(part.startswith(word) for part in text.split())
 
 

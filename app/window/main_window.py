@@ -92,7 +92,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         self._rendering = Rendering(self.context, self.commands)
         self.actions_by_name.attach(self.splitter)
         self.central.fit()
-        # Not what is usual: a lesson may be open, which has chosen what is shown.
+        # Not the usual ranges: an open lesson may have set them.
         when_first_shown(self, self.central.fit_again)
 
     # Building
@@ -137,7 +137,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         )  # fmt: skip
 
     def _build_dock(self, name: str, *parent: QWidget) -> QWidget:
-        # Commands are made later than docks; what they fill is asked of them.
+        # Command sets are created after the docks, which they fill.
         return self.commands.build_dock(name, *parent)
 
     @property
@@ -183,10 +183,10 @@ class MainWindow(SafeOverrides, QMainWindow):
         apply_theme(app, self.preferences.theme_mode)
 
     def _render_theme(self) -> None:
-        # Not the window's own palette: that is behind until the window has been polished.
+        # Not the palette of the window, which is outdated until the window has been polished.
         theme = theme_of(QApplication.palette())
         if theme is self._theme:
-            # A palette is told more than once, at the start too.
+            # The palette changes more than once, also at the start.
             return
         self._theme = theme
         self.actions_by_name.set_theme(theme)
@@ -213,7 +213,7 @@ class MainWindow(SafeOverrides, QMainWindow):
             return
         if event.key() in ENTER and self.commands[FocusCommands].leave_field():
             return
-        # What has been used by nobody: the keys of an action that is disabled, for one.
+        # An unused key may belong to a disabled action.
         disabled = self.actions_by_name.keymap.disabled_at(event.keyCombination())
         if disabled is not None:
             tell = self.session.say if is_redundant(disabled) else self.session.refuse
@@ -251,7 +251,7 @@ class MainWindow(SafeOverrides, QMainWindow):
             event.ignore()
             return
         event.accept()
-        # From here on nothing keeps the window open: where one of its parts fails to end, the others do.
+        # From here on the window closes: if ending one part fails, the others still end.
         self.closed.emit()
 
     def _close_dialogs(self) -> None:
@@ -272,7 +272,7 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
     usual = first_size(window.screen())
     layout = window.layout()
     if layout is not None:
-        # Else what the parts needed while they were put together is the least size of the whole.
+        # Else the minimum size is that of the parts while they were assembled.
         layout.activate()
     window.resize(usual)
     geometry, state = preferences.window_geometry, preferences.window_state

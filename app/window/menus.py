@@ -55,7 +55,7 @@ class Menus:
         for menu, marked in zip(MENUS, titles, strict=True):
             self._fill(window.menuBar().addMenu(marked), menu)
         self.recent, self.examples = self._submenu(FILE_RECENT), self._submenu(FILE_EXAMPLES)
-        # A tooltip tells why an entry cannot be used.
+        # Tooltips tell why an entry is disabled.
         for section in (POINTS_KINDS, CURVE_CONVERT):
             self._menu_of_section[section].setToolTipsVisible(True)
         self._submenu(CURVE_CONVERT).aboutToShow.connect(lambda: actions.open_section(CURVE_CONVERT))
@@ -111,9 +111,9 @@ class Menus:
                 lambda _checked=False, path=path: open_example(path)
             )
         self.examples.aboutToShow.connect(self._name_examples)
-        # Last of all who hear that a menu opens: then its entries are what they are called.
+        # Connected last to aboutToShow: by then the entries have their final texts.
         for menu in self._window.menuBar().findChildren(QMenu):
-            # One without a title is Qt's own, for what a narrow bar has no room for.
+            # A menu without a title belongs to Qt, for entries that do not fit into a narrow bar.
             if menu.title():
                 give_mnemonics(menu)
 
@@ -131,7 +131,7 @@ class Menus:
             self.recent.addActions(self._actions.in_section(FILE_RECENT))
 
     def _name_examples(self) -> None:
-        # Only now: nobody waits at the start for files to be read that are perhaps never opened.
+        # Only now, because reading the files would delay the start.
         for action, path in zip(self.examples.actions(), example_paths(), strict=True):
             action.setText(menu_text(example_name(path)))
 
@@ -177,7 +177,7 @@ class ContextMenus:
         if hit is not None and hit.curve >= 0:
             hit = self._on_active_curve(hit)
         if hit is not None and hit.part is Part.OTHER_CURVE:
-            # One of those that are selected leaves them selected: the menu is about all.
+            # A right-click on a selected curve keeps the selection: the menu acts on all of it.
             selected = session.selected.marked
             if session.selected.is_editing or hit.index in selected:
                 session.selected.set_curves(selected if hit.index in selected else (hit.index,), hit.index)

@@ -51,7 +51,7 @@ class Messages(QObject):
             self._offered = None
 
     def _reset_offer(self) -> None:
-        # What is shown comes from the document that follows.
+        # The next message comes from the new document.
         self._offered = None
 
     def _begin_anew(self) -> None:
@@ -103,19 +103,19 @@ class Messages(QObject):
         if text == self._image_problem:
             return self._find_image
         kind = view.source.parametrization.kind
-        # Uniform parameters are the way out where there are no distances between points.
+        # Uniform parameters help where points coincide.
         by_distance = kind.depends_on_points and not (view.source.family.is_missing or view.is_overdue)
         return self._use_uniform if by_distance and text == view.problem else None
 
     def _before_a_curve(self, view: CurveView) -> tuple[str, bool]:
         """Return the message while there is no curve, and whether it is a warning."""
         if len(view.points):
-            # After the first point the status line says what comes next; here it would cover the drawing.
+            # After the first point the status line has the hint; a bar would cover the drawing.
             return "", False
         if self._image_problem:
             return self._image_problem, True
         if self._dismissed in _BEGINNINGS:
-            # Put away with one tool it stays away with another.
+            # A message dismissed with one tool stays dismissed with another.
             return self._dismissed, False
         state = self._store.state
         return (state.uses(state.tool) and state.tool.empty_message) or _EMPTY, False

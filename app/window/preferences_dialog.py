@@ -69,7 +69,7 @@ class PreferencesDialog(FittedDialog):
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
         tip = "Close; changes are in effect already (Esc)"
         named(close, "closePreferences", "Close the preferences", tip)
-        # Enter confirms what is typed in a field; it must not press this.
+        # Enter confirms input in a field; it must not press this button.
         close.setAutoDefault(False)
         buttons.rejected.connect(self.reject)
         return buttons
@@ -102,7 +102,7 @@ class PreferencesDialog(FittedDialog):
         self._choose("tool_settings", self._preferences.tool_settings.with_value(setting, value))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        # Enter confirms what was typed; it does not close.
+        # Enter confirms input; it does not close the dialog.
         if event.key() not in ENTER:
             super().keyPressEvent(event)
 
@@ -141,7 +141,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
         record = row_of((self._caption, 1), (self.recorder, 1), self.clear, self.reset)
         answer = row_of((self.note, 1), self.take, self.keep, self.reset_all)
         column_of(self.search, (self.table, 1), record, answer, margins=12, spacing=8, parent=self)
-        # Two lines of note fit without anything moving.
+        # Room for two lines of text, so that nothing moves.
         self.note.setMinimumHeight(2 * self.note.fontMetrics().lineSpacing())
         self._clear_wish()
 
@@ -335,6 +335,6 @@ def _table() -> QTableWidget:
 
 def _recorder() -> QKeySequenceEdit:
     recorder = named(QKeySequenceEdit(), "keyRecorder", "New keys", "Click and press the new keys")
-    # One combination; two in a row would keep the first from working at once.
+    # One combination: with a sequence of two, the first would not work at once.
     recorder.setMaximumSequenceLength(1)
     return recorder

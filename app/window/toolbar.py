@@ -73,7 +73,7 @@ class Toolbar(SafeOverrides, QToolBar):
         self._in_words: list[QAction] = []
         self._widgets: list[ToolbarWidget] = []
         self._has_style = False
-        # By step and the names of actions with words that are on.
+        # By style and the names of the switches that are on.
         self._widths: dict[tuple[_Step, tuple[str, ...]], int] = {}
         self._shown: tuple[_Step, tuple[str, ...]] | None = None
         actions.redeclared.connect(self._follow_actions)
@@ -136,8 +136,8 @@ class Toolbar(SafeOverrides, QToolBar):
                 button.setFixedSize(button.sizeHint())
 
     def actionEvent(self, event: QActionEvent) -> None:
-        # After each change Qt lays the window out anew, which takes longer than to paint the drawing.
-        # A button asks for that itself where its words change.
+        # Qt lays out the window after each change, which takes longer than painting the drawing.
+        # A button requests a layout itself where its text changes.
         action = event.action()
         button = self.widgetForAction(action)
         if event.type() != QEvent.Type.ActionChanged or button.isHidden() == action.isVisible():
@@ -145,7 +145,7 @@ class Toolbar(SafeOverrides, QToolBar):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        # Not before: until the style has come, everything is thought to be wider.
+        # Not before: without the style sheet all widths are too large.
         self._has_style = True
         self._hold_sizes()
         self._fit()
@@ -163,7 +163,7 @@ class Toolbar(SafeOverrides, QToolBar):
         if (key := (step, self._in_use)) not in self._widths:
             self._show_step(step)
             if (layout := self.layout()) is not None:
-                # Buttons that are new tell it only later.
+                # New buttons invalidate it only later.
                 layout.invalidate()
             self._widths[key] = self.sizeHint().width()
         return self._widths[key] <= self.width()

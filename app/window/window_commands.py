@@ -193,15 +193,15 @@ def _is_in_sight(panel: QWidget) -> bool:
 def first_in(panel: QWidget) -> QWidget | None:
     """Return the widget of a panel that had the focus last, or else its first tab stop."""
     if isinstance(panel, QDockWidget) and panel.widget() is not None:
-        # Not the buttons of its title.
+        # Not the buttons of the title bar.
         return first_in(panel.widget())
     before = panel.focusWidget()
     if before is not None and _takes_focus(before):
         return before
     if _takes_focus(panel):
         return panel
-    # Not by `nextInFocusChain`: PySide6 takes what that returns for a part of the widget that was asked, and
-    # for deleted as soon as that one is.
+    # Not by `nextInFocusChain`: PySide6 treats its result as a part of the widget that was asked, and
+    # as deleted as soon as that one is.
     return next(filter(_takes_focus, panel.findChildren(QWidget)), None)
 
 

@@ -101,7 +101,7 @@ class CentralArea:
     basis: BasisView | None = None
 
     def __init__(self, session: Session, parent: QWidget) -> None:
-        # Each in its parent from the start: what is moved gets its style anew, with all that is in it.
+        # Each with its final parent from the start: a widget that is moved is styled again with its content.
         self.splitter = QSplitter(Qt.Orientation.Vertical, parent)
         self.splitter.setObjectName("drawingSplitter")
         pane = QWidget(self.splitter)
@@ -117,7 +117,7 @@ class CentralArea:
         self._fits_whole = False
         self.splitter.setStretchFactor(0, _STRETCH)
         self.splitter.setChildrenCollapsible(False)
-        # Else what lies behind the window's middle is seen beside the thin line of a handle.
+        # Else the background of the window shows beside the thin line of a handle.
         self.splitter.setAutoFillBackground(True)
 
     def _covered_top(self) -> float:
@@ -135,7 +135,7 @@ class CentralArea:
                 self.splitter.setStretchFactor(len(self.panes), declared.stretch)
                 heights += [declared.height] if declared.height else []
         self.splitter.setSizes(heights)
-        # Else the window takes the least size of the canvas alone for that of its middle.
+        # Else the window uses the minimum size of the canvas alone.
         self.splitter.updateGeometry()
         self._order_tabs()
 

@@ -68,7 +68,7 @@ class DiskWatch(QObject):
             return
         watcher = self._watcher or self._make_watcher()
         known = {*watcher.files(), *watcher.directories()}
-        # The file itself where the path is a link: the link's folder does not change with it.
+        # The target of a link as well: the folder of the link does not change with it.
         real = Path(os.path.realpath(self._path))
         for path in {self._path.absolute().parent, real.parent, real}:
             if str(path) not in known and path.exists():

@@ -171,16 +171,16 @@ class Dock(SafeOverrides, QDockWidget):
         self._build: Callable[[QWidget], QWidget] | None = build
         self._window = window
         self.is_steady = False
-        # What it covered when it was brought up; that comes back when it goes.
+        # The docks that it covers, which are raised again when it closes.
         self._covered: list[QDockWidget] = []
         self.topLevelChanged.connect(self._raise_when_docked)
-        # Qt's own slot hides a dock that nobody sees behind another tab.
+        # Qt's own slot would hide a dock that is behind another tab.
         self.toggleViewAction().triggered.disconnect()
         self.toggleViewAction().triggered.connect(self._toggle)
 
     def fill(self) -> None:
         """Build the title and the content, if there is none."""
-        # One that floats is shown again, and would be filled again, as soon as it has a title.
+        # A floating dock is shown, and would be filled, again as soon as it has a title.
         build, self._build = self._build, None
         if build is not None:
             self.setTitleBarWidget(DockTitle(self))
@@ -206,7 +206,7 @@ class Dock(SafeOverrides, QDockWidget):
     def _raise_when_docked(self, floats: bool) -> None:
         """Come to the front of the tabs after being docked."""
         if not floats and not self.isHidden():
-            # Only when it has its place is there a tab.
+            # The tab exists only after the layout.
             QTimer.singleShot(0, self, self.raise_)
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -228,7 +228,7 @@ class LateDock(Dock):
         self.visibilityChanged.connect(self._show_content)
 
     def _show_content(self, visible: bool) -> None:
-        # Hidden behind another tab, a dock is not visible in this sense.
+        # A dock behind another tab counts as not visible.
         if visible:
             self.fill()
 
@@ -242,7 +242,7 @@ class LateDock(Dock):
         self._scale = scale
         if self.widget() is not None:
             size = QApplication.font().pointSizeF() * scale
-            # Beside the application's style sheet a font that is set does not reach what is inside.
+            # With a style sheet of the application, setFont does not reach the content.
             sheet = f"* {{ font-size: {size}pt; }}" if scale != 1.0 else ""
             if sheet != self.widget().styleSheet():
                 self.widget().setStyleSheet(sheet)
@@ -275,8 +275,8 @@ class DockTitle(FollowsTheme, QWidget):
         self.float_button.clicked.connect(lambda: dock.setFloating(not dock.isFloating()))
         self.close_button.clicked.connect(dock.close)
         dock.topLevelChanged.connect(self._show_floating)
-        # Text is the last to give way where there is little room. It is 80 wide then: its layout says so,
-        # for Qt asks hundreds of times whenever docks are laid out.
+        # The text shrinks last where room is short. The layout has a minimum width of 80 then,
+        # because Qt asks hundreds of times whenever docks are laid out.
         self._words = words = Label(title)
         words.setMinimumWidth(9)
         dock.windowTitleChanged.connect(self._show_title)
@@ -327,7 +327,7 @@ def make_room(window: QMainWindow, dock: Dock, height: int) -> None:
     if dock.property(_HAS_ROOM) or dock.isFloating():
         return
     dock.setProperty(_HAS_ROOM, True)
-    # Only when the dock has its place is its height known.
+    # The height is known only after the layout.
     QTimer.singleShot(0, dock, lambda: _make_room(window, dock, height))
     QTimer.singleShot(0, dock, lambda: _make_width(window, dock))
 
@@ -350,7 +350,7 @@ def _make_room(window: QMainWindow, dock: Dock, height: int) -> None:
 
     def give_back() -> None:
         dock.setProperty(_HAS_ROOM, False)
-        # What it has covered is there again, and has its size.
+        # The covered dock is visible again and has its size.
         left = next((other for other in _in_front(window) if _is_above(above, other)), None)
         if left is not None and abs(above.height() - border) <= _MOVED:
             _divide(window, (above, above.height() + given), (left, left.height() - given))
@@ -360,7 +360,7 @@ def _make_room(window: QMainWindow, dock: Dock, height: int) -> None:
 
 def _divide(window: QMainWindow, *heights: tuple[QDockWidget, int]) -> None:
     """Give the docks of one side these heights."""
-    # Qt divides the side in this proportion, the tabs of each dock included.
+    # Qt divides the side in this proportion, including the tabs of each dock.
     tabs = max(
         (bar.height() for bar in window.findChildren(QTabBar, options=_DIRECT) if bar.isVisible()), default=0
     )

@@ -59,7 +59,7 @@ def ask_about_changes(session: Session, window: QWidget) -> int:
     question.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
     question.setDefaultButton(buttons.Save)
     answer = question.exec()
-    # Else every question ever asked would stay a part of the window.
+    # Else each message box would remain a child of the window.
     question.setParent(None)
     return answer
 
@@ -173,7 +173,7 @@ class DocumentFiles:
         files = self._session.files
         is_foreign = self.open_foreign is not None and can_import(path)
         if is_foreign or files.is_untouched or path.absolute() == files.path:
-            # What is read of another format looks for its window when it is read.
+            # A file of another format gets its window after it was read.
             self.open(path)
         elif not is_large(path) and (problem := self.why_not(path)):
             self._warn(problem)
@@ -299,7 +299,7 @@ class DocumentFiles:
         path = path_to_save(Path(name))
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
-            # The dialog asked about the name without the suffix, if it asked at all.
+            # The dialog has asked only about the name without the suffix.
             reason = f"“{path.name}” exists already. To replace it, select it in the list of files."
         if not reason:
             return path
@@ -338,7 +338,7 @@ class DocumentFiles:
     def may_discard(self) -> bool:
         """Ask about unsaved changes; return whether the document may be replaced."""
         self._session.cancel()
-        # The watch may be waiting whether another program goes on writing.
+        # The watch may be waiting for another program to finish writing.
         self._session.files.check()
         if not self._session.files.is_modified:
             return True
@@ -402,7 +402,7 @@ def file_stem(session: Session) -> str:
 def valid_stem(name: str) -> str:
     """Return a valid file name without ending from any name."""
     name = "".join(character for character in name if character.isprintable())
-    # What some system does not allow in a file's name.
+    # Characters that some systems do not allow in file names.
     return re.sub(r'[<>:"/\\|?*]+', " ", name).strip(" .")[:_LONGEST_STEM] or "curve"
 
 

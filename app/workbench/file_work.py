@@ -116,7 +116,7 @@ class FileWork:
 
 def why_not(path: Path, what: str, problem: Exception) -> str:
     """Return the sentence why something was not done with a file."""
-    # Some are clauses; what readers say names the file, and it need not be named twice.
+    # Some errors are clauses; those of readers name the file already.
     reason = f"{str(problem).removesuffix('.')}."
     named = what == "imported" and path.name in reason
     return reason if named else f"{path.name} was not {what}. {reason}"

@@ -135,7 +135,7 @@ class MessageBar(SentenceBar):
             parent=self,
         )
         for part in (self, self.sign, self.sentence):
-            # What lies below hears of a pointer that only passes, too, and says what a press would do.
+            # Mouse moves reach the plot below, which shows the hint about a press.
             part.setMouseTracking(True)
         self.follow_theme()
 

@@ -43,9 +43,9 @@ class StatusLine(SafeOverrides, QStatusBar):
         self._label = ElidedLabel()
         self._label.setObjectName("hint")
         self._label.setContentsMargins(6, 0, 6, 0)
-        # A long hint is cut, it never widens the window.
+        # A long hint is elided; it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        # A permanent widget: others Qt hides while there is a tip, for good where a button goes away with it.
+        # A permanent widget: Qt hides others during a tip, forever if the button disappears meanwhile.
         self.addPermanentWidget(self._label, 1)
         self.messageChanged.connect(self._follow_tip)
         self.readouts = Readouts(self)
@@ -54,7 +54,7 @@ class StatusLine(SafeOverrides, QStatusBar):
         self._soon.timeout.connect(self._render)
         self._timer = QTimer(self, singleShot=True, interval=_MESSAGE_MS)
         self._timer.timeout.connect(self.clear_message)
-        # It runs until the event is over in which the sentence was said.
+        # It runs until the end of the event that has shown the message.
         self._just_shown = QTimer(self, singleShot=True, interval=0)
 
     def put_after(self, widget: QWidget) -> None:
@@ -108,12 +108,12 @@ class StatusLine(SafeOverrides, QStatusBar):
         self.showMessage(text)
 
     def _follow_tip(self, text: str) -> None:
-        # Qt hands the tips of menus, buttons and actions on to the status line by itself.
+        # Qt passes the tips of menus, buttons and actions on to the status line.
         self._tip = text
         self._render()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        # Without what Qt would write over the label.
+        # Without the text that Qt would write over the label.
         option = QStyleOption()
         option.initFrom(self)
         with QPainter(self) as painter:

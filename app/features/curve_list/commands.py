@@ -160,7 +160,7 @@ class CurveListCommands:
         if is_done and stays:
             session.say(f"{stays}.")
 
-    # How they are called and shown
+    # Names and appearance
 
     @action("renameCurve", "Rename…", CURVE_NAME, full_name="Rename Curve…")
     @also(CURVE_LIST_MENU(10))

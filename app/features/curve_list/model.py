@@ -201,7 +201,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
 
     def _build(self, document: Document) -> None:
         tree = curve_tree(document.curves)
-        # What is no more is folded when something of its name is there again: in another document, for one.
+        # Keys of removed entries are forgotten: a later entry of the same name begins folded.
         self._open &= {_key(node) for top in tree for node in top.walk()}
         self._put(list(entries_of(tree, self._open)))
 
@@ -314,7 +314,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
 def _have_same_tree(before: Document, after: Document) -> bool:
     """Return whether the tree of curves, shapes and groups is unchanged."""
     old, new = before.curves, after.curves
-    # By identity first, without a step of Python's own: there are thousands.
+    # Compared by identity first, in C: there may be thousands.
     others = compress(zip(old, new, strict=False), map(is_not, old, new))
     return len(old) == len(new) and all(a.shape == b.shape and a.groups == b.groups for a, b in others)
 

@@ -68,7 +68,7 @@ class CurveList(SafeOverrides, QWidget):
         """Add a small button for each action below the list."""
         for position, action in enumerate(actions):
             button = action_button(action, flat=True)
-            # The icons come with the theme, later; docks laid out anew by then would forget their widths.
+            # The icons are set later, with the theme; without a fixed size the docks would be laid out again.
             button.setFixedSize(26, 26)
             self._buttons.insertWidget(position, button)
 
@@ -77,7 +77,7 @@ class CurveList(SafeOverrides, QWidget):
         self.model.show_document(document, marks)
         self.view.follow()
 
-    # What the person did
+    # Input of the user
 
     def _switch(self, node: Node, spot: Spot) -> None:
         if spot is Spot.SWATCH:

@@ -144,7 +144,7 @@ class RowDrag:
         gap, deeper = self._gap_at(position), round((position.x() - press.x()) / INDENT)
         depth = entries[self.row].node.depth + deeper
         if row == gap - 1 and deeper >= 0:
-            # On the lower half of a row, and not to the left: beside that.
+            # On the lower half of a row, unless moved to the left: at the same depth.
             depth = max(depth, entries[row].node.depth)
         return drop_at(entries, gap, depth)
 

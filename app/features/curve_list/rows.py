@@ -176,7 +176,7 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
         if model.marks.is_selected_whole(entry):
             self._paint_ring(painter, swatch, theme.accent)
         if entry.node.kind is NodeKind.GROUP:
-            # What is in a group need not look the same.
+            # Curves of a group may have different styles.
             self._paint_switch(painter, swatch, "group", True)
         else:
             draw_style(painter, QRectF(swatch).center(), SWATCH, row.style, theme)
@@ -193,7 +193,7 @@ class RowDelegate(SafeOverrides, QStyledItemDelegate):
     def _paint_switch(self, painter: QPainter, rect: QRect, name: str, on: bool) -> None:
         position = QRect(0, 0, ICON, ICON)
         position.moveCenter(rect.center())
-        # What is as usual steps back.
+        # The usual state is drawn faintly.
         painter.setOpacity(1.0 if on else 0.45)
         icon(name, theme_of(self._view.palette())).paint(painter, position)
         painter.setOpacity(1.0)

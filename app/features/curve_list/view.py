@@ -61,7 +61,7 @@ class CurveListView(ClaimsKeys, QListView):
     def __init__(self, model: CurveListModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.curves, self.parts = model, RowParts(self, model)
-        # The row that keys go on from, and where choosing row by row has come to from it.
+        # The row that keys continue from, and the last row of a selection that began there.
         self._current = self._reached = 0
         self._followed = 0
         self._drag = RowDrag(self, model, self.parts, partial(self._fold, is_open=True))
@@ -127,7 +127,7 @@ class CurveListView(ClaimsKeys, QListView):
         """Row that keys act on."""
         return self._current
 
-    # Mouse: a click chooses or switches, a drag moves the row
+    # Mouse: a click selects or switches, a drag moves the row
 
     @property
     def is_dragging(self) -> bool:
@@ -192,7 +192,7 @@ class CurveListView(ClaimsKeys, QListView):
             return
         if drop is None:
             if self._is_of_several(row):
-                # Not at the press: a drag takes all of them along.
+                # Not at the press, because a drag moves all of them.
                 self._go(row)
         elif not stays(drop, self.curves.entries[row].node, row):
             self.moved.emit(self.curves.entries[row].node, drop)
@@ -216,12 +216,12 @@ class CurveListView(ClaimsKeys, QListView):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowBlocked and self.is_dragging:
-            # A dialog takes the mouse, and the release with it.
+            # A dialog grabs the mouse, so that the release is lost.
             self._drag.end()
         return super().event(event)
 
     def claims(self, event: QKeyEvent) -> bool:
-        # Escape takes back a drag, F2 renames and Del deletes curves, before they are the window's.
+        # Escape cancels a drag, F2 renames and Del deletes curves, before the window gets these keys.
         if event.key() == Qt.Key.Key_Escape:
             return self.is_dragging
         return event.key() in _RENAME or _deletes(event) or event.matches(_ALL)
@@ -244,7 +244,7 @@ class CurveListView(ClaimsKeys, QListView):
         elif _deletes(event):
             self.deletion_wanted.emit(self.target_curves)
         else:
-            # Everything else is for the window's shortcuts; the list's own search by letters would eat them.
+            # Other keys are shortcuts of the window; the list would use letters for its own search.
             event.ignore()
 
     def _next_visible(self, row: int, step: int) -> int:

@@ -147,7 +147,7 @@ class OrderCommands:
         self._walk(1)
 
     def _walk(self, step: int) -> None:
-        # The next one is the one below in the list, hence behind.
+        # The next curve in the list is the one behind.
         session = self._session
         session.selected.activate((session.active_index + step) % len(session.document.curves))
         session.say(f"Editing “{session.active_curve.display_name}”.")
@@ -242,7 +242,7 @@ class ShapeCommands:
         session, curves = self._session, _selected_with_shapes(self._session)
         grouped = group_curves(session.document, curves)
         if self._commit_gathered(f"Group {name_or_count(session.document, curves)}", grouped):
-            # Of one curve alone the group around it is what was made, and not what is chosen.
+            # For a single curve, the new group is the one around it, not the selection.
             (group, *_) = groups_to_ungroup(session.document, grouped.indices)
             session.say(f"“{group.name}” has {node_count_label(group.children)}.")
 

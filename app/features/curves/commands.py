@@ -167,7 +167,7 @@ class CurveCommands:
         session, parts_of = self._session, dict[int, Split]()
 
         def edit(document: Document) -> Document:
-            # The foremost first: those behind it stay where they are.
+            # The last index first: earlier indices do not change.
             for curve in sorted(cuts, reverse=True):
                 parts_of[curve] = split(session.views[curve], *cuts[curve])
                 document = curve_edits.replace_by_parts(document, curve, *parts_of[curve].curves)

@@ -105,7 +105,7 @@ class JoinCommands:
             return self._make(ends, active, lambda index: joined_by(views, [link], index))
 
         def closed(document: Document) -> Document:
-            # Nothing keeps its shape there: it closes as its rules have it.
+            # A family without velocities cannot keep the shape: it closes by its rules.
             moved = document.with_curve(active, views[active].source)
             return with_closed(moved, active, views[active], closed=True)
 

@@ -55,7 +55,7 @@ class OwnFamilyCommands(QObject):
         path = Path(name) if Path(name).suffix else Path(f"{name}.py")
         try:
             if path != Path(name) and path.exists():
-                # The dialog asked about the name without the suffix, if it asked at all.
+                # The dialog has asked only about the name without the suffix.
                 raise StorageError(f"“{path.name}” already exists. Select it in the list to replace it.")
             write(path, own_families.template.template(path).encode())
         except StorageError as problem:

@@ -50,7 +50,7 @@ class ParametrizationBar(ToolbarWidget):
         super().__init__()
         self._view: CurveView | None = None
         self._is_compact, self._has_alpha = False, True
-        # The font, and the excess of the longest name in it: asked at every change.
+        # The font and the measured excess in it, cached because it is needed at every change.
         self._measured = ("", 0)
         kinds = (kind.label for kind in ParametrizationKind)
         self.box = choice_box("parametrizationBox", "Parametrization", _RULE_TIP, kinds)
@@ -64,7 +64,7 @@ class ParametrizationBar(ToolbarWidget):
         policy.setRetainSizeWhenHidden(True)
         self.slider.setSizePolicy(policy)
         self._alpha = Label("α 0.00", name="alphaValue")
-        # Of its words, not of their advance: with none it would be a pixel narrower, and the toolbar with it.
+        # The size hint with text: without text the label, and the toolbar, would be a pixel narrower.
         self._alpha.setMinimumWidth(self._alpha.sizeHint().width())
         parts = (self._label, self.box, self.slider, self._alpha)
         row_of(*parts, margins=(4, 0, 4, 0), spacing=6, parent=self)
@@ -126,7 +126,7 @@ class ParametrizationBar(ToolbarWidget):
         self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
         spaced = f", {rule.kind.spaced}" if rule.kind.spaced else ""
         set_tip(self.box, f"{_RULE_TIP}: {rule.kind.phrase}{spaced}")
-        # Three of the rules are members of the power family; the slider shows where they stand.
+        # Three of the rules are powers with a fixed α; the slider shows it.
         alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
             self.slider.setValue(round(alpha * STEPS))
@@ -219,7 +219,7 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         displayed = action or next(iter(self._words), None)
         picture = icon("spline", self.theme) if displayed is None else displayed.icon()
         text = "" if action is None else plain(action.text())
-        # Every action of a family calls, for each of its changes.
+        # Called for each change of each action.
         state = picture.cacheKey(), text, self._words, self._is_compact, button.font()
         if state == self._rendered:
             return

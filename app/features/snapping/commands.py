@@ -36,7 +36,7 @@ class GuideCommands:
         self._canvas = context.central.canvas
         self._guides = self._canvas.drawing.guides
         self._field: snapping.guide_field.GuideField | None = None
-        # The guide whose place is typed; None for a new one.
+        # The index of the guide that is typed; None for a new one.
         self._typed: int | None = None
         self._show_state(None, context.store.state)
         context.store.changed.connect(self._show_state)
@@ -145,7 +145,7 @@ class SnapCommands:
         context.store.changed.connect(self._show_state)
 
     def _show_state(self, before: WindowState | None, state: WindowState) -> None:
-        # Nobody would understand a snap to what is not seen.
+        # Snapping to invisible targets would be confusing.
         visible = {SnapKind.GRID: state.grid, SnapKind.GUIDES: state.guides_visible}
         hidden = {kind for kind, is_visible in visible.items() if not is_visible}
         effective = replace(state.snapping, kinds=state.snapping.kinds - hidden)
@@ -153,7 +153,7 @@ class SnapCommands:
         canvas.tools.snapping.settings = effective
         canvas.show_marks()
         if before is not None and before.snapping != state.snapping:
-            # What is dragged goes where it snaps to now.
+            # Update the drag in flight with the new targets.
             canvas.move_again()
 
     @action(
@@ -169,7 +169,7 @@ class SnapCommands:
     def _toggle(self) -> None:
         """Turn snapping to grid, guides, points and curves on or off, also during a drag."""
         store = self._context.store
-        # Another window may have remembered other kinds meanwhile.
+        # Another window may have changed the preferences.
         store.read_preferences()
         on = not store.state.snapping.on
         store.change(snap_on=on)

@@ -169,7 +169,7 @@ class StyleCommands:
             self._set_next(edit)
             return
         if session.is_previewing:
-            # The document before what was looked at, which locked curves may have refused.
+            # Restore the document without the preview, which locked curves may have refused.
             session.cancel()
         run = ("style", curves, *fields) if is_step else None
         change = session.change(self._words(fields, what), lambda document: edit(document, curves), run=run)

@@ -79,15 +79,15 @@ class PaintField(FollowsTheme, QWidget):
         self._popup: ColourPopup | None = None
         tip = f"{label}: choose any colour, with a live preview; Escape cancels"
         self._button = tool_button(f"{name}Button", f"{label}, choose a colour", tip, icon_size=_PICTURE)
-        # The same with a colour and with the dots of several.
+        # The same height with a colour and with the dots of mixed colours.
         self._button.setFixedSize(_PICTURE + 13, _PICTURE + 7)
         self._button.clicked.connect(self.open_popup)
         tip = f"{label}: #rrggbb, a name, “ink” or “none” (Enter to set)"
         self.edit = NumberEdit(f"{name}Hex", label, tip, read_paint)
         self.edit.entered.connect(lambda paint: self.chosen.emit(paint))  # noqa: PLW0108 - of other types
         top = row_of(self._button, (self.edit, 1), margins=0, spacing=6)
-        # Used colours have a row of their own: beside the others they would make the panel too wide. It is
-        # there from the start, for the first one moves nothing under the pointer.
+        # Recent colours have a separate row, because the panel would be too wide otherwise. It is
+        # there from the start, so that the first colour moves nothing.
         used = QWidget()
         used.setFixedHeight(_SIDE)
         self._always, self._used = row_of(1, spacing=2), row_of(1, margins=0, spacing=2, parent=used)
@@ -101,7 +101,7 @@ class PaintField(FollowsTheme, QWidget):
         button = tool_button(f"{self.objectName()}_{word}", tip, tip, flat=True)
         button.setFixedSize(_SIDE, _SIDE)
         button.setIconSize(QSize(_PICTURE, _PICTURE))
-        # The field takes colours from the keyboard; so many stops would only be in the way.
+        # Colours can be typed in the field; so many tab stops would be in the way.
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         button.setIcon(QIcon(paint_picture(paint, self.theme)))
         button.clicked.connect(lambda: self._choose(paint))
@@ -132,7 +132,7 @@ class PaintField(FollowsTheme, QWidget):
         for colour in self._recent:
             button = self._swatches.pop(colour)
             self._used.removeWidget(button)
-            # Out of the row at once, and found by nobody until it is deleted.
+            # Removed from the row at once, and not found by name until it is deleted.
             button.hide()
             button.setObjectName("")
             button.deleteLater()
@@ -153,7 +153,7 @@ class PaintField(FollowsTheme, QWidget):
         for paint, button in self._swatches.items():
             button.setIcon(QIcon(paint_picture(paint, theme)))
 
-    # What the person did
+    # Input of the user
 
     def open_popup(self) -> ColourPopup:
         """Open the choice of colours below the button."""

@@ -132,7 +132,7 @@ class StylePanel(FieldForm):
         )
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        # What is told comes below all else: the rows must not move away under the pointer.
+        # Messages are at the bottom, so that rows do not move under the pointer.
         below = row_of(*(action_button(action, beside=True) for action in buttons), 1)
         messages = (self._note, self._no_dots, self.problem)
         column_of(self._subject, self._form, below, *messages, 1, margins=12, spacing=8, parent=self)
@@ -146,7 +146,7 @@ class StylePanel(FieldForm):
         parts = ((self._rule, "fill_rule"), (self._cap, "cap"), (self._join, "join"), (self._dash, "dash"))
         for part, name in parts:
             part.chosen.connect(lambda value, name=name: self.wanted.emit({name: value}))
-        # Chosen by its name it is to be seen; who types 0 is told why nothing is.
+        # The preset is made visible by round ends; for a typed 0 there is a note.
         self._dash.dots_chosen.connect(lambda dash: self.wanted.emit({"dash": dash, "cap": LineCap.ROUND}))
         fields = {self._width: "width", self._limit: "miter_limit", self._offset: "dash_offset"}
         fields |= {field.edit: name for name, field in self.opacities.items()}

@@ -178,7 +178,7 @@ class TransformPanel(FieldForm):
         self.height_edit.entered.connect(partial(self.sized.emit, 1))
         self.angle_edit.entered.connect(self.turned_to.emit)
         self.turn_edit.entered.connect(self._keep_turn)
-        # Enter turns also where the same angle is still there: five leaves are four times Enter.
+        # Enter rotates again by the same angle: five leaves take Enter four times.
         self.turn_edit.is_pressed_again = self.skew_edit.is_pressed_again = True
         self.turn_edit.returnPressed.connect(self._turn)
         self.turn_button.clicked.connect(self._turn)
@@ -240,14 +240,14 @@ class TransformPanel(FieldForm):
         for button, name in zip(self.skew_buttons, ("skew", "skew-vertically"), strict=True):
             button.setIcon(icon(name, theme))
 
-    # What the person did
+    # Input of the user
 
     def _keep_turn(self, degrees: float) -> None:
         self._turn_by = degrees
 
     def _turn(self) -> None:
         self.turn_edit.enter()
-        # A text that is no number stays to be mended.
+        # Invalid input stays in the field.
         if not self.turn_edit.isModified():
             self.turned_by.emit(self._turn_by)
 
@@ -311,7 +311,7 @@ class PivotChooser(SafeOverrides, QWidget):
 
     def render_pivot(self, position: tuple[int, int] | None) -> None:
         """Show the pivot position; None for another pivot."""
-        # A group of which one is to be down lets none be up.
+        # An exclusive group does not allow to uncheck all buttons.
         self._group.setExclusive(False)
         for at, button in self._buttons.items():
             button.setChecked(at == position)

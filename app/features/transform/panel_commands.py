@@ -84,7 +84,7 @@ class TransformPanelCommands(QObject):
             self._render()
             width = self._panel.width_edit
             width.setFocus()
-            # Backwards: the first digits are seen.
+            # Selected backwards, so that the first digits are visible.
             width.setSelection(len(width.text()), -len(width.text()))
 
     # What is shown
@@ -112,7 +112,7 @@ class TransformPanelCommands(QObject):
             return transform.panel.TransformValues("Nothing selected", None, (0.0, 0.0), None, 0.0, "", "")
         bounds = target.bounds
         words, group = target.words, target.for_keys
-        # A name is shown as it is; all else is a sentence's beginning.
+        # Names are unchanged; other labels begin with a capital letter.
         what = words if group.name else f"{words[0].upper()}{words[1:]}"
         return transform.panel.TransformValues(
             what, bounds, self._target.centre,
@@ -136,7 +136,7 @@ class TransformPanelCommands(QObject):
             angle, self._turning = 0.0, Turning(now)
         return angle
 
-    # What the person did
+    # Input of the user
 
     def _change(self, text: str, edit: Callable[[Document], Document]) -> None:
         stays = self._target.for_keys.remark

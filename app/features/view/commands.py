@@ -165,7 +165,7 @@ class ViewCommands:
         )
     )
     def _use_tool(self, tool: ToolRecord) -> None:
-        # Taken anew, a tool ends what it was doing.
+        # Selecting a tool again resets it.
         self._context.central.canvas.choose_tool(tool)
         self._store.change(tool=tool, moves_image=False)
         curves = self._session.selected.whole_curves if tool is SELECT else frozenset()
@@ -273,19 +273,19 @@ class ViewCommands:
 
     def _show_side_panel(self, state: WindowState) -> None:
         window, visible = self._context.window, state.side_panel
-        # The layout of a presentation is none to come back to.
+        # The layout of a presentation is not restored later.
         keeps_layout = not state.presentation
         if not visible and keeps_layout:
             self._before_folding = bytes(window.saveState().data())
         for dock in self._context.docks.side:
-            # A dock that has nothing to show is disabled, and stays away.
+            # A dock without content is disabled and stays hidden.
             dock.setVisible(visible and dock.isEnabled())
         if visible and keeps_layout and self._before_folding:
-            # Shown one by one, docks share the height anew and change which tab is in front.
+            # Showing docks one by one changes their heights and the front tabs.
             window.restoreState(self._before_folding)
             hide_idle_docks(window)
 
-    # How large
+    # Drawing size
 
     @action("enlarge", "Larger Drawing", VIEW_SIZE, "Ctrl+Alt+=, Ctrl+Alt++", "plus")
     def _enlarge(self) -> None:
@@ -339,7 +339,7 @@ class ViewCommands:
         docks = [dock for dock in context.docks.side if dock not in self._docks_for_lesson()]
         for part in (context.toolbar, window.menuBar(), context.status_line, *docks):
             part.hide()
-        # Not showFullScreen, which forgets that a window was maximised.
+        # Not showFullScreen, which forgets that the window was maximised.
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
 
     def _end_presentation(self) -> None:

@@ -40,7 +40,7 @@ class MoreToolsButton(ToolbarWidget):
         """Set the tools of the menu; the first one is on the button."""
         self._menu.addActions(list(tools))
         self.button.setDefaultAction(tools[0])
-        # Afterwards: a default action brings its own menu, which is none.
+        # Set last: setDefaultAction replaces the menu by that of the action.
         self.button.setMenu(self._menu)
 
     def show_in_use(self) -> None:

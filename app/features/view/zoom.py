@@ -222,7 +222,7 @@ class ZoomField(QWidget):
         self._choices.setArrowType(Qt.ArrowType.UpArrow)
         self._choices.clicked.connect(self._open_menu)
         self._menu = named(QMenu(self._choices), "zoomMenu")
-        # No taller than the words beside it: the status line would grow.
+        # No taller than the text beside it, or the status line would grow.
         for part in (self.edit, self._choices):
             part.setMaximumHeight(self.fontMetrics().height() + _PADDING)
         row_of(self.edit, self._choices, margins=0, spacing=0, parent=self)
@@ -237,7 +237,7 @@ class ZoomField(QWidget):
             self._menu.addActions(list(group))
 
     def _open_menu(self) -> None:
-        # By hand: a menu of the button's own has the style draw a second arrow.
+        # Opened by hand: for a menu of the button the style would draw a second arrow.
         self._menu.popup(self.mapToGlobal(QPoint(0, -self._menu.sizeHint().height())))
 
     def show_zoom(self, share: float, about: str) -> None:
@@ -258,7 +258,7 @@ class ZoomField(QWidget):
 
     def _enter(self, share: float) -> None:
         self.zoom_entered.emit(share)
-        # Also where nothing has changed: what was typed is written as the others are.
+        # Also without a change, to write the typed text in the usual form.
         self._write()
 
 
@@ -278,7 +278,7 @@ class PastViews(QObject):
         self._camera = camera
         self._before: list[Box] = []
         self._last_box, self._size = camera.pixel_map.box, self._size_now()
-        # Whether a view of before is being shown, which is no move.
+        # Whether a previous view is being restored, which is no move.
         self._is_going = False
         self._moving = QTimer(self, singleShot=True, interval=_REST_MS)
         camera.changed.connect(self._note)
