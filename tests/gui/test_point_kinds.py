@@ -63,7 +63,7 @@ def positions(editor):
 
 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
-def test_a_key_makes_points_of_a_kind_in_one_step(bow, family):
+def test_a_key_sets_the_kind_of_the_selected_points_in_one_step(bow, family):
     bow.choose_family(family)
     bow.select([1, 2, 3])
     before = bow.session.document
@@ -133,7 +133,7 @@ def test_ends_of_an_open_curve_have_one_handle(bow):
 # What becomes of the shape
 
 
-def test_a_corner_made_smooth_turns_both_handles_and_keeps_their_lengths(bow):
+def test_a_corner_made_smooth_turns_both_handles_and_keeps_the_lengths(bow):
     bow.select_point(2)
     bow.key(Key.Key_C, SHIFT)
     bow.drag_handle((4.6, 3.4), ahead=True)
@@ -147,7 +147,7 @@ def test_a_corner_made_smooth_turns_both_handles_and_keeps_their_lengths(bow):
     assert angle_between(point.velocity, tuple(across)) < 1e-12
 
 
-def test_what_is_symmetric_or_estimated_becomes_smooth_as_it_is(bow):
+def test_a_symmetric_or_estimated_point_becomes_smooth_without_a_change_of_shape(bow):
     t = np.linspace(0, 1, 500)
     before = bow.session.active_view.curve.evaluate(t)
     points = bow.curve.points
@@ -161,7 +161,7 @@ def test_what_is_symmetric_or_estimated_becomes_smooth_as_it_is(bow):
     assert [point.corner for point in bow.curve.points] == [False] * 5
 
 
-def test_a_handle_that_lies_on_its_point_is_pulled_out(bow):
+def test_a_handle_that_lies_on_a_point_is_pulled_out(bow):
     bow.select_point(2)
     bow.key(Key.Key_C, SHIFT)
     curve = bow.curve
@@ -177,7 +177,7 @@ def test_a_handle_that_lies_on_its_point_is_pulled_out(bow):
 # Dragging handles
 
 
-def test_the_other_handle_of_a_smooth_point_turns_along_and_keeps_its_length(bow):
+def test_the_other_handle_of_a_smooth_point_turns_and_keeps_the_length(bow):
     document = bow.session.document
     for family, ahead in product((HERMITE, QUINTIC_HERMITE), (False, True)):
         bow.session.commit(document, "Again")
@@ -198,7 +198,7 @@ def test_the_other_handle_of_a_smooth_point_turns_along_and_keeps_its_length(bow
         assert rows[2].smoothness.startswith("C⁰, G¹"), (family, ahead)
 
 
-def test_the_other_handle_of_a_symmetric_point_is_its_mirror(bow):
+def test_the_other_handle_of_a_symmetric_point_is_the_mirror_image(bow):
     bow.choose_parametrization(ParametrizationKind.UNIFORM)
     bow.select_point(2)
     bow.key(Key.Key_Y, SHIFT)
@@ -208,7 +208,7 @@ def test_the_other_handle_of_a_symmetric_point_is_its_mirror(bow):
 
 
 @pytest.mark.parametrize("kind", [SMOOTH, SYMMETRIC, ESTIMATED], ids=lambda kind: kind.title)
-def test_alt_breaks_the_handles_apart_and_only_while_it_is_held(bow, kind):
+def test_alt_separates_the_handles_only_while_the_key_is_pressed(bow, kind):
     bow.select_point(2)
     bow.key(KEYS[kind], SHIFT)
     document = bow.session.document
@@ -239,7 +239,7 @@ def test_alt_breaks_the_handles_apart_and_only_while_it_is_held(bow, kind):
     assert bow.session.document == document
 
 
-def test_alt_alone_breaks_too_when_the_key_is_pressed_over_a_mouse_that_rests(bow):
+def test_alt_separates_the_handles_under_a_resting_mouse(bow):
     bow.select_point(2)
     bow.key(Key.Key_S, SHIFT)
     ahead = positions(bow)[1]
@@ -286,7 +286,7 @@ def test_a_double_click_toggles_corner_and_smooth(bow):
     assert kind_at(bow.session.active_view, 2) is CORNER
 
 
-def test_a_double_click_toggles_only_where_it_is_meant(bow):
+def test_a_double_click_toggles_the_kind_only_of_inner_hermite_points(bow):
     document = bow.session.document
     bow.double_click(bow.point(0))
     assert bow.session.document is document
@@ -317,7 +317,7 @@ def straight(editor, segment):
     assert is_straight(editor.curve, segment)
 
 
-def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bow):
+def test_a_smooth_point_beside_a_line_stays_tangent_during_every_drag(bow):
     straight(bow, 2)
     bow.select([2])
     bow.key(Key.Key_S, SHIFT)
@@ -346,7 +346,7 @@ def test_a_smooth_point_beside_a_line_is_tangent_to_it_while_everything_moves(bo
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.UNIFORM])
-def test_a_point_on_a_line_divides_it_into_two(bow, kind):
+def test_a_point_inserted_on_a_line_makes_two_lines(bow, kind):
     bow.choose_parametrization(kind)
     straight(bow, 2)
     view = bow.session.active_view
@@ -380,7 +380,7 @@ def test_a_bend_beside_a_line_follows_the_mouse_and_leaves_the_line(bow, segment
     assert has_parallel_velocities(bow.curve.points[3])
 
 
-def test_a_smooth_point_stays_smooth_when_a_segment_beside_it_is_made_straight(bow):
+def test_a_smooth_point_stays_smooth_when_an_adjacent_segment_is_made_straight(bow):
     bow.select([2])
     bow.key(Key.Key_S, SHIFT)
     straight(bow, 2)
@@ -426,7 +426,7 @@ def test_the_pen_breaks_the_handle_ahead_with_alt(bow):
     assert len(bow.curve.points) == 1
 
 
-def test_the_pen_s_corner_is_taken_back_with_the_point(bow):
+def test_a_corner_of_the_pen_is_undone_with_the_point(bow):
     bow.wheel((3.0, 1.0), -4)
     document = bow.session.document
     bow.trigger("addTool")
@@ -445,7 +445,7 @@ def test_the_pen_s_corner_is_taken_back_with_the_point(bow):
 # Marks
 
 
-def test_the_mark_of_each_kind_is_another_one_and_says_it_without_colour(bow, qtbot):
+def test_the_marks_of_kinds_differ_without_colour(bow, qtbot):
     canvas = bow.window.canvas
     looks = {}
     for kind in POINT_KINDS:
@@ -535,7 +535,7 @@ def test_a_table_of_points_keeps_a_tie(bow, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["reverseCurve", "freezeParameters", "closeCurve"])
-def test_what_changes_the_whole_curve_keeps_ties(bow, name):
+def test_changes_of_the_whole_curve_keep_ties(bow, name):
     bow.select_point(2)
     bow.key(Key.Key_S, SHIFT)
     bow.drag_handle((4.2, 3.4), ahead=True)
@@ -544,7 +544,7 @@ def test_what_changes_the_whole_curve_keeps_ties(bow, name):
     assert has_parallel_velocities(bow.curve.points[2])
 
 
-def test_insertion_and_conversion_keep_ties_and_splitting_and_joining_too(bow):
+def test_insertion_conversion_splitting_and_joining_keep_ties(bow):
     bow.select_point(2)
     bow.key(Key.Key_S, SHIFT)
     bow.drag_handle((4.2, 3.4), ahead=True)

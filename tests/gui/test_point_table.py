@@ -374,7 +374,7 @@ def test_a_text_being_typed_survives_a_change_of_the_curve(table):
     assert table.point(3).position == (42.0, 3.5)
 
 
-def test_the_editor_grows_with_its_text(table):
+def test_the_editor_grows_with_the_text(table):
     table.session.commit(point_edits.set_position(table.session.document, 0, 0, (-1 / 3e-7, 0.0)), "Move")
     editor = table.edit(0, X)
     assert editor.width() > editor.fontMetrics().horizontalAdvance(editor.text())
@@ -422,7 +422,7 @@ def test_typing_t_makes_the_parameters_manual(table):
     assert table.session.undo_stack.undoText() == "Set t of point 2"
 
 
-def test_the_order_of_the_parameters_is_kept(table):
+def test_parameters_that_would_change_their_order_are_refused(table):
     before = table.session.document
     table.type(2, T, "0.9")
     assert table.session.document is before
@@ -437,7 +437,7 @@ def test_the_order_of_the_parameters_is_kept(table):
 # Velocities and accelerations
 
 
-def test_one_component_makes_the_pair_explicit(quintic):
+def test_a_typed_component_makes_both_components_explicit(quintic):
     velocity, acceleration = (quintic.session.active_view.curve.jets[2, order] for order in (1, 2))
     quintic.type(2, VY, "1.5")
     assert quintic.point(2).velocity == (velocity[0], 1.5)
@@ -446,7 +446,7 @@ def test_one_component_makes_the_pair_explicit(quintic):
     assert quintic.point(2).acceleration == (-2.0, acceleration[1])
 
 
-def test_a_jerk_is_typed_reset_and_pasted_with_its_point(septic):
+def test_a_jerk_can_be_typed_reset_and_pasted_with_the_point(septic):
     jerk = septic.session.active_view.curve.jets[2, 3]
     septic.type(2, JY, "1.5")
     assert septic.point(2).jerk == (jerk[0], 1.5)
@@ -509,7 +509,7 @@ def test_the_reset_is_enabled_only_with_derivatives_that_are_set(table):
 # Selection
 
 
-def test_clicking_rows_selects_their_points(table):
+def test_a_click_on_rows_selects_the_points(table):
     table.click(2, X)
     assert table.session.selection == {2}
     table.click(4, Y, Qt.KeyboardModifier.ShiftModifier)
@@ -528,7 +528,7 @@ def test_the_row_header_selects_the_whole_row(table):
     assert table.view.selected_cells() == {(3, column) for column in range(WIDTH)}
 
 
-def test_selecting_points_selects_their_rows(table):
+def test_selected_points_select_the_rows(table):
     changes = QSignalSpy(table.session.selection_changed)
     table.session.selected.set_points([1, 2, 5])
     assert table.view.selected_rows() == {1, 2, 5}
@@ -552,7 +552,7 @@ def test_rows_and_columns_match_the_cells(hermite):
     assert hermite.view.selected_columns() == {T, VX}
 
 
-def test_a_new_selected_point_is_selected_as_soon_as_its_row_is_there(table):
+def test_the_row_of_a_new_selected_point_is_selected(table):
     document = point_edits.insert_points(table.session.document, 0, 8, [make_curve([(5.0, 5.0)]).points[0]])
     table.session.selected.set_points([8])
     assert table.session.selection == frozenset()
@@ -708,7 +708,7 @@ def test_new_points_need_whole_vectors(hermite):
     assert "not vx alone" in hermite.message
 
 
-def test_copy_and_paste_belong_to_the_table_only_while_it_has_the_focus(table):
+def test_copy_and_paste_belong_to_the_table_only_with_the_focus(table):
     field = QLineEdit(table.window)
     field.show()
     field.setFocus()
@@ -1099,7 +1099,7 @@ def test_at_a_corner_the_table_shows_the_number_before_the_corner(hermite):
     assert hermite.point(3).velocity is hermite.point(3).velocity_after is None
 
 
-def test_a_velocity_set_after_a_corner_alone_can_be_reset(hermite):
+def test_a_velocity_that_is_set_only_after_a_corner_can_be_reset(hermite):
     document = point_edits.make_corner(hermite.session.document, 0, 3, None, (3.0, 4.0))
     hermite.session.commit(document, "Corner")
     hermite.session.selected.set_points([3])

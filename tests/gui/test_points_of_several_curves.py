@@ -74,7 +74,7 @@ def test_a_band_over_both_contours_and_a_drag_moves_the_stem(letter):
     assert selected(letter) == {0: {2}, 1: {2}}
 
 
-def test_a_band_around_another_contour_alone_edits_that_one(letter):
+def test_a_rubber_band_around_another_contour_only_activates_that_contour(letter):
     letter.drag((-1.7, 1.7), (0.5, -1.8))
     assert selected(letter) == {1: {1, 2, 3}}
     assert (letter.curve.name, letter.session.selection) == ("Inner", {1, 2, 3})
@@ -98,7 +98,7 @@ def test_shift_click_toggles_points_of_either_contour(letter):
     assert selected(letter) == {}
 
 
-def test_a_click_and_a_drag_of_an_unselected_point_mean_that_alone(letter):
+def test_a_click_or_a_drag_of_an_unselected_point_acts_on_that_point_only(letter):
     letter.click((3.0, 0.0))
     letter.click((1.5, 0.0))
     assert (selected(letter), letter.curve.name) == ({1: {0}}, "Inner")
@@ -192,7 +192,7 @@ def test_kinds_and_alignment_are_of_the_points_of_both_contours(letter):
     assert (outer.points[2].velocity, inner.points[2].velocity) == (None, None)
 
 
-def test_points_of_chosen_curves_are_selected_together_too(letter):
+def test_points_of_selected_curves_are_selected_together(letter):
     letter.session.selected.activate(2)
     letter.click((2.6, 1.5), keys=SHIFT)
     assert letter.session.selected.curves == {0, 1, 2}
@@ -261,7 +261,7 @@ def test_the_stroke_keeps_its_width_when_the_shape_is_scaled(letter):
     assert {curve.style.width for curve in letter.session.document.curves[:2]} == {2.0}
 
 
-def test_the_menu_of_another_contours_point_is_about_what_is_selected(letter):
+def test_the_menu_of_a_point_of_another_contour_acts_on_the_selection(letter):
     letter.drag((-4.0, 0.7), (-1.0, -0.7))
     menu = letter.open_menu((-1.5, 0.0))
     assert "tangentCorner" in {entry.objectName() for entry in menu.actions()}
@@ -271,7 +271,7 @@ def test_the_menu_of_another_contours_point_is_about_what_is_selected(letter):
     assert (selected(letter), letter.curve.name) == ({0: {1}}, "Outer")
 
 
-def test_handles_of_both_contours_are_seen_and_each_is_dragged(letter):
+def test_handles_of_both_contours_are_visible_and_can_be_dragged(letter):
     """Of the contour that is not the active one there were none."""
     letter.drag((-4.0, 0.7), (-1.0, -0.7))
     assert letter.curve.name == "Outer"
@@ -346,7 +346,7 @@ def test_curves_are_split_at_all_selected_points(letter):
     assert letter.session.document == document
 
 
-def test_an_open_curve_is_split_at_its_inner_points_alone(letter):
+def test_an_open_curve_is_split_at_inner_points_only(letter):
     letter.session.commit(
         Document((make_curve([(-4.0, 0.0), (-2.0, 1.0), (0.0, 0.0), (2.0, 1.0)], name="Wave"),)),
         "Begin",

@@ -203,7 +203,7 @@ def test_a_name_is_edited_in_place(three, how):
     assert three.session.undo_stack.undoText() == "Rename curve"
 
 
-def test_escape_leaves_the_name_as_it_was(three):
+def test_escape_keeps_the_name(three):
     three.trigger("renameCurve")
     editor = list_of(three).view.viewport().findChild(object, "curveNameEditor")
     three.type_text(editor, "No")
@@ -241,7 +241,7 @@ def test_escape_takes_back_the_drag_of_a_row(three):
     assert not view.is_dragging
 
 
-def test_a_row_dropped_where_it_was_changes_nothing(three):
+def test_a_row_dropped_at_the_same_position_changes_nothing(three):
     rect = list_of(three).view.parts.row_rect(1)
     drag_row(three, 1, rect.top() + rect.height() // 3 + 12)
     assert three.session.undo_stack.undoText() == "Begin"
@@ -258,7 +258,7 @@ def test_keys_move_a_curve_in_the_order(three):
     assert three.curve.name == "B"
 
 
-def test_the_curve_in_front_is_at_the_top_and_raise_goes_up(three):
+def test_the_front_curve_is_the_top_row_and_raise_moves_up(three):
     view = list_of(three).view
     tops = [view.parts.row_rect(place).top() for place in range(3)]
     assert tops == sorted(tops, reverse=True)
@@ -305,7 +305,7 @@ def test_delete_while_a_name_is_typed_is_for_the_name(three):
     assert names(three) == "AXC"
 
 
-def test_every_part_of_a_row_says_what_a_click_does(three):
+def test_every_part_of_a_row_has_a_tip_for_a_click(three):
     view = list_of(three).view
     tips = [view.parts.tip_at(row_place(three, 1, spot)) for spot in Spot]
     assert tips == [
@@ -422,13 +422,13 @@ def test_splitting_at_the_scrub_line_and_joining_again(three):
     assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
 
 
-def test_splitting_nowhere_says_what_is_missing(three):
+def test_a_split_without_a_position_is_refused_with_a_reason(three):
     three.trigger("splitCurve")
     assert "scrub line" in three.status
     assert names(three) == "ABC"
 
 
-def test_joining_alone_says_what_is_missing(three):
+def test_a_join_of_one_curve_is_refused_with_a_reason(three):
     for row in (0, 2):
         three.click_in_list(row, Spot.EYE)
     three.trigger("joinCurve")
@@ -443,7 +443,7 @@ def test_a_locked_curve_is_not_joined(three):
     assert "is locked" in three.status
 
 
-def test_joining_to_a_curve_that_comes_earlier_keeps_the_active_one(three):
+def test_a_join_to_an_earlier_curve_keeps_the_active_curve(three):
     three.click_in_list(2, Spot.EYE)
     three.trigger("joinCurve")
     assert names(three) == "BC"
@@ -476,7 +476,7 @@ def test_closing_a_polynomial_is_explained(three):
     assert not three.action("closeCurve").isChecked()
 
 
-def test_a_point_added_to_a_closed_curve_lies_between_its_last_and_its_first(three):
+def test_a_point_added_to_a_closed_curve_lies_between_the_last_and_the_first(three):
     three.trigger("closeCurve")
     three.trigger("freezeParameters")
     end = three.parameters[-1]
@@ -500,7 +500,7 @@ def test_a_click_on_the_curve_keeps_its_shape_under_manual_parameters(three):
     assert three.curve.points[2].velocity is not None
 
 
-def test_a_point_dragged_off_the_curve_goes_where_it_is_dragged(three):
+def test_a_point_dragged_off_the_curve_follows_the_pointer(three):
     three.trigger("freezeParameters")
     at = tuple(three.session.active_view.curve.evaluate(0.41))
     three.trigger("addTool")
@@ -555,7 +555,7 @@ def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something
     assert layer._picture is not picture
 
 
-def test_many_curves_are_moved_along_while_the_view_moves_and_painted_when_it_rests(three):
+def test_the_picture_of_many_curves_moves_with_the_view_and_is_repainted_at_rest(three):
     canvas = three.window.canvas
     layer = canvas.drawing.others
     three.settle()
@@ -593,7 +593,7 @@ def test_a_press_and_release_of_another_button_does_nothing(three):
     assert three.session.document is document
 
 
-def test_all_that_is_chosen_whole_is_reversed_and_closed(three):
+def test_all_selected_curves_are_reversed_and_closed(three):
     """One of a group, or of a shape with holes, was, and the others not."""
     before = three.session.document.curves
     three.session.selected.select_whole([0, 2])

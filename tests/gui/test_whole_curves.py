@@ -72,7 +72,7 @@ def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
 
 
 @pytest.mark.parametrize("places", [{2}, {0, 2}])
-def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
+def test_the_menu_key_opens_the_menu_of_the_selected_curves(whole, places):
     """It opened that of the canvas."""
     whole.session.selected.select_whole(places)
     menu = whole.press_menu_key()
@@ -83,7 +83,7 @@ def test_the_menu_key_opens_the_menu_of_what_is_chosen_whole(whole, places):
     assert whole.session.selected.whole_curves == places
 
 
-def test_leaving_is_said_and_no_points_are_shown(three):
+def test_a_return_to_whole_curves_is_reported_and_hides_the_points(three):
     assert shows_points(three)
     three.hover((1.5, 4.4))
     assert "Escape: whole curves" in three.window.status_line.hint
@@ -96,7 +96,7 @@ def test_leaving_is_said_and_no_points_are_shown(three):
     assert shows_points(three)
 
 
-def test_enter_edits_all_that_are_chosen_and_escape_leaves_them_chosen(whole):
+def test_enter_edits_all_selected_curves_and_escape_selects_them_whole(whole):
     """One was edited, and the others had to be clicked again each time."""
     whole.click(on_curve(whole, 0))
     whole.click(on_curve(whole, 2), keys=SHIFT)
@@ -132,7 +132,7 @@ def test_a_click_chooses_and_a_double_click_edits(whole):
     assert whole.status == "Editing “C”."
 
 
-def test_a_double_click_on_a_point_selects_it(whole):
+def test_a_double_click_on_a_point_selects_the_point(whole):
     whole.double_click((2, 6))
     assert (state(whole), whole.session.selection) == ((True, "", "C"), {2})
 
@@ -147,7 +147,7 @@ def test_shift_click_adds_and_takes_out_and_a_click_beside_chooses_none(whole):
 
 
 @pytest.mark.parametrize("how", ["table", "menu of the list", "pen", "new document", "action"])
-def test_what_needs_points_edits_again(whole, how):
+def test_actions_that_need_points_begin_to_edit_again(whole, how):
     if how == "table":
         whole.select([1])
     elif how == "menu of the list":
@@ -164,7 +164,7 @@ def test_what_needs_points_edits_again(whole, how):
     assert chosen(whole) == ""
 
 
-def test_a_click_in_the_list_chooses_as_the_arrow_does(whole):
+def test_a_click_in_the_list_selects_as_with_the_select_tool(whole):
     """Where nothing is edited it begins no editing, and panels show what was clicked."""
     whole.show_dock("curvesDock")
     found = []
@@ -186,7 +186,7 @@ def test_a_click_in_the_list_chooses_as_the_arrow_does(whole):
     assert moved_by(whole, before, 2)[0] == pytest.approx(0.5, abs=2 * whole.pixel)
 
 
-def test_the_list_and_the_sheet_say_what_is_chosen(whole):
+def test_list_and_shortcut_sheet_name_the_selected_curves(whole):
     told = [heard(whole, row) for row in range(3)]
     assert [text.rpartition("points")[2] for text in told] == ["", "", ""]
     whole.click(on_curve(whole, 2))
@@ -217,7 +217,7 @@ def test_the_pen_goes_on_with_the_curve_that_was_edited(three):
 
 
 @pytest.mark.parametrize("letters", ["C", "AC"])
-def test_what_is_chosen_is_dragged_and_nudged_and_stays_chosen(whole, letters):
+def test_selected_curves_are_dragged_and_nudged_and_stay_selected(whole, letters):
     rows = ["ABC".index(letter) for letter in letters]
     for row in rows:
         whole.click(on_curve(whole, row), keys=SHIFT)
@@ -239,7 +239,7 @@ def test_what_is_chosen_is_dragged_and_nudged_and_stays_chosen(whole, letters):
     assert state(whole)[:2] == (False, letters)
 
 
-def test_one_that_is_chosen_has_a_box_and_is_moved_scaled_and_deleted(whole):
+def test_a_selected_curve_has_a_box_and_is_moved_scaled_and_deleted(whole):
     whole.click(on_curve(whole, 2))
     assert whole.window.canvas.marks.box is not None
     x, y = whole.grip(1, 1)
@@ -258,7 +258,7 @@ def test_one_that_is_chosen_has_a_box_and_is_moved_scaled_and_deleted(whole):
     assert state(whole)[:2] == (False, "C")
 
 
-def test_with_none_chosen_the_keys_say_so(whole):
+def test_without_a_selection_keys_report_that(whole):
     before = whole.session.document
     whole.hover((1.5, 4.4))
     whole.key(Qt.Key.Key_G)
@@ -267,7 +267,7 @@ def test_with_none_chosen_the_keys_say_so(whole):
     assert whole.session.document is before
 
 
-def test_what_was_said_of_the_choice_goes_with_it(whole):
+def test_a_message_on_the_selection_is_removed_with_the_selection(whole):
     whole.hover((1.5, 4.4))
     assert whole.status == "No curve is selected."
     whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
@@ -281,7 +281,7 @@ def test_what_was_said_of_the_choice_goes_with_it(whole):
     assert not whole.window.status_line.is_refusal
 
 
-def test_the_status_line_says_what_a_press_does(whole):
+def test_the_status_line_describes_the_effect_of_a_press(whole):
     line = whole.window.status_line
     whole.hover((1.5, 4.4))
     assert line.hint == "Drag to select curves inside · Shift adds · Double-click edits one"
@@ -302,7 +302,7 @@ def test_the_status_line_says_what_a_press_does(whole):
 # The rubber band
 
 
-def test_the_band_chooses_what_lies_inside_live(whole):
+def test_the_rubber_band_selects_the_curves_inside_live(whole):
     whole.press((-0.7, 7.6))
     whole.move((3.5, 2.5))
     assert chosen(whole) == "BC"
@@ -318,7 +318,7 @@ def test_the_band_chooses_what_lies_inside_live(whole):
     assert whole.session.active_index in {1, 2}
 
 
-def test_shift_adds_and_escape_brings_back_what_was_chosen(whole):
+def test_shift_adds_to_the_selection_and_escape_restores_the_selection(whole):
     whole.click(on_curve(whole, 0))
     for way in ("escape", "release"):
         whole.press((-0.7, 7.6), keys=SHIFT)
@@ -332,7 +332,7 @@ def test_shift_adds_and_escape_brings_back_what_was_chosen(whole):
     assert state(whole)[:2] == (False, "AC")
 
 
-def test_hidden_and_locked_curves_are_not_taken(whole):
+def test_hidden_and_locked_curves_are_not_selected(whole):
     whole.session.selected.select_whole({2})
     whole.trigger("curveLocked")
     whole.session.selected.select_whole({1})
@@ -342,7 +342,7 @@ def test_hidden_and_locked_curves_are_not_taken(whole):
     assert chosen(whole) == "A"
 
 
-def test_while_a_curve_is_edited_the_band_takes_its_points(three):
+def test_while_a_curve_is_edited_the_rubber_band_selects_points(three):
     three.drag((-0.7, 7.6), (1.5, 2.5))
     assert (state(three), three.session.selection) == ((True, "", "B"), {0, 1})
 
@@ -350,7 +350,7 @@ def test_while_a_curve_is_edited_the_band_takes_its_points(three):
 # The box
 
 
-def test_a_drag_inside_the_box_of_points_moves_them(three):
+def test_a_drag_inside_the_box_of_points_moves_the_points(three):
     three.select([0, 1, 2, 3])
     before, steps = three.session.document, three.session.undo_stack.count()
     place = (0.3, 3.9)
@@ -367,7 +367,7 @@ def test_a_drag_inside_the_box_of_points_moves_them(three):
     assert three.session.selection == {0, 1, 2, 3}
 
 
-def test_the_box_hugs_what_it_is_around_and_its_grips_stand_outside(three):
+def test_the_box_fits_the_selection_and_grips_stand_outside(three):
     """It stood 16 pixels off, and looked as if the shape did not reach the edge of a page."""
     three.select([0, 1, 2, 3])
     canvas, box = three.window.canvas, three.window.canvas.marks.box
@@ -383,7 +383,7 @@ def test_the_box_hugs_what_it_is_around_and_its_grips_stand_outside(three):
     assert three.window.status_line.hint.startswith("Drag to select points")
 
 
-def test_a_drag_inside_the_box_of_curves_moves_them(whole):
+def test_a_drag_inside_the_box_of_curves_moves_the_curves(whole):
     whole.session.selected.select_whole({1, 2})
     before = whole.session.document
     whole.drag((0.5, 5.2), (0.9, 5.4))
@@ -392,7 +392,7 @@ def test_a_drag_inside_the_box_of_curves_moves_them(whole):
     assert whole.session.undo_stack.undoText() == "Move 2 curves"
 
 
-def test_a_drag_inside_the_box_is_taken_back(three):
+def test_a_drag_inside_the_box_can_be_cancelled(three):
     three.select([0, 1, 2, 3])
     before = three.session.document
     three.press((0.3, 3.9))
@@ -423,7 +423,7 @@ def test_shift_drag_inside_the_box_is_a_rubber_band(three):
     assert three.session.selection == {0, 1, 2, 3}
 
 
-def test_points_and_the_curve_inside_the_box_are_what_they_are(three):
+def test_points_and_curve_inside_the_box_are_hit_before_the_box(three):
     three.select([0, 1, 2, 3])
     three.drag(on_curve(three, 1), (1.5, 4.2))
     assert three.session.undo_stack.undoText().startswith("Bend curve")
@@ -479,7 +479,7 @@ def pixels_of(canvas):
 
 
 @pytest.mark.parametrize("chosen", [None, (4,), (1, 4, 8), (0, 1, 2, 4, 5, 6, 7, 8, 9)])
-def test_dragged_curves_are_painted_in_their_places_of_the_order_and_the_others_are_not(pile, chosen):
+def test_only_dragged_curves_are_repainted_and_the_order_stays(pile, chosen):
     """Of curves apart in the order, or more than eight, all were painted in every frame."""
     if chosen is not None:
         pile.session.selected.select_whole(chosen)
@@ -506,7 +506,7 @@ def test_dragged_curves_are_painted_in_their_places_of_the_order_and_the_others_
     pile.release((x - 0.9, y + 0.3))
 
 
-def test_what_was_dragged_is_in_the_picture_again_when_something_else_is_painted(pile):
+def test_dragged_curves_return_to_the_picture_after_other_paints(pile):
     pile.session.selected.select_whole(range(1, 10))
     x, y = pile.session.views[4].curve.evaluate(0.99)
     others = pile.window.canvas.drawing.others
@@ -520,7 +520,7 @@ def test_what_was_dragged_is_in_the_picture_again_when_something_else_is_painted
     assert not loose_indices(others._sections)
 
 
-def test_chosen_curves_stay_in_the_picture_when_another_one_of_them_is_edited(pile):
+def test_selected_curves_stay_in_the_picture_when_another_curve_becomes_active(pile):
     """Each was another curve at its place in the layer: six of ten were painted in every frame of a drag."""
     pile.session.selected.set_curves(range(6), 0)
     selected = pile.window.canvas.drawing.selected
@@ -548,7 +548,7 @@ def test_chosen_curves_stay_in_the_picture_when_another_one_of_them_is_edited(pi
         (tuple(range(0, 30, 3)), [range(at, at + 2) for at in range(7, 30, 3)]),
     ],
 )
-def test_still_shapes_are_in_as_few_sheets_as_are_worth_it(changed, still):
+def test_shapes_at_rest_are_in_as_few_sheets_as_possible(changed, still):
     sections = sections_of(changed, 30)
     assert [section.indices for section in sections if section.is_still] == still
     assert [index for section in sections for index in section.indices] == list(range(30))
@@ -558,7 +558,7 @@ def test_still_shapes_are_in_as_few_sheets_as_are_worth_it(changed, still):
 # Copies
 
 
-def test_a_duplicate_looks_as_what_it_is_made_from_and_is_chosen(whole):
+def test_a_duplicate_has_the_style_of_the_original_and_is_selected(whole):
     whole.session.selected.select_whole({2})
     click_swatch(whole, 2, "colour_Vermillion")
     whole.trigger("duplicateCurve")
@@ -567,7 +567,7 @@ def test_a_duplicate_looks_as_what_it_is_made_from_and_is_chosen(whole):
     assert whole.status == "“C copy” lies on the original and is selected. Drag it to move it."
 
 
-def test_a_duplicate_of_the_edited_curve_keeps_its_colour_and_has_its_points_selected(three):
+def test_a_duplicate_of_the_edited_curve_keeps_colour_and_selected_points(three):
     click_swatch(three, 1, "colour_Vermillion")
     three.trigger("duplicateCurve")
     assert [curve.style.stroke for curve in three.session.document.curves] == ["", "#d55e00", "#d55e00", ""]
