@@ -79,7 +79,7 @@ def _facts(result: _Converted) -> dict[str, Any]:
 
 
 def _result(target: str, result: _Converted) -> str:
-    deviation = exchange.exported_curves.stated(result.deviation, result.is_bound)
+    deviation = exchange.exported_curves.deviation_text(result.deviation, result.is_bound)
     return f"{one_line(target)}: largest deviation from the true curves {deviation}"
 
 

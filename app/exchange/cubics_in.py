@@ -454,7 +454,7 @@ def letters_of(curve: Curve, pieces: FloatArray) -> str:
     return _letters(curve.points, pieces, closed=curve.is_closed)
 
 
-def guessed(pieces: FloatArray, *, closed: bool) -> str:
+def guessed_letters(pieces: FloatArray, *, closed: bool) -> str:
     """Return the letters that a reader gives to pieces without letters in the file."""
     if not np.ptp(pieces, axis=1).any(axis=1).all():
         return ""  # a reader leaves out those of no length
@@ -481,7 +481,7 @@ def _letter(point: Point, is_even: bool) -> str:
     return EVEN if (point.even if point.tied else is_even) else TIED
 
 
-def joined(outlines: Sequence[tuple[str, bool]]) -> str:
+def joined_letters(outlines: Sequence[tuple[str, bool]]) -> str:
     """Return the letters of a path from those of its outlines, each open or closed; empty if some lack.
 
     The first letter of a closed outline is repeated at its end.
@@ -490,7 +490,7 @@ def joined(outlines: Sequence[tuple[str, bool]]) -> str:
     return "".join(parts) if all(parts) else ""
 
 
-def parted(letters: str, outlines: Sequence[tuple[int, bool]]) -> list[str]:
+def split_letters(letters: str, outlines: Sequence[tuple[int, bool]]) -> list[str]:
     """Return the letters of each outline, by its number of pieces; empty where the numbers do not fit."""
     ends = np.cumsum([count + 1 for count, _ in outlines]).tolist()
     if len(letters) != ends[-1]:

@@ -140,14 +140,14 @@ def choice_of(export: Export) -> ExportChoice | None:
     return _usable(export.ending, values)
 
 
-def known_name(choice: ExportChoice, document: Document, selected: Collection[int], last: Export) -> str:
+def suggested_name(choice: ExportChoice, document: Document, selected: Collection[int], last: Export) -> str:
     """Return the name of the exported curves or of the last export, without ending; empty for neither."""
     if choice[EXTENT] is Extent.SELECTED:
         return common_name(document, expand_to_shapes(document, selected)) or ""
     return last.name.removesuffix(last.ending) if last.ending == choice.ending else ""
 
 
-def note_of(choice: ExportChoice, name: str, last: Export) -> Export:
+def export_record(choice: ExportChoice, name: str, last: Export) -> Export:
     """Return the record of an export for the document; the name of a part is not recorded."""
     if choice[EXTENT] is Extent.SELECTED:
         name = last.name if last.ending == choice.ending else ""

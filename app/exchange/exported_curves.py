@@ -33,7 +33,7 @@ from ..tasks.progress import Report, part
 from ..view_model.cubics import RELATIVE_TOLERANCE
 from ..view_model.curve.core_curve import in_words
 from ..view_model.curve.curve_view import ParametricCurve
-from .drawing.drawing import drawable
+from .drawing.drawing import drawable_curves
 from .errors import ExchangeError
 from .options import DEFAULT, Options
 from .unique_names import UniqueNames
@@ -99,7 +99,7 @@ class ExportedCurve:
             if worst <= tolerance:
                 return Polynomials(exact, worst, is_bound=not worst)
         paths = [cubics_of(piece, tolerance) for piece in self.core.pieces]
-        return Polynomials(tuple(map(_spline_of, paths)), *worst_of(paths))
+        return Polynomials(tuple(map(_spline_of, paths)), *largest_deviation(paths))
 
     @cached_property
     def formulas(self) -> Polynomials:
@@ -146,7 +146,7 @@ class Beziers:
         return int(self.control_points.shape[1]) - 1
 
 
-def worst_of(parts: Iterable[Beziers | Deviation]) -> Deviation:
+def largest_deviation(parts: Iterable[Beziers | Deviation]) -> Deviation:
     """Return the largest of deviations; it is a bound if all of them are."""
     deviations, bounds = zip(*((part.deviation, part.is_bound) for part in parts), strict=True)
     return Deviation(max(deviations), all(bounds))
@@ -197,7 +197,7 @@ def curves_of(document: Document, options: Options = DEFAULT) -> ExportedCurves:
         If there is none.
     """
     hidden = dict.fromkeys(curve.display_name for curve in document.curves if not curve.visible)
-    usable, unusable = drawable(document, part(options.report, 0.0, 0.5))
+    usable, unusable = drawable_curves(document, part(options.report, 0.0, 0.5))
     remarks = (*(f"“{name}” is hidden." for name in hidden), *unusable)
     if not usable:
         raise ExchangeError(f"There is nothing to export. {' '.join(remarks)}")
@@ -224,15 +224,16 @@ def tolerance_for(curves: Iterable[ExportedCurve], options: Options) -> float:
     return options.tolerance
 
 
-def stated(deviation: float, is_bound: bool) -> str:
+def deviation_text(deviation: float, is_bound: bool) -> str:
     """Return a deviation as it is stated in files: with three digits, and "about" unless it is a bound."""
     return f"{'' if is_bound or not deviation else 'about '}{rounded_up(deviation, 3):g}"
 
 
 def accuracy(deviation: float, is_bound: bool) -> str:
     """Return the sentence on the deviation of a file from the true curves."""
+    text = deviation_text(deviation, is_bound)
     return (
-        f"Curvebench {__version__}. Largest deviation from the true curves: {stated(deviation, is_bound)}, "
+        f"Curvebench {__version__}. Largest deviation from the true curves: {text}, "
         "in the unit of the document."
     )
 
@@ -262,7 +263,7 @@ def samples_of(piece: ParametricCurve) -> FloatArray:
     return np.union1d(t, (t[:-1, None] + steps).ravel())
 
 
-def measured(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
+def measured_deviation(piece: ParametricCurve, copy: Callable[[FloatArray], FloatArray]) -> float:
     """Return the largest distance of `copy`, a function of t, from a piece at many parameters: no bound."""
     t = samples_of(piece)
     starts = range(_SAMPLES_AT_ONCE, len(t), _SAMPLES_AT_ONCE)
@@ -286,7 +287,7 @@ def beziers_of(piece: ParametricCurve, tolerance: float) -> Beziers:
         result = Beziers(bezier_segments(piece), piece.breaks, 0.0)
     elif (controls := _controls_of(piece)) is not None:
         ends = piece.breaks
-        rounding = measured(piece, lambda t: bezier_values(controls, ends, t))
+        rounding = measured_deviation(piece, lambda t: bezier_values(controls, ends, t))
         result = Beziers(controls, ends, rounding, is_bound=False)
     else:
         result = cubics_of(piece, tolerance)
@@ -325,7 +326,7 @@ def _known_curve(kind: type[ParametricCurve], data: list[Interpolant] | None) ->
 def _deviation(curve: ParametricCurve, piece: ParametricCurve) -> float:
     """Return the distance of a curve from the piece that it stands for: 0 where both are the same."""
     is_same = type(curve) is type(piece) and np.array_equal(curve.jets, piece.jets)
-    return 0.0 if is_same else measured(piece, curve.evaluate)
+    return 0.0 if is_same else measured_deviation(piece, curve.evaluate)
 
 
 def _spline_of(path: Beziers) -> HermiteCurve:

@@ -23,7 +23,7 @@ from ..view_model.basis import growth_of_data, growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.curve.rounded_parameters import ParameterRounding
 from ..view_model.stroke_box import around_dot
-from .drawing.drawing import refuse_wild, too_much
+from .drawing.drawing import complexity_problem, refuse_out_of_range
 from .drawing.outlines import frame_around
 from .errors import ExchangeError
 
@@ -171,7 +171,7 @@ class _Shape(NamedTuple):
 
 def _shape_of(curve: Curve) -> _Shape | str:
     """Return the computed parts of a curve, or the reason why it cannot be computed."""
-    if reason := too_much(curve):
+    if reason := complexity_problem(curve):
         return reason
     view = view_of(curve)
     if view.curve is None:
@@ -233,7 +233,7 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
     """Return the edges of the curve without a warning, or no edges with one."""
     corners = np.array([box.minimum, box.maximum])
     try:
-        refuse_wild(curve, corners)
+        refuse_out_of_range(curve, corners)
         # A curve without length is drawn as a dot.
         is_dot = (corners[0] == corners[1]).all()
         frame_around([around_dot(corners[0], curve.style) if is_dot else corners])

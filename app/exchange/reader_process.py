@@ -130,7 +130,7 @@ class ReaderProcess:
         """
         self.begin(reader, data, tolerance, seconds=seconds, memory=memory)
         try:
-            answer = msgspec.msgpack.decode(self._awaited(report), type=Answer, dec_hook=decode_hook)
+            answer = msgspec.msgpack.decode(self._wait_for_answer(report), type=Answer, dec_hook=decode_hook)
         except BaseException:
             self.end()
             raise
@@ -170,14 +170,14 @@ class ReaderProcess:
                 raise ExchangeError(f"The reader could not be started ({problem.strerror}).") from None
         return self._process, Path(self._folder.name)
 
-    def _awaited(self, report: Report) -> bytes:
+    def _wait_for_answer(self, report: Report) -> bytes:
         """Return the answer as soon as it is there."""
         assert self._request is not None
         process, folder = self._started()
         seconds, began, pause = self._request.seconds, time.monotonic(), _FIRST_POLL_S
         while not (folder / ANSWER).exists():
             if process.poll() is not None and not (folder / ANSWER).exists():
-                raise ExchangeError(_why_silent(process.returncode, seconds))
+                raise ExchangeError(_exit_message(process.returncode, seconds))
             spent = time.monotonic() - began
             if spent > (longest := longest_wait(seconds)):
                 raise ExchangeError(f"Reading did not finish within {longest:.3g} s and was stopped.")
@@ -228,7 +228,7 @@ def _not_passed_on(problem: OSError) -> ExchangeError:
     return ExchangeError(f"It cannot be passed to the process that reads it ({problem.strerror}).")
 
 
-def _why_silent(code: int, seconds: float) -> str:
+def _exit_message(code: int, seconds: float) -> str:
     """Return the message about a process that ended without an answer, by its exit code."""
     if was_overdue(code):
         return f"Reading needs more than {seconds:.3g} s of processor time and was stopped."

@@ -36,7 +36,7 @@ def unit_of_dxf(code: int) -> str:
     return next((unit for unit, known in _IN_DXF.items() if known == code), "")
 
 
-def size_in_words(width: float, height: float, unit: str) -> str:
+def size_text(width: float, height: float, unit: str) -> str:
     """Return a size with three digits, and its unit."""
     return f"{width:.4g} × {height:.4g} {unit}"
 

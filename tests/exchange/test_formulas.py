@@ -205,7 +205,7 @@ def test_the_rounding_of_a_formula_is_bounded_where_it_says_at_most():
         curve = replace(make_curve(points, family=family), parametrization=Parametrization(kind))
         written = latex_formula(Document((curve,)))
         assert written.is_bound is is_bound
-        assert written.words.startswith("at most " if is_bound else "about ")
+        assert written.summary.startswith("at most " if is_bound else "about ")
 
 
 def test_the_control_points_of_a_formula_bound_its_rounding_where_t_is_written_exactly():
@@ -228,7 +228,7 @@ def test_a_deviation_of_rounding_alone_is_stated_as_approximate(family):
     document = Document((make_curve(np.random.default_rng(1).standard_normal((9, 2)), family=family),))
     for write in (coefficients_json, python_code, scipy_code):
         written = write(document)
-        assert written.words.startswith("about ") or written.deviation == 0.0
+        assert written.summary.startswith("about ") or written.deviation == 0.0
         assert not written.is_bound
     assert json.loads(coefficients_json(document).text)["deviation_is_bound"] is False
 

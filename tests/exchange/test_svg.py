@@ -15,7 +15,7 @@ from app.document.model import (
     Point,
     make_curve,
 )
-from app.exchange.cubics_in import guessed
+from app.exchange.cubics_in import guessed_letters
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
@@ -242,8 +242,8 @@ def test_a_tolerance_out_of_reach_is_stated():
 def test_the_kinds_of_points_are_not_guessed_for_pieces_without_length():
     """A copied curve of which nothing was left in pixels raised a warning of NumPy's."""
     piece = np.array([[0.0, 0.0], [1.0, 2.0], [2.0, 2.0], [3.0, 0.0]])
-    assert guessed(np.array([piece, piece + piece[3]]), closed=False) != ""
+    assert guessed_letters(np.array([piece, piece + piece[3]]), closed=False) != ""
     nowhere = np.full((4, 2), piece[3])
     for pieces in ([nowhere], [nowhere, nowhere], [piece, nowhere]):
         for closed in (False, True):
-            assert guessed(np.array(pieces), closed=closed) == ""
+            assert guessed_letters(np.array(pieces), closed=closed) == ""

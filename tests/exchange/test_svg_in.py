@@ -18,7 +18,7 @@ from app.exchange.options import Options
 from app.exchange.svg.coordinates import transform_of
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.exchange.svg.xml_tree import parsed
+from app.exchange.svg.xml_tree import parse_xml
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.point_kinds import kind_at
@@ -489,7 +489,7 @@ def test_text_that_a_doctype_adds_is_bounded():
 
     def read(subset, body):
         for encoding in ("utf-8", "utf-16", "iso-8859-1"):
-            yield parsed(ILLUSTRATOR.format(encoding=encoding, subset=subset, svg=body).encode(encoding))
+            yield parse_xml(ILLUSTRATOR.format(encoding=encoding, subset=subset, svg=body).encode(encoding))
 
     half = 2**15
     entity, body = f'[<!ENTITY ä "{half * "x"}">]', '<svg id="{}"/>'

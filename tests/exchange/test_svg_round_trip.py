@@ -23,7 +23,7 @@ from app.exchange.svg.coordinates import page_of
 from app.exchange.svg.own_files import OwnFile
 from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import svg_of
-from app.exchange.svg.xml_tree import parsed
+from app.exchange.svg.xml_tree import parse_xml
 
 FILES = sorted((Path(__file__).parents[1] / "data" / "svg").glob("*.svg"))
 WIDTH = 840
@@ -107,7 +107,7 @@ def known_to(judge, path):
 
 def frame_of(data):
     """What a file shows, in its unit; None where it does not say."""
-    root = parsed(data)
+    root = parse_xml(data)
     return page_of(root, is_nominal=OwnFile(root).has_nominal_size).frame
 
 

@@ -15,7 +15,7 @@ from app.cli import main
 from app.document.lengths import MILLIMETRES, known_unit
 from app.document.model import Document, make_curve
 from app.document.style import Style
-from app.exchange.drawing.drawing import drawing_of, trimmed
+from app.exchange.drawing.drawing import drawing_of, trimmed_to_curves
 from app.exchange.drawing.image import png_preview
 from app.exchange.errors import ExchangeError
 from app.exchange.export_choice import ExportChoice
@@ -53,7 +53,7 @@ def test_an_svg_has_true_size(unit):
 
 
 def test_millimetres_have_their_name():
-    frame = trimmed(drawing_of(SEVENTY)).frame
+    frame = trimmed_to_curves(drawing_of(SEVENTY)).frame
     assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, Options(unit="mm")).text
 
 
@@ -95,7 +95,7 @@ def test_a_pdf_has_true_size(unit, tmp_path):
     document = BAR if unit == "mm" else Document((make_curve(((0.0, 0.0), (9.0, 0.0))),))
     export(document, tmp_path / "a.pdf", Options(unit=unit))
     data = (tmp_path / "a.pdf").read_bytes()
-    frame, scale = trimmed(drawing_of(document)).frame, MILLIMETRES[unit] * 72 / 25.4
+    frame, scale = trimmed_to_curves(drawing_of(document)).frame, MILLIMETRES[unit] * 72 / 25.4
     wide, high = page_of(data)
     # It was 720 wide, and later a whole number of points.
     assert (wide, high) == pytest.approx((frame.width * scale, frame.height * scale), abs=1e-6)

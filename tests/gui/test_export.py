@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMessageBox, Q
 
 from app.document.group_edits import group_curves
 from app.document.model import NEVER_EXPORTED, Document, Export, make_curve
-from app.exchange.export_choice import ExportChoice, choice_from, choice_of, note_of, text_of
+from app.exchange.export_choice import ExportChoice, choice_from, choice_of, export_record, text_of
 from app.exchange.files import import_file
 from app.exchange.formats import FORMATS, format_of, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
@@ -207,7 +207,7 @@ def test_invalid_export_options_of_a_document_are_ignored(export):
 
 def test_a_document_remembers_every_kind_of_option():
     choice = ExportChoice(".csv", {"samples": 5, "columns": ("x",), "scale": 2.0, "tolerance": 0.5})
-    assert choice_of(note_of(choice, "a.csv", NEVER_EXPORTED)) == choice
+    assert choice_of(export_record(choice, "a.csv", NEVER_EXPORTED)) == choice
     assert choice_of(NEVER_EXPORTED) is None
 
 

@@ -35,7 +35,7 @@ _SQUARE = 0.004
 _DASHES = ((), (0.008, 0.005), (0.002, 0.004), (0.008, 0.004, 0.002, 0.004))
 
 
-def annotated(drawing: Drawing, document: Document, options: Options, theme: str) -> Drawing:
+def with_annotations(drawing: Drawing, document: Document, options: Options, theme: str) -> Drawing:
     """Return the drawing with the annotations of the options, on the paper of a theme, "light" or "dark".
 
     Raises

@@ -201,8 +201,8 @@ def drawing_of(
 def _some_drawable(
     document: Document, report: Report
 ) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
-    """Return the same as `drawable`; raise `ExchangeError` where no curve is there to be drawn."""
-    curves, remarks = drawable(document, report)
+    """Return the same as `drawable_curves`; raise `ExchangeError` where no curve is there to be drawn."""
+    curves, remarks = drawable_curves(document, report)
     if not curves:
         why = f". {' '.join(remarks)}" if remarks else ": all curves are hidden."
         raise ExchangeError(f"There is nothing to draw{why}")
@@ -214,7 +214,7 @@ def _hidden(document: Document, drawn: Iterable[Curve], tolerance: float) -> Ite
     behind, left = 0, list(drawn)
     for curve in document.curves:
         behind += behind < len(left) and left[behind] is curve
-        if not curve.visible and not too_much(curve) and (core := view_of(curve).curve) is not None:
+        if not curve.visible and not complexity_problem(curve) and (core := view_of(curve).curve) is not None:
             with suppress(ExchangeError):
                 yield behind, _outline(curve, core, tolerance)
 
@@ -223,19 +223,21 @@ def _scaled(style: Style, scale: float) -> Style:
     return style if style.width is None else replace(style, width=style.width * scale)
 
 
-def too_much(curve: Curve) -> str:
+def complexity_problem(curve: Curve) -> str:
     """Return why a curve cannot be computed in any sensible time, as a sentence; empty if it can."""
     if curve.family.curve_class.is_one_polynomial and len(curve.points) > MOST_POINTS:
         return f"{curve.family.subject} can have {MOST_POINTS} points, not {len(curve.points)}."
     return ""
 
 
-def drawable(document: Document, report: Report) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
+def drawable_curves(
+    document: Document, report: Report
+) -> tuple[list[tuple[Curve, ParametricCurve]], list[str]]:
     """Return the visible curves that can be computed, as they are, and a sentence for each of the others."""
     curves, remarks = [], []
     visible = [curve for curve in document.curves if curve.visible]
     for curve in with_progress(visible, report, "Computing curves"):
-        reason = too_much(curve)
+        reason = complexity_problem(curve)
         view = view_of(curve) if not reason else None
         if view is not None and view.curve is not None:
             curves.append((curve, view.curve))
@@ -248,12 +250,12 @@ def _samples(curve: Curve, core: ParametricCurve) -> FloatArray:
     """Return points all along the curve, enough to know its size."""
     parameters = np.union1d(np.linspace(*core.domain, _SAMPLES), core.parameters)
     samples = core.evaluate(parameters)
-    refuse_wild(curve, samples)
+    refuse_out_of_range(curve, samples)
     # A line without length is as large as the dot of its caps.
     return samples if (samples != samples[0]).any() else around_dot(samples[0], curve.style)
 
 
-def refuse_wild(curve: Curve, samples: FloatArray) -> None:
+def refuse_out_of_range(curve: Curve, samples: FloatArray) -> None:
     """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
@@ -284,7 +286,7 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     )
 
 
-def trimmed(drawing: Drawing) -> Drawing:
+def trimmed_to_curves(drawing: Drawing) -> Drawing:
     """Return a drawing whose frame is the box around its curves with their strokes."""
     low, high = _painted(drawing)
     middle, size = low + (high - low) / 2, high - low

@@ -22,7 +22,7 @@ from ..errors import ExchangeError
 from ..formats import ExportResult
 from ..options import Options
 from ..svg.writer import accuracy_of, nominal_width, picture_of
-from ..units import POINTS_PER_MILLIMETRE, size_in_words
+from ..units import POINTS_PER_MILLIMETRE, size_text
 from .drawing import Drawing
 from .outlines import Frame
 from .painting import Painting
@@ -89,7 +89,7 @@ def png_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     size = f"{width} × {height} pixels"
     if dots:
         unit = known_unit(options.unit)
-        true = size_in_words(drawing.frame.width, drawing.frame.height, unit)
+        true = size_text(drawing.frame.width, drawing.frame.height, unit)
         is_asked = options.dpi is not None and options.width is None
         size += f", {true} at {options.dpi if is_asked else dots * 0.0254:.4g} dpi"
     return _preview(drawing, options, options.paper_style, size, room)
@@ -116,8 +116,8 @@ def _size_text(frame: Frame, options: Options, size: tuple[float, float], unit: 
     """Return the size of a file as text: the true one, or this one in the unit of the format."""
     true = known_unit(options.unit)
     if not true or options.width is not None:
-        return f"{size_in_words(*size, unit)}, not to scale"
-    return f"{size_in_words(frame.width, frame.height, true)}, 1 : 1 (1 is 1 {true})"
+        return f"{size_text(*size, unit)}, not to scale"
+    return f"{size_text(frame.width, frame.height, true)}, 1 : 1 (1 is 1 {true})"
 
 
 def _preview(
@@ -278,7 +278,7 @@ def _page_size(drawing: Drawing, options: Options) -> tuple[float, float]:
     if not SMALLEST_PAGE <= min(frame.width, frame.height) * scale <= frame.side * scale <= LARGEST_PAGE:
         longest = LARGEST_PAGE / POINTS_PER_MILLIMETRE
         raise ExchangeError(
-            f"At true size the page would be {size_in_words(frame.width, frame.height, unit)}; "
+            f"At true size the page would be {size_text(frame.width, frame.height, unit)}; "
             f"a PDF page can be 1 to {longest:.0f} mm."
         )
     return frame.width * scale, frame.height * scale

@@ -103,7 +103,7 @@ class ExportResult:
         return self.content.encode() if isinstance(self.content, str) else self.content
 
     @property
-    def words(self) -> str:
+    def summary(self) -> str:
         """Accuracy of the file, or the pixels of a picture, as text."""
         if self.pixels is not None:
             # Pixels are not exact, whatever they were painted from.

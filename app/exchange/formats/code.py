@@ -18,7 +18,7 @@ from curvecore.arrays import FloatArray
 from ...document.model import Document
 from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
-from ..exported_curves import ExportedCurve, accuracy, bezier_values, curves_of, measured, one_line
+from ..exported_curves import ExportedCurve, accuracy, bezier_values, curves_of, measured_deviation, one_line
 from ..options import DEFAULT, Options
 from ..unique_names import UniqueNames
 from . import ExportResult, Format
@@ -50,7 +50,7 @@ def python_code(document: Document, options: Options = DEFAULT) -> ExportResult:
     body, deviation = [inspect.getsource(function).rstrip() for function in _RUNTIME], 0.0
     for identifier, curve in zip(identifiers, curves, strict=True):
         rounding = [
-            measured(piece, partial(_evaluate, [(piece.parameters, piece.jets)]))
+            measured_deviation(piece, partial(_evaluate, [(piece.parameters, piece.jets)]))
             for piece in curve.polynomials.pieces
         ]
         deviation = max(deviation, max(rounding) + curve.polynomials.deviation)
@@ -132,17 +132,17 @@ def _scipy_object(name: str, curve: ExportedCurve) -> tuple[str, float]:
     arrays, note = [first.parameters, first.points], ""
     if first.is_one_polynomial:
         kind = "BarycentricInterpolator"
-        deviation = measured(first, lambda t: _barycentric(t, first.parameters, first.points))
+        deviation = measured_deviation(first, lambda t: _barycentric(t, first.parameters, first.points))
     elif first.derivatives == 1 and not others:
         kind, arrays = "CubicHermiteSpline", [*arrays, first.jets[:, 1]]
-        deviation = measured(first, lambda t: _local_powers(t, first))
+        deviation = measured_deviation(first, lambda t: _local_powers(t, first))
     else:
         kind, note = "BPoly", "    # control points of every segment, (degree + 1, segments, 2)\n"
         controls = [bezier_segments(piece) for piece in pieces]
         joints = np.concatenate([first.breaks, *(piece.breaks[1:] for piece in others)])
         arrays = [np.concatenate(controls).swapaxes(0, 1), joints]
         deviation = max(
-            measured(piece, partial(bezier_values, control_points, piece.breaks))
+            measured_deviation(piece, partial(bezier_values, control_points, piece.breaks))
             for piece, control_points in zip(pieces, controls, strict=True)
         )
     listed = "".join(f"    {_array(values, 4)},\n" for values in arrays)

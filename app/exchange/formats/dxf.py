@@ -44,8 +44,8 @@ from ..exported_curves import (
     beziers_of,
     cubics_of,
     curves_of,
+    largest_deviation,
     one_line,
-    worst_of,
 )
 from ..options import DEFAULT, POINTS, TOLERANCE, Check, Options
 from ..unique_names import UniqueNames
@@ -97,7 +97,7 @@ def dxf_text(document: Document, options: Options = DEFAULT) -> ExportResult:
         paths += pieces
         for x, y in curve.core.points[: len(curve.source.points)].tolist() if options.points else ():
             drawing.modelspace().add_point((x, y, 0.0), dxfattribs={"layer": layer})
-    deviation, is_bound = worst_of(paths)
+    deviation, is_bound = largest_deviation(paths)
     comments = [accuracy(deviation, is_bound), *map(one_line, curves.remarks)]
     drawing.header.custom_vars.append("Accuracy", comments[0])
     stream = _ReportingStream(options.report)

@@ -20,7 +20,7 @@ from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
 from ..drawing.drawing import drawing_of
 from ..errors import ExchangeError
-from ..exported_curves import Beziers, beziers_of, curves_of, measured, worst_of
+from ..exported_curves import Beziers, beziers_of, curves_of, largest_deviation, measured_deviation
 from ..options import DEFAULT, TOLERANCE, Options
 from ..svg.writer import path_data
 from . import ExportResult, Format
@@ -45,7 +45,7 @@ def desmos_expressions(document: Document, options: Options = DEFAULT) -> Export
         pieces = [beziers_of(piece, tolerance) for piece in curve.core.pieces]
         lines += [_desmos_line(controls) for path in pieces for controls in path.control_points]
         paths += pieces
-    deviation, is_bound = worst_of(paths)
+    deviation, is_bound = largest_deviation(paths)
     return ExportResult("\n".join(lines) + "\n", deviation, curves.remarks, is_bound)
 
 
@@ -106,7 +106,7 @@ def coefficients_json(document: Document, options: Options = DEFAULT) -> ExportR
         segments = []
         for piece in curve.polynomials.pieces:
             coefficients, ends = _coefficients(piece), piece.breaks
-            deviation = measured(piece, lambda t, c=coefficients, e=ends: _horner(c, e, t))  # type: ignore[misc]
+            deviation = measured_deviation(piece, lambda t, c=coefficients, e=ends: _horner(c, e, t))  # type: ignore[misc]
             worst = max(worst, deviation + curve.polynomials.deviation)
             segments += [_segment(ends, i, rows) for i, rows in enumerate(coefficients)]
         written.append({"name": curve.name, "family": str(curve.source.family), "segments": segments})

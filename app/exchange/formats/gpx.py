@@ -16,7 +16,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.words import count_of
 from ..errors import ExchangeError
-from ..svg.xml_tree import parsed, tag_of
+from ..svg.xml_tree import parse_xml, tag_of
 from ..table.table import Table, table_of
 from ..unique_names import numbered
 from . import ContentKind, Format
@@ -39,7 +39,7 @@ def read_gpx(data: bytes) -> Table:
     ExchangeError
         With the number of a point without a latitude or longitude, and where there is no track.
     """
-    root = parsed(data, MOST_ELEMENTS)
+    root = parse_xml(data, MOST_ELEMENTS)
     segments = list(_tracks(root))
     tracks = [(name, points) for name, points in segments if len(points) > 1]
     if not tracks:

@@ -27,12 +27,12 @@ from ..exported_curves import (
     bezier_values,
     beziers_of,
     curves_of,
-    measured,
+    largest_deviation,
+    measured_deviation,
     one_line,
-    worst_of,
 )
 from ..options import DEFAULT, TOLERANCE, TRUE_SIZE, Options, Whole
-from ..units import size_in_words
+from ..units import size_text
 from . import ExportResult, Format
 
 DIGITS = Whole(
@@ -79,7 +79,7 @@ def latex_formula(document: Document, options: Options = DEFAULT) -> ExportResul
     curves, digits = curves_of(document, options), options[DIGITS]
     formulas, deviation, is_bound = list[str](), 0.0, True
     for curve in curves:
-        rounding, is_certain = worst_of(_rounding(piece, digits) for piece in curve.formulas.pieces)
+        rounding, is_certain = largest_deviation(_rounding(piece, digits) for piece in curve.formulas.pieces)
         deviation = max(deviation, rounding + curve.formulas.deviation)
         is_bound &= is_certain and curve.formulas.is_bound
         formulas.append(_formula(curve, digits))
@@ -101,7 +101,7 @@ def tikz_picture(document: Document, options: Options = DEFAULT) -> ExportResult
     scale = MILLIMETRES[known] / 10 if known else PICTURE_SIDE / frame.side
     if not _LEAST_SIDE <= frame.side * scale <= _LARGEST_SIDE:
         raise ExchangeError(
-            f"At true size the picture would be {size_in_words(frame.width, frame.height, known)}; "
+            f"At true size the picture would be {size_text(frame.width, frame.height, known)}; "
             f"a TikZ picture can be {_LEAST_SIDE:g} to {_LARGEST_SIDE:g} cm."
         )
     fitted = drawing.fitted(frame.width * scale, frame.height * scale)
@@ -237,14 +237,14 @@ def _rounding(piece: ParametricCurve, digits: int) -> Deviation:
             rounded = piece.with_data(_rounded(piece.jets, digits), t)
         except CurveError as problem:
             raise ExchangeError(f"The formula cannot be written: {in_words(str(problem))}.") from problem
-        return Deviation(measured(piece, rounded.evaluate), is_bound=False)
+        return Deviation(measured_deviation(piece, rounded.evaluate), is_bound=False)
     pieces = beziers_of(piece, 1.0)
     controls, ends = _rounded(pieces.control_points, digits), _rounded(pieces.parameters, digits)
     if np.array_equal(ends, pieces.parameters):
         # Two pieces are nowhere farther apart than their control points.
         away = float(vector_lengths(controls - pieces.control_points).max())
         return Deviation(away + pieces.deviation, pieces.is_bound)
-    return Deviation(measured(piece, lambda at: bezier_values(controls, ends, at)), is_bound=False)
+    return Deviation(measured_deviation(piece, lambda at: bezier_values(controls, ends, at)), is_bound=False)
 
 
 # Pictures

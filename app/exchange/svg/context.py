@@ -14,7 +14,7 @@ from ...document.style import PLAIN_STYLE
 from ..cubics_in import ImportedPath
 from ..errors import ExchangeError, Loss
 from ..unique_names import UniqueNames
-from .coordinates import Box, Viewport, moved
+from .coordinates import Box, Viewport, transform_points
 from .shapes import SHAPES, Subpath, outline_of
 from .xml_tree import Elements, tag_of
 
@@ -147,7 +147,7 @@ class ClipBox:
         Only valid for boxes with upright edges.
         """
         x, y, width, height = self.box
-        corners = moved(np.array([(x, y), (x + width, y + height)]), self.matrix)
+        corners = transform_points(np.array([(x, y), (x + width, y + height)]), self.matrix)
         room = _ROUNDING * float(np.ptp(corners, axis=0).max())
         low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
         low, high = low + reach, high - reach
@@ -159,8 +159,8 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
 
     Programs put one around their whole drawing.
     """
-    clip = elements.referred(declared.get("clip-path", "none"))
-    if clip is None or tag_of(clip) != "clipPath" or _hangs_on_box(clip):
+    clip = elements.target_of_property(declared.get("clip-path", "none"))
+    if clip is None or tag_of(clip) != "clipPath" or _is_relative_to_box(clip):
         return None
     if "clip-path" in elements.declared(clip):
         return None
@@ -170,7 +170,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
     part = parts[0]
     if tag_of(part) == "use" and not (part.get("x") or part.get("y")):
         # An element without others in it counts as false.
-        target = elements.used(part)
+        target = elements.target_of(part)
         part = part if target is None else target
     if tag_of(part) not in SHAPES or any(element.get("transform") for element in (clip, parts[0], part)):
         return None
@@ -180,7 +180,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
         return None
 
 
-def _hangs_on_box(clip: ET.Element) -> bool:
+def _is_relative_to_box(clip: ET.Element) -> bool:
     """Whether a clip is given as shares of the box around its element."""
     return clip.get("clipPathUnits") == "objectBoundingBox"
 

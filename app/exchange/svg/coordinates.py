@@ -190,7 +190,7 @@ def transform_of(
         match = _CALL.match(text, position)
         if match is None:
             raise ExchangeError(f"at character {position + 1}")
-        result = combined(result, _one_transform(match[1], match[2], box))
+        result = composed(result, _one_transform(match[1], match[2], box))
         position = match.end()
     x, y = _origin_in(box, origin) if origin else (0.0, 0.0)
     return _about(corner[0] + x, corner[1] + y, result)
@@ -270,7 +270,7 @@ _MATRICES: dict[str, tuple[str, Callable[..., ArrayLike]]] = {
 """The kinds of arguments of each transform, see `_argument`, and its matrix (2, 3)."""
 
 
-def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
+def composed(outer: FloatArray, inner: FloatArray) -> FloatArray:
     """Return the product of matrices that applies the inner one first."""
     with np.errstate(all="ignore"):
         result = outer[:, :2] @ inner
@@ -278,13 +278,13 @@ def combined(outer: FloatArray, inner: FloatArray) -> FloatArray:
     return result
 
 
-def moved(points: FloatArray, matrix: FloatArray) -> FloatArray:
+def transform_points(points: FloatArray, matrix: FloatArray) -> FloatArray:
     """Return points (…, 2) transformed by a matrix."""
     with np.errstate(all="ignore"):
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
-def shifting(x: float, y: float) -> FloatArray:
+def translation(x: float, y: float) -> FloatArray:
     """Return the matrix of a translation."""
     return np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
 

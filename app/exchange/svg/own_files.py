@@ -34,18 +34,18 @@ class OwnFile:
 
     def __init__(self, root: ET.Element) -> None:
         notes = ("".join(child.itertext()) for child in root if tag_of(child) == "metadata")
-        self.is_so = any(MARK in note for note in notes)
-        self.has_nominal_size = self.is_so and root.get("width", "")[-1:].isdigit()
+        self.is_own = any(MARK in note for note in notes)
+        self.has_nominal_size = self.is_own and root.get("width", "")[-1:].isdigit()
         box = box_of(root.get("viewBox", ""))
         self._usual_width = USUAL_WIDTH * max(box[2:]) if box else 0.0
 
     def is_no_curve(self, element: ET.Element) -> bool:
         """Whether an element is the paper, or something else beside the curves."""
-        return self.is_so and element.get("id") in NO_CURVES
+        return self.is_own and element.get("id") in NO_CURVES
 
     def restored(self, style: Style) -> Style:
         """Return a style with defaults in place of the ink and the line width of a picture."""
-        if not self.is_so:
+        if not self.is_own:
             return style
         stroke, fill = map(_restored_paint, (style.stroke, style.fill))
         usual = self._usual_width

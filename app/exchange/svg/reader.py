@@ -21,7 +21,7 @@ from ...document.style import Style
 from ...document.words import enumerated
 from ...view_model.extents import extent_of
 from ...view_model.stroke_box import half_width
-from ..cubics_in import ImportedPath, ImportResult, Look, import_paths, parted
+from ..cubics_in import ImportedPath, ImportResult, Look, import_paths, split_letters
 from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Loss, Losses
 from ..units import shifted
@@ -31,15 +31,15 @@ from .coordinates import (
     Box,
     Viewport,
     box_of,
-    combined,
+    composed,
     fitted_box,
     is_uneven,
     largest_scale,
     mean_scale,
-    moved,
     page_of,
-    shifting,
     transform_of,
+    transform_points,
+    translation,
 )
 from .own_files import OwnFile
 from .shapes import LENGTHS, SHAPES, Subpath, UnknownLengthError, invalid_lengths, length_of, outline_of
@@ -50,10 +50,10 @@ from .xml_tree import (
     MAX_ELEMENTS,
     NODE_TYPES,
     Elements,
+    is_for_english_readers,
     label_of,
     name_of,
-    parsed,
-    speaks_to_us,
+    parse_xml,
     tag_of,
 )
 
@@ -127,13 +127,13 @@ def read_svg_above(data: bytes, tolerance: float | None = None) -> ImportResult:
     """Return the same curves, above the x axis for files of other programs with the origin in a corner."""
     result, reader = _read(data, tolerance)
     frame = reader.page.frame
-    if reader.ours.is_so or frame is None or (frame.left, frame.top) != (0.0, 0.0):
+    if reader.ours.is_own or frame is None or (frame.left, frame.top) != (0.0, 0.0):
         return result
     return replace(result, document=shifted(result.document, (0.0, frame.height)))
 
 
 def _read(data: bytes, tolerance: float | None) -> tuple[ImportResult, _Reader]:
-    root = parsed(data)
+    root = parse_xml(data)
     if tag_of(root) != "svg":
         raise ExchangeError(f"This is not an SVG file: it begins with <{tag_of(root)[:40]}>.")
     reader = _Reader(root, tolerance)
@@ -273,7 +273,7 @@ class _Reader:
                 raise UnknownLengthError from None
             self.losses.note_at(element, _NO_TRANSFORM, str(problem))
             return context
-        return replace(context, matrix=combined(context.matrix, matrix))
+        return replace(context, matrix=composed(context.matrix, matrix))
 
     def _extent(
         self, element: ET.Element, declared: Mapping[str, str], context: ElementContext, depth: int, kind: str
@@ -311,7 +311,7 @@ class _Reader:
             self.losses.note_at(element, _INVALID, enumerated(invalid))
         if tag_of(element) == "use":
             x, y = (self._length(element, name, context) or 0.0 for name in ("x", "y"))
-            matrix = combined(matrix, shifting(x, y))
+            matrix = composed(matrix, translation(x, y))
         if (box := clip_box(self._elements, declared, context.viewport)) is not None:
             clips = (*clips, ClipBox(box, matrix, element, _CLIPPED))
         return replace(
@@ -319,7 +319,7 @@ class _Reader:
             matrix=matrix,
             around=(*context.around, element),
             clips=clips,
-            properties=context.properties.entered(declared, context.viewport),
+            properties=context.properties.inherited_by(declared, context.viewport),
             # A `use` does not inherit the lock of its target.
             is_locked=context.is_locked or (not context.is_used and element.get(INSENSITIVE) == "true"),
         )
@@ -334,7 +334,7 @@ class _Reader:
             x, y = (self._length(element, name, context) or 0.0 for name in ("x", "y"))
             context = self._in_view_box(element, element, context, (x, y))
         for child in element:
-            if tag_of(child) not in _ONLY_WHEN_USED and speaks_to_us(child):
+            if tag_of(child) not in _ONLY_WHEN_USED and is_for_english_readers(child):
                 yield from self._drawn(child, context, depth + 1)
                 if tag == "switch":
                     break
@@ -349,22 +349,22 @@ class _Reader:
         )
         box = box_of(element.get("viewBox", ""))
         if width is None or height is None or width <= 0 or height <= 0:
-            return replace(context, matrix=combined(context.matrix, shifting(*corner)))
+            return replace(context, matrix=composed(context.matrix, translation(*corner)))
         area: Box = (*corner, width, height)
         clips = context.clips
         if self._cascade.of(element).get("overflow") != "visible":
             clips = (*clips, ClipBox(area, context.matrix, sized, _CUT))
         if box is None:
-            matrix = combined(context.matrix, shifting(*corner))
+            matrix = composed(context.matrix, translation(*corner))
             return replace(
                 context, matrix=matrix, viewport=context.viewport.sized(width, height), clips=clips
             )
         fit = fitted_box(box, area, element.get("preserveAspectRatio", ""))
-        matrix = combined(context.matrix, fit)
+        matrix = composed(context.matrix, fit)
         return replace(context, matrix=matrix, viewport=context.viewport.sized(*box[2:]), clips=clips)
 
     def _used(self, element: ET.Element, context: ElementContext, depth: int) -> Iterator[DrawnPath]:
-        target = self._elements.used(element)
+        target = self._elements.target_of(element)
         if target is None:
             self.losses.note_of(element, _UNUSABLE)
             return
@@ -411,7 +411,7 @@ class _Reader:
         if look.visible:
             self._note_clips(context, drawn, look.style)
         sizes = [(len(subpath.controls), subpath.closed) for subpath in drawn]
-        letters = parted(element.get(NODE_TYPES, ""), sizes)
+        letters = split_letters(element.get(NODE_TYPES, ""), sizes)
         for index, subpath in enumerate(drawn):
             self._path_count += 1
             if self._path_count > MAX_PATHS:
@@ -419,7 +419,7 @@ class _Reader:
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
-                moved(subpath.cleaned, context.matrix),
+                transform_points(subpath.cleaned, context.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
                 letters[index],
@@ -430,7 +430,9 @@ class _Reader:
     def _note_clips(self, context: ElementContext, drawn: Iterable[Subpath], style: Style) -> None:
         """Note the boxes that cut off a part of a shape."""
         if context.clips:
-            extent = extent_of(np.concatenate([moved(path.cleaned, context.matrix) for path in drawn]))
+            extent = extent_of(
+                np.concatenate([transform_points(path.cleaned, context.matrix) for path in drawn])
+            )
             reach = half_width(style)
             for clip in context.clips:
                 if not clip.holds(extent, reach):

@@ -54,7 +54,7 @@ class Properties:
     opacity: float = 1.0
     is_displayed: bool = True
 
-    def entered(self, declared: Mapping[str, str], viewport: Viewport) -> Properties:
+    def inherited_by(self, declared: Mapping[str, str], viewport: Viewport) -> Properties:
         """Return the properties within an element that declares these, with lengths of its font."""
         if not declared:
             return self
@@ -283,7 +283,7 @@ class Paints:
         plain = self.paint(fallback, current) if fallback and "url(" not in fallback else NONE
         noun = "pattern" if server is not None else "missing paint"
         if server is not None and (colours := self._colours_of(server)):
-            plain = Paint(mixed(colours))
+            plain = Paint(mean_colour(colours))
         return _instead(plain, noun)
 
     def _colours_of(self, pattern: ET.Element) -> list[str]:
@@ -341,7 +341,7 @@ def stops_of(element: ET.Element, elements: Elements, read: Callable[[ET.Element
     while True:
         if stops := [child for child in chain[-1] if tag_of(child) == "stop"]:
             return _ascending([read(child) for child in stops])
-        target = elements.used(chain[-1])
+        target = elements.target_of(chain[-1])
         is_gradient = target is not None and tag_of(target) in GRADIENTS and target not in chain
         if target is None or not is_gradient or len(chain) == _LONGEST_CHAIN:
             return ()
@@ -358,10 +358,10 @@ def mean_of(stops: Sequence[Stop]) -> Stop:
     opacities = np.array([stop.opacity for stop in padded])
     opacity = float(shares @ opacities)
     weights = shares * opacities if opacity > 0 else shares
-    return Stop(0.0, mixed([stop.colour for stop in padded], weights), opacity)
+    return Stop(0.0, mean_colour([stop.colour for stop in padded], weights), opacity)
 
 
-def mixed(colours: Sequence[str], weights: ArrayLike = 1.0) -> str:
+def mean_colour(colours: Sequence[str], weights: ArrayLike = 1.0) -> str:
     """Return the mean of colours, "#rrggbb", of these weights."""
     levels = np.array([list(bytes.fromhex(colour[1:])) for colour in colours], dtype=float)
     means = np.average(levels, axis=0, weights=np.broadcast_to(weights, len(colours)))

@@ -20,11 +20,11 @@ from ...document.model import Document
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...tasks.progress import Report, part, silent, with_progress
 from .. import drawing
-from ..cubics_in import guessed, joined
-from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed
+from ..cubics_in import guessed_letters, joined_letters
+from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed_to_curves
 from ..drawing.outlines import Frame, Outline
 from ..drawing.styles import PictureStyle
-from ..exported_curves import stated
+from ..exported_curves import deviation_text
 from ..formats import ExportResult
 from ..options import DEFAULT, Options
 from ..unique_names import UniqueNames
@@ -76,9 +76,9 @@ def picture_of(
     """Return the drawing of a document with its annotations; see `svg_of`."""
     plain = drawing_of(document, options.tolerance, report, with_hidden=with_hidden)
     if not (options.handles or options.grid or options.basis is not None):
-        return trimmed(plain) if options.is_to_scale and not options.points else plain
+        return trimmed_to_curves(plain) if options.is_to_scale and not options.points else plain
     # A plain drawing does without the modules for basis functions and handles.
-    return drawing.annotations.annotated(plain, document, options, style.theme)
+    return drawing.annotations.with_annotations(plain, document, options, style.theme)
 
 
 def _cornered(drawing: Drawing) -> Drawing:
@@ -137,7 +137,7 @@ def accuracy_of(drawing: Drawing) -> str:
     """Return a sentence with the largest deviation of the drawing from the true curves."""
     losses = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
     return (
-        f"{MARK}: {stated(drawing.deviation, drawing.is_bound)} "
+        f"{MARK}: {deviation_text(drawing.deviation, drawing.is_bound)} "
         f"(tolerance {drawing.tolerance:g}{losses}), in the unit of the document."
     )
 
@@ -273,9 +273,9 @@ def _as_id(name: str) -> str:
 
 def _node_types(shape: tuple[Outline, ...]) -> str:
     """Return the kinds of the points as an attribute; empty where a reader would guess them."""
-    words = joined([(part.letters, part.closed) for part in shape])
-    default = [(guessed(part.control_points, closed=part.closed), part.closed) for part in shape]
-    return f' sodipodi:nodetypes="{words}"' if words and joined(default) != words else ""
+    words = joined_letters([(part.letters, part.closed) for part in shape])
+    default = [(guessed_letters(part.control_points, closed=part.closed), part.closed) for part in shape]
+    return f' sodipodi:nodetypes="{words}"' if words and joined_letters(default) != words else ""
 
 
 def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:

@@ -57,7 +57,7 @@ _ESCAPED = re.compile("_x([0-9A-Fa-f]{2,5})_")
 _REFERENCE = re.compile(r"url\(\s*['\"]?#([^'\")]*)['\"]?\s*\)")
 
 
-def parsed(data: bytes, most_elements: int = MAX_ELEMENTS) -> ET.Element:
+def parse_xml(data: bytes, most_elements: int = MAX_ELEMENTS) -> ET.Element:
     """Return the root of an XML file.
 
     External entities of a DOCTYPE are not read; internal ones, as of Illustrator and Sodipodi, are.
@@ -87,7 +87,7 @@ def reference_of(element: ET.Element) -> str:
     return (element.get("href") or element.get("{http://www.w3.org/1999/xlink}href") or "").strip()
 
 
-def speaks_to_us(element: ET.Element) -> bool:
+def is_for_english_readers(element: ET.Element) -> bool:
     """Whether an element of a `switch` is for all languages, or for English."""
     language = element.get("systemLanguage", "en")
     return not element.get("requiredExtensions") and any(
@@ -286,12 +286,12 @@ class Elements:
             {name: element for element in reversed([*root.iter()]) if (name := element.get("id"))}, declared
         )
 
-    def used(self, element: ET.Element) -> ET.Element | None:
+    def target_of(self, element: ET.Element) -> ET.Element | None:
         """Return the element of the file that an element refers to; None without one."""
         reference = reference_of(element)
         return self.by_id.get(reference[1:]) if reference.startswith("#") else None
 
-    def referred(self, value: str) -> ET.Element | None:
+    def target_of_property(self, value: str) -> ET.Element | None:
         """Return the element that a property such as "url(#a)" refers to; None of any other."""
         match = _REFERENCE.fullmatch(value.strip())
         return self.by_id.get(match[1]) if match is not None else None

@@ -125,7 +125,7 @@ def import_table(name: str, source: TableSource, options: ImportOptions, report:
     remarks = (
         preview.remark,
         mapping_summary(mapping, preview.titles),
-        table.words_on_blocks,
+        table.blocks_remark,
         *result.remarks,
     )
     return replace(result, remarks=tuple(filter(None, remarks)))

@@ -159,7 +159,7 @@ class Table:
     remark: str = ""
 
     @property
-    def words_on_blocks(self) -> str:
+    def blocks_remark(self) -> str:
         """Sentence on the number of curves that the rows are divided into; empty for one."""
         return f"The rows are divided into {len(self.blocks) + 1} curves." if self.blocks else ""
 

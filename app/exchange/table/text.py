@@ -48,7 +48,7 @@ def preview_table(data: bytes, layout: TextLayout | None = None) -> Preview:
         If the bytes are no text.
     """
     head = first_lines(plain_utf_8(data))
-    layout = layout or sniffed(head.lines)
+    layout = layout or detected_layout(head.lines)
     rows = _rows(head.lines, layout)
     comments = head.comments_above(layout.above)
     titles = titles_of(rows[0], layout, comments)
@@ -209,9 +209,9 @@ class _Collector:
         if not any(are_data):
             return
         rows = lines if all(are_data) else list(compress(lines, are_data))
-        values = _fast(rows, self._layout, self._wanted, self._allows_missing)
+        values = _read_fast(rows, self._layout, self._wanted, self._allows_missing)
         if values is None:
-            values = _careful(lines, first, self._layout, self._wanted, self._allows_missing)
+            values = _read_carefully(lines, first, self._layout, self._wanted, self._allows_missing)
         self._first_row = self._first_row or first + are_data.index(True)
         end = self._count + len(values)
         if self._wanted.is_all:
@@ -264,7 +264,9 @@ def _lednicer(values: FloatArray) -> int:
     return int(upper) if min(upper, lower) >= 2 and upper + lower == len(values) - 1 and upper % 1 == 0 else 0
 
 
-def _fast(lines: list[str], layout: TextLayout, wanted: _Wanted, allows_missing: bool) -> FloatArray | None:
+def _read_fast(
+    lines: list[str], layout: TextLayout, wanted: _Wanted, allows_missing: bool
+) -> FloatArray | None:
     """Return the numbers by NumPy's reader in C, or None if anything is unusual."""
     text = "\n".join(lines)
     if '"' in text or (layout.decimal_comma and "." in text):
@@ -297,7 +299,7 @@ def _is_even(lines: list[str], text: str, layout: TextLayout, width: int) -> boo
     return all(line.count(layout.separator) == width - 1 for line in lines)
 
 
-def _careful(
+def _read_carefully(
     lines: list[str], first: int, layout: TextLayout, wanted: _Wanted, allows_missing: bool
 ) -> FloatArray:
     """Return the numbers row by row; refuse the first cell that is not a number."""
@@ -347,18 +349,18 @@ _ANY_WIDTH = 10**9
 _MISSING = frozenset(("nan", "na", "n/a", "null", "none", "-", "--"))
 
 
-def sniffed(lines: list[str]) -> TextLayout:
+def detected_layout(lines: list[str]) -> TextLayout:
     """Return the layout of which the first rows make the most sense."""
     candidates = [
-        arranged(lines, separator, comma)
+        layout_with_marks(lines, separator, comma)
         for separator in SEPARATORS
         for comma in (False, True)
         if not (comma and separator == ",")
     ]
-    return max(candidates, key=lambda layout: _sense(lines, layout))
+    return max(candidates, key=lambda layout: _plausibility(lines, layout))
 
 
-def arranged(lines: list[str], separator: str, decimal_comma: bool) -> TextLayout:
+def layout_with_marks(lines: list[str], separator: str, decimal_comma: bool) -> TextLayout:
     """Return the layout with these marks, by the kinds of the rows above the numbers."""
     plain = TextLayout(separator, decimal_comma, header=False)
     rows = [cells_of(line, plain) for line in lines]
@@ -404,7 +406,7 @@ def _is_units(row: list[str]) -> bool:
     )
 
 
-def _sense(lines: list[str], layout: TextLayout) -> tuple[bool, bool, float, bool, bool]:
+def _plausibility(lines: list[str], layout: TextLayout) -> tuple[bool, bool, float, bool, bool]:
     """Return the arguments for a layout, the weightiest first."""
     first = cells_of(lines[layout.skipped], layout)
     body = [cells_of(line, layout, len(first)) for line in lines[layout.above :]]

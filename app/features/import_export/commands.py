@@ -99,24 +99,24 @@ class ImportCommands:
 
         def done(content: ImportResult | _OpenTable) -> None:
             if self._target_number != self._document_number:
-                self._give_up()
+                self._drop_stale()
                 return
             try:
-                self._ask_about(path, content)
+                self._show_dialog_for(path, content)
             except Exception:
                 self._series.end()
                 raise
 
         if self._target_number != self._document_number:
             # Another document was opened while the file waited, and must not get its curves.
-            self._give_up()
+            self._drop_stale()
         else:
             self._work.start(f"Reading {path.name}", work, done, path, "imported", self._series.end)
 
     def _count_document(self) -> None:
         self._document_number += 1
 
-    def _give_up(self) -> None:
+    def _drop_stale(self) -> None:
         """Drop the files that were meant for a document that is no longer open."""
         names = names_with_verb(self._series.skip_rest())
         self._session.refuse(_NOT_IMPORTED.format(names))
@@ -128,7 +128,7 @@ class ImportCommands:
         def leave() -> None:
             dialog.rejected.disconnect(self._series.end)
             dialog.reject()
-            self._give_up()
+            self._drop_stale()
 
         def skip_rest() -> None:
             names = names_with_verb(self._series.skip_rest())
@@ -147,9 +147,9 @@ class ImportCommands:
         self._series.changed = dialog.foot.show_turn
         dialog.bring_up()
 
-    def _ask_about(self, path: Path, content: ImportResult | _OpenTable) -> None:
+    def _show_dialog_for(self, path: Path, content: ImportResult | _OpenTable) -> None:
         if path == self._opened and not isinstance(content, _OpenTable) and self._skips_dialog(path, content):
-            self._take_in(path, content, True)
+            self._add_result(path, content, True)
             return
         dialogs, parent = import_export, self._context.window
         verbs = dialogs.work_dialog.Verb
@@ -161,29 +161,29 @@ class ImportCommands:
             )
         else:
             dialog = dialogs.import_drawing_dialog.ImportDrawingDialog(
-                verb, path.name, content, partial(self._words_about_rest, content.document), parent
+                verb, path.name, content, partial(self._rest_message, content.document), parent
             )
-        dialog.import_requested.connect(partial(self._take_in, path))
+        dialog.import_requested.connect(partial(self._add_result, path))
         self._ask(dialog)
 
     def _skips_dialog(self, path: Path, result: ImportResult) -> bool:
         """Whether a file is opened without a dialog: it has no remarks, or is known."""
-        return not result.remarks or self._knows(path)
+        return not result.remarks or self._is_recent(path)
 
-    def _knows(self, path: Path) -> bool:
+    def _is_recent(self, path: Path) -> bool:
         """Whether a file was opened or saved here lately, so that its remarks are known."""
         return path.absolute() in self._preferences.recent_files
 
-    def _take_in(self, path: Path, result: ImportResult | PreparedTable, anew: bool) -> None:
+    def _add_result(self, path: Path, result: ImportResult | PreparedTable, anew: bool) -> None:
         """Begin a document with the curves or add them, then go on with the next file."""
         files, session, intake = self._context.files, self._session, import_export.intake
         assert result.document is not None
-        if anew and (self._goes_elsewhere(path, result) or not files.may_discard()):
+        if anew and (self._hand_over(path, result) or not files.may_discard()):
             self._end_turn()
             return
         new, begins = result.document, anew or session.files.is_untouched
         target = self._target(anew)
-        rest = self._words_about_lost(path, result) + self._words_about_rest(new, anew)
+        rest = self._loss_message(path, result) + self._rest_message(new, anew)
 
         def work(report: Report) -> AddedCurves:
             return intake.intake(target, new, lambda share: report(share, "Computing curves"))
@@ -197,11 +197,11 @@ class ImportCommands:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.units.factor_between(new.unit, arrival.document.unit)
                 style = session.model.style
-                if self._put(path, arrival, begins=begins, anew=anew):
+                if self._commit_curves(path, arrival, begins=begins, anew=anew):
                     verb = "Opened" if anew and path == self._opened else "Imported"
                     deviation = result.deviation * factor
                     done_so = f"{verb} {path.name}"
-                    self._choose_added(arrival, style, is_brought=not anew)
+                    self._select_added(arrival, style, is_brought=not anew)
                     self._show_added(done_so, path, arrival, deviation, rest)
             finally:
                 self._end_turn()
@@ -212,37 +212,37 @@ class ImportCommands:
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
-    def _goes_elsewhere(self, path: Path, result: ImportResult | PreparedTable) -> bool:
+    def _hand_over(self, path: Path, result: ImportResult | PreparedTable) -> bool:
         """Hand the result to another window, where one is meant for it; return whether there is one."""
         other = self._context.files.elsewhere()
         if other is not None:
             other.take_opened(path, result)
         return other is not None
 
-    def _words_about_lost(self, path: Path, result: ImportResult | PreparedTable) -> str:
+    def _loss_message(self, path: Path, result: ImportResult | PreparedTable) -> str:
         """Return the remarks on a file that is opened without a dialog."""
-        is_asked = path != self._opened or not self._knows(path)
+        is_asked = path != self._opened or not self._is_recent(path)
         return "" if is_asked else "".join(f"{remark} " for remark in result.remarks)
 
     def _take_opened(self, path: Path, result: ImportResult | PreparedTable) -> None:
         """Begin a document with a result that another window has read."""
         self._target_number, self._opened = self._document_number, path
-        self._take_in(path, result, True)
+        self._add_result(path, result, True)
 
     def _target(self, anew: bool) -> Document:
         """Return the document that curves go to."""
         files = self._session.files
         return files.blank() if anew or files.is_untouched else self._session.committed
 
-    def _words_about_rest(self, new: Document, anew: bool) -> str:
-        return import_export.intake.words_about_rest(self._target(anew), new)
+    def _rest_message(self, new: Document, anew: bool) -> str:
+        return import_export.intake.rest_message(self._target(anew), new)
 
     def _end_turn(self) -> None:
         # The next file of the series goes to the same document.
         self._target_number = self._document_number
         self._series.end()
 
-    def _put(self, path: Path, arrival: AddedCurves, *, begins: bool, anew: bool) -> bool:
+    def _commit_curves(self, path: Path, arrival: AddedCurves, *, begins: bool, anew: bool) -> bool:
         """Begin a document with the added curves, or add them as a step; return whether that worked."""
         session, step = self._session, f"Import {path.name}"
         if not begins:
@@ -257,7 +257,7 @@ class ImportCommands:
             self._preferences.add_recent_file(path.absolute())
         return True
 
-    def _choose_added(self, arrival: AddedCurves, style: Style, *, is_brought: bool) -> None:
+    def _select_added(self, arrival: AddedCurves, style: Style, *, is_brought: bool) -> None:
         """Select curves that were added to others; the next curve drawn does not get their style."""
         added, document, selected = arrival.indices, arrival.document, self._session.selected
         if len(added) < len(document.curves) or (is_brought and len(added) > 1):

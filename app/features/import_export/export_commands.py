@@ -89,7 +89,7 @@ class ExportCommands:
     def _ask_where(self, choice: ExportChoice) -> None:
         session, last = self._session, self._session.files.last_export
         self._preferences.export_choice = exchange.export_choice.text_of(choice)
-        known = exchange.export_choice.known_name(choice, session.document, session.selected.marked, last)
+        known = exchange.export_choice.suggested_name(choice, session.document, session.selected.marked, last)
         usual = valid_stem(known or file_stem(session)) + choice.ending
         kind = f"{choice.format.title} (*{choice.ending})"
         start = str(self._preferences.last_folder / usual)
@@ -102,7 +102,7 @@ class ExportCommands:
             there = StorageError("The file exists already. Select it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
-        session.files.note_export(exchange.export_choice.note_of(choice, path.name, last))
+        session.files.note_export(exchange.export_choice.export_record(choice, path.name, last))
         order = choice.request(
             session.document,
             session.active_index,
@@ -125,7 +125,7 @@ class ExportCommands:
 
     def _say_written(self, path: Path, written: ExportResult) -> None:
         self._preferences.last_folder = path.parent
-        self._session.say(f"Wrote {path.name}, {written.words}.")
+        self._session.say(f"Wrote {path.name}, {written.summary}.")
         self._work.warn_of(written.remarks)
 
 

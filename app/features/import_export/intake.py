@@ -40,7 +40,7 @@ def intake(
     return AddedCurves(filled, indices, tuple(views))
 
 
-def words_about_rest(document: Document, new: Document) -> str:
+def rest_message(document: Document, new: Document) -> str:
     """Return sentences on the content that is not added to a document with the curves of another."""
     sentences = []
     sized = _sized_for(document, new)
