@@ -246,13 +246,7 @@ def tied_to_straight_segment(curve: Curve, index: int) -> Point:
 
 
 def with_derivative(
-    curve: Curve,
-    index: int,
-    order: int,
-    vector: Vector | None,
-    *,
-    ahead: bool,
-    point: Point | None = None,
+    curve: Curve, index: int, order: int, vector: Vector | None, *, ahead: bool, point: Point | None = None
 ) -> Point:
     """Return point `index` of a curve with another derivative on one side; a tied velocity is turned as well.
 

@@ -244,12 +244,4 @@ def locked_message(names: Sequence[str]) -> str:
 
 def without_appearance(curve: Curve) -> Curve:
     """Return a curve without name, style, shape, groups and flags: the fields that do not shape it."""
-    return replace(
-        curve,
-        name="",
-        style=PLAIN_STYLE,
-        shape="",
-        groups=(),
-        visible=True,
-        locked=False,
-    )
+    return replace(curve, name="", style=PLAIN_STYLE, shape="", groups=(), visible=True, locked=False)

@@ -167,8 +167,5 @@ DERIVATIVES = (
 )
 """The derivatives of a point, by their orders: `Point` has their fields, `Curve` their rules."""
 
-VECTORS = (
-    *((row.order, row.name) for row in DERIVATIVES),
-    *((row.order, row.after) for row in DERIVATIVES),
-)
+VECTORS = (*((row.order, row.name) for row in DERIVATIVES), *((row.order, row.after) for row in DERIVATIVES))
 """Orders and names of the fields of a point for derivatives: before a corner, then after it."""

@@ -275,9 +275,7 @@ def _refuse_comma(words: list[_Word], index: int) -> NoReturn:
         raise ExpressionError(
             f"“{typed}” is ambiguous. Write {_short(f'{whole}.{fraction}')} with a decimal point."
         )
-    raise ExpressionError(
-        f"“{words[index].text}” only separates the arguments of a function, as in max(1; 2)."
-    )
+    raise ExpressionError(f"“{words[index].text}” separates the arguments of a function, as in max(1; 2).")
 
 
 def _refuse_neighbours(before: _Word, after: _Word) -> NoReturn:

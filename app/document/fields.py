@@ -130,9 +130,7 @@ class Field(NamedTuple):
 def fields_of(kind: type[Value]) -> tuple[Field, ...]:
     """Return the fields of a kind of value, in order."""
     hints = get_type_hints(kind, include_extras=True)
-    return tuple(
-        _field(field.name, hints[field.name], field.default) for field in msgspec.structs.fields(kind)
-    )
+    return tuple(_field(f.name, hints[f.name], f.default) for f in msgspec.structs.fields(kind))
 
 
 def _field(name: str, hint: object, default: object) -> Field:

@@ -93,7 +93,8 @@ def as_contained(
     selected = frozenset(selected)
     others = [curve for index, curve in enumerate(curves) if container.holds(curve) and index not in selected]
     nodes = whole_nodes(curves, selected, open_groups)
-    if not others and any(node.name in (container.shape, *container.groups) for node in _holders(nodes)):
+    into = (container.shape, *container.groups)
+    if not others and any(node.kind is not NodeKind.CURVE and node.name in into for node in nodes):
         raise EditError("A shape or group cannot be moved into itself.")
     of_shape = {name: getattr(others[0], name) for name in SHARED} if others and container.shape else {}
     result = {}
@@ -105,10 +106,6 @@ def as_contained(
             values = of_shape | {"shape": container.shape} if of_shape else {"shape": shape, "groups": groups}
             result[index] = with_field_values(curve, values)
     return result
-
-
-def _holders(nodes: Iterable[Node]) -> Iterator[Node]:
-    return (node for node in nodes if node.kind is not NodeKind.CURVE)
 
 
 def order_after_step(document: Document, curves: Collection[int], step: int) -> list[int]:

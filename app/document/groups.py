@@ -159,8 +159,6 @@ def with_field_values(curve: Curve, values: Mapping[str, object]) -> Curve:
 def shape_problem(document: Document) -> str:
     """Return the first inconsistency that `tidy_shapes` would repair, with its field; empty for none."""
     tidy = tidy_shapes(document)
-    if tidy is document:
-        return ""
     if tidy.curves == document.curves:
         return ""
     index = next(

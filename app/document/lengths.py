@@ -125,9 +125,5 @@ def _refuse_without_length(word: str, unit: str) -> None:
     """Raise ExpressionError if the document has no unit of length, so that a typed unit has no meaning."""
     if known_unit(unit):
         return
-    reason = (
-        f"The unit of the document, “{unit}”, is not a length"
-        if unit
-        else "The document has no unit of length"
-    )
+    reason = f"The unit “{unit}” is not a length" if unit else "The document has no unit of length"
     raise ExpressionError(f"{reason}. Type a number without “{word}”.")

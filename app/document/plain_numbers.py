@@ -55,11 +55,8 @@ def _has_only_moved_plainly(document: Document, before: Document) -> bool:
 @cache
 def _fields(kind: type[Value]) -> tuple[Field, ...]:
     """Return the fields of a kind of value that hold numbers or other values, curves excepted."""
-    return tuple(
-        field
-        for field in fields_of(kind)
-        if field.kind is not Curve and (field.kind in (float, bool) or field.holds_values)
-    )
+    fields = (field for field in fields_of(kind) if field.kind is not Curve)
+    return tuple(field for field in fields if field.kind in (float, bool) or field.holds_values)
 
 
 def _plain_values(values: Values, before: object = None) -> Values:

@@ -34,10 +34,8 @@ def set_family_setting(document: Document, curve: int, name: str, value: Setting
     if not setting.allows(value):
         requirement = with_minus(setting.requirement) if setting.limits else setting.requirement
         raise EditError(f"{setting.label} must be {requirement}.")
-    settings = old.family.settings.without_defaults({**old.settings, name: value})
-    if settings == old.settings:
-        return document
-    return document.with_curve(curve, replace(old, settings=settings))
+    new = old.family.settings.without_defaults({**old.settings, name: value})
+    return document if new == old.settings else document.with_curve(curve, replace(old, settings=new))
 
 
 def set_rule(document: Document, curve: int, rule: EstimateRule) -> Document:

@@ -52,8 +52,4 @@ def common_values(styles: Iterable[Style]) -> dict[str, object]:
         return {}
     first, *others = styles
     values = {name: getattr(first, name) for name in Style.__struct_fields__}
-    return {
-        name: value
-        for name, value in values.items()
-        if all(getattr(style, name) == value for style in others)
-    }
+    return {name: value for name, value in values.items() if all(getattr(s, name) == value for s in others)}

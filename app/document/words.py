@@ -53,11 +53,11 @@ def rounded_up(value: float, digits: int) -> float:
 def digits_of_range(low: float, high: float, least: int = 6) -> int:
     """Return the number of significant digits that shows the distance of two numbers within 1 %."""
 
-    def displayed_distance(digits: int) -> float:
+    def rounded_distance(digits: int) -> float:
         return float(f"{high:.{digits}g}") - float(f"{low:.{digits}g}")
 
     distance = high - low
-    return next((n for n in range(least, 17) if abs(displayed_distance(n) - distance) <= 0.01 * distance), 17)
+    return next((n for n in range(least, 17) if abs(rounded_distance(n) - distance) <= 0.01 * distance), 17)
 
 
 def distance_text(value: float, other: str, *, is_bound: bool = True) -> str:

@@ -49,12 +49,8 @@ class Stamp(msgspec.Struct, frozen=True):
 
     def is_of(self, status: os.stat_result) -> bool:
         """Return whether a file with this status is most likely the same, without reading it."""
-        return (self.size, self.modified, self.inode, self.device) == (
-            status.st_size,
-            status.st_mtime_ns,
-            status.st_ino,
-            status.st_dev,
-        )
+        known = (self.size, self.modified, self.inode, self.device)
+        return known == (status.st_size, status.st_mtime_ns, status.st_ino, status.st_dev)
 
 
 class Content(msgspec.Struct, frozen=True):
@@ -243,9 +239,7 @@ def _content(path: str | os.PathLike[str]) -> Content:
     except (OSError, ValueError) as problem:
         raise StorageError(unreadable_message(path, problem)) from problem
     if len(data) > MAX_BYTES:
-        raise StorageError(
-            f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB. Open a smaller file."
-        )
+        raise _too_large(path)
     return Content(data, _stamp(status, data))
 
 
@@ -379,9 +373,11 @@ def _refuse_irregular(path: str | os.PathLike[str], status: os.stat_result) -> N
     if not stat.S_ISREG(status.st_mode):
         raise StorageError(f"{quoted_path(path)} is a pipe or a device. Choose a regular file.")
     if status.st_size > MAX_BYTES:
-        raise StorageError(
-            f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB. Choose a smaller file."
-        )
+        raise _too_large(path)
+
+
+def _too_large(path: str | os.PathLike[str]) -> StorageError:
+    return StorageError(f"{quoted_path(path)} is larger than {MAX_BYTES // 2**20} MB. Open a smaller file.")
 
 
 # Access rights
@@ -424,9 +420,7 @@ TEMPORARY_PREFIX = ".curvebench-"
 LEFT_BEHIND = 600.0
 """Seconds after which a temporary file of a process that has ended is removed."""
 
-_TEMPORARY_NAME = re.compile(
-    re.escape(TEMPORARY_PREFIX) + r"([0-9a-f]{8})-([1-9][0-9]{0,9})-[0-9a-f]{16}\.tmp"
-)
+_NAME = re.compile(re.escape(TEMPORARY_PREFIX) + r"([0-9a-f]{8})-([1-9][0-9]{0,9})-[0-9a-f]{16}\.tmp")
 _COMPUTER_DIGITS = 8
 
 
@@ -452,7 +446,7 @@ def remove_stale_files(folder: Path, older_than: float = LEFT_BEHIND) -> int:
 
 
 def _is_left_behind(entry: os.DirEntry[str], older_than: float) -> bool:
-    match = _TEMPORARY_NAME.fullmatch(entry.name)
+    match = _NAME.fullmatch(entry.name)
     if match is None or match[1] != machine()[:_COMPUTER_DIGITS]:
         return False
     try:
@@ -500,32 +494,30 @@ _DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 
 def unreadable_message(path: str | os.PathLike[str], problem: Exception) -> str:
     """Return the message that a file cannot be read: why, and what to do."""
-    code = getattr(problem, "errno", None)
+    name, code = quoted_path(path), getattr(problem, "errno", None)
     if code in (errno.ENOENT, errno.ENOTDIR):
-        return f"There is no file {quoted_path(path)}. Check its name and folder."
+        return f"There is no file {name}. Check its name and folder."
     if code in (errno.EACCES, errno.EPERM):
-        return f"You have no permission to read {quoted_path(path)}. Ask its owner, or choose another file."
+        return f"You have no permission to read {name}. Ask its owner, or choose another file."
     if code == errno.ELOOP:
-        return f"{quoted_path(path)} is a link to itself. Choose another file."
-    return f"{quoted_path(path)} cannot be read ({reason_of(problem)}). Choose another file."
+        return f"{name} is a link to itself. Choose another file."
+    return f"{name} cannot be read ({reason_of(problem)}). Choose another file."
 
 
 def unwritable_message(path: str | os.PathLike[str], problem: Exception) -> str:
     """Return the message that a file was not written: why, and what to do."""
-    code = getattr(problem, "errno", None)
+    name, code = quoted_path(path), getattr(problem, "errno", None)
     if code in (errno.ENOENT, errno.ENOTDIR):
-        return f"The folder of {quoted_path(path)} does not exist. Choose another folder."
+        return f"The folder of {name} does not exist. Choose another folder."
     if code in _DISK_FULL:
-        return (
-            f"The disk is full; {quoted_path(path)} was not written. Free some space or choose another disk."
-        )
+        return f"The disk is full; {name} was not written. Free some space or choose another disk."
     if code in (errno.EACCES, errno.EPERM, errno.EROFS):
-        return f"{quoted_path(path)} cannot be written in that folder. Choose another folder."
+        return f"{name} cannot be written in that folder. Choose another folder."
     if code == errno.ELOOP:
-        return f"{quoted_path(path)} is a link to itself. Choose another name."
+        return f"{name} is a link to itself. Choose another name."
     if code == errno.ENAMETOOLONG:
-        return f"The name {quoted_path(path)} is too long. Choose a shorter one."
-    return f"{quoted_path(path)} was not written ({reason_of(problem)}). Choose another folder or disk."
+        return f"The name {name} is too long. Choose a shorter one."
+    return f"{name} was not written ({reason_of(problem)}). Choose another folder or disk."
 
 
 def reason_of(problem: Exception) -> str:

@@ -64,11 +64,7 @@ def validate_changes(before: Document | None, after: Document) -> None:
     """Raise FormatError, as `validate` does, for objects of `after` that are not in `before`."""
     if _is_prevalidated(before, after):
         return
-    if (
-        before is not None
-        and (moved := moved_points(before, after)) is not None
-        and _are_positions_within(moved)
-    ):
+    if before is not None and (moved := moved_points(before, after)) is not None and _are_valid(moved):
         return
     known, by_points = known_curves(before)
     same_count = before is not None and len(before.curves) == len(after.curves)
@@ -143,7 +139,7 @@ def _all_within(points: tuple[Point, ...]) -> bool:
     return all(map(are_within, _columns(points)))
 
 
-def _are_positions_within(points: Sequence[Point]) -> bool:
+def _are_valid(points: Sequence[Point]) -> bool:
     """Return whether the positions of points may be saved."""
     return all(map(are_within, _position_columns(points)))
 
@@ -196,11 +192,9 @@ def check_number(value: object, path: str) -> None:
 
 @cache
 def _checked_fields(kind: type[Value]) -> tuple[Field, ...]:
+    fields = (field for field in fields_of(kind) if field.kind not in (Curve, Point))
     return tuple(
-        field
-        for field in fields_of(kind)
-        if field.kind not in (Curve, Point)
-        and (field.requirements or field.kind in (float, str) or field.holds_values)
+        field for field in fields if field.requirements or field.kind in (float, str) or field.holds_values
     )
 
 

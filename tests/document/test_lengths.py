@@ -65,7 +65,7 @@ def test_a_comma_is_read_where_the_locale_has_it():
         (
             "1in",
             "furlong",
-            "The unit of the document, “furlong”, is not a length. Type a number without “in”.",
+            "The unit “furlong” is not a length. Type a number without “in”.",
         ),
         ("3 foo", "mm", "“foo” is not a unit of length. Use mm, cm, in, pt or px."),
         ("3 foo", "", "The document has no unit of length. Type a number without “foo”."),

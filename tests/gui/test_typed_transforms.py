@@ -236,7 +236,7 @@ NO_UNITS = [
     ("mm", "g2q", "“q” is not a unit of length"),
     ("mm", "g2mv", "“mv” is not a unit of length"),
     ("", "g2m", "The document has no unit of length. Type a number without “m”."),
-    ("ell", "g2m", "The unit of the document, “ell”, is not a length"),
+    ("ell", "g2m", "The unit “ell” is not a length"),
     ("mm", "s2m", "A factor or an angle has no unit; type a number without “m”."),
     ("mm", "r2b", "A factor or an angle has no unit; type a number without “b”."),
     ("mm", "g2V", "“V” is not a unit of length"),

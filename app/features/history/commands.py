@@ -108,10 +108,7 @@ class HistoryCommands:
         EDIT_BACK,
         icon="history",
         full_name="Go Back to the Document Before the Lesson",
-        needs=Need(
-            "work that was replaced by a lesson or an example",
-            lambda state: state.can_go_back,
-        ),
+        needs=Need("work that was replaced by a lesson or an example", lambda state: state.can_go_back),
     )
     def _go_back(self) -> None:
         """Go back to the document that was open before this lesson or example; Redo returns here."""
