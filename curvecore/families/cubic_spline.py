@@ -158,7 +158,8 @@ class CubicSplineCurve(ParametricCurve):
             "ends",
             "ends",
             SplineEnds.NATURAL.value,
-            "The conditions at both ends: c″ = 0, c′ = 0, no jump of c‴ beside them, or the same c′ and c″",
+            "Conditions at the ends: c″ = 0 (natural), c′ = 0 (clamped), c‴ continuous next to the ends "
+            "(not a knot), or equal c′ and c″ (periodic)",
             choices=tuple((ends.value, ends.label) for ends in SplineEnds),
             when_closed=SplineEnds.PERIODIC.value,
         ),

@@ -139,7 +139,7 @@ class FamilyDefaults(_Curve):
         curve[hit] = self.points[joint[hit]]
 
     def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
-        """Return the same of arguments that are not checked, where that is all that takes time; else None.
+        """Evaluate at unchecked arguments, where the checks would take most of the time; else return None.
 
         Parameters
         ----------

@@ -215,7 +215,7 @@ class PiecewiseHermite(ParametricCurve):
         return np.searchsorted(inner, t, side="right")
 
     def _evaluate_at_once(self, t: FloatArray, order: object) -> FloatArray | None:
-        """Evaluate by expansions that are there."""
+        """Evaluate by expansions that exist already."""
         pieces = self._expansions.get(order) if self._expansions and type(order) is int else None
         if pieces is None or not t.size or not self._are_worth_expansions(t):
             return None
