@@ -225,12 +225,9 @@ class JointsPanel(FollowsTheme, QWidget):
         )
         sign = f"{worst.value} " if has_rows else ""
         self._summary.setText(sign + certificate.summary)
-        for part, is_visible in (
-            (self.view, has_rows),
-            (self._detail, has_rows),
-            (self._spare, not has_rows),
-        ):
-            part.setVisible(is_visible)
+        for part in (self.view, self._detail):
+            part.setVisible(has_rows)
+        self._spare.setVisible(not has_rows)
         self._copy.setVisible(has_rows)
         self._show_detail()
 

@@ -52,7 +52,7 @@ _PACES = (
 )
 
 
-def _choice_action(choice: _Choice, prefix: str, section: MenuSection, group: str, field: str) -> Action:
+def _action_of(choice: _Choice, prefix: str, section: MenuSection, group: str, field: str) -> Action:
     """Return the action that gives the setting `field` a value."""
     return Action(
         action_name(prefix, choice.value),
@@ -130,14 +130,12 @@ class MotionCommands:
         self.stage.player.change_speed(1)
 
     @action_for_each(
-        _REPEATS, lambda choice: _choice_action(choice, "motion", MOTION_REPEAT, "motionRepeat", "repeat")
+        _REPEATS, lambda choice: _action_of(choice, "motion", MOTION_REPEAT, "motionRepeat", "repeat")
     )
     def _use_repeat(self, choice: _Choice) -> None:
         self.stage.player.change(repeat=choice.value)
 
-    @action_for_each(
-        _PACES, lambda choice: _choice_action(choice, "motionBy", MOTION_PACE, "motionPace", "pace")
-    )
+    @action_for_each(_PACES, lambda choice: _action_of(choice, "motionBy", MOTION_PACE, "motionPace", "pace"))
     def _use_pace(self, choice: _Choice) -> None:
         self.stage.player.change(pace=choice.value)
 

@@ -213,9 +213,7 @@ class MotionStage(QObject):
         if self._rivals_of != asked:
             self._rivals, self._rivals_of = rivals_of(view, settings.compared), asked
         # By identity: curves compare by all their numbers.
-        known = {
-            id(course.curve): course for course in self._courses.values() if course.pace is settings.pace
-        }
+        known = {id(old.curve): old for old in self._courses.values() if old.pace is settings.pace}
         self._courses = {}
         for role, rival in self._rivals.items():
             assert rival.curve is not None

@@ -195,14 +195,9 @@ class PlotCommands:
             self._task.give_up()
             pane.canvas.say(view.problem)
             return
-        constant = growth_of_points(view, self._context.central.basis)
+        constant, canvas = growth_of_points(view, self._context.central.basis), pane.canvas
         compute = partial(
-            analysis.plot_samples.plots_of,
-            view,
-            kinds,
-            pane.canvas.camera.t_range,
-            pane.canvas.columns,
-            constant,
+            analysis.plot_samples.plots_of, view, kinds, canvas.camera.t_range, canvas.columns, constant
         )
         if analysis.plot_samples.orders_of(kinds) and analysis.plot_samples.is_slow(view):
             pane.canvas.set_waiting()
