@@ -26,7 +26,7 @@ class Need(msgspec.Struct, frozen=True):
     why
         Sentence shown where the condition is not met, or a function that returns it; empty for the usual one.
     is_redundant
-        Whether the action would do what is done already: that is a message, not a refusal.
+        Whether the effect of the action is there already, so that the sentence is no refusal.
     """
 
     words: str

@@ -51,7 +51,7 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     point_count
         The number of its points.
     is_closed, is_visible, is_locked, is_in_shape
-        Its flags, and whether it belongs to a shape of several curves.
+        Flags of the curve, and whether it belongs to a shape of several curves.
     is_current, has_curve
         Whether its points make a curve; whether a curve is drawn, which may be the last valid one.
     is_editing
@@ -69,7 +69,7 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     has_curve_in_front, has_curve_behind
         Whether the selection can move a step to the front or to the back.
     selected_count, active_selected_count
-        The number of selected points, and of those of the curve.
+        The number of selected points, of all curves and of the active one.
     point_kinds
         The kinds of the selected points, as indices in `POINT_KINDS`.
     has_explicit

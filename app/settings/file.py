@@ -20,7 +20,7 @@ class SettingsFile:
     Parameters
     ----------
     store : pathlib.Path or QSettings, optional
-        Where it is; the user's configuration folder by default.
+        Path of the file; in the user's configuration folder by default.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ def _open(store: Path | QSettings | None) -> QSettings:
 def _set_aside_damaged(path: Path) -> bool:
     """Rename a damaged file of settings at `path`; return whether it was renamed.
 
-    QSettings takes any bytes for settings, and writes what it made of them back for good.
+    QSettings reads any bytes as settings, and would overwrite the file with the result.
     """
     try:
         if not path.is_file() or not _is_damaged(path.read_bytes()):

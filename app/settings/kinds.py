@@ -59,7 +59,7 @@ class Setting(ABC, Generic[Value]):
     Attributes
     ----------
     label, tip
-        What the dialog of preferences says of it; a setting without a label is not there.
+        Texts in the dialog of preferences; a setting without a label is not shown there.
     widget
         The objectName of its widget there; that of one of several has the member in place of the braces.
     """
@@ -248,11 +248,11 @@ class Text(TextSetting[str]):
     Attributes
     ----------
     longest
-        Letters that it may have.
+        Largest number of letters.
     usual
-        Texts to choose from; the first stands for none.
+        Suggested texts; the first stands for none.
     note
-        What to know about a text, which is said beside it; empty where there is nothing.
+        Function that returns a note about a text, shown beside it; empty for none.
     """
 
     def __init__(

@@ -64,12 +64,12 @@ class Preferences:
     Parameters
     ----------
     store : pathlib.Path or QSettings, optional
-        Where to keep them, for tests and portable use; the user's own place by default.
+        Place of the settings, for tests and portable use; by default that of the user.
 
     Attributes
     ----------
     file : SettingsFile
-        Where they are kept.
+        The file of the settings.
     """
 
     theme_mode = Choice(

@@ -29,13 +29,13 @@ class FileState(msgspec.Struct, frozen=True):
     Attributes
     ----------
     change
-        What has become of the file since it was last read or written here; None without a file.
+        Change of the file since it was last read or written here; None without a file.
     is_read_only
-        Whether somebody else owns it.
+        Whether the file is open elsewhere.
     may_overwrite
-        Whether saving was, or would be, refused because it holds something else.
+        Whether saving was, or would be, refused because the file has other content.
     is_asked
-        Whether the person wants to take it over, and has been told that somebody may be editing it.
+        Whether the user was warned that the document may be edited elsewhere, before taking it over.
     """
 
     change: FileChange | None = None
@@ -54,7 +54,7 @@ class WindowState(msgspec.Struct, frozen=True):
     moves_image
         Whether the mouse has the reference image instead of the points.
     basis, numbered
-        Whether the basis functions are shown; whether points have numbers, and colours that say which they
+        Whether the basis functions are visible; whether points have numbers and colours, by which they
         are.
     grid, side_panel, lessons
         Whether the grid, the panels at the side and the lessons are shown.
@@ -65,27 +65,27 @@ class WindowState(msgspec.Struct, frozen=True):
     scale
         How large points, lines and type are drawn; 1 as usual.
     snap_on, snap_kinds, with_estimates, theme_mode, tool_settings
-        As the preferences remember them.
+        As in the preferences.
     transform_box, keep_proportions
-        As the preferences remember them.
+        As in the preferences.
     align_to
-        What chosen curves are aligned to.
+        Reference for aligning curves.
     analysis
         Overlays, plots, ghosts and laboratory.
     error_plot
         Whether the errors of the laboratory's methods are plotted.
     motion, motion_visible, motion_plays
-        How the dot runs, whether there is one, and whether it runs now.
+        Settings of the motion, whether it is visible, and whether it is playing.
     file, compares_with_file
-        How the document stands to its file, and whether what that holds is shown as a ghost.
+        State of the document's file, and whether its content is shown as a ghost.
     is_working
         Whether something is being read, written or computed beside the window.
     offers_family, runs_family_file
         Whether there is a file of families just written or used, and whether one is running.
     in_flight
-        Whether undo takes back a gesture, or what came of it and is computed, though no step was made yet.
+        Whether Undo cancels a gesture, or the computation that follows it, before there is a step.
     image_problem
-        Why the reference image is not shown; empty where it is, or where there is none.
+        Reason why the reference image is not shown; empty where it is, or without an image.
     """
 
     tool: ToolRecord = SELECT
@@ -141,7 +141,7 @@ class WindowStore(QObject):
     Attributes
     ----------
     state
-        The state as it is now.
+        The current state.
 
     Signals
     -------
@@ -199,18 +199,18 @@ class Analysis(QObject):
     changed
         The settings are other ones.
     noted
-        Something else can be said about the overlays.
+        The notes about overlays have changed.
     ghost_adopted
-        A ghost shall become the curve.
+        A ghost is to replace the curve.
     added
-        A plot was added to those of the curve, replaced or taken away.
+        A plot was added, replaced or removed.
 
     Attributes
     ----------
     added_plots
-        Plots beside those of the curve, by their titles.
+        Further plots besides those of the curve, by title.
     notes
-        A sentence to some of the overlays: what they measure, or why nothing is drawn.
+        Notes about some overlays: a measured value, or the reason why nothing is drawn.
     problem
         Why there is nothing to analyse; empty where there is a curve.
     """

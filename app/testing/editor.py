@@ -64,7 +64,7 @@ class Editor(InputDriver):
     session
         What to edit; by default a new session with the sketch of the first start.
     preferences
-        Where settings are kept; by default the user's (redirect them in your tests).
+        Settings; by default those of the user (redirect them in your tests).
     size
         Size of the window in pixels.
 

@@ -49,7 +49,7 @@ class Command(msgspec.Struct, frozen=True):
     Attributes
     ----------
     is_on
-        Whether it is a switch, and on.
+        Whether the action is a switch that is on.
     """
 
     action: QAction
@@ -73,9 +73,9 @@ class CommandPalette(OverlayFrame):
     Parameters
     ----------
     below
-        The widget it lies over; it takes no room from it.
+        The widget below the palette, which keeps its size.
     commands
-        Gives what can be found, asked each time the palette opens.
+        Function that returns the commands, called when the palette opens.
     """
 
     def __init__(self, below: QWidget, commands: Callable[[], Sequence[Command]]) -> None:

@@ -31,7 +31,7 @@ def dropped(event: QDropEvent) -> GivenFiles:
 def accepted(event: QDropEvent) -> GivenFiles | None:
     """Accept a drag of files as a copy and return them; None without files, or where only a move is possible.
 
-    Whoever answers "move" makes the file manager delete what was dragged.
+    For the answer "move" the file manager would delete the dragged files.
     """
     files = dropped(event)
     is_local = bool(files.documents or files.imports or files.pictures)
@@ -65,7 +65,7 @@ class Drops:
     def take(self, files: GivenFiles, problems: Iterable[str] = ()) -> None:
         """Open documents, import files one after the other, and trace a picture.
 
-        What was wrong with other files, `problems`, is said together with what is left out.
+        The messages `problems` about other files are shown together with those about omitted ones.
         """
         left = [*problems, *self._open(files.documents)]
         # Else a large document, which is opened later, would replace the one that they were added to.

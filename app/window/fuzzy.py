@@ -31,7 +31,7 @@ class SearchEntry(NamedTuple):
 def ranked(typed: str, things: Sequence[SearchEntry]) -> list[int]:
     """Return the places of the things that fit, the best first.
 
-    Letters that are only scattered over a name count where no name has them in one piece.
+    Letters scattered over a name count only where no name contains them in one piece.
     """
     rated = [(fit, i) for i, thing in enumerate(things) if (fit := fitness(typed, *thing)) is not None]
     if any(_is_whole(typed, things[index]._replace(tip="")) for _, index in rated):

@@ -20,7 +20,7 @@ class GivenFiles:
     documents, imports, pictures
         To be opened, imported, traced.
     elsewhere
-        How many addresses there are of what is not on this machine's disk.
+        The number of addresses of files that are not local.
     """
 
     documents: tuple[Path, ...] = ()

@@ -49,7 +49,7 @@ class MainWindow(SafeOverrides, QMainWindow):
     Attributes
     ----------
     context, commands
-        Its parts; what can be done with them.
+        The parts of the window; its command sets.
     canvas, basis_panel
         The two plots.
     asks_before_closing
@@ -58,7 +58,7 @@ class MainWindow(SafeOverrides, QMainWindow):
     Signals
     -------
     closed
-        The window is closed, and what was not saved has been given up.
+        The window is closed, and unsaved changes are saved or discarded.
     """
 
     closed = Signal()
@@ -333,8 +333,8 @@ class _FirstShow(SafeOverrides, QObject):
 def _lift(window: QMainWindow) -> None:
     """Raise floating docks above the window.
 
-    Restored before the window is there, they come to lie behind it, where nobody finds them. Raising is not
-    enough: only a dock that is shown after the window belongs to it.
+    Docks restored before the window is shown are behind it, where nobody finds them. Raising is not
+    enough: only a dock that is shown after the window stays above it.
     """
     for dock in floating_docks(window):
         dock.hide()

@@ -62,7 +62,7 @@ class Messages(QObject):
     def offer(self, text: str, actions: Sequence[QAction]) -> None:
         """Show a message with a button for each action, until another document is opened.
 
-        Without a text, what was said so has been done.
+        Without a text, the message is removed.
         """
         self._offered, self._dismissed = (text, actions) if text else None, ""
         self.render(self._session.active_view)

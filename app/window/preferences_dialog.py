@@ -114,7 +114,7 @@ _HEADERS = ("Action", "Keys", "Menu")
 class ShortcutEditor(SafeOverrides, QWidget):
     """Table of actions and keys; recorded keys are in effect at once.
 
-    Keys that another action has are not taken from it until the person says so.
+    Keys of another action are reassigned only after confirmation.
     """
 
     def __init__(self, keymap: Keymap, parent: QWidget | None = None) -> None:

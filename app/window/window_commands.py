@@ -135,7 +135,7 @@ class FocusCommands:
     def leave_field(self) -> bool:
         """Leave a field of a panel whose text was entered; return whether one had the focus.
 
-        One whose text was refused keeps it, to be mended, and so does one that acts with every Enter.
+        A field with refused input keeps the focus, and so does one that acts with every Enter.
         """
         field = QApplication.focusWidget()
         is_done = isinstance(field, FieldEdit) and not (field.isModified() or field.is_pressed_again)

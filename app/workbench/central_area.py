@@ -28,7 +28,7 @@ class CentralPane(QWidget):
     Attributes
     ----------
     plot
-        The plot in it; None until it is made.
+        The plot of the pane; None until it is created.
     """
 
     plot: ToolPlot | None = None
@@ -53,7 +53,7 @@ class Pane(msgspec.Struct, frozen=True):
     name
         Its object name.
     stretch, height
-        Its share when the window grows, and in a new window (0: what it asks for).
+        Stretch factor when the window grows, and height in a new window (0: its size hint).
     """
 
     name: str
@@ -86,15 +86,15 @@ class CentralArea:
     canvas
         The drawing.
     panes
-        What stands below it, from the top down.
+        The panes below the canvas, from the top down.
     t_camera
-        The camera of the pane whose t axis the others share; that pane sets it.
+        The camera of the shared t axis, set by the pane that owns it.
     basis
         The functions drawn over that axis, None without a curve.
     message_bar
         The line on the canvas.
     splitter, under_canvas
-        What holds all of them; where bars stand under the canvas.
+        The splitter of canvas and panes; the layout for bars below the canvas.
     """
 
     t_camera: CameraOverT

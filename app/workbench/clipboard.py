@@ -39,7 +39,7 @@ def copied_curves_in(data: QMimeData) -> Document | None:
     Raises
     ------
     FormatError
-        If they cannot be read.
+        If the data cannot be read.
     """
     kind = next(filter(data.hasFormat, (CURVES, POINTS)), None)
     return None if kind is None else decode(bytes(data.data(kind).data()))
@@ -69,7 +69,7 @@ def put_on_clipboard(data: QMimeData) -> None:
 def _take_away_at_exit() -> None:
     """Clear the clipboard at exit on platforms without one, where Qt keeps the data itself.
 
-    Qt would destroy it with the process: with nobody there to hear of it, that ends in a segmentation fault.
+    Qt would destroy the data after the interpreter has ended, which is a segmentation fault.
     """
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         atexit.register(_take_away)

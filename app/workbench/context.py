@@ -28,13 +28,13 @@ class WindowContext(msgspec.Struct, frozen=True):
     Attributes
     ----------
     session, store, preferences
-        The document; the window's state; what is remembered between starts.
+        The document; the state of the window; the settings saved between starts.
     analysis
         Overlays, plots and laboratory, which are a part of the window's state.
     actions
         All actions of the window.
     files, work
-        Opening and saving; what is read and written beside the window.
+        Opening and saving; background work.
     window, central, docks, toolbar, status_line
         The window and its parts.
     """
@@ -102,7 +102,7 @@ def bar_menu(
 ) -> QMenu:
     """Return a context menu with the actions of `bar`; it is deleted when it is closed.
 
-    One that `is_short` has those alone that can be done now; so do its submenus.
+    With `is_short`, the menu and its submenus have only enabled actions.
     """
     menu = QMenu(context.window)
     menu.setObjectName(name)

@@ -23,7 +23,7 @@ class DiskWatch(QObject):
     Parameters
     ----------
     parent
-        What it belongs to: a window, or another, which has to notice itself that a window comes to the front.
+        The parent: a window, or an object that has to notice itself that a window comes to the front.
 
     Signals
     -------

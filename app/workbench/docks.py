@@ -91,14 +91,14 @@ class Docks:
     Parameters
     ----------
     panels
-        What stands in them, in the order of the tabs.
+        The declared panels, in the order of the tabs.
     build
-        Returns what stands in a dock: called with its name and the parent.
+        Function that builds the panel of a dock, called with its name and the parent.
 
     Attributes
     ----------
     all, side
-        All docks, by their stacks; those at the right.
+        All docks in the order of their stacks; the docks at the right.
     """
 
     def __init__(self, window: QMainWindow, panels: Sequence[Panel], build: Callable[..., QWidget]) -> None:
@@ -156,12 +156,12 @@ class Dock(SafeOverrides, QDockWidget):
     Attributes
     ----------
     is_steady
-        Whether what stands in it stays there when its scroll bar comes and goes.
+        Whether the content keeps its width when the scroll bar appears.
 
     Signals
     -------
     closed
-        The person has put it away.
+        The user has closed the dock.
     """
 
     closed = Signal()
@@ -322,7 +322,7 @@ _LEAST_BESIDE = 480
 def make_room(window: QMainWindow, dock: Dock, height: int) -> None:
     """Enlarge an opened dock to the size of its content, up to `height`, until it is closed.
 
-    As far as the upper one and the drawing can spare it. Where a person has moved the border since, it stays.
+    The room comes from the upper dock and the drawing. A border that the user has moved since stays.
     """
     if dock.property(_HAS_ROOM) or dock.isFloating():
         return

@@ -111,7 +111,7 @@ class DocumentFiles:
         """Puts the first of these pictures behind the curves; returns what it says of the others."""
         self.open_window: Callable[[str], DocumentFiles] | None = None
         """Opens a window, with what the action of a name begins, and returns its files; None where somebody
-        else keeps the windows. Without a name it is as untouched as at the start.
+        else keeps the windows. Without a name the window is unused, as at the start.
         """
         self.show_elsewhere: Callable[[Path], bool] = lambda _path: False
         """Brings another window that has a file to the front; returns whether there is one."""
@@ -221,7 +221,7 @@ class DocumentFiles:
     def after_opening(self, then: Callable[[str], object]) -> None:
         """Call `then` when the document that is being opened is there; at once where none is.
 
-        `then` hears why it was not opened.
+        `then` is called with the reason why it was not opened; empty where it was.
         """
         if self._after_opening is None:
             then("")
@@ -239,7 +239,7 @@ class DocumentFiles:
     def open_example(self, path: Path, text: str = "Open Example") -> bool:
         """Open a copy of an example or a lesson, without a file; return whether it is open.
 
-        Work without a file stays in the history, below a step called `text`: nobody is asked about it.
+        Unsaved work stays in the history, below a step called `text`, without a question.
         """
         session, files = self._session, self._session.files
         session.cancel()
@@ -423,7 +423,7 @@ def path_to_save(typed: Path) -> Path:
 def why_not_saved_as(name: str) -> str:
     """Return the reason why no document may have such a name; empty where it may.
 
-    Under the ending of another format no program, this one among them, would open it.
+    With the ending of another format no program would open the document, not even this one.
     """
     name = name.lower()
     others = tuple(ending for ending in endings_of(FORMATS.written) if ending != SUFFIX)

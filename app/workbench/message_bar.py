@@ -31,7 +31,7 @@ class SentenceBar(OverlayFrame):
     Attributes
     ----------
     clear_top
-        Tells how many pixels at the top of its parent it leaves free.
+        Function that returns the height to keep free at the top of the parent, in pixels.
 
     Signals
     -------
@@ -113,8 +113,8 @@ def keep_pointer(button: QToolButton) -> None:
 class MessageBar(SentenceBar):
     """Message bar of the window, with up to two actions.
 
-    It takes no room from the canvas: a drawing that moved when a message appears would move under the hand.
-    What is pressed on it, but for its buttons, is pressed on the parent.
+    The bar lies over the canvas, so that the drawing does not move when a message appears.
+    A press on the bar, except on its buttons, is a press on the canvas.
     """
 
     def __init__(self, parent: QWidget) -> None:

@@ -28,7 +28,7 @@ class StatusLine(SafeOverrides, QStatusBar):
     """Status line with a sentence at the left and numbers at the right.
 
     The sentence is one of four, the first that there is: how far a gesture has come; the tip of the menu
-    entry or button under the pointer; what has been said; what a press would do.
+    entry or button under the pointer; the last message; the hint about a press.
 
     Attributes
     ----------
@@ -214,7 +214,7 @@ class Readouts:
     def show_lebesgue(self, constant: float | None, holds: str = "") -> None:
         """Show the Lebesgue constant of the points; NaN without a curve, None while it changes.
 
-        `holds` says where it holds, if it is another one for other points.
+        `holds` tells where the constant holds, if it depends on the points.
         """
         if (constant, holds) != (self._lebesgue, self._lebesgue_holds):
             self._lebesgue, self._lebesgue_holds = constant, holds

@@ -158,7 +158,7 @@ class CurveListModel(SafeOverrides, QAbstractListModel):
     has_folds
         Whether there are shapes or groups.
     marks
-        What is chosen.
+        The selected and edited curves.
     """
 
     name_typed = Signal(object, str)

@@ -33,7 +33,7 @@ class CurveList(SafeOverrides, QWidget):
     colour_picked, fill_picked
         Another colour, or another fill, was selected for these curves.
     colour_previewed, preview_cancelled
-        A colour for these curves is looked at; it was not chosen.
+        A colour for these curves is previewed; the preview is cancelled.
     row_targeted
         A menu about the row of a node is wanted.
     menu_requested

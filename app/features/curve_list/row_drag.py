@@ -21,13 +21,13 @@ class Drop(msgspec.Struct, frozen=True):
     Attributes
     ----------
     gap
-        The row that it is above, from the top; the number of rows for the end of the list.
+        The row below the drop; the number of rows for the end of the list.
     at
-        The place of the document that it is before.
+        The index in the document before which curves are inserted.
     container
-        The shape or group that it is in.
+        The shape or group of the drop.
     is_onto
-        Whether it is on the row, hence in front in the shape or group of that, and not above it.
+        Whether the drop is onto the row, to the front of its shape or group, and not above the row.
     """
 
     gap: int
@@ -39,7 +39,7 @@ class Drop(msgspec.Struct, frozen=True):
 def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
     """Return the position between two rows at the requested depth of shapes and groups, where possible.
 
-    Below the last row of an open shape or group a place may be in that, or in what is around it.
+    Below the last row of an open shape or group the drop may be inside or outside of it.
     """
     above = entries[gap - 1] if gap > 0 else None
     below = entries[gap].node if gap < len(entries) else None
@@ -77,14 +77,14 @@ class RowDrag:
     Parameters
     ----------
     open_row
-        Opens the shape or group of a row; the rows below it go down.
+        Function that opens the shape or group of a row.
 
     Attributes
     ----------
     row
         The row that was pressed; −1 for none.
     drop
-        Where it would fall; None as long as it is not dragged.
+        The drop at the current position; None without a drag.
     """
 
     def __init__(

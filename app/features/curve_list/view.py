@@ -26,22 +26,22 @@ _ALL = QKeySequence.StandardKey.SelectAll
 class CurveListView(ClaimsKeys, QListView):
     """List that reports clicks, drags and keys; the selection comes from the session, by the model.
 
-    Curves are named by their indices in the document, wherever they stand in the list.
+    Curves are identified by their indices in the document.
 
     Signals
     -------
     entry_clicked
         A row was clicked or walked to (a Node).
     rows_selected
-        These curves shall be worked on together (a set of indices).
+        These curves are to be selected together (a set of indices).
     all_wanted
-        All curves shall be.
+        All curves are to be selected.
     spot_clicked
         The swatch, the lock or the eye of a row was clicked (Node, Spot).
     moved
         A row was dragged to another place (Node, Drop).
     deletion_wanted
-        These curves shall be deleted (a set).
+        These curves are to be deleted (a set).
 
     Attributes
     ----------

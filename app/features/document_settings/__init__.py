@@ -1,6 +1,6 @@
 """Settings of a document as a whole: its unit and its grid, and those that a new one begins with.
 
-- ``commands``: the panel in the window, and what is drawn in the unit and on the grid of the document.
+- ``commands``: the panel in the window; unit and grid on the canvas.
 - ``panel``: the form.
 """
 

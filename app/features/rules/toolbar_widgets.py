@@ -164,7 +164,7 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
     Parameters
     ----------
     is_on
-        Tells by its name whether what an action switches is on.
+        Function that tells by name whether a switch is on.
     """
 
     yields_late = True

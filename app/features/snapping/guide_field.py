@@ -28,9 +28,9 @@ class _PlaceEdit(ClaimsKeys, QLineEdit):
     Signals
     -------
     entered
-        The text is to be taken.
+        The input is confirmed.
     given_up
-        It is not: Escape, or a click elsewhere.
+        The input is cancelled, by Escape or by a click elsewhere.
     """
 
     entered = Signal()
@@ -68,9 +68,9 @@ class GuideField(OverlayFrame):
     Signals
     -------
     entered
-        A guide shall be there.
+        A guide at this position is requested.
     closed
-        It is done, or given up.
+        The field is closed, after input or not.
     """
 
     entered = Signal(object)
@@ -107,7 +107,7 @@ class GuideField(OverlayFrame):
     ) -> None:
         """Ask for the position of a guide across an axis, at a corner of the canvas.
 
-        `position` is where it lies so far; None for a new one.
+        `position` is the current position; None for a new guide.
         """
         self._axis, self._unit, self._corner = axis, unit, corner
         self._now = 0.0 if position is None else position

@@ -118,7 +118,7 @@ class StyleCommands:
     def _curves(self) -> frozenset[int]:
         """Curves whose style is shown and set; none for the style of the next curve.
 
-        An empty curve is what is drawn next.
+        An empty curve counts as the next one.
         """
         session, selected = self._session, self._session.selected
         if selected.marked and not selected.is_implicit:
@@ -295,7 +295,7 @@ class StyleClipboardCommands:
     def _paste(self) -> None:
         """Apply the copied stroke and fill to the selected curves.
 
-        Of curves, or of an SVG, those of the first.
+        From copied curves or SVG, those of the first one are used.
         """
         data = clipboard_data()
         fragment = None if any(map(data.hasFormat, (STYLE, CURVES))) else drawing_in(data)

@@ -53,11 +53,11 @@ class PaintField(FollowsTheme, QWidget):
     Signals
     -------
     chosen
-        Another paint was chosen.
+        Another paint was picked.
     previewed
-        A colour is looked at in the popup.
+        A colour is previewed in the popup.
     cancelled
-        It is looked at no more, and was not chosen.
+        The preview is cancelled.
 
     Attributes
     ----------
@@ -195,9 +195,9 @@ class DashField(QWidget):
     Signals
     -------
     chosen
-        Others were chosen, or typed: a tuple of numbers.
+        A pattern was picked or typed: a tuple of numbers.
     dots_chosen
-        Others with dots were chosen by their name: dashes of length 0, which need ends that are round.
+        A preset with dots was picked: dashes of length 0, which need round ends.
 
     Attributes
     ----------

@@ -38,20 +38,20 @@ class StylePanel(FieldForm):
     Signals
     -------
     wanted
-        Fields of the styles shall have other values: a dictionary.
+        Fields of the styles are to be changed: a dictionary.
     stepped
-        The same by an arrow key or the wheel: what follows quickly is meant as one.
+        The same by an arrow key or the wheel; quick changes are one step.
     previewed
-        How that would be is to be seen, until something is wanted or given up.
+        Values are previewed, until a change or a cancellation.
     preview_cancelled
-        What was looked at is not wanted.
+        The preview is cancelled.
     shown
-        It comes into sight, and has to be told what to show.
+        The panel has become visible and needs its values.
 
     Attributes
     ----------
     opacities
-        The fields of shares, by the field of a style that they show.
+        The fields of percentages, by the field of the style.
     """
 
     wanted = Signal(object)

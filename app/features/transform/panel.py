@@ -36,7 +36,7 @@ class TransformValues(msgspec.Struct, frozen=True):
     Attributes
     ----------
     what
-        The words for it.
+        Label of the selection.
     bounds
         Its bounds; None of nothing.
     pivot
@@ -44,11 +44,11 @@ class TransformValues(msgspec.Struct, frozen=True):
     pivot_position
         The pivot position; None for another pivot.
     angle
-        Degrees by which it was turned since it was selected.
+        Rotation since it was selected, in degrees.
     unit
         That of the document.
     problem
-        Why it cannot be changed; empty where it can.
+        Reason why it cannot be changed; empty where it can.
     """
 
     what: str

@@ -21,7 +21,7 @@ class MoreToolsButton(ToolbarWidget):
     Parameters
     ----------
     is_on
-        Tells by its name whether what an action switches is on.
+        Function that tells by name whether a switch is on.
     """
 
     def __init__(self, is_on: Callable[[str], bool]) -> None:

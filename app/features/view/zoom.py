@@ -179,7 +179,7 @@ def read_zoom(text: str) -> float:
     Raises
     ------
     ExpressionError
-        With the sentence for the person, where it is none.
+        With a message for the user, for an invalid zoom.
     """
     value = read_number(text.replace("%", " "))
     if value <= 0:
@@ -202,7 +202,7 @@ class ZoomField(QWidget):
     zoom_entered
         Another zoom was typed, 1.0 for 100 %.
     refused
-        Why what was typed is no zoom.
+        Reason why the input is no zoom.
     """
 
     zoom_entered = Signal(float)
