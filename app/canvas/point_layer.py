@@ -14,14 +14,13 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ..appearance.colours import point_colours
-from ..document.words import with_decimals
+from ..document.words import short, with_decimals
 from ..plotting.drawing import is_near
 from ..plotting.layers import Layer
 from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Mark
 from ..plotting.text import OccupiedRoom, number_position, write_in_corner
-from ..view_model.analysis.wording import short
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
 from ..view_model.point_kinds import kinds_of

@@ -13,11 +13,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLabel, QPushButton
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
-from app.document.words import with_decimals
+from app.document.words import short, with_decimals
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.wiggle.commands import WiggleCommands
 from app.features.wiggle.panel import WigglePanel
-from app.view_model.analysis.wording import short
 from tests.gui.editor_facts import until_settled
 
 LEFT = Qt.MouseButton.LeftButton

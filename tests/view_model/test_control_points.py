@@ -9,6 +9,7 @@ import pytest
 
 from app.document.limits import EditError
 from app.document.model import make_curve
+from app.document.words import short
 from app.families import FAMILIES
 from app.view_model.analysis.joints import certificate_of
 from app.view_model.analysis.overlays.bezier import BEZIER
@@ -17,7 +18,6 @@ from app.view_model.analysis.picture import live_picture
 from app.view_model.analysis.settings import AnalysisSettings
 from app.view_model.analysis.warnings import Topic, warnings_of
 from app.view_model.analysis.wiggle import explain
-from app.view_model.analysis.wording import short
 from app.view_model.basis import weights_at
 from app.view_model.curve.curve_view import view_of
 from app.view_model.curve.handles import control_polygon

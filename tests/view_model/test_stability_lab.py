@@ -11,6 +11,7 @@ from flint import fmpq
 from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.document.words import short
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.lessons.lesson import load_lesson
 from app.storage.files import load
@@ -26,7 +27,6 @@ from app.view_model.analysis.laboratory import (
 from app.view_model.analysis.settings import Calculation, LaboratorySettings
 from app.view_model.analysis.warnings import Topic, warnings_of
 from app.view_model.analysis.wiggle import CURES, cures_of, explain, overshoot, widest
-from app.view_model.analysis.wording import short
 from app.view_model.curve.curve_view import view_of
 from curvecore import monomial_condition
 from tests.rows import each_row

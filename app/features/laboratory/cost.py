@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 from curvecore.arrays import FloatArray
 
 from ...appearance.theme import FollowsTheme, Theme
-from ...document.words import number
+from ...document.words import number, power, short
 from ...plotting.camera import FixedCamera
 from ...plotting.layers import Layer
 from ...plotting.pens import colour_of, draw_line
@@ -23,7 +23,6 @@ from ...plotting.plot_widget import PlotWidget
 from ...qt.labels import Label
 from ...view_model.analysis.laboratory import SolvingCost, cost_chart
 from ...view_model.analysis.settings import Calculation
-from ...view_model.analysis.wording import power, short
 from ...view_model.line_styles import LineStyle
 from ...widgets.boxes import column_of
 from ...widgets.controls import named

@@ -9,12 +9,11 @@ from PySide6.QtGui import QFontDatabase, QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
 from ...appearance.theme import FollowsTheme, Theme
-from ...document.words import number, with_minus
+from ...document.words import number, short, with_minus
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
 from ...view_model.analysis.laboratory import Digits, Trial
 from ...view_model.analysis.settings import Calculation, RoundedPart
-from ...view_model.analysis.wording import short
 from ...widgets.controls import check_box, named
 
 _HEADINGS = (

@@ -12,11 +12,10 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QSi
 from ...appearance.colours import point_colours
 from ...appearance.theme import theme_of
 from ...document.derivatives import DERIVATIVES
-from ...document.words import number
+from ...document.words import number, short
 from ...qt.labels import Label
 from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.wiggle import CURES, MOST_PULLS, Cure, Cures, Explanation, Pull
-from ...view_model.analysis.wording import short
 from ...widgets.boxes import column_of
 from ...widgets.controls import named
 

@@ -13,7 +13,6 @@
 - ``wiggle``: a swing of the curve explained, and ways to calm it.
 - ``warnings``: warnings about the numbers of a curve.
 - ``goals``: the goals of lessons, measured on the curve.
-- ``wording``: numbers in sentences.
 """
 
 import lazy_loader as lazy

@@ -32,12 +32,12 @@ from curvecore import (
 )
 from curvecore.arrays import FloatArray
 
+from ...document.words import short
 from ...tasks.progress import Report, silent
 from ..curve.core_curve import in_words
 from ..curve.curve_view import CurveView, ParametricCurve
 from ..geometry import all_along
 from .settings import Calculation, LaboratorySettings, RoundedPart
-from .wording import short
 
 SAMPLES = 240
 """Approximate number of parameters t on the whole curve."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
+from ...document.words import short
 from ..curve.curve_view import CurveView
 from ..line_styles import CURVE_STYLE, LineStyle
 from .ghost import Ghost
 from .ghost_views import GhostView, rules_text
 from .overlay import Figure, Overlay
 from .settings import AnalysisSettings
-from .wording import short
 
 _MOST_WITH_GROWTH = 60
 """Knots up to which a Lebesgue constant takes some 20 ms at most."""

@@ -7,10 +7,10 @@ import enum
 import msgspec
 import numpy as np
 
+from ...document.words import short
 from ..basis import growth_of_points
 from ..curve.curve_view import CurveView
 from ..curve.rounded_parameters import ParameterRounding
-from .wording import short
 
 LARGE_LEBESGUE = 100.0
 """The Lebesgue constant above which two digits of the accuracy of the points are lost."""

@@ -17,6 +17,7 @@ from curvecore.bezier.flatten import segment_distance
 from ...document import point_edits, rule_edits
 from ...document.derivatives import DERIVATIVES, VelocityRule
 from ...document.model import Curve, Document, ParametrizationKind
+from ...document.words import short
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, with_progress
 from ..basis import growth_at, growth_of_points, weights_at
@@ -24,7 +25,6 @@ from ..curve.core_curve import is_explicit, unbounded
 from ..curve.curve_view import CurveView, view_of
 from ..curve.distances import dense, keeps_shape, largest_distance
 from ..geometry import segment_at, within_segments
-from .wording import short
 
 MOST_PULLS = 6
 _COARSE, _FINE = 17, 65
