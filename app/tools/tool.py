@@ -26,7 +26,9 @@ A tool is a class and a record in a file of ``canvas``. This one puts points abo
 
     RAISE = ToolRecord(name="raise", make=RaiseTool, hint="Drag upwards.", action="raiseTool", title="Raise")
 
-Threshold, preview, the undo step, Escape and the status line follow from that.
+Threshold, preview, undo step, Escape and status line follow from that. A setting of the tool, such as
+``DETAIL`` in ``canvas/pencil``, stands in the record (``settings=(DETAIL,)``); the tool, or its gesture,
+reads it with ``event.value(DETAIL)``. Its field in the preferences, its actions and its key follow.
 """
 
 from __future__ import annotations

@@ -77,7 +77,7 @@ def test_the_grabbed_point_stays_under_the_pointer(arch):
             assert is_same == (keys == NO_KEYS and bool(family.derivatives)), (family, keys, kind)
 
 
-def test_it_is_one_step_that_undo_takes_back(arch):
+def test_an_insertion_is_one_step_that_undo_reverts(arch):
     document, steps = arch.session.document, arch.session.undo_stack.count()
     arch.bend(0.45, (1.5, 3.0))
     assert arch.session.undo_stack.count() == steps + 1
@@ -128,7 +128,7 @@ def test_the_status_line_says_before_the_press_whether_the_points_stay(arch):
         assert line.hint == "Drag to bend; only the points move", family
 
 
-def test_a_key_counts_before_and_during_a_bend_and_the_pointer_shows_it(arch):
+def test_a_key_counts_before_and_during_a_bend_and_changes_the_hint(arch):
     arch.choose_family(HERMITE)
     canvas, line, place = arch.window.canvas, arch.window.status_line, middle(arch)[1]
     arch.hover((place[0], place[1] + 1))
@@ -157,14 +157,14 @@ def test_a_key_counts_before_and_during_a_bend_and_the_pointer_shows_it(arch):
     arch.escape()
 
 
-def test_estimated_handles_beside_the_bend_are_set_by_it_and_no_others(arch):
+def test_a_bend_sets_the_estimated_handles_beside_it_and_no_others(arch):
     arch.choose_family(HERMITE)
     start = middle(arch)[1]
     arch.drag(start, (start[0], start[1] + 0.5))
     assert [point.velocity is not None for point in arch.curve.points] == [False, True, True, False]
 
 
-def test_without_handles_the_points_move_and_it_is_said(arch):
+def test_without_handles_the_points_move_and_the_status_line_says_so(arch):
     arch.choose_family(LAGRANGE)
     start = middle(arch)[1]
     arch.press(start)

@@ -102,7 +102,7 @@ def test_ctrl_makes_a_circle_and_shift_draws_about_the_centre(drawing):
     assert box_of(drawing.session.active_curve) == pytest.approx([2 * x - right, low, right, 2 * y - low])
 
 
-def test_snapped_it_lies_on_the_grid_to_the_last_digit(drawing):
+def test_a_snapped_box_lies_on_the_grid_to_the_last_digit(drawing):
     drawing.trigger("toggleSnap")
     drawing.window.canvas.camera.show_box((-0.3, 1.3), (-0.6, 1.0))
     off = 3 * drawing.pixel
@@ -134,7 +134,7 @@ def test_escape_and_a_click_draw_nothing(drawing):
     assert drawing.action("ellipseTool").isChecked()
 
 
-def test_an_empty_curve_becomes_it_and_a_flat_box_none(editor):
+def test_a_box_curve_takes_the_place_of_an_empty_curve_and_a_flat_box_draws_none(editor):
     editor.new()
     editor.trigger("rectangleTool")
     editor.press((1.0, 1.0))
@@ -150,12 +150,12 @@ def test_an_empty_curve_becomes_it_and_a_flat_box_none(editor):
 @pytest.mark.parametrize(
     ("word", "tool"), [("circle tool", "ellipseTool"), ("oval", "ellipseTool"), ("square", "rectangleTool")]
 )
-def test_other_words_find_them(editor, word, tool):
+def test_other_words_find_the_tools(editor, word, tool):
     editor.run_command(word)
     assert editor.action(tool).isChecked()
 
 
-def test_width_and_height_are_typed_while_it_is_dragged(drawing):
+def test_width_and_height_are_typed_during_the_drag(drawing):
     """A digit threw the drag away and made another family of the curve below."""
     drawing.trigger("rectangleTool")
     drawing.press(FROM)
@@ -183,7 +183,7 @@ def test_width_and_height_are_typed_while_it_is_dragged(drawing):
     assert drawing.session.document is before
 
 
-def test_width_and_height_may_be_expressions_but_no_halves_of_them(drawing):
+def test_width_and_height_may_be_expressions_but_not_incomplete_ones(drawing):
     """A slash was left out: 1/3 was 13."""
     drawing.trigger("rectangleTool")
     drawing.press(FROM)

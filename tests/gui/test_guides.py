@@ -128,7 +128,7 @@ def test_escape_a_click_and_the_way_back_draw_none(drawing):
     assert not canvas.is_dragging
 
 
-def test_the_ruler_says_what_a_press_does_and_shows_it(drawing):
+def test_hint_and_cursor_over_a_ruler_announce_a_guide(drawing):
     canvas = drawing.window.canvas
     drawing.send(canvas, QEvent.Type.MouseMove, above(drawing), held=False)
     drawing.settle()
@@ -151,7 +151,7 @@ def test_a_new_guide_snaps_to_points_and_says_so(drawing):
 # A guide in hand
 
 
-def test_a_guide_is_dragged_elsewhere_and_escape_brings_it_back(drawing):
+def test_a_guide_is_dragged_and_escape_restores_its_position(drawing):
     with_guides(drawing, ("x", -1.0), ("y", 4.0))
     steps = drawing.session.undo_stack.count()
     drawing.drag((-1.0, 1.0), (-2.0, 0.0))
@@ -168,7 +168,7 @@ def test_a_guide_is_dragged_elsewhere_and_escape_brings_it_back(drawing):
     assert drawing.session.undo_stack.count() == steps + 1
 
 
-def test_dragged_back_to_the_ruler_it_is_gone(drawing):
+def test_a_guide_dragged_back_to_the_ruler_is_removed(drawing):
     with_guides(drawing, ("x", -1.0), ("y", 4.0))
     canvas = drawing.window.canvas
     begin(drawing, canvas.to_pixel(-1.0, 1.0), beside(drawing))
@@ -232,7 +232,7 @@ def test_a_double_click_on_a_ruler_types_the_place_of_a_new_guide_with_a_unit_or
     assert guides(drawing) == [("x", 2.5), ("y", pytest.approx(25.4))]
 
 
-def test_what_cannot_be_a_place_is_said_in_the_field_and_escape_puts_it_away(drawing):
+def test_the_field_says_why_a_text_is_no_position_and_escape_closes_the_field(drawing):
     steps = drawing.session.undo_stack.count()
     double_click(drawing, beside(drawing))
     type_place(drawing, "far")
@@ -277,7 +277,7 @@ def test_the_key_that_enters_a_place_chooses_nothing(drawing):
     assert drawing.window.canvas.hasFocus()
 
 
-def test_a_double_click_on_a_ruler_types_a_new_one_along_it(drawing):
+def test_a_double_click_on_a_ruler_types_a_new_guide(drawing):
     double_click(drawing, above(drawing))
     type_place(drawing, "1")
     double_click(drawing, beside(drawing))

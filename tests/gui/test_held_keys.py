@@ -101,7 +101,7 @@ DRAGS = [
 ]
 
 
-def test_a_key_pressed_or_let_go_counts_at_once_and_the_release_keeps_what_is_shown(arch):
+def test_a_key_pressed_or_released_counts_at_once_and_the_release_commits_the_preview(arch):
     document = arch.session.document
     for what, key in DRAGS:
         to = begin(arch, what)
@@ -137,7 +137,7 @@ def test_a_key_let_go_just_before_the_button_is_shown_and_kept(arch):
         arch.select([])
 
 
-def test_escape_takes_it_back_with_the_key_held(arch):
+def test_escape_cancels_a_drag_while_a_key_is_held(arch):
     document = arch.session.document
     for what, key in dict(DRAGS).items():
         begin(arch, what)
@@ -160,7 +160,7 @@ def test_escape_takes_it_back_with_the_key_held(arch):
 TRANSFORMS = [(Key.Key_G, Key.Key_Shift), (Key.Key_G, Key.Key_Control), (Key.Key_R, Key.Key_Shift)]
 
 
-def test_a_transform_by_keys_hears_them_too(arch):
+def test_a_transform_by_keys_hears_modifier_keys(arch):
     document = arch.session.document
     for (key, held), end in product(TRANSFORMS, (Key.Key_Return, Key.Key_Escape)):
         arch.select([1, 2])
@@ -184,7 +184,7 @@ def test_a_transform_by_keys_hears_them_too(arch):
         arch.session.commit(document, "Again")
 
 
-def test_a_transform_begun_with_the_pointer_elsewhere_hears_them(arch):
+def test_a_transform_begun_with_the_pointer_elsewhere_hears_modifier_keys(arch):
     arch.select([1, 2])
     arch.trigger("moveSelection")
     assert arch.window.canvas.marks.snap is not None

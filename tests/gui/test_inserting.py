@@ -128,7 +128,7 @@ def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor):
         assert editor.session.document == document, (act, kind)
 
 
-def test_where_the_rule_gives_the_same_shape_it_stays_in_force(editor):
+def test_the_rule_stays_in_force_where_it_gives_the_same_shape(editor):
     flat = make_curve([(0, 0), (2, 0), (6, 0)], family=LAGRANGE)
     begin(editor, flat, kind=ParametrizationKind.CHORD_LENGTH)
     editor.select([1, 2])

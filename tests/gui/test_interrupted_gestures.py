@@ -157,7 +157,7 @@ def test_a_list_that_a_key_opens_takes_the_release_but_leaves_no_gesture(arch):
 OTHER_TOOLS = [("pen", Key.Key_V), ("pen", Key.Key_M), ("pen", Key.Key_P), ("band", Key.Key_P)]
 
 
-def test_another_tool_in_mid_drag_leaves_nothing_of_it(arch):
+def test_another_tool_in_mid_drag_cancels_the_drag(arch):
     for what, key in OTHER_TOOLS:
         document = arch.session.document
         begin(arch, what)

@@ -48,7 +48,7 @@ def lengths(editor, index, kind=1):
 # Handles
 
 
-def test_no_handle_gets_longer_than_it_was_drawn(pen):
+def test_no_handle_gets_longer_than_drawn(pen):
     """340 px on, a handle of 45 px used to become one of 510.
 
     The first family under every rule, the others under half of them each.
@@ -75,7 +75,7 @@ def test_no_handle_gets_longer_than_it_was_drawn(pen):
             assert max(lengths(pen, 2).values()) == pytest.approx(drawn, rel=1e-9), (family, kind)
 
 
-def test_the_handle_behind_stays_where_it_was_drawn_before_a_short_segment(pen):
+def test_the_handle_behind_keeps_its_position_before_a_short_segment(pen):
     pen.click(at(pen, 0, 0))
     pen.drag(at(pen, 200, 0), at(pen, 245, 20))
     (before,) = handles_of(pen.session.active_view, 1)
@@ -131,7 +131,7 @@ def test_closing_with_the_pen_keeps_the_handles_short_as_well(pen):
     assert lengths(pen, 3)[False] == last
 
 
-def test_escape_takes_back_the_point_and_what_it_did_to_the_one_before(pen):
+def test_escape_removes_the_point_and_its_effect_on_the_one_before(pen):
     pen.click(at(pen, 0, 0))
     pen.drag(at(pen, 30, 0), at(pen, 60, 20))
     document, steps = pen.session.document, pen.session.undo_stack.count()
@@ -260,7 +260,7 @@ def test_a_new_curve_can_be_begun_beside_a_locked_one(ring):
     assert len(ring.session.document.curves) == 2
 
 
-def test_the_sheet_tells_what_the_pen_does(ring):
+def test_the_sheet_lists_the_gestures_of_the_pen(ring):
     from PySide6.QtWidgets import QLabel
 
     ring.key(Qt.Key.Key_F1)
@@ -308,7 +308,7 @@ def test_a_point_being_added_says_where_and_how(pen):
     assert not pen.curve.points
 
 
-def test_a_point_being_inserted_and_a_velocity_pulled_out_say_what_they_do(pen):
+def test_the_status_line_names_an_insertion_and_a_velocity_pulled_out(pen):
     for x, y in ((1.0, 1.0), (3.0, 1.0), (3.0, 3.0)):
         pen.add_point(x, y)
     pen.trigger("addTool")

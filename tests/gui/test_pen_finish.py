@@ -289,7 +289,7 @@ def test_measuring_goes_in_steps_with_shift(pen):
         pen.release(at(pen, *to))
 
 
-def test_enter_with_one_point_says_what_is_missing(editor):
+def test_enter_with_one_point_says_that_a_second_point_is_missing(editor):
     editor.new()
     editor.trigger("addTool")
     editor.click((1.0, 1.0))
@@ -342,7 +342,7 @@ def test_the_second_press_of_a_double_click_drags_the_point_as_any_press_does(pe
     assert sizes(pen) == [5]
 
 
-def test_a_click_on_the_first_point_closes_a_curve_without_handles_too_and_it_is_said(pen):
+def test_a_click_on_the_first_point_closes_a_curve_without_handles_and_the_status_line_says_so(pen):
     pen.choose_family("cubic_spline")
     pen.click(at(pen, 300, 150))
     pen.hover(pen.point(0))
@@ -403,7 +403,7 @@ def test_two_points_are_closed_by_key_opened_and_closed_again(two_drawn):
     assert not pen.curve.is_closed
 
 
-def test_two_points_alone_are_not_closed_and_it_is_said_why(two_drawn):
+def test_two_points_alone_are_not_closed_and_the_status_line_says_why(two_drawn):
     pen = two_drawn
     pen.choose_family("cubic_spline")
     pen.hover(pen.point(0))

@@ -57,7 +57,7 @@ def test_a_curve_goes_on_from_a_line_with_a_corner(pen):
     assert math.degrees(math.atan2(vy, vx)) > 30, "to where the next point is"
 
 
-def test_a_handle_drawn_along_the_line_makes_it_smooth(pen):
+def test_a_handle_drawn_along_the_line_makes_the_point_smooth(pen):
     pen.click(at(pen, 20, 20), keys=ALT)
     pen.drag(at(pen, 160, 20), at(pen, 200, 22), keys=ALT)
     pen.click(at(pen, 240, 120))
@@ -99,7 +99,7 @@ def test_the_preview_shows_the_line(pen):
     assert not is_straight(marks().preview_curve.source, 1)
 
 
-def test_without_velocities_it_is_a_point(pen):
+def test_without_velocities_a_press_of_the_pen_adds_a_plain_point(pen):
     pen.choose_family(LAGRANGE)
     for place in PLACES[:3]:
         pen.click(at(pen, *place), keys=ALT)
@@ -107,7 +107,7 @@ def test_without_velocities_it_is_a_point(pen):
     assert pen.session.active_view.is_current
 
 
-def test_a_finger_on_the_first_point_is_told_of_it(pen):
+def test_the_hint_over_the_first_point_says_that_a_click_closes(pen):
     for place in PLACES:
         pen.click(at(pen, *place))
     pen.hover(pen.point(0))
@@ -117,7 +117,7 @@ def test_a_finger_on_the_first_point_is_told_of_it(pen):
     )
 
 
-def test_the_first_point_promises_to_close_only_what_can_be_closed(pen):
+def test_the_first_point_promises_to_close_only_curves_that_can_be_closed(pen):
     """Of a Lagrange curve, too, and the click was refused."""
     *before, last = (at(pen, *place) for place in PLACES)
     document = point_edits.set_points(pen.session.document, 0, [Point(*place) for place in before])

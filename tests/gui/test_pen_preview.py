@@ -47,7 +47,7 @@ def ghost_pixels(editor):
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
-def test_what_is_shown_is_what_a_click_makes(editor, kind):
+def test_the_preview_is_the_curve_that_a_click_makes(editor, kind):
     for family in FAMILIES:
         pen = drawn(editor, family)
         ruled = rule_edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.4, 1.0])
@@ -64,7 +64,7 @@ def test_what_is_shown_is_what_a_click_makes(editor, kind):
         assert pen.curve == shown, family
 
 
-def test_it_is_painted_with_the_pen_alone(hermite):
+def test_the_preview_is_painted_with_the_pen_alone(hermite):
     hermite.hover(at(hermite, 300, 170))
     shown = ghost_pixels(hermite)
     assert shown > 20
@@ -80,7 +80,7 @@ def test_it_is_painted_with_the_pen_alone(hermite):
     assert ghost_pixels(hermite) < shown / 4
 
 
-def test_it_goes_when_the_pointer_leaves(hermite):
+def test_the_preview_is_removed_when_the_pointer_leaves(hermite):
     hermite.hover(at(hermite, 300, 170))
     assert ahead(hermite) is not None
     QApplication.sendEvent(hermite.window.canvas, QEvent(QEvent.Type.Leave))
@@ -88,7 +88,7 @@ def test_it_goes_when_the_pointer_leaves(hermite):
     assert ahead(hermite) is None
 
 
-def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
+def test_the_preview_is_removed_by_a_press_and_not_restored_by_escape(hermite):
     document = hermite.session.document
     hermite.hover(at(hermite, 300, 170))
     hermite.press(at(hermite, 300, 170))
@@ -102,7 +102,7 @@ def test_it_goes_with_a_press_and_escape_brings_nothing_back(hermite):
     assert len(ahead(hermite).points) == 4
 
 
-def test_it_snaps(hermite):
+def test_the_preview_snaps(hermite):
     spacing = hermite.window.canvas.tools.canvas.grid_spacing()
     near = (12 * spacing + 3 * hermite.pixel, 9 * spacing + 2 * hermite.pixel)
     hermite.trigger("toggleSnap")
@@ -150,7 +150,7 @@ def test_none_over_points_on_locked_curves_and_on_empty_ones(hermite):
     assert ahead(hermite) is None
 
 
-def test_it_follows_a_step_back_and_another_family(hermite):
+def test_the_preview_follows_undo_and_another_family(hermite):
     hermite.hover(at(hermite, 300, 170))
     hermite.trigger("undo")
     assert len(ahead(hermite).points) == 3
@@ -166,7 +166,7 @@ COUNTS = [
 ]
 
 
-def test_none_where_it_would_take_long(editor):
+def test_no_preview_where_the_curve_takes_long(editor):
     for family, count, is_shown in COUNTS:
         angles = np.linspace(0, 6, count)
         points = [(float(x), float(y)) for x, y in zip(np.cos(angles), np.sin(angles), strict=True)]

@@ -62,7 +62,7 @@ def test_the_pen_takes_back_its_points_one_by_one_and_then_nothing(paper, key):
     assert paper.status.startswith("There is nothing to remove")
 
 
-def test_of_a_curve_that_was_there_only_what_the_pen_has_added_goes(paper):
+def test_backspace_removes_only_points_that_the_pen_has_added(paper):
     paper.session.selected.activate(1)
     paper.click(PLACES[0], keys=Qt.KeyboardModifier.ShiftModifier)
     paper.click(PLACES[2])

@@ -200,7 +200,7 @@ def draw_without_waiting(editor, places):
     return line
 
 
-def test_the_line_stays_until_the_curve_is_there_and_how_far_it_is_is_told(slow):
+def test_the_line_stays_until_the_curve_is_there_and_the_progress_is_displayed(slow):
     line = draw_without_waiting(slow, PLACES["arc"])
     canvas = slow.window.canvas
     assert not slow.session.active_curve.points

@@ -70,7 +70,7 @@ def test_a_drag_of_a_tick_that_is_not_selected_moves_only_that_tick(editor):
 
 
 @pytest.mark.parametrize("to", [-0.4, 1.4])
-def test_ticks_keep_their_order_however_far_they_are_dragged(editor, to):
+def test_ticks_keep_their_order_in_a_drag_of_any_length(editor, to):
     for chosen in ([2, 3], [1, 4, 5], [0, 6], [0, 7], list(range(8))):
         editor.select(chosen)
         before = editor.session.document

@@ -61,7 +61,7 @@ def test_a_group_is_shown_together_with_its_choice(editor, shown):
     assert [len(each) for each in shown] == [1, 1]
 
 
-def test_what_is_shown_is_what_is_there_then(editor, shown):
+def test_the_parts_of_the_window_show_the_state_after_the_batch(editor, shown):
     delete_points(editor.session)
     names = editor.window.actions_by_name
     assert names["undo"].isEnabled()
@@ -78,7 +78,7 @@ def test_an_action_is_shown_once(editor, shown):
     assert (len(actions), len(panels)) == (1, 1)
 
 
-def test_a_switch_that_changes_nothing_shows_what_is_on(editor, shown):
+def test_a_switch_without_effect_shows_the_option_that_is_on(editor, shown):
     switch = editor.window.actions_by_name["tangentEstimated"]
     assert switch.isChecked()
     document = editor.session.document
@@ -114,7 +114,7 @@ class Written(QObject):
         return False
 
 
-def test_only_what_is_new_is_written(editor):
+def test_only_changed_texts_are_written(editor):
     """Every movement gave the fields, labels and bars the tooltips that they had."""
     flat = make_curve([(0, 0), (1, 0), (2, 1)], family=HERMITE)
     editor.session.commit(Document((flat,)), "Begin", active=0)

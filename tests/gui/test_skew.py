@@ -198,7 +198,7 @@ def test_the_panel_skews_by_its_angle_about_the_pivot(arch, button, axis):
     assert undo_text(arch) == f"Skew Arch by −20° along {'xy'[axis]}"
 
 
-def test_points_of_a_curve_are_skewed_by_the_grips_too(arch):
+def test_points_of_a_curve_are_skewed_by_the_grips(arch):
     arch.session.selected.activate(0)
     arch.trigger("familyLagrange")  # no handle lies where a grip is
     arch.select([1, 2, 3])

@@ -71,7 +71,7 @@ def snap_of(position, *, kinds=frozenset(SnapKind), grid=1.0, axis=None, moving=
     return place, snapper.caught.label if snapper.caught is not None else None
 
 
-def test_what_is_nearest_is_caught_within_eight_pixels():
+def test_the_nearest_target_is_caught_within_eight_pixels():
     assert snap_of((3.95, 0.03)) == ((4.0, 0.0), "point 3")
     assert snap_of((4.09, 0.5), kinds={SnapKind.POINTS}) == ((4.09, 0.5), None)
     assert snap_of((2.05, -1.05)) == ((2.0, -1.0), "point 1 of Base")
@@ -125,7 +125,7 @@ def test_a_dragged_point_lands_exactly_on_the_grid(pair):
     assert pair.window.canvas.marks.snap is None
 
 
-def test_escape_puts_the_mark_away_too(pair):
+def test_escape_removes_the_mark_of_a_snap(pair):
     document = pair.session.document
     pair.press(pair.point(1))
     pair.move(near(pair, (1.5, 3.5)))
@@ -136,7 +136,7 @@ def test_escape_puts_the_mark_away_too(pair):
 
 
 @pytest.mark.parametrize("keys", [CTRL, SHIFT])
-def test_ctrl_keeps_a_point_to_an_axis_as_shift_does_and_it_snaps_along_that(pair, keys):
+def test_ctrl_and_shift_keep_a_point_to_an_axis_and_snap_along_the_axis(pair, keys):
     """Ctrl turned snapping round."""
     pair.hover(pair.point(1))
     assert "Ctrl or Shift: one axis" in pair.window.status_line.hint
@@ -174,7 +174,7 @@ def test_a_selection_moves_with_its_grip_on_the_grid(pair):
     assert pair.point(2) == pytest.approx((3.54, 3.57))
 
 
-def test_a_new_point_snaps_and_shows_it_before_the_press(pair):
+def test_a_new_point_snaps_and_the_snap_is_shown_before_the_press(pair):
     pair.trigger("addTool")
     pair.hover(near(pair, (5.5, 1.5)))
     assert pair.window.canvas.marks.snap.position == (5.5, 1.5)
@@ -253,7 +253,7 @@ def test_a_box_in_proportion_snaps_with_its_longer_side(pair):
     assert pair.point(2)[1] / 4.5 == pytest.approx(2.11 / 3.07)
 
 
-def test_a_scaled_box_is_free_without_snapping_and_escape_takes_it_back(pair):
+def test_a_scaled_box_is_free_without_snapping_and_escape_restores_the_points(pair):
     pair.select([0, 1, 2])
     document = pair.session.document
     at = drag_grip(pair, 1, 1, (3.07, 2.11), (4.5, 3.5))

@@ -108,7 +108,7 @@ def ink(editor):
     return min(abs(each.red() - accent.red()) + abs(each.blue() - accent.blue()) for each in near)
 
 
-def test_it_is_found_where_all_tools_are(raising):
+def test_a_tool_is_found_in_menu_palette_and_by_its_key(raising):
     assert raising.action("raiseTool").isChecked()
     assert raising.window.findChild(QLabel, "hint").text() == RAISE.hint
     assert raising.find_command("raise po")[0] == "Raise Points"
@@ -117,7 +117,7 @@ def test_it_is_found_where_all_tools_are(raising):
     assert raising.action("raiseTool") in tools.actions()
 
 
-def test_the_sheet_of_keys_and_mouse_begins_with_what_it_does(raising):
+def test_the_sheet_of_keys_and_mouse_begins_with_the_tool_in_use(raising):
     raising.trigger("showShortcuts")
     sheet = raising.window.findChild(QWidget, "shortcutSheet")
     words = [label.text() for label in sheet.findChildren(QLabel)]
@@ -126,13 +126,13 @@ def test_the_sheet_of_keys_and_mouse_begins_with_what_it_does(raising):
     assert any("select both ends" in each for each in words[words.index("<b>Otherwise</b>") :])
 
 
-def test_its_hint_and_its_cursor_are_shown(raising):
+def test_hint_and_cursor_of_a_tool_are_shown(raising):
     raising.hover(HEAD)
     assert raising.window.findChild(QLabel, "hint").text() == HINT
     assert raising.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeVerCursor
 
 
-def test_a_drag_is_one_step_and_what_it_shows_is_drawn(raising):
+def test_a_drag_is_one_step_and_its_marks_are_drawn(raising):
     session, canvas = raising.session, raising.window.canvas
     before, steps = session.document, session.undo_stack.count()
     raising.press(FOOT)
@@ -167,7 +167,7 @@ def test_a_drag_can_be_taken_back(raising, way_out):
     assert canvas.marks == Marks()
 
 
-def test_transforms_and_arrows_work_beside_it_and_escape_goes_back_to_select(raising):
+def test_transforms_and_arrows_work_with_any_tool_and_escape_goes_back_to_select(raising):
     canvas, session = raising.window.canvas, raising.session
     raising.select([1])
     x, y = raising.point(1)
@@ -233,7 +233,7 @@ def test_a_tool_that_only_clicks_does_nothing_when_dragged(raising):
     raising.trigger("selectTool")
 
 
-def test_every_tool_has_what_its_action_shows(editor):
+def test_every_tool_has_the_words_of_its_action(editor):
     for record in TOOLS:
         action = editor.action(record.action)
         editor.trigger(record.action)

@@ -46,7 +46,7 @@ OF_ALL = [
 ]
 
 
-def test_with_nothing_selected_they_act_on_all_points(arch):
+def test_transforms_act_on_all_points_with_nothing_selected(arch):
     for key, typed, expected, status, name in OF_ALL:
         other = arch.session.document.curves[1]
         centre = sampled_bounds(arch).mean(axis=0)
@@ -97,7 +97,7 @@ def test_undo_can_be_used_where_there_is_no_step_before(editor):
     assert not undo.isEnabled()
 
 
-def test_the_pointer_moves_all_points_and_a_click_ends_it(arch):
+def test_the_pointer_moves_all_points_and_a_click_ends_the_transform(arch):
     arch.key(Key.Key_G)
     arch.move((0, 2), held=False)
     arch.click((0, 2))
@@ -114,7 +114,7 @@ def test_selected_points_come_first(arch):
     assert points(arch)[:, 0].tolist() == [0, 2, 4, 4, 5]
 
 
-def test_of_a_single_point_it_says_which(arch):
+def test_the_status_line_names_a_single_point(arch):
     arch.session.commit(Document((make_curve([(1, 1)]),)), "One")
     arch.key(Key.Key_G)
     arch.type_amount("1")
@@ -183,7 +183,7 @@ def test_tab_goes_from_x_to_y(arch, key):
 
 
 @pytest.mark.parametrize(("typed", "shown"), [("1/", "Move 0, 0 (1/…)"), ("1\t-", "Move x 1, y −|")])
-def test_what_is_no_number_yet_is_refused_and_can_be_mended(arch, typed, shown):
+def test_an_incomplete_number_is_refused_and_can_be_corrected(arch, typed, shown):
     arch.select([1])
     arch.key(Key.Key_G)
     arch.type_amount(typed)
@@ -197,7 +197,7 @@ def test_what_is_no_number_yet_is_refused_and_can_be_mended(arch, typed, shown):
     assert arch.point(1) == {"1/": (1.25, 2), "1\t-": (2, -2)}[typed]
 
 
-def test_a_click_takes_a_transform_back_by_what_is_no_number_yet(arch):
+def test_a_click_cancels_a_transform_by_an_incomplete_number(arch):
     document, steps = arch.session.document, arch.session.undo_stack.count()
     arch.key(Key.Key_G)
     arch.type_amount("1/")
@@ -294,7 +294,7 @@ def test_both_numbers_can_be_mended_and_given_up(arch):
     assert points(arch).tolist() == [list(each) for each in POINTS]
 
 
-def test_a_semicolon_above_the_comma_counts_too(arch):
+def test_a_semicolon_counts_as_tab(arch):
     arch.select([1])
     arch.key(Key.Key_G)
     arch.type_amount("1")
@@ -323,7 +323,7 @@ def test_tab_walks_the_points_again_afterwards(arch):
     assert arch.session.selection == {2}
 
 
-def test_it_is_told_where_the_other_keys_are(arch):
+def test_the_keys_are_in_the_hint_and_on_the_sheet(arch):
     arch.key(Key.Key_G)
     assert "type a number, or x Tab y" in arch.status
     arch.escape()
@@ -334,7 +334,7 @@ def test_it_is_told_where_the_other_keys_are(arch):
     assert any("Tab (or ;) goes from x to y" in label.text() for label in sheet.findChildren(QLabel))
 
 
-def test_while_the_picture_is_moved_it_says_so(arch, tmp_path):
+def test_the_status_line_says_that_the_image_is_being_moved(arch, tmp_path):
     image = arch.window.grab()
     assert image.save(str(tmp_path / "shot.png"))
     arch.window.commands[ImageCommands].trace(tmp_path / "shot.png")

@@ -3,7 +3,7 @@
 from app.session.session import Batch
 
 
-def test_it_is_shown_once_when_all_is_told():
+def test_a_batch_calls_a_function_once_at_its_end():
     batch, shown = Batch(), []
 
     def show():
@@ -19,7 +19,7 @@ def test_it_is_shown_once_when_all_is_told():
     assert shown == [False, False]
 
 
-def test_what_is_shown_may_tell_of_more():
+def test_a_function_of_a_batch_may_begin_another_batch():
     batch, shown = Batch(), []
 
     def show_points():
@@ -35,7 +35,7 @@ def test_what_is_shown_may_tell_of_more():
     assert shown == ["document", "points"]
 
 
-def test_after_a_failure_it_is_shown_too():
+def test_a_batch_calls_its_functions_after_a_failure():
     batch, shown = Batch(), []
     try:
         with batch:

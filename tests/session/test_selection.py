@@ -85,7 +85,7 @@ def test_selected_curves_are_followed_to_their_new_places():
     assert told == [{0, 1}, {0}]
 
 
-def test_selected_points_are_followed_to_where_they_are():
+def test_selected_points_are_followed_to_their_new_indices():
     def selected_after(points):
         session = session_with(A)
         session.selected.set_points([1])
