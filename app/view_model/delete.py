@@ -123,10 +123,10 @@ def without_points(view: CurveView, indices: Collection[int]) -> Deletion:
     if not any(segment.is_new and _is_set(view, segment) for segment in segments):
         return Deletion(plain)
     try:
-        kept = _with_jets(view, after, segments, _fitted_jets)
+        fitted = _with_jets(view, after, segments, _fitted_jets)
     except (CurveError, np.linalg.LinAlgError):
         return Deletion(plain)
-    return Deletion(kept, _largest_change(view, view_of(kept), segments))
+    return Deletion(fitted, _largest_change(view, view_of(fitted), segments))
 
 
 def without_points_keeping_handles(view: CurveView, indices: Collection[int]) -> Curve:

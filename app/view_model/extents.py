@@ -25,8 +25,8 @@ def extent_of(control_points: FloatArray) -> FloatArray:
 def turns_within(control_points: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the extreme values of x, and of y, within pieces."""
     pieces = control_points.transpose(0, 2, 1).reshape(-1, 4)
-    places = _turning_points(pieces)
-    values = np.where(places > 0.0, _cubic_values(pieces, places), np.nan).reshape(-1, 2, 2)
+    parameters = _turning_points(pieces)
+    values = np.where(parameters > 0.0, _cubic_values(pieces, parameters), np.nan).reshape(-1, 2, 2)
     xs, ys = values[:, 0].ravel(), values[:, 1].ravel()
     return xs[~np.isnan(xs)], ys[~np.isnan(ys)]
 

@@ -17,7 +17,7 @@ def timed_families() -> tuple[Family, ...]:
 
 
 class Repeat(enum.StrEnum):
-    """What the dot does at the end of the curve."""
+    """The continuation of a motion at the end of the curve."""
 
     ONCE = "once"
     LOOP = "loop"

@@ -114,7 +114,7 @@ def test_a_click_with_the_tool_explains_another_t_and_escape_leaves_the_tool(run
     assert runge.session.scrub.t == pytest.approx(t, abs=0.01)
     assert "Between points 4 and 5" in panel(runge).words.text()
     runge.click(runge.window.canvas.to_plane(QPoint(60, 60)))
-    assert "on the curve itself" in runge.status
+    assert runge.status == "Click the curve where it swings out."
     runge.escape()
     assert runge.action("selectTool").isChecked()
     assert runge.session.document is document

@@ -1,4 +1,4 @@
-"""The plots over t: their panel, the actions that switch them, and what keeps them in step with the curve."""
+"""The plots over t: their panel, the actions that switch them, and the updates that follow the curve."""
 
 from __future__ import annotations
 
@@ -235,7 +235,7 @@ class PlotCommands:
             self._show_values(pane)
 
     def _nudge_scrub(self, by: float) -> None:
-        """Move the scrub line along t; without one, show it in the middle of what is visible."""
+        """Move the scrub line along t; without one, show it in the middle of the visible part."""
         session = self._session
         if session.active_view.curve is None:
             return

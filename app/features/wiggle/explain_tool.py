@@ -7,7 +7,7 @@ from ...tools.tool import GestureRow, Tool, ToolEvent, ToolRecord
 
 
 class ExplainTool(Tool):
-    """Tool that puts the scrub line where the curve was clicked: what explains the curve stands there."""
+    """Tool that moves the scrub line to the clicked point of the curve, which is explained there."""
 
     def press(self, event: ToolEvent) -> None:
         """Move the scrub line here."""
@@ -15,18 +15,18 @@ class ExplainTool(Tool):
         if hit is not None and hit.part is Part.CURVE:
             event.session.scrub.set(hit.t)
         else:
-            event.session.refuse("Click on the curve itself, where it swings out.")
+            event.session.refuse("Click the curve where it swings out.")
 
     def hover(self, event: ToolEvent) -> Hint:
-        """Return what a press here would do."""
-        text = "Click on the curve where it swings out · V goes back to Select"
+        """Return the hint for a click on the curve."""
+        text = "Click the curve where it swings out · V goes back to Select"
         return Hint(text, grab=event.hit is not None)
 
 
 EXPLAIN = ToolRecord(
     name="explain",
     make=ExplainTool,
-    hint="Click on the curve where it swings out; V goes back to Select.",
+    hint="Click the curve where it swings out; V goes back to Select.",
     doing="explaining",
     gestures=(GestureRow("Click the curve", "explain why it swings out there"),),
 )

@@ -206,7 +206,7 @@ class WigglePanel(QScrollArea):
             self._effects[key] = effects
 
     def render_explanation(self, explanation: Explanation | None, count: int, problem: str = "") -> None:
-        """Show an explanation; without one, a hint what to do."""
+        """Show an explanation; without one, an instruction."""
         known = explanation is not None
         self.title.setVisible(known)
         self.bars.setVisible(known)

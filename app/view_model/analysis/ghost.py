@@ -72,7 +72,7 @@ class Ghost(msgspec.Struct, frozen=True):
 
     @property
     def is_of_family(self) -> bool:
-        """Whether it is another family's; else it is another rule's."""
+        """Whether the ghost has another family; else it has another rule."""
         return self.kind is None
 
     @property

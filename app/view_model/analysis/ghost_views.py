@@ -55,7 +55,7 @@ class GhostView:
 
     @property
     def is_drawn(self) -> bool:
-        """Whether there is something to draw beside the curve."""
+        """Whether the ghost is drawn beside the curve."""
         return self.view.is_current and not self.is_real and not self.waits
 
     def line(self, tolerance: float, box: Box) -> FloatArray:
@@ -81,7 +81,7 @@ def with_ghost_real(document: Document, curve: int, ghost: Ghost) -> Document:
 def ghost_views(
     view: CurveView, ghosts: Collection[Ghost], previous: Mapping[Ghost, GhostView], *, in_drag: bool = False
 ) -> dict[Ghost, GhostView]:
-    """Return the variants of a curve; those of the frame before lend what did not change."""
+    """Return the variants of a curve; those of the frame before lend unchanged results."""
     views = dict[Ghost, GhostView]()
     for ghost in all_ghosts():
         if ghost in ghosts:
@@ -104,14 +104,16 @@ def ghost_views(
     return views
 
 
-def _twin(ghost: Ghost, made: CurveView, view: CurveView, others: Mapping[Ghost, GhostView]) -> Ghost | None:
+def _twin(
+    ghost: Ghost, view_of_ghost: CurveView, view: CurveView, others: Mapping[Ghost, GhostView]
+) -> Ghost | None:
     """Return the ghost of the same curve as a variant: of the curve itself, or one of the ghosts before."""
     source = view.source
     active = Ghost(family=source.family) if ghost.is_of_family else Ghost(kind=source.parametrization.kind)
     drawn = (other_ghost for other_ghost in others.values() if other_ghost.is_drawn)
     alike = [other_ghost for other_ghost in drawn if other_ghost.ghost.is_of_family is ghost.is_of_family]
     candidates = [(active, view), *((other_ghost.ghost, other_ghost.view) for other_ghost in alike)]
-    return next((other_ghost for other_ghost, other in candidates if coincide(made, other)), None)
+    return next((other_ghost for other_ghost, other in candidates if coincide(view_of_ghost, other)), None)
 
 
 def _variant(curve: Curve, ghost: Ghost) -> Curve:

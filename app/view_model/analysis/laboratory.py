@@ -177,7 +177,7 @@ def _trial(view: CurveView, settings: LaboratorySettings, report: Report) -> Tri
     for calculation in methods:
         # From rounded data, with exact arithmetic, all methods give the same.
         if settings.rounding is not RoundedPart.DATA or not outcomes:
-            computed = [each.values(where, calculation, report) for each, where in experiments]
+            computed = [trial.values(where, calculation, report) for trial, where in experiments]
         outcomes.append(_outcome(calculation, computed, truth, t, settings.digits))
     solves = settings.rounding is RoundedPart.EVERY_STEP and count <= _MOST_CONDITION
     condition = max(experiment.condition() for experiment, _ in experiments) if solves else None
@@ -501,7 +501,7 @@ def _sum_basis(t: FloatArray, points: FloatArray, at: float) -> FloatArray:
 
 
 def _median(work: Callable[[], object], report: Report) -> float:
-    """Return how long some work takes, in seconds."""
+    """Return the median time of some work, in seconds."""
     start = time.perf_counter()
     work()
     once = max(time.perf_counter() - start, 1e-7)

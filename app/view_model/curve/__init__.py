@@ -1,4 +1,4 @@
-"""The view of a document's curve: core curve, polyline, derivatives, and what changes while it moves.
+"""The view of a document's curve: core curve, polyline, derivatives, and their changes while it moves.
 
 - ``curve_view``: the view of one curve; begin here.
 - ``core_curve``: the core's curve through the points, its derivatives and cardinal functions, refusals.

@@ -240,19 +240,19 @@ def _lone_handle(view: CurveView) -> Handles:
     if velocity is None:
         return NO_HANDLES
     h = np.array([_signed_spacing(view, 0, ahead=True)])
-    places = _control_points(np.array([[point.position, velocity]]), h, _degree(view))
-    return Handles(np.zeros(1, dtype=np.intp), np.ones(1, dtype=bool), places, np.ones((1, 1), dtype=bool))
+    controls = _control_points(np.array([[point.position, velocity]]), h, _degree(view))
+    return Handles(np.zeros(1, dtype=np.intp), np.ones(1, dtype=bool), controls, np.ones((1, 1), dtype=bool))
 
 
 def derivative_from_handle(
     view: CurveView, index: int, order: int, position: Vector, *, ahead: bool
 ) -> Vector:
-    """Return the derivative of an order whose handle lies at `position`, those below staying what they are.
+    """Return the derivative of an order whose handle lies at `position`, with those of lower orders fixed.
 
-    Infinite where no number is large enough, on an interval of next to no length: no edit takes that.
+    It is infinite on an interval of almost no length, where no number is large enough: edits refuse that.
     """
     nothing, h = (0.0, 0.0), _signed_spacing(view, index, ahead=ahead)
-    below = [view.derivative_of(index, each, ahead=ahead) or nothing for each in range(1, order)]
+    below = [view.derivative_of(index, lower, ahead=ahead) or nothing for lower in range(1, order)]
     jet = [view.source.points[index].position, *below, nothing]
     base = _control_points(np.array([jet]), np.array([h]), _degree(view))[0, order]
     x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))

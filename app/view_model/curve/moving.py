@@ -1,4 +1,4 @@
-"""Polylines of a curve that changes, as under a drag: what was computed for the last curve is used again.
+"""Polylines of a curve that changes, as under a drag: results for the last curve are used again.
 
 `Flattener` follows any curve. `MovingPoints` follows one of whose points some move together while all else
 rests. Under rules that are linear in the points that curve is c(t) + w(t) D, where D is the offset of the

@@ -36,13 +36,15 @@ _FINEST = 1e-3
 _SAME, _NO_OFFSET = np.eye(2), np.zeros(2)
 
 _besides_points = attrgetter(*(name for name in LINE if name != "points"))
-_functions = attrgetter("family", "family.curve_class", *(each.rule_field for each in DERIVATIVES))
+_functions = attrgetter(
+    "family", "family.curve_class", *(derivative.rule_field for derivative in DERIVATIVES)
+)
 
 
 def views_after(
     curves: Sequence[Curve], before: Sequence[CurveView | None], *, are_moved: bool = False
 ) -> list[CurveView]:
-    """Return the views of curves; the views before lend them what did not change, see `view_of`.
+    """Return the views of curves; the views before lend them unchanged results, see `view_of`.
 
     `are_moved` says that nothing but positions of points has changed.
     """
@@ -107,8 +109,8 @@ def _carried(
     lines = [line for row in rows if (line := roots[row].whole_line)]
     spans = _Spans([len(line.points) for line, _ in lines])
     start, end = moves.roots[moves.spans.starts[rows]], moves.new[moves.spans.starts[rows]]
-    vertices = np.concatenate([line.points for line, _ in lines]) - spans.each(start)
-    vertices = _times(spans.each(linear[rows]), vertices) + spans.each(end)
+    vertices = np.concatenate([line.points for line, _ in lines]) - spans.repeated(start)
+    vertices = _times(spans.repeated(linear[rows]), vertices) + spans.repeated(end)
     boxes = spans.boxes(vertices)
     points = moves.spans.boxes(moves.new)[rows]
     extents = np.stack([points, _around(points, boxes)], axis=1)
@@ -137,10 +139,10 @@ class _Spans:
         self.counts = np.array(counts)
         self.starts: IntArray = np.concatenate([[0], np.cumsum(self.counts[:-1])])
 
-    def each(self, values: FloatArray) -> FloatArray:
+    def repeated(self, values: FloatArray) -> FloatArray:
         """Return the value of its part for each row of the array."""
-        repeated: FloatArray = np.repeat(values, self.counts, axis=0)
-        return repeated
+        result: FloatArray = np.repeat(values, self.counts, axis=0)
+        return result
 
     def largest(self, values: FloatArray) -> FloatArray:
         """Return the largest value in each part."""
@@ -213,15 +215,15 @@ class _Moves:
     def _common(self, rows: BoolArray) -> FloatArray:
         """Return the linear map that is nearest to the changes within these curves."""
         starts = self.spans.starts
-        old, new = (positions - self.spans.each(positions[starts]) for positions in (self._old, self.new))
+        old, new = (positions - self.spans.repeated(positions[starts]) for positions in (self._old, self.new))
         solution = np.linalg.lstsq(old[rows], new[rows], rcond=None)[0]
         return np.array(solution.T, dtype=float)
 
     def _hold(self) -> BoolArray:
         """Return the mask of the curves whose points, and vectors at points, are where the maps put them."""
         linear, stretch, starts = self.linear, self.stretch, self.spans.starts
-        offsets = self.new - self.spans.each(self.new[starts])
-        mapped = _times(self.spans.each(linear), self.roots - self.spans.each(self.roots[starts]))
+        offsets = self.new - self.spans.repeated(self.new[starts])
+        mapped = _times(self.spans.repeated(linear), self.roots - self.spans.repeated(self.roots[starts]))
         off = self.spans.largest(np.abs(offsets - mapped).max(axis=1))
         tolerance = self._tolerances * stretch
         diagonal = np.linalg.norm(np.subtract(*self.spans.boxes(self.new).swapaxes(0, 1)), axis=1)
@@ -248,7 +250,7 @@ class _Moves:
         old, new = self._vectors
         if not old.shape[1]:
             return np.ones(len(self._by), dtype=np.bool_)
-        mapped = _times(self.spans.each(self._by)[:, None], old)
+        mapped = _times(self.spans.repeated(self._by)[:, None], old)
         same = (np.isnan(old) == np.isnan(new)).all(axis=(1, 2))
         off = np.nan_to_num(np.abs(mapped - new)).max(axis=(1, 2))
         size = np.nan_to_num(np.abs(new)).max(axis=(1, 2))

@@ -98,7 +98,7 @@ def _thinned(piece: Samples, most: int) -> Samples:
 
 
 def _strip(piece: Samples, radii: FloatArray) -> list[FloatArray]:
-    """Return polygons that cover the discs around the samples and what lies between them."""
+    """Return polygons that cover the discs around the samples and the area between them."""
     tangents = unit_tangents(piece.velocities)
     speed = np.hypot(piece.velocities[:, 0], piece.velocities[:, 1])
     growth = np.gradient(radii, piece.parameters) / np.where(speed > 0, speed, np.inf)
