@@ -50,9 +50,9 @@ def mark_sizes(arm: Arm, scale: float, share: float = 1.0) -> list[float]:
     """
     rooms = [*map(math.dist, arm, arm[1:])]
     rooms = [*map(min, rooms, rooms[1:]), rooms[-1]]
-    least = _LEAST * scale
+    minimum = _LEAST * scale
     return [
-        min(max(largest * share * scale, least), max(_SHARE * room, least))
+        min(max(largest * share * scale, minimum), max(_SHARE * room, minimum))
         for largest, room in zip(HANDLE_SIZES, rooms, strict=False)
     ]
 
@@ -184,5 +184,5 @@ def _reach_into(handles: Handles, pixel_map: PixelMap) -> BoolArray:
     """Return which arms reach into the visible area."""
     pixels = pixel_map.points(handles.arms)
     low, high = pixels.min(axis=1), pixels.max(axis=1)
-    which: BoolArray = ((high > 0) & (low < [pixel_map.width, pixel_map.height])).all(axis=1)
-    return which
+    result: BoolArray = ((high > 0) & (low < [pixel_map.width, pixel_map.height])).all(axis=1)
+    return result

@@ -117,16 +117,16 @@ class PixelPoints:
     def nearest(self, pixel: Vector, preferred: PointGroup) -> NearestPart | None:
         """Return the point within reach that is nearest to `pixel`; of coincident ones a preferred one."""
         distances = np.hypot(*(self._pixels - pixel).T)
-        least = float(distances.min(initial=math.inf))
+        minimum = float(distances.min(initial=math.inf))
         # Written so that NaN fails.
-        if not least <= POINT_REACH:
+        if not minimum <= POINT_REACH:
             return None
-        rows = np.flatnonzero(distances == least)
+        rows = np.flatnonzero(distances == minimum)
         nearest = list(zip(self._curves[rows].tolist(), self._indices[rows].tolist(), strict=True))
         is_preferred = (pair for pair in nearest if pair[1] in preferred.of(pair[0]))
         curve, index = next(is_preferred, nearest[-1])
         position = self._views[curve].source.points[index].position
-        return NearestPart(Hit(Part.OTHER_POINT, index, position, curve=curve), least)
+        return NearestPart(Hit(Part.OTHER_POINT, index, position, curve=curve), minimum)
 
 
 def handle_or_point(
@@ -347,8 +347,8 @@ class FilledAreas:
             self._find()
         assert self._shapes is not None
         position = np.array([pixel_map.plane(*pixel)])
-        around = np.all((self._boxes[:, 0] <= position) & (position <= self._boxes[:, 1]), axis=1)
-        for number in reversed(np.flatnonzero(around).tolist()):
+        is_around = np.all((self._boxes[:, 0] <= position) & (position <= self._boxes[:, 1]), axis=1)
+        for number in reversed(np.flatnonzero(is_around).tolist()):
             views = self._drawn(self._shapes[number])
             turns = windings([line_of(view, pixel_map).points for view in views], position)
             if is_inside(turns, views[0].source.style.fill_rule)[0]:

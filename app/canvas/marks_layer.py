@@ -55,11 +55,11 @@ class MarksLayer(Layer):
 
     z = 20.0
 
-    def __init__(self, plot: PlotWidget, around: Callable[[Vector], Surroundings]) -> None:
+    def __init__(self, plot: PlotWidget, surroundings_of: Callable[[Vector], Surroundings]) -> None:
         super().__init__(plot)
         self.marks = _NOTHING
         # Returns the lines and numbers that a label beside a pixel should not cover.
-        self._around = around
+        self._surroundings_of = surroundings_of
         self.readout_rect = self.snap_label_rect = QRectF()
         self._halo = Halo()
         self.set_visible(False)
@@ -189,25 +189,25 @@ class MarksLayer(Layer):
             guide_pixel = pixel_map.point(*guide)
             if _is_drawable(*guide_pixel):
                 painter.drawLine(QPointF(*guide_pixel), pixel)
-        around = self._around(target)
+        surroundings = self._surroundings_of(target)
         # A snapped x is shown by a piece of a vertical line, a snapped y by a horizontal one.
         for axis in snap.axes:
             along = QPointF(0, self.scale) if axis == 0 else QPointF(self.scale, 0)
             if axis == snap.grid_line:
-                self._paint_grid_line(painter, pixel, along, around.words)
+                self._paint_grid_line(painter, pixel, along, surroundings.labels)
             else:
                 painter.setPen(self._pen(1.5))
                 painter.drawLine(pixel - along * _CROSS_ARM, pixel + along * _CROSS_ARM)
-        self._paint_label(painter, pixel_map, pixel, snap.label, around)
+        self._paint_label(painter, pixel_map, pixel, snap.label, surroundings)
 
     def _paint_grid_line(
-        self, painter: QPainter, pixel: QPointF, along: QPointF, words: Sequence[QRectF]
+        self, painter: QPainter, pixel: QPointF, along: QPointF, labels: Sequence[QRectF]
     ) -> None:
         """Draw a piece of a line of the grid, long and dashed: a short one would look like a crossing."""
         painter.setPen(self._pen(style=Qt.PenStyle.DashLine))
         for direction in (along, -along):
             near = QRectF(pixel, pixel + direction * _NUMBER_ENDS).normalized().adjusted(-1, -1, 1, 1)
-            has_number = any(near.intersects(word) for word in words)
+            has_number = any(near.intersects(label) for label in labels)
             painter.drawLine(
                 pixel + direction * (_NUMBER_ENDS if has_number else 0), pixel + direction * _GRID_LINE
             )
@@ -262,11 +262,11 @@ class MarksLayer(Layer):
         write_on_plate(painter, plate, text, self.theme.paper, self.theme.accent_text)
 
     def _paint_label(
-        self, painter: QPainter, pixel_map: PixelMap, pixel: QPointF, text: str, around: Surroundings
+        self, painter: QPainter, pixel_map: PixelMap, pixel: QPointF, text: str, surroundings: Surroundings
     ) -> None:
         """Write beside a point, in the corner where the label covers least of curve and numbers."""
         size, gap = size_of(painter, text), (_LABEL_GAP[0] * self.scale, _LABEL_GAP[1] * self.scale)
-        self.snap_label_rect = free_corner(pixel, size, gap, around, pixel_map)
+        self.snap_label_rect = free_corner(pixel, size, gap, surroundings, pixel_map)
         theme = self.theme
         self._halo.write(painter, self.snap_label_rect, text, theme.paper, theme.accent_text, 2 * self.scale)
 

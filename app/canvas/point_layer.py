@@ -340,10 +340,10 @@ class PointLayer(Layer):
         """Return which points have their weight written beside them."""
         if self.weights is None or len(self.weights) != count:
             return np.zeros(count, dtype=bool)
-        sizes, least = np.abs(self.weights), _LEAST_WEIGHT
+        sizes, minimum = np.abs(self.weights), _LEAST_WEIGHT
         if count > _WEIGHED_UP_TO:
-            least = max(least, float(np.partition(sizes, -_LABELLED_UP_TO)[-_LABELLED_UP_TO]))
-        return sizes >= least
+            minimum = max(minimum, float(np.partition(sizes, -_LABELLED_UP_TO)[-_LABELLED_UP_TO]))
+        return sizes >= minimum
 
     # Weights
 

@@ -125,10 +125,10 @@ def discs_for(pixels: FloatArray, visible: IntArray, scale: float) -> Discs:
     if len(visible) < 2:
         return Discs(RADIUS * scale, _RIM * scale)
     gaps = _gaps(pixels, visible)
-    few = len(visible) <= _FEW
+    is_few = len(visible) <= _FEW
     # One close pair is no reason to shrink all discs; a quarter of many points is.
-    room = float(gaps[min((len(gaps) + 1) // 2, len(gaps) - 1) if few else len(gaps) // 4])
-    if not few and float(gaps[len(gaps) // 2]) < _LEAST_ROOM * scale:
+    room = float(gaps[min((len(gaps) + 1) // 2, len(gaps) - 1) if is_few else len(gaps) // 4])
+    if not is_few and float(gaps[len(gaps) // 2]) < _LEAST_ROOM * scale:
         return Discs(2.0 * scale, 0.0, crowded=True)
     # In steps, so that discs do not swell and shrink during a drag.
     radius = min(max(math.floor(room / 2) / 2, _LEAST_RADIUS * scale), RADIUS * scale)
@@ -137,11 +137,11 @@ def discs_for(pixels: FloatArray, visible: IntArray, scale: float) -> Discs:
 
 def _gaps(pixels: FloatArray, visible: IntArray) -> FloatArray:
     """Return the distances of points to their nearest neighbours, ascending; of many points, of a sample."""
-    here = pixels[visible]
+    positions = pixels[visible]
     count = min(max(_MOST_PAIRS // len(visible), _LEAST_SAMPLED), _MOST_SAMPLED)
     sample = np.arange(0, len(visible), max(len(visible) // count, 1))
-    squares = (here[sample, :1] - here[:, 0]) ** 2
-    squares += (here[sample, 1:] - here[:, 1]) ** 2
+    squares = (positions[sample, :1] - positions[:, 0]) ** 2
+    squares += (positions[sample, 1:] - positions[:, 1]) ** 2
     squares[np.arange(len(sample)), sample] = np.inf
     gaps: FloatArray = np.sqrt(np.sort(squares.min(axis=1)))
     return gaps
@@ -374,8 +374,8 @@ class PointInk:
                 self._numbers.clear()
             size, width = QSizeF(self.glyphs_of(text, painter).size), _HALO * self.scale
             painter.setFont(self.font)
-            around = size + QSizeF(2 * width, 2 * width)
-            picture = with_halo(painter, around, text, self._theme.paper, colour, width)
+            outer = size + QSizeF(2 * width, 2 * width)
+            picture = with_halo(painter, outer, text, self._theme.paper, colour, width)
             self._numbers[key] = picture
         return picture
 

@@ -42,7 +42,10 @@ _DISC = 5.0
 
 
 class CanvasScene:
-    """The layers of the canvas.
+    """The layers of the canvas, and the values rendered into them.
+
+    The window calls `render_view` and `render_others` with the views of a document, and `follow_drag` at
+    every step of a drag, in which only the active curve has moved. `hit` returns the part under the pointer.
 
     Attributes
     ----------
@@ -273,5 +276,5 @@ class CanvasScene:
         polyline = self.curve.polyline(pixel_map)
         if polyline is not None:
             segments = np.vstack([segments, segments_near(polyline.points, pixel, pixel_map)])
-        words = [number_box(centre, length, layer.scale) for centre, length in layer.numbers]
-        return Surroundings(cut_segments(segments, pixel_map.width, pixel_map.height), words)
+        labels = [number_box(centre, length, layer.scale) for centre, length in layer.numbers]
+        return Surroundings(cut_segments(segments, pixel_map.width, pixel_map.height), labels)

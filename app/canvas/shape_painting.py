@@ -153,9 +153,9 @@ def _stroke(
         _stroke_dashed(painter, parts, pen, style.dash_offset, pixel_map, reach)
     elif is_opaque and style.cap is LineCap.ROUND and style.join is LineJoin.ROUND:
         painter.setPen(pen)
-        least, most = _FINE
+        minimum, maximum = _FINE
         for part in parts:
-            if least < width <= most:
+            if minimum < width <= maximum:
                 line.show(part.points, pixel_map, width)
                 line.draw(painter)
                 continue

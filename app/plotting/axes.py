@@ -121,13 +121,13 @@ class Axis:
         """Return the ticks of the visible part."""
         x_min, y_min, x_max, y_max = pixel_map.box
         if self._is_upright:
-            least = max(y_min, self._least) if self._least < y_max else y_min
-            return self.ticks(least, y_max, pixel_map.height * (y_max - least) / (y_max - y_min))
+            minimum = max(y_min, self._least) if self._least < y_max else y_min
+            return self.ticks(minimum, y_max, pixel_map.height * (y_max - minimum) / (y_max - y_min))
         return self.ticks(x_min, x_max, pixel_map.width)
 
     def _find(self, visible: Stretch) -> Ticks:
-        least = (_LEAST_ALONG_Y if self._is_upright else _LEAST_ALONG_X) * self._scale
-        suited = nice_step(least / visible.scale * self._factor) / self._factor
+        minimum = (_LEAST_ALONG_Y if self._is_upright else _LEAST_ALONG_X) * self._scale
+        suited = nice_step(minimum / visible.scale * self._factor) / self._factor
         tick, number_distance = self._distances or (suited / _PARTS, suited)
         return with_marks(
             choose_ticks(visible, tick, number_distance, self._room()), visible, tick, finer=self.is_ruler

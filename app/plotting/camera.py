@@ -224,8 +224,8 @@ class CameraOverT(Camera):
     def pan(self, dx: float, dy: float) -> None:
         """Move along t."""
         start, end = self.t_range
-        by = -dx / self.pixel_map.sx
-        self._request(start + by, end + by)
+        offset = -dx / self.pixel_map.sx
+        self._request(start + offset, end + offset)
 
 
 class FixedCamera(Camera):

@@ -264,8 +264,8 @@ class Stroke:
         """Return a polygon; filling a cached one takes a third of the time of making one."""
         cached = self._polygons.get(number)
         if cached is None or len(cached[1]) != len(vertices):
-            fresh: QPolygonF = pg.functions.create_qpolygonf(len(vertices))
-            cached = self._polygons[number] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
+            new_polygon: QPolygonF = pg.functions.create_qpolygonf(len(vertices))
+            cached = self._polygons[number] = (new_polygon, pg.functions.ndarray_from_qpolygonf(new_polygon))
         cached[1][:] = vertices
         return cached[0]
 

@@ -32,6 +32,19 @@ class Layer:
     A subclass overrides `paint`, or a function is given. After a change of its values it calls `update`; the
     next paint of the plot then draws all layers from the lowest `z` to the highest.
 
+    A layer that draws a line through points (n, 2) of the plane:
+
+        class PathLayer(Layer):
+            z = 2.0
+
+            def render(self, points: FloatArray) -> None:
+                self._points = points
+                self.update()
+
+            def paint(self, painter: QPainter, pixel_map: PixelMap) -> None:
+                painter.setPen(QPen(self.theme.accent, 2.0 * self.scale))
+                draw_line(painter, pixel_map.points(self._points), SOLID, pixel_map)
+
     Attributes
     ----------
     z

@@ -16,6 +16,12 @@ _NO_ROWS = np.empty((2, 0, 2))
 class PixelMap(msgspec.Struct, frozen=True, dict=True):
     """An axis-aligned map from the plane to the pixels of a plot area; y points up in the plane.
 
+    Each zoom, pan or resize makes another map: caches that depend on the visible part compare maps.
+
+    >>> view = PixelMap.of_ranges((0.0, 4.0), (0.0, 2.0), width=400.0, height=200.0)
+    >>> view.point(1.0, 2.0), view.plane(100.0, 0.0)
+    ((100.0, 0.0), (1.0, 2.0))
+
     Attributes
     ----------
     x0, y0

@@ -204,10 +204,10 @@ class Stamps:
     def _fill(self, pixels: FloatArray, indices: IntArray, ratio: float) -> None:
         finer = self._finer
         steps = np.floor(pixels * (ratio * finer) + 0.5).astype(np.intp)
-        whole, within = np.divmod(steps, finer)
+        pixel, within = np.divmod(steps, finer)
         cells = (self._look_of[indices] * finer + within[:, 1]) * finer + within[:, 0]
         data = self._fragments.room_for(len(indices))
-        data[:, :2] = whole / ratio
+        data[:, :2] = pixel / ratio
         data[:, 2] = cells % _COLUMNS * self._cell
         data[:, 3] = cells // _COLUMNS * self._cell
         data[:, 4:6] = self._cell
@@ -226,10 +226,12 @@ class Stamps:
             return False
         self._looks_key, self._forms = key, forms
         # Each pair of colour and form once: most points differ in colour only.
-        most = int(forms.max(initial=0)) + 1
-        cells, points = np.unique(cells_of(np.arange(count), count) * most + forms, return_inverse=True)
+        form_count = int(forms.max(initial=0)) + 1
+        cells, points = np.unique(cells_of(np.arange(count), count) * form_count + forms, return_inverse=True)
         colours = self._colours(min(count, _COLOURS), theme)
-        looks = [(colours[colour], form) for colour, form in (divmod(cell, most) for cell in cells.tolist())]
+        looks = [
+            (colours[colour], form) for colour, form in (divmod(cell, form_count) for cell in cells.tolist())
+        ]
         self._look_of = np.array(self._cells_for(looks, theme, radius, rim, ratio), dtype=np.intp)[points]
         return True
 
@@ -238,14 +240,14 @@ class Stamps:
     ) -> list[int]:
         """Return the cells of looks on the sheet; missing looks are drawn."""
         sheet_key = (theme, radius, rim, ratio, len(looks) > _FEW_LOOKS)
-        wanted = {(colour.rgba(), form): colour for colour, form in looks}
-        most = len(self._looks.keys() | wanted.keys())
-        if sheet_key != self._sheet_key or most > max(_FEW_LOOKS, len(self._looks)):
+        colours = {(colour.rgba(), form): colour for colour, form in looks}
+        count = len(self._looks.keys() | colours.keys())
+        if sheet_key != self._sheet_key or count > max(_FEW_LOOKS, len(self._looks)):
             self._sheet_key, self._looks = sheet_key, {}
             self._finer = 1 if len(looks) > _FEW_LOOKS else _FINE_SHIFTS
             # Even, so that whole pixels lie on whole pixels.
             self._cell = 2 * math.ceil((radius * self._reach + rim) * ratio) + 4
-        new = {look: colour for look, colour in wanted.items() if look not in self._looks}
+        new = {look: colour for look, colour in colours.items() if look not in self._looks}
         if new:
             pen = QPen(self._rim(theme), rim * ratio) if rim else QPen(Qt.PenStyle.NoPen)
             self._draw_on_sheet(new, pen, radius * ratio)

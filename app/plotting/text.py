@@ -178,7 +178,7 @@ class Surroundings(msgspec.Struct, frozen=True, eq=False):
     """Surroundings to keep free, in pixels: line segments (k, 4) = x1, y1, x2, y2, and other labels."""
 
     segments: FloatArray
-    words: Sequence[QRectF] = ()
+    labels: Sequence[QRectF] = ()
 
 
 NOTHING = Surroundings(np.empty((0, 4)))
@@ -203,7 +203,7 @@ def number_box(centre: QPointF, length: int, scale: float) -> QRectF:
 
 
 def free_corner(
-    position: QPointF, size: QSizeF, gap: tuple[float, float], around: Surroundings, pixel_map: PixelMap
+    position: QPointF, size: QSizeF, gap: tuple[float, float], surroundings: Surroundings, pixel_map: PixelMap
 ) -> QRectF:
     """Return a box of some size at the corner of `position` where it covers least of its surroundings.
 
@@ -213,9 +213,9 @@ def free_corner(
         Pixels to the right or left, and above or below, that stay free.
     """
     boxes = [_box_at_corner(position, size, gap, *corner) for corner in _CORNERS]
-    covered = covered_lengths(around.segments, boxes).tolist()
+    covered = covered_lengths(surroundings.segments, boxes).tolist()
     for index, box in enumerate(boxes):
-        covered[index] += _COVERED_WORDS * sum(box.intersects(word) for word in around.words)
+        covered[index] += _COVERED_WORDS * sum(box.intersects(label) for label in surroundings.labels)
         if box != inside(box.left(), box.top(), size, pixel_map):
             covered[index] += _CUT_OFF
     best = boxes[covered.index(min(covered))]
@@ -248,14 +248,14 @@ def covered_lengths(segments: FloatArray, boxes: Sequence[QRectF | QRect]) -> Fl
 def number_position(pixels: FloatArray, index: int, distance: float, beyond: float) -> QPointF:
     """Return the centre of the number of a point: on the outer side of the bend, clear of the curve."""
     last = len(pixels) - 1
-    around = [complex(*pixel) for pixel in pixels[max(index - 1, 0) : index + 2].tolist()]
-    before, here, after = around[0], around[min(index, 1)], around[-1]
-    outward = here - (before + after) / 2
+    neighbours = [complex(*pixel) for pixel in pixels[max(index - 1, 0) : index + 2].tolist()]
+    before, point, after = neighbours[0], neighbours[min(index, 1)], neighbours[-1]
+    outward = point - (before + after) / 2
     if 0 < index < last and abs(outward) > 2:
         outward /= abs(outward)
     else:
         outward = _beside(after - before)
-    centre = here + distance * outward
+    centre = point + distance * outward
     return QPointF(centre.real + beyond * outward.real, centre.imag)
 
 

@@ -129,10 +129,10 @@ def choose_ticks(visible: Stretch, tick: float, number_distance: float, room: La
     best: Ticks | None = None
     # The same steps are tried again with squeezed numbers.
     cache: dict[tuple[float, float], Ticks] = {}
-    least = (room.gap + min(map(room.along, "0123456789"))) / visible.scale
+    minimum = (room.gap + min(map(room.along, "0123456789"))) / visible.scale
     for offset, squeezed in ((0.0, 1.0), (0.0, _SQUEEZE), (_offset(visible), 1.0), (0.0, 0.0)):
         for step in _steps(tick, number_distance):
-            if best is not None and step < min(number_distance, least):
+            if best is not None and step < min(number_distance, minimum):
                 # Further steps are denser still.
                 break
             ticks = cache.get((offset, step)) or _labels_at(visible, step, offset, room)

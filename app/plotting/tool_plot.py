@@ -79,6 +79,9 @@ _STATUS_MS = 33
 class ToolPlot(PlotWidget):
     """Plot whose mouse and keys are events of a tool.
 
+    Presses, moves and releases go to `tools` at once; marks are drawn with the curve in the next paint.
+    The status text and the coordinates follow after that paint, at most every 33 ms: this keeps drags smooth.
+
     Attributes
     ----------
     tools

@@ -141,7 +141,7 @@ def reach_to_corners(segments: FloatArray, steps: _ComplexArray, cosines: FloatA
         return
     starts, ends = segments.view(np.complex128).T
     half_turns = np.sqrt(np.maximum(1 - cosines, 0) / np.maximum(1 + cosines, 1e-9))
-    most = max(width / 2, _OVERLAP)
-    further = np.clip(half_turns * (width / 2), _OVERLAP, most) / _OVERLAP - 1
+    maximum = max(width / 2, _OVERLAP)
+    further = np.clip(half_turns * (width / 2), _OVERLAP, maximum) / _OVERLAP - 1
     starts[1:] -= further * steps[1:]
     ends[:-1] += further * steps[:-1]

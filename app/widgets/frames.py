@@ -138,8 +138,8 @@ class Scrolled(SafeOverrides, QScrollArea, Generic[Content]):
         return self.content.sizeHint()
 
     def minimumSizeHint(self) -> QSize:
-        least = self.content.minimumSizeHint().expandedTo(self.content.minimumSize())
-        return (least + self._beside).boundedTo(self._most)
+        minimum = self.content.minimumSizeHint().expandedTo(self.content.minimumSize())
+        return (minimum + self._beside).boundedTo(self._most)
 
     @property
     def _beside(self) -> QSize:

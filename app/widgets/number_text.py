@@ -98,8 +98,8 @@ def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
     magnitudes, are_finite = np.abs(values), np.isfinite(values)
     magnitudes[~are_finite] = 0.0
     greatest = magnitudes.max(axis=0, initial=0.0)
-    least = values.min(axis=0, initial=math.inf, where=are_finite)
-    spread = values.max(axis=0, initial=-math.inf, where=are_finite) - least
+    minimum = values.min(axis=0, initial=math.inf, where=are_finite)
+    spread = values.max(axis=0, initial=-math.inf, where=are_finite) - minimum
     is_visible = (magnitudes > 0) & (magnitudes >= NEGLIGIBLE * greatest)
     rows, columns = np.nonzero(is_visible)
     decades = np.floor(np.log10(magnitudes[rows, columns]) + _ROUNDED_UP).astype(np.intp)
@@ -112,11 +112,11 @@ def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
     is_signed = np.atleast_1d(np.any(values < 0, axis=0))
     return [
         ColumnNumbers(
-            most,
-            _extent_of(signs_and_decades[column], most, is_signed=bool(is_signed[column])),
-            distinguishing_digits(spread[column], most),
+            maximum,
+            _extent_of(signs_and_decades[column], maximum, is_signed=bool(is_signed[column])),
+            distinguishing_digits(spread[column], maximum),
         )
-        for column, most in enumerate(greatest.tolist())
+        for column, maximum in enumerate(greatest.tolist())
     ]
 
 
@@ -135,11 +135,11 @@ def column_decimals(values: FloatArray, digits: int) -> int:
     """
     finite = values[np.isfinite(values)]
     greatest = float(np.abs(finite).max(initial=0.0))
-    most, slack = most_decimals(_whole_digits(greatest), digits), NEGLIGIBLE * greatest
+    maximum, slack = most_decimals(_whole_digits(greatest), digits), NEGLIGIBLE * greatest
     # The algorithm of np.round, for all decimals at once.
-    tens = 10.0 ** np.arange(most)[:, np.newaxis]
+    tens = 10.0 ** np.arange(maximum)[:, np.newaxis]
     are_exact = (np.abs(np.rint(finite * tens) / tens - finite) <= slack).all(axis=1)
-    return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), most)
+    return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), maximum)
 
 
 def distinguishing_digits(spread: float, greatest: float) -> int:

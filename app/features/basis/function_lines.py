@@ -125,10 +125,10 @@ class FunctionLines:
         vertices[..., 0] = self._x
         vertices[..., 1] = self._y.transpose(1, 2, 0)
         if basis.first is None:
-            return [[vertices[knot, :, here]] for knot, here in enumerate(basis.supports)]
+            return [[vertices[knot, :, part]] for knot, part in enumerate(basis.supports)]
         ends = basis.first.tolist()
         segments = [slice(*between) for between in pairwise(ends)]
-        before, after = ([vertices[side, :, here] for here in segments] for side in (1, 0))
+        before, after = ([vertices[side, :, part] for part in segments] for side in (1, 0))
         return [[*before[max(knot - 1, 0) : knot], *after[knot : knot + 1]] for knot in range(basis.count)]
 
     def function(self, index: int, kind: int) -> QPolygonF:
@@ -139,8 +139,8 @@ class FunctionLines:
             size = sum(map(len, pieces))
             cached = self._cached.get(key)
             if cached is None or len(cached[1]) != size:
-                fresh: QPolygonF = pg.functions.create_qpolygonf(size)
-                cached = self._cached[key] = (fresh, pg.functions.ndarray_from_qpolygonf(fresh))
+                new_polygon: QPolygonF = pg.functions.create_qpolygonf(size)
+                cached = self._cached[key] = (new_polygon, pg.functions.ndarray_from_qpolygonf(new_polygon))
             end = 0
             for vertices in pieces:
                 start, end = end, end + len(vertices)
@@ -157,8 +157,8 @@ class FunctionLines:
             sides = [(index - 1, 1), (index, 0)]
             return [self._piece(*side, kind) for side in sides if 0 <= side[0] < basis.count - 1]
         if not basis.is_coarse:
-            here = basis.inside_support(index)
-            return [np.column_stack(self._pixels(basis.t[here], basis.values[here, index, kind]))]
+            part = basis.inside_support(index)
+            return [np.column_stack(self._pixels(basis.t[part], basis.values[part, index, kind]))]
         if index not in self._fine:
             self._fine[index] = self._pixels(*basis.fine_functions(index))
         x, all_kinds = self._fine[index]
@@ -170,8 +170,8 @@ class FunctionLines:
             x, y = self._refined[segment]
             return np.column_stack([x, y[:, side, kind]])
         assert self._basis.first is not None
-        here = slice(*self._basis.first[segment : segment + 2])
-        return np.column_stack([self._x[here], self._y[here, side, kind]])
+        part = slice(*self._basis.first[segment : segment + 2])
+        return np.column_stack([self._x[part], self._y[part, side, kind]])
 
     def wide(self, index: int, kind: int, width: float) -> RoundLine:
         """Return the line of one function, wide and solid."""
@@ -395,8 +395,8 @@ class CrestNames:
             painter.drawPixmap(int(x - left), int(y - top), self._pictures[name])
 
     def _find_crests(self, basis: BasisView, kinds: list[int]) -> None:
-        known = self._crests_of
-        if known is None or known[0] is not basis or known[1] != kinds:
+        cached = self._crests_of
+        if cached is None or cached[0] is not basis or cached[1] != kinds:
             crests, self._crests_of = crests_of(basis, kinds), (basis, kinds)
             self._owners = np.array([crest.owner for crest in crests], dtype=np.intp)
             self._positions = np.array([(crest.t, crest.value) for crest in crests])

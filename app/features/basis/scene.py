@@ -248,16 +248,16 @@ class RailLayer(Layer):
         self, painter: QPainter, x: FloatArray, visible: IntArray, count: int, top: float
     ) -> IntArray:
         """Draw as many ticks as there is room for; return the emphasised ones, to be drawn in any case."""
-        least = _LEAST_TICK_GAP * self.scale
+        minimum = _LEAST_TICK_GAP * self.scale
         is_idle = self._idle[visible]
-        ticks, gap = spread_out(x, visible[~is_idle], least)
+        ticks, gap = spread_out(x, visible[~is_idle], minimum)
         # In steps: every size is stamped anew, which a drag must not do.
         room = gap // 2 - 1 if math.isfinite(gap) else gap  # a single tick has room enough
-        size = min(max(room, 0.5 * least), 5.0 * self.scale)
+        size = min(max(room, 0.5 * minimum), 5.0 * self.scale)
         centres = np.column_stack([x[ticks], np.full(len(ticks), top + 1 + size)])
         owners = ticks % max(count, 1)
         if is_idle.any():
-            self._paint_idle(painter, x[spread_out(x, visible[is_idle], least)[0]], top + 1 + size, size)
+            self._paint_idle(painter, x[spread_out(x, visible[is_idle], minimum)[0]], top + 1 + size, size)
         self._stamps.draw(painter, centres, owners, count, self.theme, size, 0.0)
         emphasised = {self.hovered}
         if len(self.selection) <= _MOST_EMPHASISED:
@@ -480,11 +480,11 @@ class BasisScene(QObject):
         """Show the full range of the functions, up to the longest range of an axis."""
         if self.basis is not None:
             low, high = self.basis.extent(self.functions.kinds)
-            most = 0.5 * GREATEST_SPAN / (1.0 + self._rail_share())
-            low, high = max(low, -most), min(high, most)
+            maximum = 0.5 * GREATEST_SPAN / (1.0 + self._rail_share())
+            low, high = max(low, -maximum), min(high, maximum)
             margin = 0.05 * (high - low)
             low, high = min(low - margin, _CALM_RANGE[0]), max(high + margin, _CALM_RANGE[1])
-            self._values = (max(low, -most), min(high, most))
+            self._values = (max(low, -maximum), min(high, maximum))
             self.show_values()
 
     def calm_values(self) -> None:
