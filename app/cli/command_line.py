@@ -13,7 +13,7 @@ from .. import __version__, cli, exchange, storage
 from ..diagnostics.log import LEVELS, logged
 from ..exchange import READER_PROCESS
 from ..tasks.processor_limit import PROCESSOR_LIMIT, limit_processor_time
-from .output import RefusalError, one_line, reason_of, say
+from .output import RefusalError, one_line, print_text, reason_of
 
 _INTERRUPTED = 130
 """The exit code that a shell expects of a program that Ctrl+C ended."""
@@ -56,7 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             limit_processor_time(options.processor_limit)
         with logged(options.log), families:
             code = _run(words)
-        say(end="")  # flushes the output of others
+        print_text(end="")  # flushes the output of others
     except BrokenPipeError:
         return _leave_closed_pipe()
     except KeyboardInterrupt:

@@ -12,7 +12,7 @@ from ..families import FAMILIES
 from .command_line import common_options
 from .documents import document_of
 from .options import CONVERT, add_convert_options, convert_usage_problem
-from .output import RefusalError, TerminalProgress, say, say_json, tell
+from .output import RefusalError, TerminalProgress, print_json, print_remarks, print_text
 
 
 def run_command(words: Sequence[str]) -> int:
@@ -31,7 +31,7 @@ def run_command(words: Sequence[str]) -> int:
         parser.error(f"unrecognized arguments: {' '.join(more)}")
     if options.command == "convert" and (problem := convert_usage_problem(options)):
         options.parser.error(problem)
-    tell(FAMILIES.problems)
+    print_remarks(FAMILIES.problems)
     try:
         return _COMMAND_OF[options.command](options)
     except ExchangeError as problem:
@@ -68,7 +68,7 @@ def _info(options: argparse.Namespace) -> int:
         facts = exchange.facts.facts_of(document, report)
     if options.json:
         curves = [cli.info.facts_as_json(facts_of_curve) for facts_of_curve in facts]
-        say_json(
+        print_json(
             {
                 "file": options.file,
                 "unit": document.unit or None,
@@ -77,7 +77,9 @@ def _info(options: argparse.Namespace) -> int:
             }
         )
     else:
-        say("\n\n".join(cli.info.facts_as_text(facts_of_curve, document.unit) for facts_of_curve in facts))
+        print_text(
+            "\n\n".join(cli.info.facts_as_text(facts_of_curve, document.unit) for facts_of_curve in facts)
+        )
     return 0
 
 

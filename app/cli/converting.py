@@ -26,7 +26,7 @@ from ..tasks.progress import Report, part
 from ..view_model.curve.curve_view import view_of
 from ..view_model.fit import Fitted, fitted_to_curve
 from .options import columns_to_read, options_of_formats, picture_options
-from .output import RefusalError, TerminalProgress, one_line, reason_of, say, say_json, tell
+from .output import RefusalError, TerminalProgress, one_line, print_json, print_remarks, print_text, reason_of
 
 if TYPE_CHECKING:
     from ..document.model import Document
@@ -67,10 +67,10 @@ def convert(options: argparse.Namespace) -> int:
     with TerminalProgress() as report:
         result = _converted(options, _Conversion(source, target), report)
     if options.json:
-        say_json({"output": target} | _facts(result))
+        print_json({"output": target} | _facts(result))
     else:
-        tell(result.remarks)
-        say(_result(target, result))
+        print_remarks(result.remarks)
+        print_text(_result(target, result))
     return 0
 
 
@@ -85,7 +85,7 @@ def _result(target: str, result: _Converted) -> str:
 
 def _convert_many(options: argparse.Namespace) -> int:
     _family_of(options)  # a problem of the options is reported once
-    conversions = _planned(options)
+    conversions = _planned_conversions(options)
     try:
         Path(options.output).mkdir(parents=True, exist_ok=True)
     except OSError as problem:
@@ -109,7 +109,7 @@ def _convert_many(options: argparse.Namespace) -> int:
             progress.clear()
             results.append(_report_outcome(conversion, result, is_quiet=options.json))
     if options.json:
-        say_json(results)
+        print_json(results)
     return 1 if any("error" in result for result in results) else 0
 
 
@@ -134,11 +134,11 @@ def _outcome(
 def _report_outcome(conversion: _Conversion, result: _Converted | str, *, is_quiet: bool) -> dict[str, Any]:
     """Print the outcome of a conversion, or only its failure, and return it as plain values."""
     if isinstance(result, str):
-        tell([result])
+        print_remarks([result])
         return {"input": conversion.source, "error": result}
     if not is_quiet:
-        tell(f"{conversion.source}: {remark}" for remark in result.remarks)
-        say(_result(conversion.target, result))
+        print_remarks(f"{conversion.source}: {remark}" for remark in result.remarks)
+        print_text(_result(conversion.target, result))
     return {"input": conversion.source, "output": conversion.target} | _facts(result)
 
 
@@ -146,7 +146,7 @@ def _named(report: Report, name: str) -> Report:
     return lambda share, _word: report(share, name)
 
 
-def _planned(options: argparse.Namespace) -> list[_Conversion]:
+def _planned_conversions(options: argparse.Namespace) -> list[_Conversion]:
     """Return the conversions of many files, none of which writes over an input or another's output.
 
     Raises

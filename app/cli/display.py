@@ -61,7 +61,7 @@ def why_no_window(plugins: Path) -> Iterator[str]:
     elif problem := _loading_problem(plugins / "libqxcb.so"):
         yield missing_library(problem)
     else:
-        with _connected() as answers:
+        with _connection_to_x() as answers:
             yield "" if answers else f"The display “{os.environ.get('DISPLAY', '')}” does not answer."
 
 
@@ -105,7 +105,7 @@ def _also_missing() -> dict[str, str]:
 
 
 @contextmanager
-def _connected() -> Iterator[bool]:
+def _connection_to_x() -> Iterator[bool]:
     """Connect to the X server that DISPLAY names; yield whether it answers."""
     try:
         xcb = ctypes.CDLL("libxcb.so.1")

@@ -9,7 +9,7 @@ from ..exchange.formats import can_import
 from ..storage.files import load_counting
 from ..storage.format import Decoded
 from ..storage.format_error import FormatError
-from .output import RefusalError, TerminalProgress, tell
+from .output import RefusalError, TerminalProgress, print_remarks
 
 
 def load_document(path: str) -> Decoded:
@@ -32,9 +32,9 @@ def document_of(path: str) -> Decoded:
             raise
     else:
         if decoded.left_out:
-            tell([decoded.left_out.sentence(Path(path).name)])
+            print_remarks([decoded.left_out.sentence(Path(path).name)])
         return decoded
     with TerminalProgress() as report:
         source = exchange.files.import_file(path, report=report)
-    tell(source.remarks)
+    print_remarks(source.remarks)
     return Decoded(source.document)

@@ -233,13 +233,23 @@ def _typed(option: Option[Any]) -> dict[str, Any]:
         case SomeOf():
             return {"type": _some_of(option), "default": option.default, "metavar": "A,B"}
         case Whole():
-            return {"type": _within(option, int, "whole number"), "default": option.default, "metavar": "N"}
+            return {
+                "type": _parser_within_limits(option, int, "whole number"),
+                "default": option.default,
+                "metavar": "N",
+            }
         case Real():
-            return {"type": _within(option, float, "number"), "default": option.default, "metavar": "X"}
+            return {
+                "type": _parser_within_limits(option, float, "number"),
+                "default": option.default,
+                "metavar": "X",
+            }
     raise NotImplementedError(f"{type(option).__name__} is no argument of the command line")
 
 
-def _within(option: Whole | Real, kind: Callable[[str], float], words: str) -> Callable[[str], float]:
+def _parser_within_limits(
+    option: Whole | Real, kind: Callable[[str], float], words: str
+) -> Callable[[str], float]:
     """Return a parser of numbers within the limits of an option."""
     least, greatest = option.limits
 

@@ -14,7 +14,7 @@ class RefusalError(Exception):
     """Error of a command; the text says why."""
 
 
-def say(text: str = "", end: str = "\n") -> None:
+def print_text(text: str = "", end: str = "\n") -> None:
     """Print a text to the standard output.
 
     Raises
@@ -30,12 +30,12 @@ def say(text: str = "", end: str = "\n") -> None:
         raise RefusalError(f"The output cannot be written ({reason_of(problem)}).") from None
 
 
-def say_json(content: dict[str, Any] | list[dict[str, Any]]) -> None:
+def print_json(content: dict[str, Any] | list[dict[str, Any]]) -> None:
     """Print plain values to the standard output."""
-    say(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
+    print_text(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False))
 
 
-def tell(remarks: Iterable[str]) -> None:
+def print_remarks(remarks: Iterable[str]) -> None:
     """Print remarks to the standard error, one a line."""
     for remark in remarks:
         print(f"curvebench: {one_line(remark)}", file=sys.stderr)

@@ -24,7 +24,7 @@ from .options import (
     picture_options,
     positive_number,
 )
-from .output import RefusalError, TerminalProgress, tell
+from .output import RefusalError, TerminalProgress, print_remarks
 
 if TYPE_CHECKING:
     from ..document.model import Document
@@ -76,7 +76,7 @@ def render(options: argparse.Namespace) -> int:
         values = options_of_formats(options, FORMATS.pictures)
         picture = replace(picture_options(options, document), format_options=values)
         result = export(document, options.output, picture.reporting(report))
-    tell(result.remarks)
+    print_remarks(result.remarks)
     return 0
 
 

@@ -206,15 +206,17 @@ DARK_PAPER = OneOf(
 TRANSPARENT = Check(name="transparent", title="Transparent", tip="Omit the background", default=True)
 
 
-def _extra(name: str, title: str, tip: str) -> Check:
+def _drawing_check(name: str, title: str, tip: str) -> Check:
     """Return the option to draw something with the curves; the check boxes share a row."""
     return Check(name=name, label="Show", title=title, tip=tip, widget=f"export_{name}", default=False)
 
 
-POINTS = _extra("points", "Points", "Draw the points")
-HANDLES = _extra("handles", "Handles", "Draw the Bézier control points beside the points")
-GRID = _extra("grid", "Grid", "Draw a grid behind the curves")
-BASIS = _extra("basis", "Basis functions", "Draw the basis functions of the active curve below the picture")
+POINTS = _drawing_check("points", "Points", "Draw the points")
+HANDLES = _drawing_check("handles", "Handles", "Draw the Bézier control points beside the points")
+GRID = _drawing_check("grid", "Grid", "Draw a grid behind the curves")
+BASIS = _drawing_check(
+    "basis", "Basis functions", "Draw the basis functions of the active curve below the picture"
+)
 TOLERANCE = Tolerance(
     name="tolerance",
     label="Tolerance",

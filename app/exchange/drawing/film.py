@@ -167,7 +167,7 @@ def _refuse_size(film: Film) -> None:
         )
 
 
-def _watched(maker: FrameMaker, count: int, report: Report) -> Iterator[bytes]:
+def _with_progress_of_frames(maker: FrameMaker, count: int, report: Report) -> Iterator[bytes]:
     for number, frame in enumerate(maker.frames(), start=1):
         yield frame
         report(number / count, "Drawing")
@@ -177,12 +177,12 @@ def _gif(maker: FrameMaker, film: Film, report: Report) -> bytes:
     # Without the entry the film plays once.
     loop = {} if film.repeat is Repeat.ONCE else {"loop": 0}
     images = _in_one_palette(_images(maker, film, report))
-    return _saved(images, format="GIF", duration=film.durations(10), **loop)
+    return _saved_by_pillow(images, format="GIF", duration=film.durations(10), **loop)
 
 
 def _apng(maker: FrameMaker, film: Film, report: Report) -> bytes:
     loop = 1 if film.repeat is Repeat.ONCE else 0
-    return _saved(_images(maker, film, report), format="PNG", duration=film.durations(1), loop=loop)
+    return _saved_by_pillow(_images(maker, film, report), format="PNG", duration=film.durations(1), loop=loop)
 
 
 def _images(maker: FrameMaker, film: Film, report: Report) -> Iterator[Image.Image]:
@@ -193,11 +193,11 @@ def _images(maker: FrameMaker, film: Film, report: Report) -> Iterator[Image.Ima
             "GIF and APNG need Pillow, which is not installed: pip install 'curvebench[animation]'."
         ) from None
     size = (maker.width, maker.height)
-    frames = _watched(maker, film.frames, report)
+    frames = _with_progress_of_frames(maker, film.frames, report)
     return (new("RGB", size, frame, "raw", "RGBX") for frame in frames)
 
 
-def _saved(images: Iterator[Image.Image], **options: Any) -> bytes:  # noqa: ANN401 - Pillow's
+def _saved_by_pillow(images: Iterator[Image.Image], **options: Any) -> bytes:  # noqa: ANN401 - Pillow's
     first, *rest = images
     buffer = io.BytesIO()
     first.save(buffer, save_all=True, append_images=rest, **options)
@@ -224,7 +224,7 @@ def _video(maker: FrameMaker, film: Film, report: Report) -> bytes:
         encoding = ["-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(target)]
         _feed(
             [program, "-loglevel", "error", "-y", *source, *encoding],
-            _watched(maker, film.frames, report),
+            _with_progress_of_frames(maker, film.frames, report),
             film.frames,
             report,
         )

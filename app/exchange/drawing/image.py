@@ -56,13 +56,13 @@ class PicturePreview(msgspec.Struct, frozen=True):
     ----------
     size
         Size of the picture as text.
-    moved
-        The sentence about colours that could not be seen on the paper; empty for none.
+    colour_remark
+        The remark on colours that were hard to see on the paper; empty for none.
     """
 
     image: QImage
     size: str
-    moved: str = ""
+    colour_remark: str = ""
 
 
 def _true_dots_per_metre(drawing: Drawing, options: Options) -> int:
@@ -126,17 +126,19 @@ def _preview(
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
     pixels = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    return PicturePreview(_painted(drawing, pixels, style, options), size, _moved_colours(drawing, style))
+    return PicturePreview(
+        _painted(drawing, pixels, style, options), size, _adjusted_colours_remark(drawing, style)
+    )
 
 
-def _moved_colours(drawing: Drawing, style: PictureStyle) -> str:
-    """Return the sentence that tells of curves whose colours cannot be seen on the paper as chosen."""
+def _adjusted_colours_remark(drawing: Drawing, style: PictureStyle) -> str:
+    """Return the remark on curves whose colours are changed so that they are visible on the paper."""
     lines = (outline for outline in drawing.outlines if not outline.style.has_fill)
-    moved = [line for line in lines if style.adjustment_of(line.colour)]
-    if not moved:
+    adjusted = [line for line in lines if style.adjustment_of(line.colour)]
+    if not adjusted:
         return ""
-    more = f" (and {len(moved) - 1} more)" if len(moved) > 1 else ""
-    return f"“{moved[0].shape or moved[0].name}” is {style.adjustment_of(moved[0].colour)}{more}."
+    more = f" (and {len(adjusted) - 1} more)" if len(adjusted) > 1 else ""
+    return f"“{adjusted[0].shape or adjusted[0].name}” is {style.adjustment_of(adjusted[0].colour)}{more}."
 
 
 def _size(drawing: Drawing, options: Options) -> tuple[int, int]:

@@ -204,7 +204,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
         raise
     except Exception as problem:
         # A damaged file can make a foreign parser raise anything: StructureError, ValueError, …
-        raise _damaged("The DXF file", problem) from problem
+        raise _damage_error("The DXF file", problem) from problem
     if len(entities) > MAX_ENTITIES:
         raise ExchangeError(f"The DXF file has {len(entities)} entities; at most {MAX_ENTITIES} can be read.")
     reader = _Reader(drawing, tolerance)
@@ -215,7 +215,7 @@ def read_dxf(data: bytes, tolerance: float | None = None) -> ImportResult:
     return dataclasses.replace(result, document=replace(result.document, unit=unit))
 
 
-def _damaged(what: str, problem: Exception) -> ExchangeError:
+def _damage_error(what: str, problem: Exception) -> ExchangeError:
     reason = one_line(str(problem))[:120] or type(problem).__name__
     return ExchangeError(f"{what} is damaged: {reason.rstrip('.')}.")
 
@@ -258,14 +258,14 @@ class _Reader:
             elif kind in _WITH_ARCS:
                 self._take_path(entity, number)
             else:
-                self._miss(entity)
+                self._note_loss(entity)
         except (ExchangeError, MemoryError):
             raise
         except Exception as problem:
             # As above: a foreign parser.
-            raise _damaged(f"Entity {number} ({kind})", problem) from problem
+            raise _damage_error(f"Entity {number} ({kind})", problem) from problem
 
-    def _miss(self, entity: DXFGraphic, outcome: str = LEFT_OUT) -> None:
+    def _note_loss(self, entity: DXFGraphic, outcome: str = LEFT_OUT) -> None:
         self.losses.note(Loss(entity.dxftype(), outcome), entity)
 
     def _take_spline(self, spline: Spline) -> None:
@@ -276,11 +276,11 @@ class _Reader:
         if len(points) == 0:
             self._take_fit_points(spline)
         elif weights and max(weights) != min(weights):
-            self._miss(spline, "with weights left out")
+            self._note_loss(spline, "with weights left out")
         elif not 1 <= degree <= HIGHEST_DEGREE_READ:
-            self._miss(spline, f"of degree {degree} left out")
+            self._note_loss(spline, f"of degree {degree} left out")
         elif not _is_clamped(knots, degree, len(points)):
-            self._miss(spline, "with periodic or invalid knots left out")
+            self._note_loss(spline, "with periodic or invalid knots left out")
         else:
             self._add(spline, _beziers(points, knots, degree), bool(spline.dxf.flags & CLOSED))
 
@@ -292,11 +292,11 @@ class _Reader:
             points.pop()
         distinct = [here for here, before in zip(points, [None, *points[:-1]], strict=True) if here != before]
         if len(distinct) < 2:
-            self._miss(spline, "with fewer than two points left out")
+            self._note_loss(spline, "with fewer than two points left out")
             return
         if not np.isfinite(distinct).all():
             raise ExchangeError(f"The SPLINE on layer “{spline.dxf.layer}” has invalid coordinates.")
-        self._miss(spline, "with fit points only imported as the natural spline through them")
+        self._note_loss(spline, "with fit points only imported as the natural spline through them")
         self.paths.append(PathThroughPoints(self._name(spline), self._look(spline), tuple(distinct), closed))
 
     def _name(self, entity: DXFGraphic) -> str:
@@ -315,7 +315,7 @@ class _Reader:
             ImportedPath(
                 self._name(entity),
                 self._look(entity),
-                _raised(pieces),
+                _raised_to_degree_3(pieces),
                 meets and (closed or len(pieces) > 1),
                 deviation,
             )
@@ -352,7 +352,7 @@ class _Reader:
                 pen = _flat(command.end)
             if pieces:
                 deviation = radius * error_of_arc(math.tau / count)
-                self._add(entity, _welded(np.concatenate(pieces)), closed, deviation)
+                self._add(entity, _with_exact_joints(np.concatenate(pieces)), closed, deviation)
 
     def _look(self, entity: DXFGraphic) -> Look:
         """Return a line in the colour of an entity, or of its layer."""
@@ -400,10 +400,10 @@ def _beziers(points: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
         [(x, y, 0.0) for x, y in points.tolist()], order=degree + 1, knots=unit.tolist()
     )
     pieces = [[_flat(point) for point in piece] for piece in spline.bezier_decomposition()]
-    return _welded(np.array(pieces, dtype=float).reshape(-1, degree + 1, 2))
+    return _with_exact_joints(np.array(pieces, dtype=float).reshape(-1, degree + 1, 2))
 
 
-def _welded(pieces: FloatArray) -> FloatArray:
+def _with_exact_joints(pieces: FloatArray) -> FloatArray:
     """Return pieces that begin exactly where the one before ends, also the first of a closed path."""
     pieces[1:, 0] = pieces[:-1, -1]
     size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
@@ -412,7 +412,7 @@ def _welded(pieces: FloatArray) -> FloatArray:
     return pieces
 
 
-def _raised(pieces: FloatArray) -> FloatArray:
+def _raised_to_degree_3(pieces: FloatArray) -> FloatArray:
     """Return pieces of degree 1, 2 or 3 as cubics."""
     degree = pieces.shape[1] - 1
     if degree == 1:

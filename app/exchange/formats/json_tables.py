@@ -102,7 +102,7 @@ def _lines(content: dict[str, Any]) -> Table:
     lost: Counter[str] = Counter()
     lines = list(_lines_in(content, "Line", lost))
     if not lines:
-        raise ExchangeError(f"The GeoJSON file contains no lines. {_lost(lost)}".strip())
+        raise ExchangeError(f"The GeoJSON file contains no lines. {_loss_remark(lost)}".strip())
     titles = zip(numbered([name for name, _ in lines]), lines, strict=True)
     names = [title for title, (_, line) in titles for _point in line]
     points = [point for _, line in lines for point in line]
@@ -110,7 +110,7 @@ def _lines(content: dict[str, Any]) -> Table:
     if values.shape[1] != 2:
         raise ExchangeError("A point of the GeoJSON has no longitude and latitude.")
     whole = np.column_stack([np.full(len(values), np.nan), values])
-    return table_of(whole, ("curve", "lon", "lat"), words={0: names}, remark=_lost(lost))
+    return table_of(whole, ("curve", "lon", "lat"), words={0: names}, remark=_loss_remark(lost))
 
 
 def _lines_in(content: object, name: str, lost: Counter[str]) -> Iterator[tuple[str, list[Any]]]:
@@ -145,7 +145,7 @@ def _list(content: dict[str, Any], key: str) -> list[Any]:
     return value
 
 
-def _lost(lost: Counter[str]) -> str:
+def _loss_remark(lost: Counter[str]) -> str:
     words = ", ".join(f"{count} {kind}" for kind, count in sorted(lost.items()))
     return f"Left out: {words}." if words else ""
 

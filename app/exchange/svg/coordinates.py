@@ -193,7 +193,7 @@ def transform_of(
         result = composed(result, _one_transform(match[1], match[2], box))
         position = match.end()
     x, y = _origin_in(box, origin) if origin else (0.0, 0.0)
-    return _about(corner[0] + x, corner[1] + y, result)
+    return _transform_about(corner[0] + x, corner[1] + y, result)
 
 
 def _one_transform(name: str, arguments: str, box: Viewport) -> FloatArray:
@@ -236,7 +236,7 @@ def _origin_in(box: Viewport, origin: str) -> tuple[float, float]:
     return x, y
 
 
-def _about(x: float, y: float, matrix: FloatArray) -> FloatArray:
+def _transform_about(x: float, y: float, matrix: FloatArray) -> FloatArray:
     """Return a transform about the origin as one about another position."""
     result = matrix.copy()
     with np.errstate(all="ignore"):
@@ -247,7 +247,7 @@ def _about(x: float, y: float, matrix: FloatArray) -> FloatArray:
 def _rotation(degrees: float, *centre: float) -> FloatArray:
     angle = radians(degrees)
     x, y = centre or (0.0, 0.0)
-    return _about(x, y, np.array([[cos(angle), -sin(angle), 0.0], [sin(angle), cos(angle), 0.0]]))
+    return _transform_about(x, y, np.array([[cos(angle), -sin(angle), 0.0], [sin(angle), cos(angle), 0.0]]))
 
 
 _MATRICES: dict[str, tuple[str, Callable[..., ArrayLike]]] = {

@@ -282,7 +282,7 @@ class _Reader:
         key = (element, *context.around, _BOXES[kind])
         if key not in self._extents:
             probe = copy(self)
-            probe._measuring, probe._shapes, probe.losses = self._measuring + 1, [], self.losses.emptied()
+            probe._measuring, probe._shapes, probe.losses = self._measuring + 1, [], self.losses.empty_copy()
             inner = probe._entered(element, declared, replace(context, matrix=np.eye(2, 3), clips=()))
             try:
                 if self._measuring == _MAX_MEASURING:
@@ -419,7 +419,7 @@ class _Reader:
             path = ImportedPath(
                 name if len(drawn) == 1 else f"{name} ({index + 1})",
                 look,
-                transform_points(subpath.cleaned, context.matrix),
+                transform_points(subpath.pieces_with_length, context.matrix),
                 subpath.closed,
                 subpath.deviation * stretch,
                 letters[index],
@@ -431,7 +431,7 @@ class _Reader:
         """Note the boxes that cut off a part of a shape."""
         if context.clips:
             extent = extent_of(
-                np.concatenate([transform_points(path.cleaned, context.matrix) for path in drawn])
+                np.concatenate([transform_points(path.pieces_with_length, context.matrix) for path in drawn])
             )
             reach = half_width(style)
             for clip in context.clips:
@@ -495,7 +495,7 @@ class _ElementLosses(Losses):
         super().__init__()
         self._number = {element: index for index, element in enumerate(root.iter(), start=1)}
 
-    def emptied(self) -> _ElementLosses:
+    def empty_copy(self) -> _ElementLosses:
         """Return an empty record of the same file."""
         other = copy(self)
         other._names = {}

@@ -107,10 +107,10 @@ def shape_of_lengths(tag: str, lengths: list[float | None], tolerance: float | N
         return _rectangle((x, y), (width, height), (lengths[4], lengths[5]), tolerance)
     rx, ry = lengths[2], lengths[-1]
     # An ellipse with one radius is a circle.
-    return _ellipse(values[0], values[1], _either(rx, ry), _either(ry, rx), tolerance)
+    return _ellipse(values[0], values[1], _first_given(rx, ry), _first_given(ry, rx), tolerance)
 
 
-def _either(first: float | None, second: float | None) -> float:
+def _first_given(first: float | None, second: float | None) -> float:
     return first if first is not None else second or 0.0
 
 
@@ -123,8 +123,8 @@ def _rectangle(
     (x, y), (width, height), (rx, ry) = corner, size, radii
     if width == 0 or height == 0:
         return []
-    across = min(_either(rx, ry), width / 2)
-    up = min(_either(ry, rx), height / 2)
+    across = min(_first_given(rx, ry), width / 2)
+    up = min(_first_given(ry, rx), height / 2)
     right, bottom = x + width, y + height
     if across == 0 or up == 0:
         return _complete(read_path_data(f"M{x!r} {y!r}H{right!r}V{bottom!r}H{x!r}Z"))
@@ -209,7 +209,7 @@ class Subpath:
         return self.closed or bool(self.pieces)
 
     @property
-    def cleaned(self) -> FloatArray:
+    def pieces_with_length(self) -> FloatArray:
         """Pieces longer than roundings, (k, 4, 2); one without length where there are none."""
         pieces = without_roundings(self.controls, closed=self.closed)
         return pieces if len(pieces) else np.tile(self.start, (1, 4, 1))

@@ -270,12 +270,12 @@ class Paints:
         if word.lower() == "currentcolor":
             word = current
         if match := _SERVER.fullmatch(word):
-            return self._served(match[1], match[2].strip(), current)
+            return self._replacement_paint(match[1], match[2].strip(), current)
         if word.lower().startswith("context-"):
             return _CONTEXT
         return NONE if word.lower() == "none" else colour_of(word) or NONE
 
-    def _served(self, name: str, fallback: str, current: str) -> Paint:
+    def _replacement_paint(self, name: str, fallback: str, current: str) -> Paint:
         """Return the paint that replaces a gradient or a pattern."""
         server = self._elements.by_id.get(name)
         if server is not None and tag_of(server) in GRADIENTS:
@@ -284,7 +284,7 @@ class Paints:
         noun = "pattern" if server is not None else "missing paint"
         if server is not None and (colours := self._colours_of(server)):
             plain = Paint(mean_colour(colours))
-        return _instead(plain, noun)
+        return _as_replacement(plain, noun)
 
     def _colours_of(self, pattern: ET.Element) -> list[str]:
         """Return the colours of the elements of a pattern."""
@@ -300,7 +300,7 @@ class Paints:
         mean = mean_of(stops)
         if all((stop.colour, stop.opacity) == (stops[0].colour, stops[0].opacity) for stop in stops):
             return Paint(stops[0].colour, stops[0].opacity)
-        return _instead(Paint(mean.colour, mean.opacity), "gradient")
+        return _as_replacement(Paint(mean.colour, mean.opacity), "gradient")
 
     def _stop(self, stop: ET.Element, current: str) -> Stop:
         declared = self._elements.declared(stop)
@@ -320,7 +320,7 @@ def share_of(text: str, default: float = 1.0) -> float:
     return min(max(value, 0.0), 1.0) if value == value else default  # noqa: PLR0124 - not a number
 
 
-def _instead(paint: Paint, noun: str) -> Paint:
+def _as_replacement(paint: Paint, noun: str) -> Paint:
     """Return a paint that replaces one of another kind."""
     outcome = "imported as one colour" if paint.colour != "none" else LEFT_OUT
     return Paint(paint.colour, paint.opacity, Loss(noun, outcome))

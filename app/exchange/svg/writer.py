@@ -59,7 +59,9 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
     drawing = picture_of(document, options, style, report, with_hidden=True)
     if options.from_corner:
         by = (-float(number(drawing.frame.left)), -float(number(drawing.frame.top)))
-        drawing = _cornered(picture_of(shifted(document, by), options, style, silent, with_hidden=True))
+        drawing = _with_corner_at_origin(
+            picture_of(shifted(document, by), options, style, silent, with_hidden=True)
+        )
     curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
     text = _text(drawing, curves, style, options)
     return ExportResult(text, drawing.deviation, drawing.left_out, drawing.is_bound)
@@ -81,7 +83,7 @@ def picture_of(
     return drawing.annotations.with_annotations(plain, document, options, style.theme)
 
 
-def _cornered(drawing: Drawing) -> Drawing:
+def _with_corner_at_origin(drawing: Drawing) -> Drawing:
     """Return a drawing with its upper left corner exactly at the origin, where it is but for rounding."""
     frame = drawing.frame
     if max(abs(frame.left), abs(frame.top)) > _CORNER_ROUNDING * frame.side:
@@ -178,7 +180,9 @@ def _annotations(drawing: Drawing, style: PictureStyle, name: str) -> list[str]:
 
 
 def _strokes(annotation: Annotation, style: PictureStyle) -> str:
-    data = " ".join(f"M {' L '.join(pair(point) for point in line.tolist())}" for line in annotation.lines)
+    data = " ".join(
+        f"M {' L '.join(point_text(point) for point in line.tolist())}" for line in annotation.lines
+    )
     colour = style.visible_colour(annotation.colour)
     opacity = f' opacity="{annotation.opacity:g}"' if annotation.opacity < 1 else ""
     if annotation.filled:
@@ -235,7 +239,7 @@ class Tree:
         """Write the outlines of a shape as one path."""
         first = shape[0]
         self._go_into(first.groups)
-        called = self._called(first.shape or first.name)
+        called = self._id_attributes(first.shape or first.name)
         style = _style_attributes(first.style, self._style, self._usual_width)
         unseen = "" if first.visible else ' display="none"'
         locked = ' sodipodi:insensitive="true"' if first.locked else ""
@@ -253,13 +257,13 @@ class Tree:
             self._open = self._open[:-1]
             self._write("</g>")
         for name in groups[common:]:
-            self._write(f"<g{self._called(name)}>")
+            self._write(f"<g{self._id_attributes(name)}>")
             self._open = (*self._open, name)
 
     def _write(self, element: str) -> None:
         self.lines.append("  " * (len(self._open) + 1) + element)
 
-    def _called(self, name: str) -> str:
+    def _id_attributes(self, name: str) -> str:
         """Return a unique id and, where the name differs, the name as Inkscape's label."""
         ident = self._ids.unique(_as_id(name))
         return f' id="{ident}"' + (f' inkscape:label="{quoted(name)}"' if name and name != ident else "")
@@ -286,12 +290,12 @@ def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
 def _data_lines(outline: Outline, has_lines: bool) -> Iterator[str]:
     control_points = outline.control_points
     start, *_ = control_points[0].tolist()
-    yield f"M {pair(start)}"
+    yield f"M {point_text(start)}"
     for piece, is_line in zip(control_points.tolist(), _are_lines(control_points), strict=True):
         yield (
-            f"L {pair(piece[3])}"
+            f"L {point_text(piece[3])}"
             if is_line and has_lines
-            else f"C {' '.join(pair(point) for point in piece[1:])}"
+            else f"C {' '.join(point_text(point) for point in piece[1:])}"
         )
     # Closed, the stroke has a join at the seam like everywhere else.
     if outline.closed:
@@ -310,7 +314,7 @@ def _are_lines(pieces: FloatArray) -> list[bool]:
     return list(off <= _STRAIGHT_ROUNDING * (np.abs(pieces).max(axis=(1, 2)) + length))
 
 
-def pair(point: list[float]) -> str:
+def point_text(point: list[float]) -> str:
     """Return a point, y negated."""
     x, y = point
     return f"{number(x)} {number(-y)}"

@@ -56,7 +56,7 @@ class TableSource:
         """
         if self._is_text:
             return preview_table(self.data, layout)
-        whole = self._all()
+        whole = self._whole_table()
         self.lines = len(whole.values)
         return preview_of(whole)
 
@@ -75,7 +75,7 @@ class TableSource:
             With the position of a value that is not a number.
         """
         if not self._is_text:
-            return self._all()
+            return self._whole_table()
         allows_missing = missing is not MissingRows.REFUSE
         known = self._read
         if known is not None and known[:3] == (layout, mapping, allows_missing):
@@ -88,11 +88,11 @@ class TableSource:
         """Return the cells of the row with this number in a problem; empty without such a row."""
         if self._is_text:
             return cells_of_row(plain_utf_8(self.data), layout, number)
-        whole = self._all()
+        whole = self._whole_table()
         row = number - whole.first_row
         return cells_at(whole, row) if 0 <= row < len(whole.values) else ()
 
-    def _all(self) -> Table:
+    def _whole_table(self) -> Table:
         if self._whole is None:
             assert self._read_whole is not None
             self._whole = self._read_whole(self.data)

@@ -89,7 +89,7 @@ def thin_out(
     """
     if not 0 < tolerance < np.inf:
         raise ExchangeError("The tolerance must be a positive number.")
-    t, distinct = _along(points) if parameters is None else (parameters, np.arange(len(points)))
+    t, distinct = _lengths_along(points) if parameters is None else (parameters, np.arange(len(points)))
     if len(distinct) < 2:
         raise ExchangeError("All points coincide; there is no curve through them.")
     points = points[distinct]
@@ -125,7 +125,7 @@ def _share(began: float, worst: float, tolerance: float) -> float:
     return math.log(began / worst) / math.log(began / tolerance)
 
 
-def _along(points: FloatArray) -> tuple[FloatArray, IntArray]:
+def _lengths_along(points: FloatArray) -> tuple[FloatArray, IntArray]:
     """Return the length of the polyline up to each distinct point, and the indices of these points."""
     length = np.append(0.0, np.cumsum(np.hypot(*np.diff(points, axis=0).T)))
     distinct = np.flatnonzero(np.append(True, np.diff(length) > 0))

@@ -50,7 +50,7 @@ class ClipboardCommands:
         """Cut the selected points, or the selected curves if no points are selected."""
         session = self._session
         what = highlighted(self._context).unlocked(session.document)
-        offer, words = self._offer(what), what.label_with_remark(session.document)
+        offer, words = self._content_of(what), what.label_with_remark(session.document)
         # Locked curves stay, and then the clipboard stays unchanged.
         if remove(self._context, what, "Cut"):
             put_on_clipboard(offer)
@@ -61,10 +61,10 @@ class ClipboardCommands:
     def _copy(self) -> None:
         """Copy the selected points with their derivatives, or else the selected curves."""
         what = highlighted(self._context)
-        put_on_clipboard(self._offer(what))
+        put_on_clipboard(self._content_of(what))
         self._session.say(f"Copied {what.label_in_sentence(self._session.document)}.")
 
-    def _offer(self, what: ClipboardSelection) -> ClipboardContent:
+    def _content_of(self, what: ClipboardSelection) -> ClipboardContent:
         """Return the content: for other programs, points as a table and curves as SVG."""
         session, mark = self._session, decimal_mark()
         if len(what.points.parts) != 1:

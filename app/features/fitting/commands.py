@@ -73,7 +73,7 @@ class SimplifyCommands:
         what = f"Simplify {name_or_count(document, curves)}"
         make = partial(simplified, document, session.views, curves)
 
-        def hurry(_share: float, _word: str) -> None:
+        def stop_when_late(_share: float, _word: str) -> None:
             nonlocal until
             # Counted from the first report on, as modules may have to be imported before.
             until = until or time.monotonic() + _PATIENCE_S
@@ -88,7 +88,7 @@ class SimplifyCommands:
             self._put(what, result[0])
 
         try:
-            self._put(what, make(report=hurry))
+            self._put(what, make(report=stop_when_late))
         except EditError as reason:
             session.refuse(str(reason))
         except _TakesLong:
@@ -134,7 +134,7 @@ class FitCommands(QObject):
         self._result: Fitted | None = None
         self._problem = ""
         self._task = DebouncedTask(self)
-        self._task.ready.connect(self._take)
+        self._task.ready.connect(self._receive)
         self._task.progressed.connect(self._show_share)
         self._dock = context.docks["fitDock"]
         self._is_visible = False
@@ -217,7 +217,7 @@ class FitCommands(QObject):
         self._task.ask(partial(_fitted, view, wish))
         self._show()
 
-    def _take(self, result: Fitted | str) -> None:
+    def _receive(self, result: Fitted | str) -> None:
         self._result, self._problem = (None, result) if isinstance(result, str) else (result, "")
         self._show()
 

@@ -107,10 +107,10 @@ class ExportDialog(WorkDialog):
         try:
             choice = self.form.choice()
         except ExpressionError as reason:
-            self.complain(str(reason))
+            self.show_problem(str(reason))
             self.ok.setEnabled(False)
             return
-        self.complain("")
+        self.show_problem("")
         self.ok.setEnabled(True)
         self.ok.setToolTip(f"Choose where to save the {choice.format.title}")
         self.preview_side.setVisible(choice.format.preview is not None)
@@ -145,8 +145,8 @@ class ExportDialog(WorkDialog):
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
         self.picture.setPixmap(_on_squares(preview.image, self.devicePixelRatioF(), squares))
         self.size_label.setText(preview.size)
-        self.colour_note.setText(preview.moved)
-        self.complain("")
+        self.colour_note.setText(preview.colour_remark)
+        self.show_problem("")
         self.ok.setEnabled(True)
 
     def _refuse(self, problem: Exception) -> None:
@@ -155,7 +155,7 @@ class ExportDialog(WorkDialog):
         self.picture.clear()
         self.size_label.clear()
         self.colour_note.clear()
-        self.complain(str(problem))
+        self.show_problem(str(problem))
         self.ok.setEnabled(False)
 
     def _export(self) -> None:

@@ -266,7 +266,7 @@ class ImportTableDialog(WorkDialog):
         self.summary.setText("Reading…")
         self.bar.setValue(0)
         source = self._source
-        self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._fail)
+        self.jobs.start("Reading", partial(prepare_table, source, choice), self._show, self._show_failure)
 
     def _say_columns(self, mapping: ColumnMapping | None) -> None:
         """Show the roles of the columns, and whether they are a guess."""
@@ -299,7 +299,7 @@ class ImportTableDialog(WorkDialog):
         if prepared.tolerance:
             self._tolerance = prepared.tolerance
             self.tolerance_edit.show_text(_number_text(prepared.tolerance).replace("−", "-"))
-        self.complain(prepared.problem)
+        self.show_problem(prepared.problem)
         self._explain(prepared)
         self._missing.setVisible(prepared.lacks_numbers or self.missing_box.currentIndex() > 0)
         self.preview.mark(prepared.bad_row, prepared.bad_column, prepared.bad_cells)
@@ -307,11 +307,11 @@ class ImportTableDialog(WorkDialog):
         self.ok.setEnabled(prepared.document is not None)
         self.ok.setToolTip(tip_of(prepared.problem) or "Create curves from the rows")
 
-    def _fail(self, problem: Exception) -> None:
-        self.complain(str(problem))
+    def _show_failure(self, problem: Exception) -> None:
+        self.show_problem(str(problem))
         raise problem
 
-    def complain(self, text: str) -> None:
+    def show_problem(self, text: str) -> None:
         """Show a problem; its room stays without one."""
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
@@ -441,7 +441,7 @@ class TablePreview(QTableWidget):
 
 
 def _item(text: str) -> QTableWidgetItem:
-    short = _short(text)
+    short = _shortened(text)
     item = QTableWidgetItem(short)
     if short != text or len(text) > _FITTING:
         item.setToolTip(tip_of(text))
@@ -449,7 +449,7 @@ def _item(text: str) -> QTableWidgetItem:
     return item
 
 
-def _short(text: str) -> str:
+def _shortened(text: str) -> str:
     """Return a long number with six digits, so that its power of ten is not cut off; all else as it is."""
     match = _NUMBER.fullmatch(text.strip()) if len(text) > _FITTING else None
     if match is None:

@@ -87,7 +87,7 @@ class WorkDialog(FittedDialog):
         self.problem = Label(name=problem, wordWrap=True)
         self.problem.hide()
 
-    def complain(self, text: str) -> None:
+    def show_problem(self, text: str) -> None:
         """Show a problem; hide it when empty."""
         self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
         self.problem.setText(f"⚠ {text}" if text else "")
