@@ -1,27 +1,8 @@
 """The record of an overlay, something that can be drawn over the curve, and all that it is made of.
 
-To add an overlay: one file in ``overlays``, found by listing. Menu, palette, keys, Analysis dock, legend and
-canvas read the record::
-
-    TICK = LineStyle("accent", width=1.4)
-    COUNT = Count("tickCount", "Number of steps", 20, limits=(2, 100))
-
-    def ticks(data: OverlayInput) -> Figures:
-        curve = data.view.curve
-        if curve is None:
-            return Figures()
-        t = np.linspace(*curve.domain, data.value(COUNT) + 1)
-        positions, tangents = curve.evaluate(t), unit_tangents(curve.evaluate(t, 1))
-        ends = positions + to_the_left(tangents) * data.size
-        return Figures([Figure(TICK, Shape.TICKS, np.hstack([positions, ends]).reshape(-1, 2))])
-
-    TICKS = Overlay(
-        name="ticks", text="Ticks at Equal t", tip="Draw ticks at equal steps of t",
-        group=Group.SHAPE, rank=50, draw=ticks, settings=(COUNT,),
-    )
-
-An icon ``resources/icons/ticks.svg`` (``icon="ticks"``) and a key are optional. Results in words are the note
-of the figures. An overlay that takes more than 2 ms says so by `settles`, and is computed beside the window.
+`Overlay.draw` gets an `OverlayInput`, the curve with the values of the settings, and returns `Figures`: each
+has a style, a shape and points of the plane; the note of the figures is for the Analysis dock. The recipe for
+a new overlay stands in ``overlays``.
 """
 
 from __future__ import annotations

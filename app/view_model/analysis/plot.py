@@ -1,13 +1,7 @@
 """The record of a plot over t, and its data: lines of (t, value) on a linear or a logarithmic scale.
 
-To add a plot: one file in ``plots``, found by listing. Menu, palette, the buttons of the plots and the plots
-themselves read the record::
-
-    DISTANCE = Plot(
-        name="distance", text="Distance", tip="Plot how far the curve is from the origin",
-        title="Distance |c|", symbol="|c|", rank=25, orders=(0,),
-        values=lambda sampled: np.hypot(*sampled.derivatives[0].T),
-    )
+`Plot.values` gets a `Sampled` curve and returns a value for each t. The recipe for a new plot stands in
+``plots``.
 """
 
 from __future__ import annotations

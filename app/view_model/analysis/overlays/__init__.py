@@ -12,11 +12,11 @@ its switch and sliders, the legend and the canvas read the record::
     DOT = LineStyle("accent")
     COUNT = Count("dotCount", "Number of dots", 20, limits=(2, 100))
 
-    def dots(shown: OverlayInput) -> Figures:
-        curve = shown.view.curve
+    def dots(data: OverlayInput) -> Figures:
+        curve = data.view.curve
         if curve is None:
             return Figures()
-        t = np.linspace(*curve.domain, shown.value(COUNT) + 1)
+        t = np.linspace(*curve.domain, data.value(COUNT) + 1)
         return Figures([Figure(DOT, Shape.MARKS, curve.evaluate(t))])
 
     DOTS = Overlay(
