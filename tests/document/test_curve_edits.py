@@ -52,13 +52,13 @@ def test_removing_the_last_curve_leaves_an_empty_one():
     assert curve.points == ()
 
 
-def test_a_new_name_is_free(three):
+def test_a_new_curve_gets_an_unused_name(three):
     assert curve_edits.unused_name(three) == "Curve 1"
     taken = curve_edits.rename_curve(three, 0, "Curve 1")
     assert curve_edits.unused_name(taken) == "Curve 2"
 
 
-def test_looks_are_set_and_nothing_else(three):
+def test_appearance_is_set_and_nothing_else(three):
     changed = set_appearance(three, {1}, colour="#0072b2")
     changed = set_appearance(changed, {1}, visible=False)
     changed = set_appearance(changed, {1}, locked=True)
@@ -72,7 +72,7 @@ def test_looks_are_set_and_nothing_else(three):
 # Locked
 
 
-def test_a_locked_curve_may_not_change(three):
+def test_changing_a_locked_curve_is_refused(three):
     locked = set_appearance(three, {1}, locked=True)
     for changed in (
         point_edits.move_points(locked, 1, [0], (1.0, 0.0)),
@@ -83,7 +83,7 @@ def test_a_locked_curve_may_not_change(three):
             curve_edits.refuse_locked(locked, changed)
 
 
-def test_looks_order_and_the_other_curves_are_free_while_one_is_locked(three):
+def test_a_locked_curve_may_change_its_appearance_and_order(three):
     locked = set_appearance(three, {1}, locked=True)
     for changed in (
         locked,
@@ -110,7 +110,7 @@ def test_a_corner_has_two_velocities_and_both_accelerations():
     validate(cornered)
 
 
-def test_a_corner_has_both_jerks_and_turns_round_with_its_signs():
+def test_reversing_a_corner_exchanges_its_jerks():
     document = point_edits.set_derivative(manual(), 0, 1, 3, (1.0, 2.0))
     document = point_edits.make_corner(document, 0, 1, (1.0, 0.0), (0.0, 1.0))
     document = point_edits.set_derivative(document, 0, 1, 3, (5.0, 6.0), ahead=True)
@@ -131,7 +131,7 @@ def test_a_smooth_point_has_one_velocity():
     assert point == replace(manual().curves[0].points[1], velocity=(0.5, 0.5))
 
 
-def test_each_side_of_a_corner_is_set_alone():
+def test_each_side_of_a_corner_is_set_by_itself():
     document = point_edits.make_corner(manual(), 0, 1, None, None)
     document = point_edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)
     document = point_edits.set_derivative(document, 0, 1, 2, (4.0, 0.0), ahead=False)
@@ -140,13 +140,13 @@ def test_each_side_of_a_corner_is_set_alone():
     assert (point.acceleration, point.acceleration_after) == ((4.0, 0.0), None)
 
 
-def test_estimating_clears_both_sides_of_a_corner():
+def test_clearing_derivatives_clears_both_sides_of_a_corner():
     document = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
     point = point_edits.clear_derivatives(document, 0, [1]).curves[0].points[1]
     assert (point.corner, point.velocity, point.velocity_after) == (True, None, None)
 
 
-def test_numbers_of_a_corner_are_checked_too():
+def test_numbers_of_both_sides_of_a_corner_are_checked():
     wild = Point(0.0, 0.0, corner=True, velocity_after=(1e13, 0.0))
     with pytest.raises(EditError, match="x of the velocity of point 0"):
         point_edits.set_points(manual(), 0, [wild])
@@ -157,19 +157,19 @@ def test_numbers_of_a_corner_are_checked_too():
 # Closed
 
 
-def test_a_polynomial_is_not_closed():
+def test_closing_a_polynomial_is_refused():
     with pytest.raises(EditError, match="is one polynomial"):
         curve_edits.set_closed(manual(LAGRANGE), 0, True)
 
 
-def test_two_points_alone_are_not_closed_and_the_reason_is_said():
+def test_closing_two_points_is_refused_with_a_reason():
     document = point_edits.delete_points(manual(CUBIC_SPLINE), 0, [0, 1])
     with pytest.raises(EditError, match=r"at least three points here: through two, a cubic .*there and back"):
         curve_edits.set_closed(document, 0, True)
 
 
 @pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE, SEPTIC_HERMITE])
-def test_two_points_with_derivatives_are_closed_and_one_is_not(family):
+def test_two_points_with_derivatives_can_be_closed_and_one_cannot(family):
     document = point_edits.delete_points(manual(family), 0, [2, 3])
     closed = curve_edits.set_closed(document, 0, True)
     validate(closed)
@@ -222,7 +222,7 @@ def test_handles_stay_when_a_curve_is_closed():
         lambda document: rule_edits.set_family(rule_edits.set_family(document, 0, LAGRANGE), 0, HERMITE),
     ],
 )
-def test_a_closed_curve_always_finds_its_way_back(change):
+def test_the_interval_of_a_closed_curve_ends_after_its_last_parameter(change):
     closed = curve_edits.set_closed(manual(), 0, True)
     changed = change(closed)
     validate(changed)
@@ -231,7 +231,7 @@ def test_a_closed_curve_always_finds_its_way_back(change):
     assert view.parameters[-1] > view.parameters[-2]
 
 
-def test_remembered_parameters_come_back_to_a_closed_curve():
+def test_stored_manual_parameters_return_to_a_closed_curve():
     closed = curve_edits.set_closed(manual(), 0, True)
     uniform = rule_edits.set_parametrization(closed, 0, ParametrizationKind.UNIFORM, [])
     shorter = rule_edits.set_interval(uniform, 0, 0.0, 1.0)
@@ -240,7 +240,7 @@ def test_remembered_parameters_come_back_to_a_closed_curve():
     assert view_of(back.curves[0]).is_current
 
 
-def test_the_t_of_the_last_point_stays_before_the_return():
+def test_the_t_of_the_last_point_must_be_less_than_the_end():
     closed = curve_edits.set_closed(manual(), 0, True)
     with pytest.raises(EditError, match="less than 4, the t at which the curve returns to its first point"):
         rule_edits.set_parameter(closed, 0, 3, 4.5, [0.0, 1.0, 2.0, 3.0, 4.0])
@@ -252,7 +252,7 @@ def test_the_t_of_the_last_point_stays_before_the_return():
 # Reverse
 
 
-def test_reversing_turns_points_parameters_and_sides_round():
+def test_reversing_reverses_points_parameters_and_sides():
     document = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
     turned = curve_edits.reverse_curve(document, 0, [0.0, 1.0, 2.0, 3.0])
     points = turned.curves[0].points
@@ -263,7 +263,7 @@ def test_reversing_turns_points_parameters_and_sides_round():
     assert curve_edits.reverse_curve(turned, 0, [0.0, 1.0, 2.0, 3.0]) == document
 
 
-def test_a_closed_curve_goes_on_beginning_where_it_began():
+def test_a_reversed_closed_curve_keeps_its_first_point():
     closed = curve_edits.set_closed(manual(), 0, True)
     turned = curve_edits.reverse_curve(closed, 0, [0.0, 1.0, 2.0, 3.0, 4.0])
     assert [point.position for point in turned.curves[0].points] == [
@@ -276,7 +276,7 @@ def test_a_closed_curve_goes_on_beginning_where_it_began():
 
 
 @pytest.mark.parametrize("closed", [False, True])
-def test_remembered_parameters_ascend_after_reversing(closed):
+def test_stored_parameters_increase_after_reversing(closed):
     document = rule_edits.set_parametrization(manual(closed=closed), 0, ParametrizationKind.UNIFORM, [])
     document = rule_edits.set_interval(document, 0, 5.0, 5.5)
     turned = curve_edits.reverse_curve(document, 0, view_of(document.curves[0]).parameters.tolist())

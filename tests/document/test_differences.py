@@ -22,7 +22,7 @@ def two():
     return Document(tuple(make_curve(WAVE, name=name, family=HERMITE) for name in "ab"))
 
 
-def test_moved_points_are_all_that_has_changed(two):
+def test_moved_points_are_found_when_nothing_else_changed(two):
     moved = move_points(two, 1, [0, 2], (1.0, 0.0))
     assert reshaped_curves(two, moved) == [1]
     assert reshaped_curves(two, two) == []
@@ -30,7 +30,7 @@ def test_moved_points_are_all_that_has_changed(two):
     assert curves_changed_besides_points(two.curves, moved.curves) == []
 
 
-def test_derivatives_are_points_but_no_move(two):
+def test_changed_derivatives_reshape_a_curve_but_move_no_point(two):
     bent = set_velocity(two, 0, 1, (1.0, 2.0))
     assert reshaped_curves(two, bent) == [0]
     assert moved_points(two, bent) is None
@@ -48,12 +48,12 @@ def test_derivatives_are_points_but_no_move(two):
     ],
     ids=["a point gone", "a curve gone", "a guide", "a colour", "a name"],
 )
-def test_anything_else_is_more_than_points(two, change):
+def test_other_changes_are_no_change_of_points_alone(two, change):
     assert reshaped_curves(two, change(two)) is None
     assert moved_points(two, change(two)) is None
 
 
-def test_a_curve_with_other_looks_is_told_from_one_with_other_points(two):
+def test_a_changed_style_is_distinguished_from_changed_points(two):
     moved = move_points(two, 1, [0], (1.0, 0.0))
     named = moved.with_curve(0, replace(moved.curves[0], name="c"))
     assert curves_changed_besides_points(two.curves, named.curves) == [0]

@@ -40,7 +40,7 @@ def test_the_folder_holds_the_examples_and_nothing_else():
 
 
 @each_row("stem", EXAMPLES)
-def test_the_file_is_what_the_script_makes(stem):
+def test_each_example_equals_the_output_of_the_script(stem):
     assert (FOLDER / f"{stem}.curve.json").read_bytes() == encode(EXAMPLES[stem])
 
 
@@ -49,7 +49,7 @@ def test_consecutive_points_differ(stem):
     assert np.hypot(*np.diff(core(stem).points, axis=0).T).min() > 1e-3
 
 
-def test_the_script_writes_where_it_is_told(tmp_path, monkeypatch):
+def test_the_script_writes_to_the_given_folder(tmp_path, monkeypatch):
     monkeypatch.setattr(GENERATOR, "FOLDER", tmp_path / "examples")
     GENERATOR.main()
     assert load(tmp_path / "examples" / "letter_s.curve.json") == EXAMPLES["letter_s"]

@@ -56,7 +56,7 @@ def refusal_of(text, decimal):
         ("1e-300", 1e-300),
     ],
 )
-def test_it_reads(text, value):
+def test_expressions_have_their_values(text, value):
     assert parse_number(text) == value
 
 
@@ -159,7 +159,7 @@ def test_with_a_decimal_comma(text, value):
         ("\x00", ".", "cannot be part"),
     ],
 )
-def test_it_refuses_with_a_sentence(text, decimal, word):
+def test_bad_expressions_are_refused_with_a_message(text, decimal, word):
     refused = []
     assert calls_of(lambda: refused.append(refusal_of(text, decimal))) < MOST_CALLS
     (refused,) = refused
@@ -168,19 +168,19 @@ def test_it_refuses_with_a_sentence(text, decimal, word):
     assert len(refused) < 120
 
 
-def test_a_shown_value_comes_back_bit_for_bit():
+def test_a_displayed_value_is_read_bit_for_bit():
     for value in (1 / 3, 0.1, -1e-17, 123456.789, 5e-324, 1e12):
         assert parse_number(repr(value)) == value
         assert parse_number(repr(value).replace(".", ","), ",") == value
 
 
-def test_deep_nesting_is_no_crash():
+def test_deep_nesting_is_refused_without_a_crash():
     for text in ("-" * 199 + "1", "(" * 99 + "1" + ")" * 99, "sin(" * 39 + "1" + ")" * 39):
         with contextlib.suppress(ExpressionError):  # where little of the stack is left
             assert abs(parse_number(text)) <= 1
 
 
-def test_little_stack_left_is_a_refusal():
+def test_a_nearly_full_stack_is_refused_without_a_crash():
     def at_depth(remaining):
         return parse_number("-" * 190 + "1") if remaining == 0 else at_depth(remaining - 1)
 
@@ -189,7 +189,7 @@ def test_little_stack_left_is_a_refusal():
         at_depth(room)
 
 
-def test_the_same_answer_as_python_for_every_function():
+def test_every_function_returns_the_result_of_python():
     for name, function in FUNCTIONS.items():
         arguments = (0.5, 0.25)[: function.least]
         text = f"{name}({'; '.join(map(repr, arguments))})"
@@ -216,7 +216,7 @@ WORDS = st.sampled_from(
 @given(st.one_of(texts(60), st.lists(WORDS, max_size=30).map("".join)), st.sampled_from(".,"))
 @example("9**9**9**9", ".")
 @example("e**e**e**e**e", ".")
-def test_any_text_is_a_finite_number_or_a_sentence(text, decimal):
+def test_any_text_is_a_finite_number_or_refused(text, decimal):
     def read():
         with contextlib.suppress(ExpressionError):
             value = parse_number(text, decimal)

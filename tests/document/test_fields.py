@@ -103,7 +103,7 @@ def test_a_number_of_numpy_becomes_one_of_python(way):
 
 
 @each_row("way", NUMBERS, ids=name_of)
-def test_what_is_no_number_is_refused_with_its_place(way):
+def test_a_value_that_is_no_number_is_refused_with_its_field(way):
     """Also at the door, which looks at what is new alone."""
     given = with_other(FULL, way, float("nan"))
     for check in (validate, lambda document: validate_changes(FULL, document)):
@@ -112,7 +112,7 @@ def test_what_is_no_number_is_refused_with_its_place(way):
         assert str(refusal.value).startswith(f"{name_of(way)} must lie between")
 
 
-def test_every_length_goes_with_the_unit():
+def test_every_length_scales_with_the_unit():
     """What is added to the document is a length, which another unit scales, or stands here."""
     twice = enlarged(FULL, 2.0)
     stays = {
@@ -126,6 +126,6 @@ def test_every_length_goes_with_the_unit():
     assert stays == {f"curves.{name}" for name in of_curves} | {"image.opacity"}
 
 
-def test_every_field_of_a_style_has_words():
+def test_every_field_of_a_style_has_a_label():
     """The history names a step by them."""
     assert [field.name for field in fields_of(Style) if field.label == field.name] == []

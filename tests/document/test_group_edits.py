@@ -79,7 +79,7 @@ def named_places(made):
 
 
 @each_row("drawn", ["abc", "a(bc)d", "[ab]c", "[a(bc)[de]]f(gh)", "[[ab]]"])
-def test_the_tree_is_that_of_the_brackets(drawn):
+def test_the_tree_has_the_nodes_of_the_brackets(drawn):
     assert text(document(drawn)) == drawn
 
 
@@ -94,12 +94,12 @@ def test_the_tree_is_that_of_the_brackets(drawn):
         ("(ab)(cd)", "ad", "(abcd)"),
     ],
 )
-def test_combined_curves_are_neighbours_where_the_topmost_is(drawn, chosen, made):
+def test_combined_curves_are_neighbours_at_the_topmost_index(drawn, chosen, made):
     some = document(drawn)
     assert text(combine(some, places(some, chosen)).document) == made
 
 
-def test_a_shape_has_the_style_of_the_hindmost_that_is_filled():
+def test_a_combined_shape_has_the_style_of_its_hindmost_filled_curve():
     some = document("abc")
     some = some.with_curve(1, replace(some.curves[1], style=Style(stroke="none", fill="#aa0000")))
     made = combine(some, {0, 1, 2}, alternate=True)
@@ -111,7 +111,7 @@ def test_a_shape_has_the_style_of_the_hindmost_that_is_filled():
         combine(some, {1})
 
 
-def test_a_shape_broken_apart_is_its_curves_where_they_were():
+def test_breaking_a_shape_apart_keeps_curves_and_order():
     some = document("a(bc)[(de)f]")
     assert text(break_apart(some, places(some, "bd"))) == "abc[def]"
     with pytest.raises(EditError, match="break it apart"):
@@ -130,7 +130,7 @@ def test_a_shape_broken_apart_is_its_curves_where_they_were():
         ("[[ab]c]", "ab", "[[[ab]]c]"),
     ],
 )
-def test_grouped_curves_are_in_the_group_that_holds_all(drawn, chosen, made):
+def test_grouped_curves_are_in_their_common_group(drawn, chosen, made):
     some = document(drawn)
     result = group_curves(some, places(some, chosen))
     assert text(result.document) == made
@@ -149,12 +149,12 @@ def test_grouped_curves_are_in_the_group_that_holds_all(drawn, chosen, made):
         ("[ab][c(de)]", "abcde", "abc(de)"),
     ],
 )
-def test_groups_are_taken_apart_by_one_level(drawn, chosen, made):
+def test_ungrouping_removes_one_level(drawn, chosen, made):
     some = document(drawn)
     assert text(ungroup(some, places(some, chosen))) == made
 
 
-def test_no_group_is_no_group_to_take_apart():
+def test_ungrouping_without_a_group_is_refused():
     some = document("a(bc)")
     assert groups_to_ungroup(some, {0, 1}) == []
     with pytest.raises(EditError, match="Select a group"):
@@ -174,7 +174,7 @@ def test_no_group_is_no_group_to_take_apart():
         ("a[b(cd)]", "c", -1, "a[(cd)b]"),
     ],
 )
-def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, made):
+def test_a_step_passes_the_next_node_of_the_same_group(drawn, chosen, step, made):
     some = document(drawn)
     assert text(reorder_curves(some, order_after_step(some, places(some, chosen), step))) == made
 
@@ -189,7 +189,7 @@ def test_a_step_goes_past_the_next_thing_in_the_same_group(drawn, chosen, step, 
         ("a[b(cd)]e", "ec", -1, "ea[(cd)b]"),
     ],
 )
-def test_the_end_is_that_of_the_same_group(drawn, chosen, end, made):
+def test_moving_to_an_end_stays_in_the_same_group(drawn, chosen, end, made):
     some = document(drawn)
     assert text(reorder_curves(some, order_at_end(some, places(some, chosen), end))) == made
 
@@ -206,19 +206,19 @@ def test_the_end_is_that_of_the_same_group(drawn, chosen, end, made):
         ("[ab](cd)", "ab", 3, Container((), "S1"), "(cabd)"),
     ],
 )
-def test_what_is_moved_into_something_is_in_it(drawn, chosen, at, container, made):
+def test_moved_curves_are_in_their_new_container(drawn, chosen, at, container, made):
     some = document(drawn)
     assert text(move_into(some, places(some, chosen), at, container).document) == made
 
 
-def test_a_curve_moved_into_a_shape_looks_like_it():
+def test_a_curve_moved_into_a_shape_gets_its_style():
     some = document("a(bc)")
     red = tuple(replace(curve, style=Style(fill="#ff0000"), visible=False) for curve in some.curves[1:])
     made = move_into(Document((some.curves[0], *red)), {0}, 1, Container((), "S1")).document
     assert {(curve.style.fill, curve.visible) for curve in made.curves} == {("#ff0000", False)}
 
 
-def test_nothing_goes_into_itself():
+def test_moving_a_node_into_itself_is_refused():
     some = document("a[bc]")
     with pytest.raises(EditError, match="into itself"):
         move_into(some, {1, 2}, 2, Container(("G1",)))
@@ -236,7 +236,7 @@ def test_nothing_goes_into_itself():
         ("a[b[cd]]", "b", "d", "d", "b"),
     ],
 )
-def test_a_press_means_the_outermost_group_that_is_not_entered(drawn, pressed_at, active, chosen, meant):
+def test_a_press_selects_the_outermost_group_that_is_not_entered(drawn, pressed_at, active, chosen, meant):
     some = document(drawn)
     (curve,), (edited,) = places(some, pressed_at), places(some, active)
     whole = frozenset(places(some, chosen))
@@ -270,7 +270,7 @@ def test_copies_of_shapes_and_groups_have_names_of_their_own():
     assert [curve.shape for curve in pasted.curves] == ["S1", "S1", "", "", "S1 copy", "S1 copy", "", ""]
 
 
-def test_imported_shapes_do_not_melt_into_those_that_are_there():
+def test_imported_shapes_get_unused_names():
     some = document("(ab)")
     both, first = add_imported(some, some)
     assert (first, [curve.shape for curve in both.curves]) == (2, ["S1", "S1", "S1 copy", "S1 copy"])
@@ -300,7 +300,7 @@ def test_whole_shapes_and_groups_are_named():
     ]
 
 
-def test_torn_groups_become_two_and_endless_ones_end():
+def test_torn_groups_become_two_and_deep_groups_are_limited():
     some = document("[ab]")
     torn = Document((some.curves[0], make_curve(()), some.curves[1]))
     assert [curve.groups for curve in tidy_shapes(torn).curves] == [("G1",), (), ("G1 2",)]
@@ -310,7 +310,7 @@ def test_torn_groups_become_two_and_endless_ones_end():
 
 
 @given(st.lists(st.tuples(st.sampled_from("abc"), st.lists(st.sampled_from("gh"), max_size=3)), min_size=1))
-def test_tidy_is_tidy(given_curves):
+def test_a_tidy_document_is_returned_unchanged(given_curves):
     curves = [
         replace(make_curve(()), shape=shape.replace("c", ""), groups=tuple(groups))
         for shape, groups in given_curves

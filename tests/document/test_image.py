@@ -36,15 +36,15 @@ def with_image(**changed):
     "document",
     [with_image(), with_image(path="Größe ‖c′‖.jpg"), with_image(opacity=0.0, locked=False, x=-1e12)],
 )
-def test_what_is_written_is_read(document):
+def test_a_reference_image_survives_saving(document):
     assert decode(encode(document)) == document
 
 
-def test_a_document_without_one_has_no_key_for_it():
+def test_a_document_without_an_image_has_no_image_key():
     assert b"image" not in encode(empty_document())
 
 
-def test_the_file_reads_well():
+def test_the_image_stands_on_one_line_of_the_file():
     line = (
         '  "image": {"path": "letters/s.png", "x": 0.1, "y": -0.3333333333333333, '
         '"width": 3.0, "height": 4.0, "opacity": 0.25, "locked": true},\n'
@@ -68,7 +68,7 @@ def test_the_file_reads_well():
         ({"path": "\\\\elsewhere\\share\\a.png"}, "image.path must be the path of a file on this computer"),
     ],
 )
-def test_what_cannot_be_is_refused(changed, message):
+def test_invalid_images_are_refused(changed, message):
     with pytest.raises(FormatError) as refusal:
         encode(with_image(**changed))
     assert str(refusal.value).startswith(message)
@@ -84,7 +84,7 @@ def test_what_cannot_be_is_refused(changed, message):
         (b'"x": 0.1', b'"x": 1e999', "image.x must lie between"),
     ],
 )
-def test_a_file_that_is_wrong_is_refused_with_the_place(old, new, message):
+def test_an_invalid_image_in_a_file_is_refused_with_its_field(old, new, message):
     data = encode(with_image())
     assert old in data
     with pytest.raises(FormatError) as refusal:
@@ -92,7 +92,7 @@ def test_a_file_that_is_wrong_is_refused_with_the_place(old, new, message):
     assert str(refusal.value).startswith(message)
 
 
-def test_the_path_follows_the_document(tmp_path):
+def test_the_path_is_relative_to_the_document(tmp_path):
     picture = tmp_path / "pictures" / "s.png"
     here, there = tmp_path / "a.curve.json", tmp_path / "deep" / "er" / "b.curve.json"
     there.parent.mkdir(parents=True)
@@ -129,7 +129,7 @@ def test_another_file_keeps_the_width_and_brings_its_aspect():
     assert set_image_file(document, "b.png", 2.0).image == ReferenceImage("b.png", 1.0, 2.0, 4.0, 2.0)
 
 
-def test_edits_refuse_what_the_file_could_not_hold():
+def test_edits_refuse_images_that_no_file_may_hold():
     document = set_image(empty_document(), ReferenceImage("a.png", 1.0, 2.0, 4.0, 3.0))
     for bad in (
         lambda: move_image(document, (2e12, 0)),

@@ -97,7 +97,7 @@ def handles(doc, segment):
 
 @each_row("rule", BY_DISTANCE)
 @each_row("family", WITH_VELOCITIES)
-def test_handles_on_which_nothing_else_hangs_stay_as_they_were(rule, family):
+def test_independent_handles_keep_their_lengths(rule, family):
     """A point dragged far away made those of its neighbour at the end eight times as long."""
     before = document(rule, family)
     after = move_points(before, 0, {1}, (20.0, -30.0))
@@ -109,7 +109,7 @@ def test_handles_on_which_nothing_else_hangs_stay_as_they_were(rule, family):
 
 
 @pytest.mark.parametrize("rule", BY_DISTANCE)
-def test_the_handles_of_a_moved_point_together_stay_as_long_as_they_were(rule):
+def test_handles_of_a_moved_point_keep_their_total_length(rule):
     before = document(rule)
     after = move_points(before, 0, {3}, (5.0, 8.0))
     old, new = (np.hypot(*handles(each, 2)[1]) + np.hypot(*handles(each, 3)[0]) for each in (before, after))
@@ -119,7 +119,7 @@ def test_the_handles_of_a_moved_point_together_stay_as_long_as_they_were(rule):
 @each_row("rule", BY_DISTANCE)
 @each_row("family", WITH_VELOCITIES)
 @each_row("by", [rotation(30.0, (1.0, 1.0)), scaling(2.0, 2.0, (0.0, 0.0)), scaling(0.5, 0.5, (3.0, 1.0))])
-def test_points_transformed_together_take_their_handles_along(rule, family, by):
+def test_points_transformed_together_transform_their_handles(rule, family, by):
     before = document(rule, family)
     chosen = {2, 3, 4, 5}
     old, new = controls(before), controls(transform_points(before, 0, chosen, by))
@@ -130,7 +130,7 @@ def test_points_transformed_together_take_their_handles_along(rule, family, by):
 
 
 @each_row("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
-def test_a_transform_of_all_points_is_one_of_the_curve(rule):
+def test_a_transform_of_all_points_transforms_the_curve(rule):
     before, by = document(rule), scaling(3.0, 3.0, (1.0, 2.0))
     old, new = controls(before), controls(transform_points(before, 0, range(8), by))
     for segment in range(7):
@@ -138,7 +138,7 @@ def test_a_transform_of_all_points_is_one_of_the_curve(rule):
 
 
 @each_row("rule", [*BY_DISTANCE, Parametrization(ParametrizationKind.UNIFORM)])
-def test_what_is_far_from_a_deleted_point_stays(rule):
+def test_segments_far_from_a_deleted_point_stay(rule):
     before = document(rule)
     old, new = controls(before), controls(delete_points(before, 0, {4}))
     assert all(same(old[k], new[k]) for k in (0, 1, 2))
@@ -148,7 +148,7 @@ def test_what_is_far_from_a_deleted_point_stays(rule):
 @pytest.mark.parametrize(
     "kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHEBYSHEV, ParametrizationKind.MANUAL]
 )
-def test_where_distances_do_not_matter_derivatives_stay(kind):
+def test_derivatives_stay_under_rules_without_distances(kind):
     before = document(Parametrization(kind))
     points = tuple(replace(point, t=k / 7) for k, point in enumerate(before.curves[0].points))
     before = before.with_curve(0, replace(before.curves[0], points=points))
@@ -157,7 +157,7 @@ def test_where_distances_do_not_matter_derivatives_stay(kind):
 
 
 @pytest.mark.parametrize("rule", BY_DISTANCE)
-def test_there_and_back_again_is_the_same_document(rule):
+def test_moving_a_point_and_back_restores_the_document(rule):
     before = document(rule)
     away = move_points(before, 0, {3}, (0.5, 0.25))
     assert move_points(before, 0, {3}, (0.0, 0.0)) == before
@@ -166,7 +166,7 @@ def test_there_and_back_again_is_the_same_document(rule):
         assert one.velocity == pytest.approx(other.velocity, rel=1e-14)
 
 
-def test_nothing_explodes_where_all_points_coincide():
+def test_coincident_points_keep_finite_derivatives():
     rule = BY_DISTANCE[0]
     points = tuple(Point(1.0, 1.0, velocity=(1.0, 0.0)) for _ in range(3))
     before = Document((Curve("Heap", HERMITE, rule, points),))
@@ -174,7 +174,7 @@ def test_nothing_explodes_where_all_points_coincide():
     assert [point.velocity for point in after.curves[0].points] == [(1.0, 0.0)] * 3
 
 
-def test_a_derivative_beyond_what_a_document_may_hold_is_refused():
+def test_a_too_large_derivative_is_refused():
     points = (Point(0.0, 0.0, velocity=(9e11, 0.0)), Point(1e-6, 0.0), Point(2e-6, 0.0))
     before = Document((Curve("Tiny", HERMITE, BY_DISTANCE[0], points),))
     with pytest.raises(EditError, match="derivative"):
@@ -183,7 +183,7 @@ def test_a_derivative_beyond_what_a_document_may_hold_is_refused():
 
 @each_row("rule", BY_DISTANCE)
 @each_row(("is_corner", "calls"), [(False, 19), (True, 50)])
-def test_what_goes_as_a_whole_keeps_its_derivatives_and_costs_little(rule, is_corner, calls):
+def test_a_curve_moved_as_a_whole_keeps_its_derivatives_quickly(rule, is_corner, calls):
     """Thousands of curves are moved at once."""
     points = [
         Point(np.cos(k), np.sin(3 * k), velocity=(1.0 + k, 2.0), corner=is_corner, velocity_after=(1.0, -k))

@@ -35,26 +35,26 @@ MEANT = {
 
 
 @each_row("text", MEANT)
-def test_what_is_typed_is_meant_in_the_unit_of_the_document(text):
+def test_typed_lengths_are_in_the_unit_of_the_document(text):
     # Of these numbers only "1/3" and pi are no decimal ones; all others are exact.
     assert typed_length(text, "mm", 200.0) == MEANT[text]
 
 
 @each_row(("text", "unit"), [("3 squares", "squares"), ("1+2 s", "s"), ("3e0", "e"), ("3", "e")])
-def test_the_unit_of_the_document_may_be_typed_whatever_it_is(text, unit):
+def test_any_unit_of_the_document_may_be_typed(text, unit):
     assert typed_length(text, unit) == 3.0
 
 
 @each_row("unit", MILLIMETRES)
 @each_row("other", MILLIMETRES)
-def test_every_unit_becomes_every_other_one(unit, other):
+def test_every_unit_is_converted_to_every_other(unit, other):
     # Two roundings.
     assert typed_length(f"3 {unit}", other, 0.0) == pytest.approx(
         3 * MILLIMETRES[unit] / MILLIMETRES[other], rel=4e-16
     )
 
 
-def test_a_comma_is_read_where_the_locale_has_it():
+def test_a_decimal_comma_is_read_in_its_locale():
     assert typed_length("1,5 in + 0,5 in", "mm", 0.0, ",") == 50.8
 
 
@@ -74,7 +74,7 @@ def test_a_comma_is_read_where_the_locale_has_it():
         ("", "mm", "A number is missing."),
     ],
 )
-def test_what_is_no_length_says_why(text, unit, reason):
+def test_bad_lengths_are_refused_with_a_reason(text, unit, reason):
     with pytest.raises(ExpressionError) as refusal:
         typed_length(text, unit, 1.0)
     assert str(refusal.value) == reason

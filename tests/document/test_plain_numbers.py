@@ -63,7 +63,7 @@ def test_every_number_becomes_a_float_of_the_same_value(number, odd_values):
     assert b"null" not in encode(document)
 
 
-def test_what_is_plain_stays_the_same_object():
+def test_a_plain_document_stays_the_same_object():
     document = Document((make_curve([(0, 0), (1, 1)]), make_curve([(0, 0)])))
     assert with_plain_numbers(document) is document
     moved = point_edits.move_points(document, 0, [1], (0.5, 0.5))
@@ -75,7 +75,7 @@ def test_what_is_plain_stays_the_same_object():
     assert all(a is b for a, b in zip(mended.curves[0].points, document.curves[0].points, strict=False))
 
 
-def test_only_what_changed_is_looked_at():
+def test_unchanged_objects_are_not_checked():
     before = document_of(np.float64(2.0))
     assert with_plain_numbers(before, before) is before
     curve = before.curves[1]
@@ -84,7 +84,7 @@ def test_only_what_changed_is_looked_at():
 
 
 @each_row("odd", [True, None, "1", Decimal(1), 10**400, np.float64("nan"), np.float64("inf")])
-def test_what_is_no_number_is_left_for_the_sentence_that_refuses_it(odd):
+def test_values_that_are_no_numbers_are_left_for_validation(odd):
     curve = replace(make_curve([(0, 0)]), points=(Point(odd, 0.0),))
     with pytest.raises(FormatError, match=r"curves\[0\]\.points\[0\]\.x must"):
         validate(with_plain_numbers(Document((curve,))))

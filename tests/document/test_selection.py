@@ -25,7 +25,7 @@ BEFORE = points((0, 0), (1, 1), (2, 0), (3, 1))
         ((), set()),
     ],
 )
-def test_points_are_followed_by_their_places(after, kept):
+def test_points_are_followed_by_their_positions(after, kept):
     assert followed_points({1, 3}, BEFORE, after) == kept
 
 
@@ -36,7 +36,7 @@ def test_coincident_points_keep_their_order():
     assert followed_points({1, 2}, before, before[:2]) == {1}
 
 
-def test_other_derivatives_do_not_make_another_point():
+def test_a_point_with_changed_derivatives_is_still_followed():
     document = point_edits.set_velocity(Document((make_curve([(0, 0), (1, 1), (2, 0)]),)), 0, 1, (1.0, 0.0))
     after = point_edits.insert_points(document, 0, 0, [Point(-1.0, 0.0)])
     stretched = rule_edits.set_interval(after, 0, 0.0, 5.0)

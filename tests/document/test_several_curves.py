@@ -50,7 +50,7 @@ def locked(document, *places):
     return set_appearance(document, places, locked=True)
 
 
-def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
+def test_whole_curves_are_rotated_with_explicit_derivatives(four):
     turned = transform_group(four, whole_curves(four, {1, 3}), rotation(90.0, (0.0, 0.0)))
     assert turned.curves[1].points[2] == Point(
         0.0, 2.0, velocity=(0.0, 1.0), acceleration=(-3.0, 0.0), corner=True, velocity_after=(-2.0, 0.0)
@@ -60,12 +60,12 @@ def test_whole_curves_turn_with_all_derivatives_that_were_set(four):
     assert turned.curves[2] is four.curves[2]
 
 
-def test_some_points_of_one_curve_are_a_group_too(four):
+def test_some_points_of_one_curve_can_be_transformed(four):
     after = move_group(four, points_of(2, [1]), (0.5, 0.25))
     assert [point.position for point in after.curves[2].points] == [(0.0, 2.0), (1.5, 2.25)]
 
 
-def test_what_is_too_large_changes_nothing(four):
+def test_a_too_large_transform_changes_nothing(four):
     far = replace(four.curves[3], points=(Point(9e11, 0.0), Point(0.0, 0.0)))
     with pytest.raises(EditError, match="1e12"):
         move_group(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))
@@ -86,19 +86,19 @@ def test_what_is_too_large_changes_nothing(four):
         lambda document: remove_curves(document, {0, 1, 3}),
     ],
 )
-def test_locked_curves_are_named(four, places, sentence, act):
+def test_a_refusal_names_the_locked_curves(four, places, sentence, act):
     with pytest.raises(EditError) as refused:
         act(locked(four, *places))
     assert str(refused.value) == sentence
 
 
-def test_locked_curves_that_are_not_meant_are_no_hindrance(four):
+def test_unselected_locked_curves_are_no_hindrance(four):
     document = locked(four, 2)
     assert names(remove_curves(document, {0, 3})) == "BC"
     assert move_group(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].points[0].x == 1.0
 
 
-def test_looks_are_changed_as_far_as_given(four):
+def test_only_given_parts_of_the_appearance_change(four):
     after = set_appearance(four, {0, 2}, visible=False, colour="#d55e00")
     assert [(curve.visible, curve.style.stroke, curve.locked) for curve in after.curves] == [
         (False, "#d55e00", False),
@@ -109,7 +109,7 @@ def test_looks_are_changed_as_far_as_given(four):
     assert after.curves[1] is four.curves[1]
 
 
-def test_copies_come_after_the_last_in_their_order(four):
+def test_copies_follow_the_last_original_in_order(four):
     document = set_appearance(four, {0}, visible=False, locked=True)
     document = set_style(document, {2}, stroke="#0072b2", width=3.0, fill="#f0e442")
     after = duplicate_curves(document, {0, 2}).document
@@ -129,25 +129,25 @@ def test_copies_of_copies_are_numbered(four):
     assert [curve.name for curve in pasted.curves[:3]] == ["A", "B copy", "New"]
 
 
-def test_the_curve_that_takes_the_place_is_edited_next(four):
+def test_the_curve_at_the_removed_index_becomes_active(four):
     assert [active_after_removal(four, {1, 2}, active) for active in (1, 2)] == [1, 1]
     assert active_after_removal(four, {2, 3}, 3) == 1
     assert active_after_removal(four, {0, 1, 2, 3}, 2) == 0
 
 
-def test_one_is_named_and_several_are_counted(four):
+def test_one_curve_is_named_and_several_are_counted(four):
     assert (name_or_count(four, {2}), name_or_count(four, {0, 2})) == ("C", "2 curves")
 
 
 @given(st.permutations(range(6)), st.sets(st.integers(0, 5)), st.sets(st.integers(0, 5)))
-def test_a_choice_follows_its_curves(order, chosen, gone):
+def test_a_selection_follows_its_curves(order, chosen, gone):
     before = [make_curve([(0, number)], name="same") for number in range(6)]
     after = [before[number] for number in order if number not in gone]
     kept = followed_curves(chosen, before, after)
     assert {id(after[place]) for place in kept} == {id(before[place]) for place in chosen - gone}
 
 
-def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
+def test_a_selection_stays_on_changed_curves(four):
     document = set_family(append_point(four, 1, Point(9.0, 9.0)), 3, HERMITE)
     assert followed_curves({1, 3}, four.curves, document.curves) == {1, 3}
     lowered = move_into(four, {1}, 3).document
@@ -159,7 +159,7 @@ def test_a_choice_stays_on_curves_that_are_changed_in_their_place(four):
     ("chosen", "step", "order"),
     [({1}, 1, "ACBD"), ({0, 1}, 1, "CABD"), ({2, 3}, 1, "ABCD"), ({1, 3}, 1, "ACBD"), ({0, 2}, -1, "ACBD")],
 )
-def test_chosen_curves_step_together(four, chosen, step, order):
+def test_selected_curves_step_together(four, chosen, step, order):
     assert names(reorder_curves(four, order_after_step(four, chosen, step))) == order
 
 
@@ -167,5 +167,5 @@ def test_chosen_curves_step_together(four, chosen, step, order):
     ("chosen", "at", "order"),
     [({0, 1}, 4, "CDAB"), ({0, 3}, 1, "ADBC"), ({1, 3}, 0, "BDAC"), ({0, 2}, 3, "BACD")],
 )
-def test_chosen_curves_are_dropped_together(four, chosen, at, order):
+def test_selected_curves_are_dropped_together(four, chosen, at, order):
     assert names(move_into(four, chosen, at).document) == order

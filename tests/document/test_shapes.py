@@ -29,7 +29,7 @@ def test_a_shape_is_a_run_of_neighbours_of_one_name():
     assert shape_problem(some) == ""
 
 
-def test_a_lone_curve_is_no_shape():
+def test_a_shape_of_one_curve_is_dissolved():
     assert [curve.shape for curve in tidy_shapes(document("a", "b", "b")).curves] == ["", "b", "b"]
     assert "curves[0].shape must name two or more" in shape_problem(document("a", "b", "b"))
 
@@ -48,7 +48,7 @@ def test_a_torn_shape_becomes_two():
     assert shape_problem(some).startswith("curves[3].shape must name")
 
 
-def test_the_first_curve_says_how_a_shape_looks():
+def test_the_first_curve_decides_the_style_of_a_shape():
     some = document("a", "a", "a")
     torn = some.with_curve(1, replace(some.curves[1], style=Style(fill="#ff0000"), locked=True))
     assert (
@@ -58,7 +58,7 @@ def test_the_first_curve_says_how_a_shape_looks():
     assert tidy_shapes(torn) == some
 
 
-def test_looks_are_those_of_whole_shapes():
+def test_appearance_is_set_for_whole_shapes():
     some = set_appearance(document("", "a", "a"), {2}, visible=False, colour="#0072b2")
     assert [(curve.visible, curve.style.stroke) for curve in some.curves] == [
         (True, ""),

@@ -18,7 +18,7 @@ def document(family=QUINTIC_HERMITE, *, closed=False):
     return Document((replace(make_curve(POINTS, family=family), closed=closed),))
 
 
-def test_only_the_inner_sides_are_set():
+def test_straightening_sets_only_the_sides_within_the_segment():
     points = list(document().curves[0].points)
     points[1] = replace(points[1], velocity=(5.0, 6.0), acceleration=(7.0, 8.0))
     before = document().with_curve(0, replace(document().curves[0], points=tuple(points)))
@@ -31,13 +31,13 @@ def test_only_the_inner_sides_are_set():
     assert after[2] == Point(3.0, 2.0, corner=True, velocity=(4.0, 0.0), acceleration=(0.0, 0.0))
 
 
-def test_an_end_of_an_open_curve_is_no_corner():
+def test_an_end_of_an_open_curve_becomes_no_corner():
     after = straighten(document(HERMITE), 0, [0], TIMES).curves[0].points
     assert after[0] == Point(0.0, 0.0, velocity=(4.0, 8.0))
     assert after[1] == Point(1.0, 2.0, corner=True, velocity=(4.0, 8.0))
 
 
-def test_the_segment_that_closes_counts():
+def test_the_closing_segment_can_be_straightened():
     closed = document(HERMITE, closed=True)
     after = straighten(closed, 0, [3], (0.0, 0.25, 0.5, 0.75, 1.0)).curves[0].points
     assert after[3] == Point(4.0, 0.0, corner=True, velocity_after=(-16.0, 0.0))
@@ -46,11 +46,11 @@ def test_the_segment_that_closes_counts():
 
 
 @pytest.mark.parametrize("segment", [-1, 3])
-def test_what_is_no_segment_is_refused(segment):
+def test_a_missing_segment_is_refused(segment):
     with pytest.raises(EditError, match="segment does not exist"):
         straighten(document(), 0, [segment], TIMES)
 
 
-def test_a_polynomial_is_refused_with_the_reason():
+def test_straightening_a_polynomial_is_refused_with_a_reason():
     with pytest.raises(EditError, match="one polynomial"):
         straighten(document(LAGRANGE), 0, [1], TIMES)

@@ -69,7 +69,7 @@ def sine(point):
 
 
 @given(vectors, vectors)
-def test_turned_keeps_the_length_and_goes_along(v, along):
+def test_a_turned_vector_keeps_its_length(v, along):
     result = turned_along(v, along)
     # Four roundings of 2⁻⁵³ each: a quotient and a product, and those of the two lengths.
     assert math.hypot(*result) == pytest.approx(math.hypot(*v), rel=1e-15)
@@ -78,7 +78,7 @@ def test_turned_keeps_the_length_and_goes_along(v, along):
 
 
 @given(vectors, vectors)
-def test_tied_turns_the_shorter_one_alone(v, w):
+def test_tying_turns_only_the_shorter_handle(v, w):
     point = tie(Point(0.0, 0.0), v, w)
     assert has_parallel_velocities(point)
     assert sine(point) < Fraction(1, 10**30)
@@ -89,7 +89,7 @@ def test_tied_turns_the_shorter_one_alone(v, w):
 
 
 @given(vectors, st.booleans())
-def test_a_velocity_turns_the_other_along(vector, ahead):
+def test_setting_a_velocity_turns_the_tied_one(vector, ahead):
     before = document()
     length = math.hypot(*getattr(before.curves[0].points[2], "velocity" if ahead else "velocity_after"))
     point = point_edits.set_velocity(before, 0, 2, vector, ahead=ahead).curves[0].points[2]
@@ -134,7 +134,7 @@ def test_tied_velocities_stay_parallel_after_every_edit(kind, closed, changes):
     assert decode(encode(made)) == made
 
 
-def test_reversing_turns_both_round():
+def test_reversing_keeps_a_tie():
     before = curve()
     after = reverse_curve(Document((before,)), 0, [0.0, 0.2, 0.45, 0.8, 1.0]).curves[0].points[2]
     assert after.tied
@@ -145,7 +145,7 @@ def test_reversing_turns_both_round():
     )
 
 
-def test_what_is_left_to_the_rules_is_tied_to_nothing():
+def test_an_estimated_velocity_ends_the_tie():
     for ahead in (False, True):
         point = point_edits.set_velocity(document(), 0, 2, None, ahead=ahead).curves[0].points[2]
         assert (point.corner, point.tied) == (True, False)
@@ -158,7 +158,7 @@ def test_what_is_left_to_the_rules_is_tied_to_nothing():
     )
 
 
-def test_an_acceleration_is_the_side_s_own():
+def test_accelerations_of_a_tied_point_are_independent():
     made = point_edits.set_derivative(document(family=QUINTIC_HERMITE), 0, 2, 2, (5.0, 5.0), ahead=True)
     point = made.curves[0].points[2]
     assert (point.acceleration, point.acceleration_after, point.tied) == (None, (5.0, 5.0), True)
@@ -171,7 +171,7 @@ def test_an_acceleration_is_the_side_s_own():
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize("moved", [2, 3])
 @given(to=places)
-def test_a_line_stays_one_wherever_its_end_goes(kind, closed, moved, to):
+def test_a_straight_segment_stays_straight_when_its_end_moves(kind, closed, moved, to):
     before = with_line(kind=kind, closed=closed)
     assert is_straight(before.curves[0], 2)
     after = point_edits.set_position(before, 0, moved, to).curves[0]
@@ -183,7 +183,7 @@ def test_a_line_stays_one_wherever_its_end_goes(kind, closed, moved, to):
         assert has_parallel_velocities(p)
 
 
-def test_a_handle_beside_a_line_keeps_to_it():
+def test_a_tied_handle_beside_a_straight_segment_stays_along_it():
     before = with_line()
     assert is_straight_beside(before.curves[0], 2, ahead=True)
     line = before.curves[0].points[2].velocity_after
@@ -200,7 +200,7 @@ def test_a_handle_beside_a_line_keeps_to_it():
     )
 
 
-def test_a_handle_pulled_out_of_a_line_bends_it_and_turns_the_other():
+def test_a_handle_dragged_out_of_a_straight_segment_bends_it():
     after = point_edits.set_velocity(with_line(), 0, 2, (1.0, 5.0), ahead=True).curves[0]
     assert not is_straight(after, 2)
     assert has_parallel_velocities(after.points[2])
@@ -214,7 +214,7 @@ def test_a_point_between_two_lines_is_a_corner():
     assert (points[2].corner, points[2].tied) == (True, False)
 
 
-def test_two_lines_that_turn_apart_end_a_tie():
+def test_two_straight_segments_in_different_directions_end_a_tie():
     straight = document(points=((0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0), (4.0, 0.0)), ties=())
     straight = straighten(straight, 0, [1, 2], [0.0, 0.25, 0.5, 0.75, 1.0])
     point = straight.curves[0].points[2]
@@ -230,13 +230,13 @@ def test_two_lines_that_turn_apart_end_a_tie():
     assert not after.points[2].tied
 
 
-def test_points_that_go_together_leave_the_line_between_them_alone():
+def test_points_moved_together_keep_the_straight_segment_between_them():
     before = with_line(ties=())
     after = point_edits.move_points(before, 0, [2, 3], (2.0, 1.0))
     assert is_straight(after.curves[0], 2)
 
 
-def test_curved_segments_are_no_lines():
+def test_curved_segments_are_not_straight():
     made = document(ties=())
     assert not any(is_straight(made.curves[0], segment) for segment in range(4))
     # Velocities that a point has on both sides bend the next segment when they turn.
@@ -250,7 +250,7 @@ def test_curved_segments_are_no_lines():
 # Files
 
 
-def test_a_tie_stands_in_the_file_only_where_there_is_one():
+def test_a_tie_is_written_only_for_tied_points():
     text = encode(document()).decode()
     assert text.count('"tied": true') == 1
     assert decode(text.encode()) == document()
@@ -265,7 +265,7 @@ def test_a_tie_stands_in_the_file_only_where_there_is_one():
         Point(0.0, 0.0, velocity=(1.0, 0.0), corner=True, velocity_after=(-1.0, 0.0), tied=True),
     ],
 )
-def test_a_tie_that_does_not_hold_is_refused_in_a_file_and_ends_at_the_door(point):
+def test_a_broken_tie_is_refused_in_a_file_and_removed_from_a_change(point):
     made = curve()
     wrong = Document((replace(made, points=(point, *made.points[1:])),))
     with pytest.raises(FormatError, match=r"points\[0\]\.tied needs a corner"):
@@ -273,7 +273,7 @@ def test_a_tie_that_does_not_hold_is_refused_in_a_file_and_ends_at_the_door(poin
     assert with_plain_numbers(wrong).curves[0].points[0] == untie(point)
 
 
-def test_an_even_point_that_is_not_tied_is_refused_in_a_file_and_ends_at_the_door():
+def test_an_untied_even_point_is_refused_in_a_file_and_mended_in_a_change():
     made, point = curve(), Point(0.0, 0.0, even=True)
     wrong = Document((replace(made, points=(point, *made.points[1:])),))
     with pytest.raises(FormatError, match=r"points\[0\]\.even needs a tied point"):

@@ -119,11 +119,11 @@ def answer(monkeypatch, choice):
 # Keeping
 
 
-def test_tests_write_into_a_home_of_their_own(own_home):
+def test_tests_write_into_a_separate_home(own_home):
     assert state_folder().is_relative_to(own_home)
 
 
-def test_steps_that_never_pause_are_kept(editor):
+def test_steps_without_a_pause_are_backed_up(editor):
     """A second after the first of them: a further step puts nothing off."""
     autosave = Autosave(editor.session, snapshot_folder())
     soon = autosave._soon
@@ -144,12 +144,12 @@ def test_steps_that_never_pause_are_kept(editor):
     autosave.finish()
 
 
-def test_a_step_is_kept(kept):
+def test_a_step_is_backed_up(kept):
     kept.drag_point(1, to=(2, 3))
     until_kept(kept.session.document)
 
 
-def test_a_drag_in_flight_is_kept(kept):
+def test_a_drag_is_backed_up_while_it_lasts(kept):
     committed = kept.session.committed
     kept.press(kept.point(2))
     kept.move((1.0, 1.0))
@@ -170,7 +170,7 @@ def test_without_a_change_nothing_is_written(kept):
 
 
 @pytest.mark.parametrize("how", ["save", "new", "open", "undo"])
-def test_what_is_saved_given_up_or_undone_is_not_kept(kept, tmp_path, monkeypatch, how):
+def test_a_saved_discarded_or_undone_document_has_no_snapshot(kept, tmp_path, monkeypatch, how):
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     other = tmp_path / "other.curve.json"
     save(other, SKETCH)
@@ -187,7 +187,7 @@ def test_what_is_saved_given_up_or_undone_is_not_kept(kept, tmp_path, monkeypatc
     assert files() == []
 
 
-def test_what_another_program_has_emptied_is_kept(kept, tmp_path, monkeypatch):
+def test_a_document_whose_file_was_emptied_is_backed_up(kept, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
     monkeypatch.setattr("app.features.files.disk._MOST_CHECKS", 1)
     path = tmp_path / "mine.curve.json"
@@ -199,7 +199,7 @@ def test_what_another_program_has_emptied_is_kept(kept, tmp_path, monkeypatch):
     until(lambda: not files())
 
 
-def test_the_snapshot_says_which_file_and_that_it_changed(kept, tmp_path):
+def test_a_snapshot_names_its_file_and_whether_it_changed(kept, tmp_path):
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     move_point(kept, (2.0, 3.0))
@@ -243,7 +243,7 @@ def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, monk
     assert threading.main_thread() not in threads
 
 
-def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept):
+def test_an_impossible_folder_is_reported_once_and_editing_continues(kept):
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     sentences = []
@@ -262,7 +262,7 @@ def test_a_folder_that_cannot_be_made_is_said_once_and_editing_goes_on(kept):
     until(is_kept)
 
 
-def test_what_a_disk_refused_is_tried_again_without_another_change(editor):
+def test_a_failed_snapshot_is_tried_again_without_a_change(editor):
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     autosave = Autosave(editor.session, snapshot_folder(), delay=10, retry=50)
@@ -274,7 +274,7 @@ def test_what_a_disk_refused_is_tried_again_without_another_change(editor):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs limits of POSIX")
-def test_a_full_disk_keeps_the_old_snapshot_and_is_said(kept):
+def test_a_full_disk_keeps_the_old_snapshot_and_is_reported(kept):
     import resource
 
     move_point(kept, (2.0, 3.0))
@@ -319,7 +319,7 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
 # Offering
 
 
-def test_what_was_left_is_offered_and_restored(kept, tmp_path):
+def test_a_left_snapshot_is_offered_and_restored(kept, tmp_path):
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=SnapshotOrigin(path, stamp))
@@ -339,7 +339,7 @@ def test_what_was_left_is_offered_and_restored(kept, tmp_path):
     assert load(path) == SKETCH
 
 
-def test_restored_into_a_window_that_has_its_file_open_it_can_be_saved(kept, tmp_path):
+def test_work_restored_into_the_window_of_its_file_can_be_saved(kept, tmp_path):
     """Killed, started with the same file, then Restore: it was read-only, owned by this very window."""
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
@@ -375,7 +375,7 @@ def test_work_on_a_changed_or_missing_file_becomes_a_new_document(kept, tmp_path
     assert (title_of(kept.session), file_stem(kept.session)) == ("mine", "mine")
 
 
-def test_what_never_had_a_file_keeps_its_name(kept):
+def test_a_restored_document_without_a_file_keeps_its_name(kept):
     """A drawing that had been imported was called “Untitled” after a crash."""
     kept.session.files.begin_imported(SKETCH, "icon")
     move_point(kept, (2.0, 3.0))
@@ -390,7 +390,7 @@ def test_what_never_had_a_file_keeps_its_name(kept):
 
 
 @pytest.mark.parametrize("looks", [{"locked": True}, {"visible": False}])
-def test_what_is_locked_or_hidden_is_not_edited_when_it_comes_back(editor, looks):
+def test_a_locked_or_hidden_curve_is_not_edited_after_restoring(editor, looks):
     leave_behind(replace(SKETCH, curves=tuple(replace(curve, **looks) for curve in SKETCH.curves)))
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     press(editor, "restoreWork0")
@@ -398,7 +398,7 @@ def test_what_is_locked_or_hidden_is_not_edited_when_it_comes_back(editor, looks
     assert (selected.is_editing, selected.whole_curves) == (False, frozenset())
 
 
-def test_two_windows_of_one_file_are_told_apart(editor, tmp_path):
+def test_two_snapshots_of_one_file_are_distinguished(editor, tmp_path):
     """Both were called “mine.curve.json, a moment ago”."""
     path = tmp_path / "mine.curve.json"
     origin = SnapshotOrigin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
@@ -445,7 +445,7 @@ def test_discard_deletes_and_later_keeps(editor):
     assert len(files()) == 1
 
 
-def test_the_keyboard_is_enough(editor):
+def test_the_recovery_bar_works_with_the_keyboard(editor):
     leave_behind()
     editor.trigger("recoverWork")
     assert editor.window.focusWidget().objectName() == "restoreWork0"
@@ -468,7 +468,7 @@ def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
     assert len(files()) == 1
 
 
-def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept):
+def test_restoring_beside_unsaved_work_opens_another_window(kept):
     leave_behind()
     leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
     move_point(kept, (2.0, 3.0))
@@ -483,7 +483,7 @@ def test_with_work_in_the_window_another_one_is_opened_and_nothing_asked(kept):
     until(lambda: len(files()) == 3)  # here, there, and the one not decided
 
 
-def test_closing_the_window_decides_nothing(editor):
+def test_closing_the_window_keeps_undecided_snapshots(editor):
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     editor.window.close()
@@ -491,7 +491,7 @@ def test_closing_the_window_decides_nothing(editor):
     snapshot.leave()
 
 
-def test_a_damaged_one_is_a_sentence_and_no_more(editor):
+def test_a_damaged_snapshot_is_only_mentioned(editor):
     snapshot_folder().mkdir(parents=True)
     (snapshot_folder() / f"x{SUFFIX}").write_bytes(b"\x00" * 10)
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
@@ -501,7 +501,7 @@ def test_a_damaged_one_is_a_sentence_and_no_more(editor):
     assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel)
 
 
-def test_work_goes_on_behind_the_offer(editor):
+def test_editing_works_while_the_recovery_bar_is_shown(editor):
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     editor.click((2.95, 3.3))
@@ -510,7 +510,7 @@ def test_work_goes_on_behind_the_offer(editor):
     assert bar(editor).isVisible()
 
 
-def test_nothing_is_cut_off_and_the_theme_is_followed(qtbot, tmp_path):
+def test_the_recovery_bar_cuts_nothing_off_and_follows_the_theme(qtbot, tmp_path):
     editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"), size=(1024, 700))
     for _ in range(5):
         leave_behind()
@@ -526,7 +526,7 @@ def test_nothing_is_cut_off_and_the_theme_is_followed(qtbot, tmp_path):
         assert (paper.lightnessF() < 0.5) is (mode is ThemeMode.DARK)
 
 
-def test_every_button_says_what_it_does(editor):
+def test_every_button_of_the_recovery_bar_has_a_tip(editor):
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     buttons = bar(editor).findChildren(QAbstractButton)
@@ -549,9 +549,9 @@ def test_every_button_says_what_it_does(editor):
         (3 * 86400, "3 days ago"),
     ],
 )
-def test_ages_are_told_in_words(seconds, words):
+def test_ages_are_written_in_words(seconds, words):
     assert age_in_words(seconds) == words
 
 
-def test_an_old_snapshot_is_told_by_its_date():
+def test_the_age_of_an_old_snapshot_is_a_date():
     assert age_in_words(400 * 86400).startswith("on ")

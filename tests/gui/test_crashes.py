@@ -107,7 +107,7 @@ def report():
     return dialog.findChild(QPlainTextEdit, "crashReport").toPlainText()
 
 
-def test_the_work_is_kept_before_anything_is_said(guarded):
+def test_the_work_is_backed_up_before_the_dialog(guarded):
     guarded.drag_point(1, to=(2, 3))
     raise_soon(guarded, ZeroDivisionError("a fault of ours"))
     assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
@@ -120,7 +120,7 @@ def test_the_work_is_kept_before_anything_is_said(guarded):
     assert guarded.point(1) == pytest.approx((1, 3), abs=guarded.pixel)
 
 
-def test_without_a_backup_it_says_what_to_do(guarded):
+def test_the_dialog_says_what_to_do_without_a_backup(guarded):
     snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
     snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
@@ -132,7 +132,7 @@ def test_without_a_backup_it_says_what_to_do(guarded):
     guarded.session.files.give_up_changes()
 
 
-def test_the_same_fault_is_shown_once(guarded):
+def test_the_same_error_is_shown_once(guarded):
     raise_soon(guarded, ZeroDivisionError("again"), count=100)
     assert len(dialogs()) == 1
     press("goOn")
@@ -140,7 +140,7 @@ def test_the_same_fault_is_shown_once(guarded):
     assert dialogs() == []
 
 
-def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qapp, monkeypatch):
+def test_an_error_that_keeps_the_window_open_is_shown_each_time(guarded, qapp, monkeypatch):
     """It was told once; from then on the × did nothing, without a word."""
     guarded.drag_point(1, to=(2, 3))
     monkeypatch.setattr(guarded.window.context.files, "may_discard", lambda: int("x"))
@@ -159,7 +159,7 @@ def test_a_fault_that_keeps_the_window_open_is_told_each_time(guarded, qapp, mon
     assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
 
 
-def test_another_fault_waits_until_the_first_is_put_away(guarded):
+def test_another_error_waits_until_the_dialog_is_closed(guarded):
     raise_soon(guarded, ZeroDivisionError("one"))
     sys.excepthook(*raised(KeyError("two")))
     assert "one" in report()
@@ -169,7 +169,7 @@ def test_another_fault_waits_until_the_first_is_put_away(guarded):
     press("goOn")
 
 
-def test_escape_goes_on(guarded):
+def test_escape_closes_the_dialog_and_the_program_continues(guarded):
     raise_soon(guarded, ZeroDivisionError())
     (dialog,) = dialogs()
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
@@ -177,7 +177,7 @@ def test_escape_goes_on(guarded):
     assert guarded.window.isVisible()
 
 
-def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, monkeypatch):
+def test_an_error_while_painting_is_shown_and_painting_continues(guarded, monkeypatch):
     layer = next(
         layer for layer in guarded.window.canvas.layers._layers if layer.is_visible and not layer.is_still
     )
@@ -199,7 +199,7 @@ def test_a_fault_while_painting_is_told_and_painting_goes_on(guarded, monkeypatc
     assert dialogs() == []
 
 
-def test_a_fault_in_a_thread_is_told_by_the_window(guarded):
+def test_an_error_in_a_thread_is_shown_by_the_window(guarded):
     def fail():
         raise RuntimeError("in a thread")
 
@@ -211,7 +211,7 @@ def test_a_fault_in_a_thread_is_told_by_the_window(guarded):
     press("goOn")
 
 
-def test_what_fails_while_it_is_thrown_away_is_no_matter_for_a_dialog(guarded, capsys):
+def test_an_error_in_a_destructor_shows_no_dialog(guarded, capsys):
     class Bad:
         def __del__(self):
             raise RuntimeError("thrown away")
@@ -231,7 +231,7 @@ def test_the_report_can_be_copied(guarded):
     press("goOn")
 
 
-def test_save_and_quit_saves_what_has_a_file(guarded, qapp, tmp_path):
+def test_save_and_quit_saves_a_document_with_a_file(guarded, qapp, tmp_path):
     path = tmp_path / "mine.curve.json"
     guarded.session.save(path)
     guarded.drag_point(1, to=(2, 3))
@@ -249,7 +249,7 @@ def kept_work():
     return snapshot.document
 
 
-def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
+def test_save_and_quit_keeps_a_document_without_a_file_for_the_next_start(guarded, qapp):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
     assert run(guarded, qapp, fail, lambda: press("saveAndQuit")) == 0
@@ -257,7 +257,7 @@ def test_save_and_quit_keeps_what_has_no_file_for_the_next_start(guarded, qapp):
     assert kept_work() == document
 
 
-def test_save_and_quit_goes_on_where_saving_fails(guarded, tmp_path):
+def test_save_and_quit_continues_if_saving_fails(guarded, tmp_path):
     path = tmp_path / "folder" / "mine.curve.json"
     path.parent.mkdir()
     guarded.session.save(path)
@@ -279,7 +279,7 @@ def test_ctrl_c_ends_the_program_and_keeps_the_work(guarded, qapp):
     assert kept_work() == document
 
 
-def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
+def test_the_end_of_the_session_keeps_the_work_without_asking(guarded):
     guarded.drag_point(1, to=(2, 3))
     document = guarded.session.document
     guarded.lifecycle.prepare_for_end()
@@ -288,7 +288,7 @@ def test_the_end_of_the_system_asks_nothing_and_keeps_the_work(guarded):
     assert kept_work() == document
 
 
-def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
+def test_the_end_of_the_session_asks_about_work_without_a_backup(guarded):
     snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
     snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
@@ -297,7 +297,7 @@ def test_the_end_of_the_system_still_asks_about_work_that_is_not_safe(guarded):
     guarded.session.files.give_up_changes()
 
 
-def test_an_end_that_was_called_off_asks_again(guarded):
+def test_a_cancelled_end_of_the_session_asks_again(guarded):
     guarded.drag_point(1, to=(2, 3))
     guarded.lifecycle.prepare_for_end()
     assert not guarded.window.asks_before_closing
@@ -306,7 +306,7 @@ def test_an_end_that_was_called_off_asks_again(guarded):
     guarded.session.files.give_up_changes()
 
 
-def test_at_most_five_different_faults_are_shown(qtbot):
+def test_at_most_five_different_errors_are_shown(qtbot):
     handler = CrashHandler(lambda: True, list)
     handler.install()
     try:
@@ -332,7 +332,7 @@ def raised(problem):
         return sys.exc_info()
 
 
-def test_the_report_names_versions_and_the_place():
+def test_the_report_names_versions_and_the_line():
     problem = raised(ValueError("what it is"))[1]
     text = report_of(problem)
     for word in ("Curvebench", "Python", "PySide6", "Qt", "pyqtgraph", "numpy", "ValueError: what it is"):
@@ -365,7 +365,7 @@ def test_the_report_holds_no_names_of_the_person(tmp_path, own_home):
             assert not any(word in line for line in messages), messages
 
 
-def test_files_are_named_from_their_package_on():
+def test_paths_in_the_report_begin_with_the_package():
     with pytest.raises(ValueError, match="Expecting") as caught:
         json.loads("{")
     text = report_of(caught.value)
@@ -374,7 +374,7 @@ def test_files_are_named_from_their_package_on():
         assert str(path) not in text
 
 
-def test_endless_recursion_gives_a_report_of_bearable_length():
+def test_endless_recursion_makes_a_short_report():
     def again(n):
         return again(n + 1) + 1
 
@@ -383,7 +383,7 @@ def test_endless_recursion_gives_a_report_of_bearable_length():
     assert len(report_of(caught.value)) < 21_000
 
 
-def test_last_words_go_to_a_file_where_there_is_no_terminal(own_home, monkeypatch):
+def test_a_crash_is_written_to_a_file_without_a_terminal(own_home, monkeypatch):
     was_enabled = faulthandler.is_enabled()
     faulthandler.disable()
     monkeypatch.setattr(sys, "stderr", None)
@@ -399,7 +399,7 @@ def test_last_words_go_to_a_file_where_there_is_no_terminal(own_home, monkeypatc
             faulthandler.enable(sys.__stderr__)
 
 
-def test_the_dialog_is_spoken_of_in_full(guarded):
+def test_the_dialog_has_accessible_names(guarded):
     raise_soon(guarded, ZeroDivisionError())
     (dialog,) = dialogs()
     assert isinstance(dialog, QDialog)

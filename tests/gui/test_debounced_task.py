@@ -18,7 +18,7 @@ def debounced(qtbot):
     made.close()
 
 
-def test_only_the_last_question_is_answered(qtbot, debounced):
+def test_only_the_last_request_is_computed(qtbot, debounced):
     answers = []
     debounced.ready.connect(answers.append)
     with qtbot.waitSignal(debounced.ready):
@@ -28,7 +28,7 @@ def test_only_the_last_question_is_answered(qtbot, debounced):
     assert not debounced.is_busy
 
 
-def test_running_work_learns_that_nobody_waits_for_it(qtbot, debounced):
+def test_running_work_is_cancelled_by_a_new_request(qtbot, debounced):
     began, was_stale = threading.Event(), threading.Event()
 
     def endless(report):
@@ -48,7 +48,7 @@ def test_running_work_learns_that_nobody_waits_for_it(qtbot, debounced):
     assert answer.args == ["second"]
 
 
-def test_dropped_work_says_nothing(debounced):
+def test_a_dropped_request_has_no_result(debounced):
     answers = []
     debounced.ready.connect(answers.append)
     debounced.ask(lambda _report: 1)

@@ -128,7 +128,7 @@ def offered(editor):
 # Changed by another program
 
 
-def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
+def test_a_change_on_disk_can_be_reloaded_and_undone(saved, path, until):
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_bar.text)
@@ -148,7 +148,7 @@ def test_a_change_is_said_and_can_be_reloaded_and_undone(saved, path, until):
     assert load(path) == mine
 
 
-def test_a_reload_brings_back_what_a_lock_of_a_curve_protects(saved, path, until):
+def test_reloading_replaces_locked_curves(saved, path, until):
     """The lock of a curve is against slips of the hand, not against the file."""
     locked = msgspec.structs.replace(
         saved.session.document, curves=(msgspec.structs.replace(saved.curve, locked=True),)
@@ -172,7 +172,7 @@ def test_files_replaced_again_and_again_are_noticed(saved, path, until):
     until(lambda: saved.file_bar.text)
 
 
-def test_keep_mine_saves_over_it(saved, path, until):
+def test_keep_mine_saves_over_the_changed_file(saved, path, until):
     mine = saved.session.document
     save(path, THEIRS)
     until(lambda: saved.file_bar.text)
@@ -184,7 +184,7 @@ def test_keep_mine_saves_over_it(saved, path, until):
     assert not saved.session.files.is_modified
 
 
-def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
+def test_reload_restores_the_file_and_can_be_undone(saved, path):
     on_disk = saved.session.document
     mine = edit(saved)
     saved.trigger("reloadFile")
@@ -198,7 +198,7 @@ def test_reload_goes_back_to_the_file_and_can_be_undone(saved, path):
     assert saved.session.document == mine
 
 
-def test_without_a_file_there_is_nothing_to_reload(editor):
+def test_reload_needs_a_file(editor):
     for name in ("reloadFile", "keepMine", "compareWithFile", "overwriteFile", "takeOver", "editAnyway"):
         assert not editor.action(name).isEnabled()
 
@@ -224,7 +224,7 @@ def test_compare_shows_the_file_dashed_and_named(saved, path, until):
     assert canvas.drawing.annotations.file_version == ""
 
 
-def test_saving_over_an_unseen_change_asks(saved, path):
+def test_saving_over_an_unnoticed_change_asks(saved, path):
     """Before any watch has had the time to tell."""
     mine = edit(saved)
     save(path, THEIRS)
@@ -240,7 +240,7 @@ def test_saving_over_an_unseen_change_asks(saved, path):
     assert saved.file_bar.text == ""
 
 
-def test_save_as_is_a_way_out(saved, path, tmp_path):
+def test_save_as_works_after_a_refused_save(saved, path, tmp_path):
     mine = edit(saved)
     save(path, THEIRS)
     saved.trigger("saveDocument")
@@ -263,7 +263,7 @@ def test_a_cancelled_save_as_changes_nothing(saved, path):
     assert saved.file_bar.text.endswith("was not saved, because another program changed it.")
 
 
-def test_the_question_can_be_put_away_and_comes_again(saved, path):
+def test_a_dismissed_notice_returns_with_the_next_save(saved, path):
     edit(saved)
     save(path, THEIRS)
     saved.trigger("saveDocument")
@@ -275,7 +275,7 @@ def test_the_question_can_be_put_away_and_comes_again(saved, path):
     assert "overwriteFile" in offered(saved)
 
 
-def test_closing_does_not_lose_what_could_not_be_saved(saved, path):
+def test_closing_keeps_work_that_could_not_be_saved(saved, path):
     edit(saved)
     save(path, THEIRS)
 
@@ -299,7 +299,7 @@ LOST = {
 
 
 @pytest.mark.parametrize("how", LOST)
-def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path, how):
+def test_closing_asks_about_a_document_that_its_file_no_longer_holds(saved, path, how):
     """Nobody was asked, and 0 bytes were left; before the watch has seen it, too."""
     lose, words = LOST[how]
     asked = []
@@ -336,7 +336,7 @@ def test_closing_asks_about_a_document_that_is_in_its_file_no_longer(saved, path
     assert saved.window.findChild(QMessageBox, "saveChanges") is None
 
 
-def test_a_file_that_is_whole_again_is_nobodys_loss(saved, path, until, monkeypatch):
+def test_closing_does_not_ask_after_the_file_is_restored(saved, path, until, monkeypatch):
     monkeypatch.setattr("app.features.files.disk._MOST_CHECKS", 1)
     monkeypatch.setattr("app.features.files.disk._RECHECK_MS", SOON_MS)
     content = path.read_bytes()
@@ -357,7 +357,7 @@ def test_a_reader_is_not_asked_about_what_the_owner_saved(saved, path, qtbot, un
     assert second.window.close()
 
 
-def test_half_a_file_is_waited_for(saved, path, until):
+def test_a_half_written_file_is_checked_again(saved, path, until):
     content = encode(THEIRS)
     path.write_bytes(content[: len(content) // 2])
     until(lambda: looks(saved) == 2)
@@ -373,7 +373,7 @@ def few_checks(monkeypatch):
     monkeypatch.setattr("app.features.files.disk._RECHECK_MS", SOON_MS)
 
 
-def test_a_file_that_stays_broken_is_said(saved, path, until, few_checks):
+def test_a_file_that_stays_damaged_is_reported(saved, path, until, few_checks):
     mine = saved.session.document
     path.write_bytes(b"not ours")
     until(lambda: saved.file_bar.text)
@@ -384,7 +384,7 @@ def test_a_file_that_stays_broken_is_said(saved, path, until, few_checks):
     assert load(path) == mine
 
 
-def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, few_checks):
+def test_a_deleted_file_leaves_a_modified_document(saved, path, until, few_checks):
     path.rename(path.with_name("elsewhere"))
     until(lambda: saved.file_bar.text)
     assert "is no longer in its folder" in saved.file_bar.text
@@ -396,7 +396,9 @@ def test_a_file_that_is_gone_leaves_a_modified_document(saved, path, until, few_
 
 
 @pytest.mark.parametrize("tries_to_save", [False, True])
-def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until, few_checks, tries_to_save):
+def test_a_changed_and_then_deleted_file_is_reported_as_deleted(
+    saved, path, until, few_checks, tries_to_save
+):
     mine = edit(saved)
     save(path, THEIRS)
     until(lambda: saved.file_bar.text)
@@ -411,7 +413,7 @@ def test_a_file_that_was_changed_and_is_then_deleted_is_gone(saved, path, until,
     assert saved.file_bar.text == ""
 
 
-def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
+def test_a_file_restored_at_once_is_not_reported(saved, path, until):
     content = path.read_bytes()
     path.unlink()
     until(lambda: looks(saved) == 1)
@@ -421,7 +423,7 @@ def test_a_file_put_back_at_once_was_never_gone(saved, path, until):
     assert not saved.session.files.is_modified
 
 
-def test_own_saves_are_no_news(saved, qtbot, look_soon):
+def test_saving_is_not_reported_as_a_change(saved, qtbot, look_soon):
     edit(saved)
     look_soon()
     watch = saved.window.findChild(DiskWatch)
@@ -431,7 +433,7 @@ def test_own_saves_are_no_news(saved, qtbot, look_soon):
         assert saved.file_bar.text == ""
 
 
-def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, save_loudly):
+def test_a_new_document_ignores_changes_of_the_old_file(saved, path, save_loudly):
     saved.new()
     save_loudly(path, THEIRS)
     assert not saved.window.findChild(DiskWatch)._soon.isActive()
@@ -439,7 +441,7 @@ def test_a_new_document_has_nothing_to_do_with_the_old_file(saved, path, save_lo
     assert not lock_path(path).exists()
 
 
-def test_a_gesture_in_flight_survives_the_news(saved, path, until):
+def test_a_gesture_continues_while_the_file_changes(saved, path, until):
     document = saved.session.document
     saved.press(saved.point(2))
     saved.move((0.2, 4.0))
@@ -450,9 +452,7 @@ def test_a_gesture_in_flight_survives_the_news(saved, path, until):
     assert saved.session.document is document
 
 
-def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(
-    saved, path, save_loudly, until, qtbot
-):
+def test_the_file_is_checked_when_the_window_is_activated(saved, path, save_loudly, until, qtbot):
     """Some file systems of a network tell nothing of changes."""
     other = QWidget()
     qtbot.addWidget(other)
@@ -468,7 +468,7 @@ def test_without_any_sign_a_look_is_due_when_the_window_comes_to_the_front(
     until(lambda: saved.file_bar.text)
 
 
-def test_a_link_is_watched_where_it_leads(editor, path, tmp_path, until):
+def test_the_target_of_a_link_is_watched(editor, path, tmp_path, until):
     save(path, THEIRS)
     folder = tmp_path / "links"
     folder.mkdir()
@@ -528,7 +528,7 @@ def test_read_only_can_be_edited_and_saved_elsewhere(saved, path, qtbot, tmp_pat
     assert second.file_bar.text == ""
 
 
-def test_the_reader_is_told_when_the_owner_closes(saved, path, qtbot, until):
+def test_a_reader_is_notified_when_the_owner_closes(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     changed = edit(second)
     assert saved.window.close()
@@ -564,7 +564,7 @@ def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
     assert not editor.session.files.is_read_only
 
 
-def test_two_windows_of_one_start(qtbot, path):
+def test_two_windows_of_one_start_share_one_owner(qtbot, path):
     """`curvebench FILE FILE`: the sessions are there before the windows."""
     save(path, THEIRS)
     sessions = [Session(), Session()]
@@ -575,7 +575,7 @@ def test_two_windows_of_one_start(qtbot, path):
     assert "read-only here" in editors[1].file_bar.text
 
 
-def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
+def test_a_reader_is_notified_when_the_owner_saves(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     document = edit(saved)
     saved.trigger("saveDocument")
@@ -585,7 +585,7 @@ def test_the_reader_is_told_when_the_owner_saves(saved, path, qtbot, until):
     assert second.session.files.is_read_only
 
 
-def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, until):
+def test_taking_over_after_the_owner_saved_loses_nothing(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     mine = edit(second)
     saved.session.commit(move_points(saved.session.document, 0, [5], (1.0, 0.0)), "Move")
@@ -603,7 +603,7 @@ def test_taken_over_after_the_owner_saved_nothing_is_lost(saved, path, qtbot, un
     assert second.session.document == mine
 
 
-def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
+def test_taking_over_asks_once_and_notifies_the_owner(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     changed = edit(second)
     second.file_bar.answer("takeOver")
@@ -622,7 +622,7 @@ def test_taking_over_asks_once_and_the_other_is_told(saved, path, qtbot, until):
         saved.session.save()
 
 
-def test_one_who_has_forgotten_it_is_not_asked(editor, path):
+def test_taking_over_an_old_lock_does_not_ask(editor, path):
     save(path, THEIRS)
     foreign_lock(path, since=time.time() - OLD - 60)
     editor.window.open_file(path)
@@ -631,7 +631,7 @@ def test_one_who_has_forgotten_it_is_not_asked(editor, path):
     assert not editor.session.files.is_read_only
 
 
-def test_save_as_onto_a_document_that_is_open_elsewhere(saved, path, qtbot, tmp_path):
+def test_save_as_over_a_document_that_is_open_elsewhere_is_refused(saved, path, qtbot, tmp_path):
     kept = load(path)
     other = Editor(qtbot)
     other.session.save(tmp_path / "other.curve.json")
@@ -673,7 +673,7 @@ def confirm_replacing(editor):
     return asked
 
 
-def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
+def test_an_impossible_lock_is_reported_once(editor, path, monkeypatch):
     save(path, THEIRS)
 
     def fail(*_):
@@ -688,7 +688,7 @@ def test_a_lock_that_cannot_be_made_is_said_once(editor, path, monkeypatch):
     assert load(path) == editor.session.document
 
 
-def test_a_lock_file_cannot_break_the_words():
+def test_a_lock_file_with_odd_values_makes_a_readable_notice():
     owner = Owner("", "", "m", 7, "x", 1e300, "mark")
     text = lock_notice("a", Ownership.OPENED_ELSEWHERE, owner).text
     assert text.startswith("Another user has “a” open since an unknown time; it is read-only here.")
@@ -733,7 +733,7 @@ def test_a_save_that_fails_keeps_everything_and_offers_save_as(saved, path, monk
     assert saved.file_bar.text == ""
 
 
-def test_a_folder_that_is_gone_keeps_the_document(saved, tmp_path):
+def test_saving_into_a_missing_folder_keeps_the_document(saved, tmp_path):
     folder = tmp_path / "folder"
     folder.mkdir()
     saved.session.save(folder / "a.curve.json")
@@ -746,7 +746,7 @@ def test_a_folder_that_is_gone_keeps_the_document(saved, tmp_path):
     assert saved.session.document is document
 
 
-def test_a_failed_save_does_not_hide_another_ones_change(saved, path, monkeypatch):
+def test_a_failed_save_does_not_hide_a_change_on_disk(saved, path, monkeypatch):
     edit(saved)
     with monkeypatch.context() as faulty:
         faulty.setattr(os, "fsync", fail_with(errno.EIO))
@@ -757,7 +757,7 @@ def test_a_failed_save_does_not_hide_another_ones_change(saved, path, monkeypatc
     assert load(path) == THEIRS
 
 
-def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
+def test_a_newer_version_on_disk_is_never_replaced(saved, path):
     document = edit(saved)
     newer = encode(THEIRS).replace(b'"version": 3', b'"version": 4')
     path.write_bytes(newer)
@@ -776,7 +776,7 @@ def test_a_newer_version_on_the_disk_is_never_replaced(saved, path):
     assert saved.session.document is document
 
 
-def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
+def test_an_older_version_is_reported_and_backed_up(editor, path, monkeypatch):
     monkeypatch.setitem(MIGRATIONS, 0, lambda values: values)
     old = encode(THEIRS).replace(b'"version": 3', b'"version": 0')
     path.write_bytes(old)
@@ -793,7 +793,7 @@ def test_an_older_version_is_said_and_kept(editor, path, monkeypatch):
     assert editor.status == "Saved drawing.curve.json."
 
 
-def test_what_is_left_out_of_an_older_version_is_told_before_it_is_saved(editor, path):
+def test_features_left_out_of_an_older_version_are_reported_before_saving(editor, path):
     curves = encode(THEIRS).replace(b'"version": 3', b'"version": 2')
     old = curves.replace(b'"curves"', b'"kept_texts": [{}, {}], "kept_pictures": [{}], "curves"')
     path.write_bytes(old)
@@ -814,7 +814,7 @@ def test_what_is_left_out_of_an_older_version_is_told_before_it_is_saved(editor,
 # The line itself
 
 
-def test_the_line_fits_into_a_small_window(qtbot, path, until):
+def test_the_notice_bar_fits_into_a_small_window(qtbot, path, until):
     editor = Editor(qtbot, size=(1024, 700))
     editor.session.save(path)
     edit(editor)
@@ -841,7 +841,7 @@ def test_the_line_fits_into_a_small_window(qtbot, path, until):
     editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
-def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path):
+def test_save_as_does_not_replace_the_file_with_the_added_suffix(saved, path, tmp_path):
     """The dialog asks about the name that was typed; the suffix that is added may make it another file."""
     edit(saved)
     save(tmp_path / "there.curve.json", THEIRS)
@@ -852,7 +852,7 @@ def test_save_as_does_not_replace_what_the_suffix_leads_to(saved, path, tmp_path
     assert saved.session.files.is_modified
 
 
-def test_a_session_alone_refuses_too(tmp_path, qapp):
+def test_a_session_without_a_window_refuses_to_overwrite(tmp_path, qapp):
     path = tmp_path / "a.curve.json"
     first, second = Session(), Session()
     first.save(path)

@@ -80,7 +80,7 @@ class Cycle:
         self.itself, self.held = self, held
 
 
-def test_the_first_window_takes_over(garbage_collected_in_loop, qtbot):
+def test_the_first_window_disables_pythons_collector(garbage_collected_in_loop, qtbot):
     assert gc.isenabled()
     for _ in range(2):
         window = MainWindow(Session())
@@ -103,7 +103,7 @@ def test_garbage_is_collected_by_the_event_loop(soon_due):
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_none_is_sought_while_objects_are_deleted(soon_due, searches, seed):
+def test_no_garbage_is_collected_while_objects_are_deleted(soon_due, searches, seed):
     """The program stood still for ever when a window was closed."""
     garbage.collect_between_events()
     kinds = [noted(each, searches) for each in (QObject, QWidget, QMainWindow, QLabel, QMenu, QTimer)]
@@ -134,7 +134,7 @@ def test_none_is_sought_while_objects_are_deleted(soon_due, searches, seed):
     assert searches.in_destructors == []
 
 
-def test_none_is_sought_while_windows_of_the_program_go(soon_due, searches, qapp, monkeypatch):
+def test_no_garbage_is_collected_while_windows_are_deleted(soon_due, searches, qapp, monkeypatch):
     event_of = MainWindow.event
     monkeypatch.setattr(
         MainWindow, "event", lambda self, event: searches.delete(event, partial(event_of, self))
@@ -162,7 +162,7 @@ def test_none_is_sought_while_windows_of_the_program_go(soon_due, searches, qapp
     assert not [each for each in QApplication.topLevelWidgets() if isinstance(each, MainWindow)]
 
 
-def test_the_oldest_generation_is_sought_again_when_a_quarter_has_come(only_new_garbage, searches):
+def test_the_oldest_generation_is_collected_again_after_growing_by_a_quarter(only_new_garbage, searches):
     before = gc.get_threshold()
     gc.set_threshold(100, 1, 1)
     try:

@@ -36,7 +36,7 @@ def click(qtbot, view, row):
     qtbot.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
 
 
-def test_the_text_of_a_row_keeps_off_the_edge(history):
+def test_the_text_of_a_row_has_a_margin(history):
     """It began three pixels from the edge of the panel."""
     _session, panel = history
     view = panel.view
@@ -51,14 +51,14 @@ def test_the_text_of_a_row_keeps_off_the_edge(history):
     assert 8 <= inked[0] <= 16
 
 
-def test_it_lists_the_steps(history):
+def test_the_history_lists_the_steps(history):
     _session, panel = history
     view = panel.view
     assert entries(view) == ["Start", "Move point 1", "Move point 2", "Move point 3"]
     assert view.currentIndex().row() == 3
 
 
-def test_a_click_goes_there_and_back(qtbot, history):
+def test_a_click_on_a_step_goes_back_and_forward(qtbot, history):
     session, panel = history
     view = panel.view
     last = session.document
@@ -72,7 +72,7 @@ def test_a_click_goes_there_and_back(qtbot, history):
     assert session.document is last
 
 
-def test_arrow_keys_go_through_it(qtbot, history):
+def test_arrow_keys_go_through_the_steps(qtbot, history):
     session, panel = history
     view = panel.view
     view.setFocus()
@@ -82,7 +82,7 @@ def test_arrow_keys_go_through_it(qtbot, history):
     assert session.undo_stack.index() == 3
 
 
-def test_it_follows_undo_and_redo(history):
+def test_the_history_follows_undo_and_redo(history):
     session, panel = history
     view = panel.view
     session.undo_stack.undo()
@@ -96,7 +96,7 @@ def view_of(editor):
     return editor.window.findChild(QUndoView, "historyView")
 
 
-def test_the_beginning_is_named_as_it_was_before_the_panel_was_shown(editor):
+def test_the_first_entry_is_named_although_the_panel_is_shown_later(editor):
     session = editor.session
     session.new()
     editor.add_point(0, 0)
@@ -104,7 +104,7 @@ def test_the_beginning_is_named_as_it_was_before_the_panel_was_shown(editor):
     assert entries(view_of(editor)) == ["New document", "Add point 0", "Add point 1"]
 
 
-def test_the_beginning_is_named_after_what_was_opened(editor, tmp_path):
+def test_the_first_entry_is_named_after_the_opened_document(editor, tmp_path):
     session, view = editor.session, view_of(editor)
     for index in (1, 2, 3):
         editor.drag_point(index, to=(0.5, 0.1 * index))
@@ -121,7 +121,7 @@ def test_the_beginning_is_named_after_what_was_opened(editor, tmp_path):
 
 
 @pytest.mark.parametrize("mode", [ThemeMode.DARK, ThemeMode.LIGHT])
-def test_steps_taken_back_are_muted(history, qapp, mode):
+def test_undone_steps_are_muted(history, qapp, mode):
     theme = apply_theme(qapp, mode)
     session, panel = history
     view = panel.view
@@ -142,7 +142,7 @@ def test_steps_taken_back_are_muted(history, qapp, mode):
     assert theme.ink.rgb() not in inks(2)
 
 
-def test_it_has_a_name_and_a_tooltip(history):
+def test_the_history_has_a_name_and_a_tooltip(history):
     view = history[1].view
     assert view.objectName() == "historyView"
     assert view.accessibleName()

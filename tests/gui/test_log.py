@@ -62,7 +62,7 @@ def folder(tmp_path):
     return folder
 
 
-def test_nothing_of_the_person_is_in_it(editor, folder, debug, monkeypatch):
+def test_the_log_contains_nothing_of_the_person(editor, folder, debug, monkeypatch):
     """Everything that names something: files that are there or not, locks, drawings, exceptions, backups."""
     window, session = editor.window, editor.session
     # The window may know already that another one has the file, and ask where else to save.
@@ -153,7 +153,7 @@ def test_nothing_is_logged_for_a_frame_of_a_drag(editor, debug):
     assert heard == []
 
 
-def test_a_slow_frame_is_told(qtbot, debug, monkeypatch):
+def test_a_slow_frame_is_logged(qtbot, debug, monkeypatch):
     clock = iter([1.0, 1.1, 1.85, 1.9, 9.0])
     monkeypatch.setattr("app.diagnostics.slow_frames.thread_time", lambda: next(clock))
 
@@ -169,7 +169,7 @@ def test_a_slow_frame_is_told(qtbot, debug, monkeypatch):
     assert [line.rpartition(": ")[2] for line in debug] == ["a frame took 750 ms"]
 
 
-def test_the_file_begins_with_what_was_logged_before_it(tmp_path):
+def test_the_log_file_begins_with_earlier_lines(tmp_path):
     with logged():
         logging.getLogger(NAME).info("before %d", 1)
         file = LogFile(tmp_path / "state")
@@ -181,7 +181,7 @@ def test_the_file_begins_with_what_was_logged_before_it(tmp_path):
     assert [line.rpartition(": ")[2] for line in written[-2:]] == ["before 1", "after 2"]
 
 
-def test_the_file_does_not_grow_for_ever(tmp_path):
+def test_the_log_file_has_a_largest_size(tmp_path):
     with logged():
         file = LogFile(tmp_path)
         for _ in range(3000):
@@ -193,7 +193,7 @@ def test_the_file_does_not_grow_for_ever(tmp_path):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a disk that is always full is Linux's")
-def test_a_disk_that_refuses_stops_nothing(tmp_path, capsys):
+def test_a_failing_disk_does_not_stop_the_program(tmp_path, capsys):
     (tmp_path / FILE_NAME).symlink_to("/dev/full")
     with logged():
         file = LogFile(tmp_path)
@@ -205,7 +205,7 @@ def test_a_disk_that_refuses_stops_nothing(tmp_path, capsys):
     assert capsys.readouterr() == ("", "")
 
 
-def test_a_crash_report_brings_the_last_lines_along(tmp_path):
+def test_a_crash_report_contains_the_last_lines(tmp_path):
     with logged():
         for number in range(LAST_LINES + 5):
             logging.getLogger(NAME).info("step %d", number)
@@ -215,7 +215,7 @@ def test_a_crash_report_brings_the_last_lines_along(tmp_path):
     assert text.index("ValueError: what it is") < text.index("step 50")
 
 
-def test_a_fault_in_a_file_of_the_person_does_not_name_it(tmp_path):
+def test_an_error_in_a_file_of_the_person_does_not_name_the_file(tmp_path):
     """Families come from files of their own."""
     file = tmp_path / "mallory.py"
     with pytest.raises(ZeroDivisionError) as raised:
@@ -230,7 +230,7 @@ def test_the_log_ends_with_its_block():
     assert (list(logging.getLogger(NAME).handlers), logging.getLogger(NAME).level) == before
 
 
-def test_nobody_who_logs_keeps_a_lock(folder, debug):
+def test_log_records_keep_no_lock(folder, debug):
     """What is logged is kept for a while: an argument that holds a lock would keep the file locked."""
     path = folder / "tax2031.curve.json"
     OpenFile.open(path)
@@ -240,7 +240,7 @@ def test_nobody_who_logs_keeps_a_lock(folder, debug):
 @pytest.mark.parametrize(
     "words", [["--log", "debug", "info"], ["info", "--log=DEBUG"], ["info", "--log", "info"]]
 )
-def test_every_command_logs_where_it_is_asked_to(folder, capsys, words):
+def test_every_command_logs_on_request(folder, capsys, words):
     assert main([*words, str(folder / "tax2031.curve.json")]) == 0
     told = capsys.readouterr()
     assert "Heirloom" in told.out
@@ -249,7 +249,7 @@ def test_every_command_logs_where_it_is_asked_to(folder, capsys, words):
     assert capsys.readouterr().err == ""
 
 
-def test_the_option_is_told_with_every_command(capsys):
+def test_every_command_has_the_log_option(capsys):
     for words in (["--help"], ["info", "--help"], ["render", "--help"], ["convert", "--help"]):
         with pytest.raises(SystemExit):
             main(words)

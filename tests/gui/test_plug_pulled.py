@@ -155,7 +155,7 @@ def snapshots():
     return {(path, path.stat().st_mtime_ns) for path in snapshot_folder().glob("*.snapshot.json")}
 
 
-def test_killed_while_dragging_no_more_is_lost_than_since_the_snapshot_before(tmp_path):
+def test_a_kill_while_dragging_loses_only_work_since_the_last_snapshot(tmp_path):
     path = tmp_path / "mine.curve.json"
     files.save(path, Document((make_curve([(0, 0), (1, 2), (3, 1 / 3), (4, 4)]),)))
     on_disk = path.read_bytes()
@@ -188,7 +188,7 @@ def test_killed_while_dragging_no_more_is_lost_than_since_the_snapshot_before(tm
     assert snapshots() == set()
 
 
-def test_a_signal_ends_it_without_a_question_and_without_loss():
+def test_a_signal_ends_the_program_without_a_question_and_without_loss():
     process = start(EDIT_AND_WAIT)
     (text,) = read_until(process, lambda: True)
     process.send_signal(signal.SIGINT)
@@ -199,7 +199,7 @@ def test_a_signal_ends_it_without_a_question_and_without_loss():
     snapshot.discard()
 
 
-def test_a_signal_ends_it_while_it_asks_something():
+def test_a_signal_ends_the_program_while_a_dialog_is_open():
     process = start(EDIT_AND_CLOSE)
     read_until(process, lambda: True)
     assert read_until(process, lambda: True) == ["asks\n"]
@@ -209,7 +209,7 @@ def test_a_signal_ends_it_while_it_asks_something():
     assert len(snapshots()) == 1
 
 
-def test_damaged_leftovers_do_not_stop_a_start_and_without_changes_a_signal_leaves_nothing():
+def test_damaged_snapshots_do_not_stop_a_start_and_an_unchanged_document_leaves_none():
     snapshot_folder().mkdir(parents=True)
     (snapshot_folder() / "x.snapshot.json").write_bytes(b"\xff\x00{")
     process = start('def drive():\n    tell("told", 0, editor.window.findChild(RecoveryBar).text)\n')

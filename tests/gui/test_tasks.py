@@ -64,7 +64,7 @@ def test_the_result_arrives_in_the_windows_thread(jobs):
     assert not jobs.is_busy
 
 
-def test_no_share_is_told_behind_the_end(qtbot):
+def test_no_progress_arrives_after_the_end(qtbot):
     """A dialog said "Reading…" for ever: a tick had found the end of a thread before its signals arrived."""
     heard = []
     work = Task(
@@ -79,7 +79,7 @@ def test_no_share_is_told_behind_the_end(qtbot):
     assert heard == ["end"]
 
 
-def test_what_is_raised_arrives_there_too(jobs):
+def test_an_exception_arrives_in_the_windows_thread(jobs):
     heard = Heard()
 
     def work(_report):
@@ -92,7 +92,7 @@ def test_what_is_raised_arrives_there_too(jobs):
     assert not heard.results
 
 
-def test_nothing_comes_of_work_that_was_taken_back(jobs):
+def test_cancelled_work_has_no_result(jobs):
     heard, ended, went_on = Heard(), [], threading.Event()
 
     def work(report):
@@ -114,7 +114,7 @@ def test_nothing_comes_of_work_that_was_taken_back(jobs):
     assert heard.problems == []
 
 
-def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
+def test_a_pending_result_of_cancelled_work_is_dropped(jobs):
     heard, finished = Heard(), threading.Event()
 
     def work(_report):
@@ -129,7 +129,7 @@ def test_a_result_that_is_already_on_its_way_is_dropped(jobs):
     assert heard.results == []
 
 
-def test_one_thing_at_a_time(jobs):
+def test_only_one_task_runs_at_a_time(jobs):
     heard, release = Heard(), threading.Event()
     assert jobs.start("First", lambda _report: release.wait(LIMIT), heard.done, heard.failed)
     assert not jobs.start("Second", lambda _report: 2, heard.done, heard.failed)
@@ -139,7 +139,7 @@ def test_one_thing_at_a_time(jobs):
     assert heard.results == [True]
 
 
-def test_only_long_work_is_shown(jobs):
+def test_only_long_work_shows_progress(jobs):
     heard, shown, shares, release = Heard(), [], [], threading.Event()
     assert jobs._patience.interval() == SHOWN_AFTER_MS
     jobs._patience.setInterval(60_000)  # so that on no machine "short" takes longer
@@ -163,7 +163,7 @@ def test_only_long_work_is_shown(jobs):
     until(lambda: not jobs.is_busy)
 
 
-def test_closing_waits_until_the_work_has_noticed(jobs, monkeypatch):
+def test_closing_waits_for_cancelled_work(jobs, monkeypatch):
     monkeypatch.setattr(task, "PATIENCE_S", LIMIT)
     steps = []
 
@@ -181,7 +181,7 @@ def test_closing_waits_until_the_work_has_noticed(jobs, monkeypatch):
     assert heard.results == heard.problems == []
 
 
-def test_the_last_step_cannot_be_taken_back(jobs):
+def test_the_final_step_cannot_be_cancelled(jobs):
     """What has been put in place is there; it must not be called undone."""
     heard, begun, release = Heard(), threading.Event(), threading.Event()
 
@@ -255,7 +255,7 @@ def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper
     until(no_task_runs)
 
 
-def test_the_oldest_generation_waits_for_what_comes_while_work_runs(quick_keeper):
+def test_the_oldest_generation_is_not_collected_too_often_while_work_runs(quick_keeper):
     """A twentieth of a second it took at the beginning of nearly every task, and the window stood still."""
     collected, release = [], threading.Event()
 
@@ -274,7 +274,7 @@ def test_the_oldest_generation_waits_for_what_comes_while_work_runs(quick_keeper
     assert collected[: collected.index(2)].count(1) > gc.get_threshold()[2]
 
 
-def test_what_a_task_refers_to_goes_in_the_windows_thread(qapp):
+def test_objects_of_a_task_are_destroyed_in_the_windows_thread(qapp):
     threads = []
     widget = QWidget()
     weakref.finalize(widget, lambda: threads.append(threading.current_thread()))
@@ -296,7 +296,7 @@ def work_threads():
     return [each for each in threading.enumerate() if each.name == "work"]
 
 
-def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
+def test_cancelled_work_that_never_reports_is_ended(jobs, monkeypatch):
     """Stop said "stopped", and the thread went on until the memory was gone."""
     monkeypatch.setattr(task, "_GRACE_S", 0.02)
     heard, begun, cleaned = Heard(), threading.Event(), threading.Event()
@@ -319,7 +319,7 @@ def test_stopped_work_that_never_asks_is_ended(jobs, monkeypatch):
     assert heard.results == heard.problems == []
 
 
-def test_what_cleans_up_behind_stopped_work_gets_longer_each_time(qapp, monkeypatch):
+def test_cleanup_of_ended_work_gets_more_time_at_each_attempt(qapp, monkeypatch):
     """Beside busy programs it may take longer than the work had to notice."""
     now, raised, release = [0.0], [], threading.Event()
     monkeypatch.setattr(task.ctypes.pythonapi, "PyThreadState_SetAsyncExc", lambda *_: raised.append(now[0]))
@@ -335,7 +335,7 @@ def test_what_cleans_up_behind_stopped_work_gets_longer_each_time(qapp, monkeypa
     until(lambda: not work_threads())
 
 
-def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
+def test_closing_ends_work_that_never_reports_within_its_patience(qapp, monkeypatch):
     """Work that does not ask kept the window from closing: a `DebouncedTask` waited for it without end."""
     monkeypatch.setattr(task, "_GRACE_S", 0.02)
     monkeypatch.setattr(task, "PATIENCE_S", LIMIT)
@@ -358,7 +358,7 @@ def test_closing_ends_what_never_asks_within_its_patience(qapp, monkeypatch):
     assert work_threads() == []
 
 
-def test_one_that_is_ended_from_outside_is_not_left_over(qapp, monkeypatch):
+def test_a_task_ended_from_outside_is_removed(qapp, monkeypatch):
     """It sends no signal: a timer tells the thread of the window, for which `tests/left_over.py` waits."""
     monkeypatch.setattr(task, "_GRACE_S", 0.02)
     begun = threading.Event()
@@ -377,7 +377,7 @@ def test_one_that_is_ended_from_outside_is_not_left_over(qapp, monkeypatch):
     assert not no_task_runs()
 
 
-def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
+def test_closing_does_not_wait_for_work_that_cannot_be_ended(jobs, monkeypatch):
     """A disk of a network that answers no more, for one."""
     monkeypatch.setattr(task, "PATIENCE_S", 0.05)
     monkeypatch.setattr(task, "_GRACE_S", 0.01)
@@ -390,7 +390,7 @@ def test_closing_does_not_wait_for_what_cannot_be_ended(jobs, monkeypatch):
     release.release()
 
 
-def test_one_after_the_other(qapp):
+def test_a_task_can_begin_after_another_one(qapp):
     order, release = [], threading.Event()
     first = Task(lambda _report: (release.wait(LIMIT), order.append(1)))
     last = Task(lambda _report: order.append(2), after=first)
@@ -401,7 +401,7 @@ def test_one_after_the_other(qapp):
     assert last.after is None
 
 
-def test_what_a_task_raises_reaches_the_windows_hook(qtbot):
+def test_an_exception_of_a_task_reaches_the_hook(qtbot):
     def fails(_task):
         raise ValueError("eleven")
 

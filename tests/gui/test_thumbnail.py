@@ -15,7 +15,7 @@ from app.features.recovery.bar import thumbnail
 
 
 @pytest.mark.usefixtures("qapp")
-def test_points_are_shown():
+def test_a_thumbnail_shows_points():
     line = make_curve([(10.0, 50.0), (90.0, 50.0)], family=HERMITE)
     line = replace(line, style=Style(stroke="#d00000", width=0.5))
     picture = pixels_of(thumbnail(Document((line,)), 100, 100, LIGHT))

@@ -101,7 +101,7 @@ def in_child(work):
 
 
 @pytest.mark.parametrize("limit", [0, 1, 4096, 65_536])
-def test_a_limit_on_the_size_of_files(path, limit):
+def test_a_limit_on_the_file_size_keeps_the_old_file(path, limit):
     import resource
 
     def work():
@@ -116,7 +116,7 @@ def test_a_limit_on_the_size_of_files(path, limit):
     assert holds_old_alone(path)
 
 
-def test_with_no_room_even_for_a_lock_the_document_opens(path):
+def test_a_document_opens_on_a_disk_without_room_for_a_lock(path):
     import resource
 
     def work():
@@ -151,7 +151,7 @@ def fill(file):
         file.write(bytes(4096))
 
 
-def test_a_disk_that_is_full(small_disk):
+def test_a_full_disk_keeps_the_old_file(small_disk):
     path = small_disk / "drawing.curve.json"
     save(path, OLD)
     with pytest.raises(StorageError, match=r"The disk is full.*Free some space or choose another disk"):
@@ -187,7 +187,7 @@ def fail_at(number, code):
 
 @pytest.mark.parametrize("code", [errno.EIO, errno.ENOSPC, errno.EDQUOT])
 @pytest.mark.parametrize(("owner", "step"), [(os, "fsync"), (Path, "replace"), (os, "open"), (os, "fstat")])
-def test_a_step_that_fails(path, monkeypatch, owner, step, code):
+def test_a_failing_step_keeps_the_old_file(path, monkeypatch, owner, step, code):
     opened = OpenFile.open(path)
     with monkeypatch.context() as faulty:
         faulty.setattr(owner, step, fail_at(1, code))
@@ -198,7 +198,7 @@ def test_a_step_that_fails(path, monkeypatch, owner, step, code):
     assert holds_old_alone(path)
 
 
-def test_a_temporary_file_that_cannot_be_removed_is_no_second_problem(path, monkeypatch):
+def test_an_unremovable_temporary_file_is_not_reported(path, monkeypatch):
     with monkeypatch.context() as faulty:
         faulty.setattr(Path, "replace", fail_at(1, errno.EIO))
         faulty.setattr(Path, "unlink", fail_at(1, errno.EIO))
@@ -207,7 +207,7 @@ def test_a_temporary_file_that_cannot_be_removed_is_no_second_problem(path, monk
     assert load(path) == OLD
 
 
-def test_a_folder_that_is_gone(path):
+def test_a_missing_folder_is_reported(path):
     opened = OpenFile.open(path)
     shutil.rmtree(path.parent)
     with pytest.raises(StorageError, match=r"The folder of .* does not exist\. Choose another folder"):
@@ -215,7 +215,7 @@ def test_a_folder_that_is_gone(path):
     opened.file.close()
 
 
-def test_a_file_system_without_locks(path, monkeypatch):
+def test_saving_works_on_a_file_system_without_locks(path, monkeypatch):
     """Some network file systems answer ENOLCK, some lock no folders."""
     import fcntl
 
@@ -228,7 +228,7 @@ def test_a_file_system_without_locks(path, monkeypatch):
     assert holds_old_alone(path)
 
 
-def test_a_folder_that_stays_locked_is_not_waited_for_for_ever(path, monkeypatch):
+def test_saving_does_not_wait_forever_for_a_locked_folder(path, monkeypatch):
     monkeypatch.setattr(system, "_PATIENCE", 0.05)
     with system.folder_lock(path.parent):
         save(path, LARGE)
@@ -261,7 +261,7 @@ def as_nobody():
     shutil.rmtree(folder)
 
 
-def test_a_read_only_folder(as_nobody):
+def test_saving_into_a_read_only_folder_is_refused(as_nobody):
     folder, run = as_nobody
     path = folder / "drawing.curve.json"
     assert run(lambda: save(path, OLD) and "") == ""
@@ -279,7 +279,7 @@ def test_a_read_only_folder(as_nobody):
     assert holds_old_alone(path)
 
 
-def test_a_read_only_file(as_nobody):
+def test_saving_over_a_read_only_file_is_refused(as_nobody):
     """Its folder would let it be replaced; that is not what its owner meant."""
     folder, run = as_nobody
     path = folder / "drawing.curve.json"
@@ -290,7 +290,7 @@ def test_a_read_only_file(as_nobody):
     assert holds_old_alone(path)
 
 
-def test_a_folder_that_may_be_written_but_not_listed(as_nobody):
+def test_saving_works_in_an_unreadable_folder(as_nobody):
     folder, run = as_nobody
     path = folder / "drawing.curve.json"
     run(lambda: save(path, OLD) and "")
@@ -300,7 +300,7 @@ def test_a_folder_that_may_be_written_but_not_listed(as_nobody):
     assert load(path) == LARGE
 
 
-def test_a_file_that_may_be_written_but_not_read(as_nobody):
+def test_saving_works_over_an_unreadable_file(as_nobody):
     folder, run = as_nobody
     path = folder / "drawing.curve.json"
 
@@ -323,7 +323,7 @@ def test_a_file_that_may_be_written_but_not_read(as_nobody):
 
 
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() != 0, reason="only root may give files away")
-def test_root_leaves_the_file_to_its_owner(path):
+def test_saving_as_root_keeps_the_owner(path):
     os.chown(path, NOBODY, NOBODY)
     path.chmod(0o640)
     save(path, LARGE)
@@ -332,7 +332,7 @@ def test_root_leaves_the_file_to_its_owner(path):
 
 
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() != 0, reason="only root may give files away")
-def test_another_group_may_do_no_more_than_everybody(as_nobody):
+def test_a_changed_group_gets_the_permissions_of_everybody(as_nobody):
     """A group that cannot be kept must not give its rights to the group of whoever saves."""
     folder, run = as_nobody
     path = folder / "drawing.curve.json"
@@ -357,7 +357,7 @@ def test_extended_attributes_are_kept(path):
 # Two at once
 
 
-def test_two_processes_save_one_file(tmp_path):
+def test_two_processes_that_save_one_file_leave_a_complete_one(tmp_path):
     """Each save raises a number that was read before: if one were lost, the sum would not come out."""
     path, go = tmp_path / "drawing.curve.json", tmp_path / "go"
     save(path, Document((make_curve([(0.0, 0.0), (1.0, 0.0)]),)))
@@ -369,7 +369,7 @@ def test_two_processes_save_one_file(tmp_path):
     assert sorted(each.name for each in tmp_path.iterdir()) == [path.name, go.name]
 
 
-def test_a_change_in_the_last_moment_is_noticed(path, monkeypatch):
+def test_a_change_just_before_replacing_is_noticed(path, monkeypatch):
     """Somebody writes after the new file is on the disk and before it takes the place of the old one."""
     opened = OpenFile.open(path)
     real = os.fsync

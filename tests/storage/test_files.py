@@ -46,7 +46,7 @@ def only(path):
     return list(path.parent.iterdir()) == [path]
 
 
-def test_save_and_load(tmp_path):
+def test_a_saved_document_is_loaded(tmp_path):
     document = Document((make_curve([(0.1, 0.2), (1 / 3, 4.0)]),))
     path = tmp_path / "a.curve.json"
     save(path, document)
@@ -62,13 +62,13 @@ def test_an_invalid_document_is_not_written(target):
     assert target.read_bytes() == b"old"
 
 
-def test_load_names_the_place_in_a_bad_file(target):
+def test_loading_a_bad_file_names_the_field(target):
     target.write_bytes(b'{"format": "curvebench", "version": 3, "curves": []}')
     with pytest.raises(FormatError, match="curves must hold at least one curve"):
         load(target)
 
 
-def test_large_content_is_written_whole(target):
+def test_large_content_is_written_completely(target):
     data = bytes(range(256)) * 40_000
     write(target, data)
     assert read(target) == data
@@ -105,7 +105,7 @@ def test_a_symbolic_link_is_followed_and_stays(tmp_path, target):
 
 
 @posix_only
-def test_a_dangling_link_makes_the_file_it_names(tmp_path):
+def test_saving_to_a_dangling_link_creates_its_target(tmp_path):
     link = tmp_path / "link"
     link.symlink_to(tmp_path / "file")
     write(link, b"new")
@@ -168,7 +168,7 @@ def fail_from_call(number, code):
 
 
 @posix_only
-def test_a_folder_that_cannot_be_synced_is_said(target, monkeypatch):
+def test_a_folder_that_cannot_be_synced_is_reported(target, monkeypatch):
     monkeypatch.setattr(os, "fsync", fail_from_call(2, errno.EIO))
     with pytest.raises(StorageError, match="was written, but the disk did not confirm it"):
         write(target, b"new")
@@ -176,14 +176,14 @@ def test_a_folder_that_cannot_be_synced_is_said(target, monkeypatch):
 
 
 @posix_only
-def test_a_file_system_without_folder_sync_is_fine(target, monkeypatch):
+def test_a_file_system_without_folder_sync_is_accepted(target, monkeypatch):
     monkeypatch.setattr(os, "fsync", fail_from_call(2, errno.EINVAL))
     write(target, b"new")
     assert target.read_bytes() == b"new"
 
 
 @posix_only
-def test_the_data_is_synced_before_the_old_file_goes(target, monkeypatch):
+def test_the_data_is_synced_before_the_old_file_is_replaced(target, monkeypatch):
     seen = []
     real = os.fsync
 
@@ -259,7 +259,7 @@ def test_an_impossible_name_is_refused():
     is_refused("a\0b", "null")
 
 
-def test_an_unprintable_name_can_be_said(tmp_path):
+def test_a_message_can_contain_an_unprintable_name(tmp_path):
     with pytest.raises(StorageError) as refusal:
         read(tmp_path / "\udcff")
     str(refusal.value).encode()
@@ -287,6 +287,6 @@ def test_a_file_that_lies_about_its_size_is_refused(target, monkeypatch):
         read(target)
 
 
-def test_empty_document_makes_a_small_file(tmp_path):
+def test_an_empty_document_has_a_small_file(tmp_path):
     save(tmp_path / "a", empty_document())
     assert len(read(tmp_path / "a")) < 400

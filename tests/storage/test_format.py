@@ -111,12 +111,12 @@ def test_numpy_floats_are_floats():
 
 
 @pytest.mark.parametrize("count", [0, 1])
-def test_a_sketch_just_begun_survives(count):
+def test_a_curve_with_one_or_no_point_survives(count):
     document = Document((make_curve([(1.0, 2.0)] * count),))
     assert decode(encode(document)) == document
 
 
-def test_file_reads_well():
+def test_a_file_has_one_line_per_member_and_point():
     curve = make_curve([(0, 1), (0.5, 2)], name="Größe ‖c′‖", family=HERMITE)
     assert encode(Document((curve,))).decode() == (
         "{\n"
@@ -137,7 +137,7 @@ def test_file_reads_well():
     )
 
 
-def test_jerks_stand_in_the_file_only_where_somebody_set_them():
+def test_only_explicit_jerks_are_written():
     points = (Point(0.0, 1.0), Point(2.0, 3.0, jerk=(4.0, 5.0)))
     curve = Curve("J", FAMILIES.named("septic_hermite"), Parametrization(), points)
     text = encode(Document((curve,))).decode()
@@ -149,7 +149,7 @@ def test_jerks_stand_in_the_file_only_where_somebody_set_them():
 
 
 @pytest.mark.parametrize("each", DERIVATIVES)
-def test_the_description_of_the_derivatives_is_that_of_points_and_curves(each):
+def test_derivatives_match_the_fields_of_points_and_curves(each):
     assert {each.name, each.after} <= set(Point.__struct_fields__)
     assert type(getattr(make_curve(()), each.rule_field)) is each.rules
     of_derivatives = {name for each in DERIVATIVES for name in (each.name, each.after)}
@@ -286,13 +286,13 @@ REFUSED_VALUES = [
 
 
 @each_row(("path", "value", "message"), REFUSED_VALUES)
-def test_wrong_values_are_refused_with_their_place(path, value, message):
+def test_wrong_values_are_refused_with_their_fields(path, value, message):
     with pytest.raises(FormatError) as refusal:
         decode(spoiled(path, value))
     assert str(refusal.value) == message
 
 
-def test_remembered_parameters_increase_too():
+def test_stored_parameters_must_increase():
     content = good()
     content["curves"][0]["parametrization"]["kind"] = "uniform"
     points = content["curves"][0]["points"]
@@ -361,7 +361,7 @@ def test_every_truncation_is_refused():
 
 
 @given(st.binary(max_size=60))
-def test_random_bytes_are_refused_with_one_kind_of_objection(data):
+def test_random_bytes_are_refused_with_format_errors(data):
     with pytest.raises(FormatError):
         decode(data)
 
@@ -375,19 +375,19 @@ def test_a_damaged_file_is_read_or_refused(position, damage):
         validate(decode(damaged))
 
 
-def test_the_recursion_guard_leaves_the_reader_usable():
+def test_the_decoder_works_after_a_recursion_error():
     with pytest.raises(FormatError):
         decode(b"[" * 10**5)
     assert decode(encode(empty_document())) == empty_document()
 
 
-def test_version_and_marker_are_what_is_written():
+def test_the_written_version_and_marker_are_read():
     content = json.loads(encode(empty_document()))
     assert content["format"] == file_format.FORMAT
     assert content["version"] == file_format.VERSION
 
 
-def test_what_a_kind_of_value_holds_is_looked_up_once_for_all_curves():
+def test_fields_of_a_value_are_looked_up_once_for_all_curves():
     """msgspec reads the annotations anew whenever it is asked: two seconds for five thousand curves."""
     curves = Document(tuple(make_curve([(i, 0), (i, 1)], name=str(i), family=HERMITE) for i in range(100)))
     encode(curves)

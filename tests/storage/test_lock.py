@@ -55,7 +55,7 @@ def without_system_locks(monkeypatch):
     monkeypatch.setattr(fcntl, "flock", fail)
 
 
-def test_the_lock_lies_beside_the_document_and_goes(target):
+def test_the_lock_file_is_beside_the_document_until_release(target):
     result = acquire(lock_path(target))
     place = target.parent / ".drawing.curve.json.lock"
     content = json.loads(place.read_bytes())
@@ -66,7 +66,7 @@ def test_the_lock_lies_beside_the_document_and_goes(target):
     assert owner_of(lock_path(target)) is None
 
 
-def test_a_second_one_is_told_who_has_it(target):
+def test_a_second_request_returns_the_owner(target):
     first = acquire(lock_path(target))
     second = acquire(lock_path(target))
     assert second.lock is None
@@ -77,12 +77,12 @@ def test_a_second_one_is_told_who_has_it(target):
     assert acquire(lock_path(target)).lock is not None
 
 
-def test_a_forgotten_lock_goes_with_its_object(target):
+def test_a_lock_is_released_with_its_object(target):
     acquire(lock_path(target))
     assert not lock_path(target).exists()
 
 
-def test_releasing_leaves_the_lock_of_somebody_else(target):
+def test_releasing_leaves_the_lock_of_another_owner(target):
     lock = acquire(lock_path(target)).lock
     other = leave_lock(target, Process("elsewhere", 7, "x"))
     assert lock.lost_to() == other
@@ -90,7 +90,7 @@ def test_releasing_leaves_the_lock_of_somebody_else(target):
     assert owner_of(lock_path(target)) == other
 
 
-def test_a_lock_that_was_deleted_is_made_anew(target):
+def test_a_deleted_lock_file_is_created_again(target):
     lock = acquire(lock_path(target)).lock
     lock_path(target).unlink()
     assert lock.lost_to() is None
@@ -107,7 +107,7 @@ def test_the_lock_of_a_dead_process_is_reclaimed(target):
 
 
 @posix_only
-def test_a_later_process_with_the_same_number_does_not_count(target):
+def test_a_later_process_with_the_same_number_is_not_the_owner(target):
     """Numbers come round again; the time of the start tells them apart."""
     parent = os.getppid()
     assert is_number_alive(parent)
@@ -117,20 +117,20 @@ def test_a_later_process_with_the_same_number_does_not_count(target):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the boot's identity is Linux's")
-def test_nothing_survives_a_restart_of_the_computer(target):
+def test_no_owner_survives_a_restart_of_the_computer(target):
     _, rest = this_process().started.split("/", 1)
     leave_lock(target, Process(machine(), os.getpid(), f"another-boot/{rest}"))
     assert acquire(lock_path(target)).lock is not None
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="containers are Linux's")
-def test_a_process_of_another_container_cannot_be_judged():
+def test_the_state_of_a_process_in_another_container_is_unknown():
     boot, _, start = this_process().started.split("/")
     assert is_alive(Process(machine(), 4_000_000, f"{boot}/another/{start}")) is None
 
 
 @pytest.mark.skipif(shutil.which("ps") is None, reason="there is no ps")
-def test_where_there_is_no_proc_ps_tells(monkeypatch):
+def test_the_start_time_comes_from_ps_without_proc(monkeypatch):
     """As on macOS."""
     monkeypatch.setattr(system, "_started", ps.started)
     own = Process(machine(), os.getpid(), system._started(os.getpid()))
@@ -141,7 +141,7 @@ def test_where_there_is_no_proc_ps_tells(monkeypatch):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="containers are Linux's")
-def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
+def test_the_system_lock_shows_whether_an_owner_in_a_container_runs(target):
     """Each start of a Flatpak is a container of its own: after a kill, nobody could say that it had ended."""
     code = """\
         import sys
@@ -173,7 +173,7 @@ def test_the_system_tells_of_an_owner_that_cannot_be_asked(target):
     assert not lock_path(target).exists()
 
 
-def test_where_nobody_tells_nobody_is_judged(target, monkeypatch):
+def test_an_unknown_process_is_not_taken_for_dead(target, monkeypatch):
     """As on Windows: the person decides."""
     dead = ended_process()
     monkeypatch.setattr(system, "_started", lambda _pid: "")
@@ -183,7 +183,7 @@ def test_where_nobody_tells_nobody_is_judged(target, monkeypatch):
     assert acquire(lock_path(target)).owner is not None
 
 
-def test_the_lock_of_another_computer_is_never_judged_dead(target):
+def test_a_lock_of_another_computer_is_never_stale(target):
     owner = leave_lock(target, Process("elsewhere", 1, "x"), since=time.time() - OLD - 60)
     result = acquire(lock_path(target))
     assert result.owner == owner
@@ -191,13 +191,13 @@ def test_the_lock_of_another_computer_is_never_judged_dead(target):
     assert not result.owner.is_same_person
 
 
-def test_a_leftover_of_this_very_process_is_reclaimed(target):
+def test_a_stale_lock_of_this_process_is_reclaimed(target):
     leave_lock(target, this_process(), is_held=True)
     assert acquire(lock_path(target)).lock is not None
 
 
 @posix_only
-def test_where_nobody_holds_it_a_lock_that_was_held_is_a_leftover(target):
+def test_a_lock_that_nobody_holds_any_more_is_stale(target):
     """Whatever has its number now: here the process that started this one."""
     started = system._started(os.getppid())
     parent = Process(machine(), os.getppid(), started)
@@ -212,7 +212,7 @@ def test_where_nobody_holds_it_a_lock_that_was_held_is_a_leftover(target):
 
 @posix_only
 @pytest.mark.parametrize("content", [b"", b"\0" * 300, b'{"user": "ad'], ids=["empty", "zeros", "torn"])
-def test_in_a_private_folder_what_nobody_holds_is_free(target, content):
+def test_in_a_private_folder_an_unheld_lock_is_free(target, content):
     """After a power cut, or under a name that the computer had elsewhere, work must not be lost."""
     place = lock_path(target)
     place.write_bytes(content)
@@ -225,7 +225,7 @@ def test_in_a_private_folder_what_nobody_holds_is_free(target, content):
 
 
 @posix_only
-def test_in_a_private_folder_without_locks_a_running_process_keeps_its_own(target, monkeypatch):
+def test_in_a_private_folder_without_system_locks_a_running_process_keeps_its_lock(target, monkeypatch):
     without_system_locks(monkeypatch)
     place = lock_path(target)
     first = acquire(place, is_private=True)
@@ -235,7 +235,7 @@ def test_in_a_private_folder_without_locks_a_running_process_keeps_its_own(targe
     assert acquire(place, is_private=True).lock is not None
 
 
-def test_taking_over_is_noticed_by_the_other(target):
+def test_the_former_owner_notices_a_takeover(target):
     first = acquire(lock_path(target)).lock
     second = take_over(lock_path(target)).lock
     assert first.lost_to().mark == json.loads(lock_path(target).read_bytes())["mark"]
@@ -246,7 +246,7 @@ def test_taking_over_is_noticed_by_the_other(target):
 
 
 @posix_only
-def test_an_empty_lock_that_nobody_holds_is_a_leftover(target):
+def test_an_empty_unheld_lock_is_stale(target):
     """Between making the file and writing it lies a moment in which a process can be killed."""
     place = lock_path(target)
     place.touch()
@@ -257,7 +257,7 @@ def test_an_empty_lock_that_nobody_holds_is_a_leftover(target):
 
 
 @posix_only
-def test_without_system_locks_an_empty_lock_is_being_written_for_ten_seconds(target, monkeypatch):
+def test_without_system_locks_an_empty_lock_is_stale_after_ten_seconds(target, monkeypatch):
     without_system_locks(monkeypatch)
     place = lock_path(target)
     place.touch()
@@ -273,13 +273,13 @@ def test_without_system_locks_an_empty_lock_is_being_written_for_ten_seconds(tar
     [b"garbage", b"{}", b"\xff\xfe", b'{"pid": "x"}', b"[" * 5000, b"null"],
     ids=["text", "empty object", "bytes", "wrong type", "deep", "null"],
 )
-def test_a_lock_that_cannot_be_read_belongs_to_somebody(target, content):
+def test_an_unreadable_lock_has_an_owner(target, content):
     lock_path(target).write_bytes(content)
     assert acquire(lock_path(target)).owner.user == ""
     assert take_over(lock_path(target)).lock is not None
 
 
-def test_names_from_a_lock_are_fit_for_a_sentence(target):
+def test_names_from_a_lock_file_are_printable(target):
     leave_lock(target, Process("elsewhere", 1, "x"), user="a\n\x1b[31m" + "b" * 500, host="\u202eh")
     owner = acquire(lock_path(target)).owner
     assert owner.user.isprintable()
@@ -288,13 +288,13 @@ def test_names_from_a_lock_are_fit_for_a_sentence(target):
 
 
 @posix_only
-def test_a_pipe_in_its_place_is_nothing_to_wait_for(target):
+def test_a_pipe_in_place_of_a_lock_file_is_not_waited_for(target):
     os.mkfifo(lock_path(target))
     assert acquire(lock_path(target)).owner is not None
 
 
 @posix_only
-def test_a_link_in_its_place_is_not_followed(target, tmp_path):
+def test_a_link_in_place_of_a_lock_file_is_not_followed(target, tmp_path):
     (tmp_path / "secret").write_bytes(b"x")
     lock_path(target).symlink_to(tmp_path / "secret")
     result = acquire(lock_path(target))
@@ -303,7 +303,7 @@ def test_a_link_in_its_place_is_not_followed(target, tmp_path):
 
 
 @pytest.mark.parametrize("code", [errno.EROFS, errno.EACCES, errno.ENOLCK, errno.ENOSPC, errno.ENOTSUP])
-def test_without_a_lock_work_goes_on(target, monkeypatch, code):
+def test_a_document_opens_without_a_lock(target, monkeypatch, code):
     def fail(*_):
         raise OSError(code, os.strerror(code))
 
@@ -317,7 +317,7 @@ def test_without_a_lock_work_goes_on(target, monkeypatch, code):
     assert list(target.parent.iterdir()) == []
 
 
-def test_a_name_too_long_for_a_lock_takes_none(tmp_path):
+def test_a_name_too_long_for_a_lock_file_opens_without_a_lock(tmp_path):
     result = acquire(lock_path(tmp_path / ("n" * 252)))
     assert result.owner is None
     assert result.problem
@@ -335,7 +335,7 @@ def test_without_system_locks_a_lock_is_still_exclusive(target, monkeypatch):
 
 
 @posix_only
-def test_a_new_lock_stays_where_somebody_thought_the_old_one_stale(target):
+def test_a_new_lock_stays_when_another_process_found_the_old_one_stale(target):
     """Two judge the same lock stale; what the slower one removes is the quicker one's new lock."""
     stale = leave_lock(target, ended_process())
     quick = acquire(lock_path(target))
@@ -346,7 +346,7 @@ def test_a_new_lock_stays_where_somebody_thought_the_old_one_stale(target):
 
 
 @posix_only
-def test_without_system_locks_one_of_two_finds_its_lock_lost(target, monkeypatch):
+def test_without_system_locks_one_of_two_owners_notices_the_loss(target, monkeypatch):
     """There the slower one may be just so slow that it removes the new lock: then one of them is told."""
     without_system_locks(monkeypatch)
     leave_lock(target, ended_process())
@@ -380,7 +380,7 @@ os._exit(0)
 
 
 @posix_only
-def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
+def test_of_several_processes_one_gets_a_stale_lock(target, tmp_path):
     leave_lock(target, ended_process())
     signal = tmp_path / "go"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -402,7 +402,7 @@ def test_of_several_at_once_one_gets_a_stale_lock(target, tmp_path):
 
 
 @posix_only
-def test_a_process_that_ends_gives_its_locks_up(target):
+def test_a_process_that_ends_releases_its_locks(target):
     code = "import sys; from pathlib import Path; from app.storage.lock import acquire, lock_path\n"
     code += "kept = acquire(lock_path(Path(sys.argv[1]))); print(kept.lock.path.exists())"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -427,14 +427,14 @@ def name_of(process):
 
 
 @posix_only
-def test_leftovers_of_ended_processes_are_removed(tmp_path):
+def test_temporary_files_of_ended_processes_are_removed(tmp_path):
     left = old_file(tmp_path / name_of(ended_process()))
     assert remove_stale_files(tmp_path) == 1
     assert not left.exists()
 
 
 @posix_only
-def test_nothing_else_is_removed(tmp_path):
+def test_other_temporary_files_are_not_removed(tmp_path):
     dead = ended_process()
     kept = [
         old_file(tmp_path / temporary_name()),  # a process that runs: this one
@@ -452,5 +452,5 @@ def test_nothing_else_is_removed(tmp_path):
     assert all(path.exists() for path in (*kept, folder, link))
 
 
-def test_sweeping_a_folder_that_is_gone_is_nothing(tmp_path):
+def test_removing_stale_files_from_a_missing_folder_does_nothing(tmp_path):
     assert remove_stale_files(tmp_path / "gone") == 0

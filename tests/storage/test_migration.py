@@ -70,7 +70,7 @@ def test_layers_are_groups_and_empty_ones_are_dropped_and_counted():
     assert found.left_out == LeftOut({"empty layer": 1}, ("1 empty layer",))
 
 
-def test_guides_that_lean_are_dropped_and_counted_and_all_others_can_be_moved():
+def test_leaning_guides_are_dropped_and_counted():
     upright = {"axis": "x", "position": 2.0, "lean": 0.0, "across": 0.0, "locked": True}
     leaning = {"axis": "y", "position": 1.0, "lean": 30.0, "across": 4.0}
     found = decode_counting(older(guides=[upright, leaning]))
@@ -78,7 +78,7 @@ def test_guides_that_lean_are_dropped_and_counted_and_all_others_can_be_moved():
     assert found.left_out == LeftOut({"leaning guide": 1}, ("1 leaning guide",))
 
 
-def test_nothing_is_said_of_a_file_that_holds_no_more():
+def test_a_file_without_dropped_features_has_no_message():
     assert not decode_counting(older()).left_out
     assert not decode_counting(older(kept_texts=[], kept_pictures=[])).left_out
     assert not decode_counting(encode(decode(older()))).left_out
@@ -91,11 +91,11 @@ def test_nothing_is_said_of_a_file_that_holds_no_more():
         (3, "“a.json” was made with a version that had more features: 3 texts were left out."),
     ],
 )
-def test_the_sentence(count, words):
+def test_the_message_counts_dropped_features(count, words):
     assert decode_counting(older(kept_texts=[{}] * count)).left_out.sentence("a.json") == words
 
 
-def test_texts_and_pictures_go_whole_and_letters_that_are_shapes_stay():
+def test_texts_and_pictures_are_dropped_and_letters_stay():
     box = {"x": 0.0, "y": 0.0, "width": 1.0, "height": 1.0}
     found = decode_counting(
         older(
@@ -108,7 +108,7 @@ def test_texts_and_pictures_go_whole_and_letters_that_are_shapes_stay():
     assert [each.name for each in found.document.curves] == ["I"]
 
 
-def test_a_rectangle_stays_as_its_points_say_and_nothing_is_lost():
+def test_a_rectangle_keeps_its_points():
     form = {"kind": "rectangle", "x": 0.0, "y": 0.0, "width": 1.0, "height": 1.0, "rx": 0.25}
     found = decode_counting(older(curve(form=form)))
     assert not found.left_out
@@ -117,7 +117,7 @@ def test_a_rectangle_stays_as_its_points_say_and_nothing_is_lost():
 
 @each_row("version", [1, 2])
 @each_row("number", ["1" * 5000, "-1e999"])
-def test_a_number_beyond_all_bounds_is_refused_by_its_place(version, number):
+def test_a_too_large_number_is_refused_with_its_field(version, number):
     """It was “[...][0][...][0][...]”: msgspec has no names where it reads without types."""
     data = older().replace(b'"version": 2', b'"version": %d' % version)
     data = re.sub(rb'"x": [^,}]+', b'"x": ' + number.encode(), data, count=1)
@@ -125,12 +125,12 @@ def test_a_number_beyond_all_bounds_is_refused_by_its_place(version, number):
         decode(data)
 
 
-def test_a_file_of_this_version_cannot_hold_more():
+def test_a_file_of_this_version_with_dropped_fields_is_refused():
     with pytest.raises(FormatError, match="kept_texts"):
         decode(older(**KEPT).replace(b'"version": 2', b'"version": 3'))
 
 
-def test_fields_of_curves_styles_and_guides(with_rows):
+def test_fields_of_curves_styles_and_guides_are_dropped_and_counted(with_rows):
     with_rows(
         Dropped(Holder.CURVE, "glow", "glow"),
         Dropped(Holder.STYLE, "order", "paint order", is_loss=lambda value: value != "normal"),
@@ -151,7 +151,7 @@ def test_fields_of_curves_styles_and_guides(with_rows):
     assert found.document.guides[0].position == 1.0
 
 
-def test_one_field_is_counted_by_several_nouns_and_mended(with_rows):
+def test_a_field_can_be_counted_by_several_nouns_and_mended(with_rows):
     def fade(style, value):
         style["fill_opacity"] = style.get("fill_opacity", 1.0) * value["opacity"]
 
@@ -165,7 +165,7 @@ def test_one_field_is_counted_by_several_nouns_and_mended(with_rows):
     assert [each.style.fill_opacity for each in found.document.curves] == [0.5] * 3
 
 
-def test_curves_go_whole_by_the_kind_of_their_form(with_rows):
+def test_curves_are_dropped_by_the_kind_of_their_form(with_rows):
     with_rows(forms={"note": "note"})
     found = decode_counting(older(curve("a", form={"kind": "note"}), curve("b")))
     assert found.left_out.words == ("1 note",)
@@ -185,12 +185,12 @@ def test_curves_go_whole_by_the_kind_of_their_form(with_rows):
         ({"guides": [7]}, r"guides\[0\] must be an object"),
     ],
 )
-def test_what_is_none_of_a_file_is_refused_with_its_place(values, complaint):
+def test_invalid_values_in_an_old_file_are_refused_with_their_field(values, complaint):
     with pytest.raises(FormatError, match=complaint):
         decode(older(**values))
 
 
-def test_an_open_file_knows_what_it_holds_until_it_is_saved(path):
+def test_an_open_file_counts_dropped_features_until_it_is_saved(path):
     opened = OpenFile.open(path)
     assert opened.file.left_out.words == ("2 texts", "1 picture")
     OpenFile.saved(path, opened.document, opened.file)
@@ -199,7 +199,7 @@ def test_an_open_file_knows_what_it_holds_until_it_is_saved(path):
     opened.file.close()
 
 
-def test_a_file_read_again_or_adopted_is_counted(path):
+def test_a_reloaded_or_adopted_file_counts_dropped_features(path):
     content = path.read_bytes()
     path.write_bytes(encode(load(path)))
     file = OpenFile.open(path).file
@@ -214,7 +214,7 @@ def test_a_file_read_again_or_adopted_is_counted(path):
     file.close()
 
 
-def test_a_snapshot_of_an_older_version_is_counted_and_kept(path, tmp_path, monkeypatch):
+def test_a_snapshot_of_an_older_version_counts_dropped_features(path, tmp_path, monkeypatch):
     """It is not taken for saved, although all that is left of it stands in the file."""
     snapshot = SnapshotFile(tmp_path / "state")
     monkeypatch.setattr("app.storage.recovery.encode", lambda _document: older(**KEPT))
@@ -230,7 +230,7 @@ SENTENCE = (
 )
 
 
-def test_the_command_line_tells_it(path, tmp_path, capsys):
+def test_the_command_line_reports_dropped_features(path, tmp_path, capsys):
     for words in (
         ["info", str(path)],
         ["render", str(path), "-o", str(tmp_path / "a.svg")],
@@ -244,7 +244,7 @@ def test_the_command_line_tells_it(path, tmp_path, capsys):
     assert json.loads(capsys.readouterr().out)["remarks"] == [SENTENCE]
 
 
-def test_the_mean_colour_stands_for_a_gradient_as_far_as_it_was_seen():
+def test_the_mean_colour_of_a_gradient_gets_its_mean_opacity():
     stops = [{"offset": 0.0, "colour": "#ff0000"}, {"offset": 1.0, "colour": "#ff0000", "opacity": 0.0}]
     fading = {"fill": "#ff0000", "fill_opacity": 0.5, "fill_gradient": {"stops": stops}}
     tile = {"body": "<path d='M0 0H4V8H0Z'></path>", "view": [0.0, 0.0, 8.0, 8.0]}
@@ -282,19 +282,19 @@ def styled(*styles, **more):
         ([{"paint_order": "stroke"}] * 2, "2 orders of fill and line"),
     ],
 )
-def test_what_changes_how_it_looks_is_counted(styles, words):
+def test_visible_dropped_features_are_counted(styles, words):
     found = decode_counting(styled(*styles))
     assert found.left_out.words == (words,)
     assert {each.style for each in found.document.curves} == {Style()}
 
 
-def test_what_changes_nothing_is_not_counted():
+def test_invisible_dropped_features_are_not_counted():
     assert not decode_counting(
         styled({"start_marker": "none", "paint_order": "normal", "blur": 0.0, "masks": [], "clips": []})
     ).left_out
 
 
-def test_the_opacities_of_a_curve_and_of_its_groups_are_those_of_stroke_and_fill():
+def test_opacities_of_curves_and_groups_become_those_of_stroke_and_fill():
     looks = [{"name": "Outer", "opacity": 0.5}, {"name": "Inner"}]
     styles = {"opacity": 0.5, "fill_opacity": 0.25}, {}
     found = decode_counting(styled(*styles, groups=["Outer", "Inner"], group_looks=looks))
@@ -303,12 +303,12 @@ def test_the_opacities_of_a_curve_and_of_its_groups_are_those_of_stroke_and_fill
     assert found.left_out.words == ("1 opacity of a group",)
 
 
-def test_an_opacity_of_fill_and_stroke_together_is_told_where_both_are_painted():
+def test_an_opacity_of_fill_and_stroke_together_is_counted_if_both_are_painted():
     styles = {"opacity": 0.5, "fill": "#ff0000"}, {"opacity": 0.5}, {"opacity": 1.0, "fill": "#ff0000"}
     assert decode_counting(styled(*styles)).left_out.words == ("1 opacity of fill and stroke together",)
 
 
 @pytest.mark.parametrize("opacity", [1.5, -1, "half"])
-def test_an_opacity_that_is_none_is_refused(opacity):
+def test_an_invalid_opacity_is_refused(opacity):
     with pytest.raises(FormatError, match=r"curves\[0\]\.style\.stroke_opacity must"):
         decode_counting(styled({"opacity": opacity}))

@@ -50,18 +50,18 @@ def file(path):
 # Looking
 
 
-def test_nothing_has_changed(file):
+def test_an_unchanged_file_reports_no_change(file):
     assert file.check() is FileChange.SAME
     assert file.other_document is None
 
 
-def test_another_document_is_seen(path, file):
+def test_another_document_in_the_file_is_noticed(path, file):
     save(path, THEIRS)
     assert file.check() is FileChange.CHANGED
     assert file.other_document == THEIRS
 
 
-def test_writing_in_place_is_seen(path, file):
+def test_writing_in_place_is_noticed(path, file):
     path.write_bytes(encode(THEIRS))
     assert file.check() is FileChange.CHANGED
 
@@ -76,12 +76,12 @@ def test_the_same_content_in_another_file_is_no_change(path, file):
 
 
 @pytest.mark.parametrize("content", [b"", b'{"format": "curvebench", "ver', b"\xff"])
-def test_half_a_file_is_no_document(path, file, content):
+def test_a_truncated_file_is_unreadable(path, file, content):
     path.write_bytes(content)
     assert file.check() is FileChange.UNREADABLE
 
 
-def test_a_file_that_is_gone(path, file):
+def test_a_deleted_file_is_reported_as_gone(path, file):
     path.rename(path.with_name("moved"))
     assert file.check() is FileChange.GONE
     OpenFile.saved(path, THEIRS, file)
@@ -91,7 +91,7 @@ def test_a_file_that_is_gone(path, file):
 # Saving
 
 
-def test_an_unseen_change_is_not_overwritten(path, file):
+def test_an_unnoticed_change_is_not_overwritten(path, file):
     save(path, THEIRS)
     with pytest.raises(
         ChangedOnDiskError, match=r"changed by another program since .* Save under another name"
@@ -116,7 +116,7 @@ def test_a_change_of_the_same_size_and_time_is_noticed(path, file):
     assert path.read_bytes() == content
 
 
-def test_what_was_accepted_may_be_replaced(path, file):
+def test_an_accepted_change_may_be_replaced(path, file):
     save(path, THEIRS)
     file.accept()
     assert file.check() is FileChange.SAME
@@ -124,7 +124,7 @@ def test_what_was_accepted_may_be_replaced(path, file):
     assert load(path) == sketch(3.0)
 
 
-def test_what_changes_after_it_was_accepted_is_not_replaced(path, file):
+def test_a_change_after_accepting_is_not_replaced(path, file):
     save(path, THEIRS)
     file.accept()
     save(path, sketch(4.0))
@@ -132,13 +132,13 @@ def test_what_changes_after_it_was_accepted_is_not_replaced(path, file):
         OpenFile.saved(path, sketch(3.0), file)
 
 
-def test_reading_again(path, file):
+def test_reading_again_returns_the_present_document(path, file):
     save(path, THEIRS)
     assert file.read_again() == THEIRS
     assert file.check() is FileChange.SAME
 
 
-def test_what_the_disk_did_not_confirm_is_still_ours(path, file, monkeypatch):
+def test_an_unconfirmed_save_is_no_foreign_change(path, file, monkeypatch):
     """The next save must not take it for somebody else's change."""
     stamp = file.stamp
 
@@ -157,7 +157,7 @@ def test_what_the_disk_did_not_confirm_is_still_ours(path, file, monkeypatch):
 # Others
 
 
-def test_the_second_may_read_but_not_save(path, file):
+def test_a_second_window_may_read_but_not_save(path, file):
     second = OpenFile.open(path)
     assert second.document == MINE
     assert second.file.owner.is_this_process
@@ -167,7 +167,7 @@ def test_the_second_may_read_but_not_save(path, file):
     assert load(path) == MINE
 
 
-def test_saving_onto_a_file_that_is_open_elsewhere(path, file, tmp_path):
+def test_saving_over_a_file_that_is_open_elsewhere_is_refused(path, file, tmp_path):
     with pytest.raises(LockedError):
         OpenFile.saved(path, THEIRS)
     other = OpenFile.saved(tmp_path / "other", THEIRS)
@@ -185,7 +185,7 @@ def test_a_link_leads_to_the_same_lock(path, file, tmp_path):
     assert OpenFile.open(link).file.owner is not None
 
 
-def test_once_the_owner_is_gone_saving_works(path, file):
+def test_saving_works_after_the_owner_has_closed(path, file):
     second = OpenFile.open(path).file
     file.close()
     assert second.check_lock() is None
@@ -203,7 +203,7 @@ def test_a_reader_never_overwrites_what_the_owner_saved(path, file):
     second.close()
 
 
-def test_taken_over_the_first_cannot_save(path, file):
+def test_the_former_owner_cannot_save_after_a_takeover(path, file):
     second = OpenFile.open(path).file
     second.take_over()
     OpenFile.saved(path, THEIRS, second)
@@ -214,7 +214,7 @@ def test_taken_over_the_first_cannot_save(path, file):
     second.close()
 
 
-def test_opening_it_again_in_the_same_window_keeps_the_lock(path, file):
+def test_reopening_a_file_in_the_same_window_keeps_the_lock(path, file):
     again = OpenFile.open(path, file)
     assert again.file.owner is None
     file.close()
@@ -230,7 +230,7 @@ def test_a_failed_save_under_another_name_leaves_no_lock(file, tmp_path):
     assert [each.name for each in tmp_path.iterdir() if each.name.startswith(".folder")] == []
 
 
-def test_a_recovered_document_counts_what_is_there_as_seen(path):
+def test_a_recovered_document_accepts_the_present_content(path):
     file = OpenFile.adopt(path)
     save(path, THEIRS)
     assert file.check() is FileChange.CHANGED
@@ -240,7 +240,7 @@ def test_a_recovered_document_counts_what_is_there_as_seen(path):
     missing.close()
 
 
-def test_leftovers_go_when_a_document_is_opened(path, tmp_path, monkeypatch):
+def test_opening_a_document_removes_stale_files(path, tmp_path, monkeypatch):
     from app.storage import files
 
     left = tmp_path / files.temporary_name()
@@ -308,7 +308,7 @@ def test_migrations_go_step_by_step(monkeypatch):
         (b'{"version": 0, ' + old_content()[1:], "version appears twice"),
     ],
 )
-def test_what_is_wrong_in_an_old_file_is_said_too(draft, data, words):
+def test_problems_in_an_old_file_are_reported(draft, data, words):
     with pytest.raises(FormatError, match=words):
         decode(data)
 
@@ -348,7 +348,7 @@ def test_a_backup_works_without_hard_links(draft, monkeypatch):
     assert len(list(draft.parent.iterdir())) == 2
 
 
-def test_without_a_backup_nothing_is_replaced(draft, monkeypatch):
+def test_an_old_file_is_not_replaced_without_a_backup(draft, monkeypatch):
     real = files._write_temporary
 
     def fail_for_the_backup(folder, data, like):
@@ -377,7 +377,7 @@ def test_a_newer_version_is_neither_opened_nor_replaced(path, file):
     assert path.read_bytes() == newer
 
 
-def test_the_version_of_any_bytes():
+def test_the_version_is_read_from_any_bytes():
     assert format_module.version_of(encode(MINE)) == format_module.VERSION
     for data in (b"", b"\xff", b"[" * 10**5, b'{"format": "other", "version": 9}', b"1"):
         assert format_module.version_of(data) is None

@@ -7,7 +7,7 @@ from app.storage.format_error import FormatError
 from app.storage.validation import prevalidate, validate_changes
 
 
-def test_what_was_foreseen_is_validated_once_and_nothing_else_is_let_through():
+def test_a_prevalidated_step_is_validated_once_and_no_other_is_accepted():
     before = Document((make_curve([(0, 0), (1, 1)]),))
     fit = Document((*before.curves, make_curve([(0, 0), (2, 1)])))
     unfit = Document((*before.curves, make_curve([(0, 0), (1e300, 1)])))

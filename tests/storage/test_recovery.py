@@ -35,7 +35,7 @@ def left_behind(folder, document=THIRDS, origin=NOWHERE):
     return next(path for path in folder.iterdir() if path.name.endswith(SUFFIX))
 
 
-def test_what_was_written_comes_back_bit_for_bit(tmp_path):
+def test_a_snapshot_returns_the_document_bit_for_bit(tmp_path):
     before = time.time()
     left_behind(tmp_path / "new" / "folder")
     (snapshot,) = list_snapshots(tmp_path / "new" / "folder").snapshots
@@ -44,7 +44,7 @@ def test_what_was_written_comes_back_bit_for_bit(tmp_path):
     assert snapshot.origin == SnapshotOrigin()
 
 
-def test_names_come_back_and_a_snapshot_of_before_has_none(tmp_path):
+def test_titles_are_restored_and_older_snapshots_have_none(tmp_path):
     named = SnapshotOrigin(title=os.fsdecode(b"no\xfftext"), file_stem="icon")
     file = left_behind(tmp_path, origin=named)
     (snapshot,) = list_snapshots(tmp_path).snapshots
@@ -58,7 +58,7 @@ def test_names_come_back_and_a_snapshot_of_before_has_none(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["a b, ü.curve.json", os.fsdecode(b"no\xfftext.curve.json")])
-def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
+def test_a_snapshot_knows_its_file_and_whether_it_changed(tmp_path, name):
     path = tmp_path / name
     left_behind(tmp_path / "unsaved", origin=SnapshotOrigin(path, save(path, OTHER)))
     found = list_snapshots(tmp_path / "unsaved")
@@ -72,7 +72,7 @@ def test_the_original_is_remembered_and_whether_it_changed(tmp_path, name):
     assert not found.snapshots[0].origin.is_unchanged
 
 
-def test_what_its_file_holds_after_all_is_not_offered(tmp_path):
+def test_a_saved_document_is_not_offered(tmp_path):
     path = tmp_path / "mine.curve.json"
     origin = SnapshotOrigin(path, save(path, OTHER))
     save(path, THIRDS)
@@ -84,7 +84,7 @@ def test_what_its_file_holds_after_all_is_not_offered(tmp_path):
     assert len(list_snapshots(tmp_path / "unsaved").snapshots) == 1
 
 
-def test_the_latest_comes_first(tmp_path, monkeypatch):
+def test_the_latest_snapshot_comes_first(tmp_path, monkeypatch):
     began = time.time()
     for second, name in enumerate(("one", "two", "three")):
         with monkeypatch.context() as patch:
@@ -94,25 +94,25 @@ def test_the_latest_comes_first(tmp_path, monkeypatch):
     assert names == ["three", "two", "one"]
 
 
-def test_the_picture_to_trace_is_found_again_from_anywhere(tmp_path):
+def test_a_snapshot_keeps_the_absolute_path_of_the_image(tmp_path):
     image = ReferenceImage(str(tmp_path / "photo.png"), 0, 0, 4, 3)
     left_behind(tmp_path / "unsaved", replace(OTHER, image=image))
     assert list_snapshots(tmp_path / "unsaved").snapshots[0].document.image == image
 
 
-def test_a_folder_that_is_not_there_holds_nothing(tmp_path):
+def test_a_missing_folder_has_no_snapshots(tmp_path):
     found = list_snapshots(tmp_path / "missing")
     assert found.snapshots == found.damaged == ()
 
 
-def test_what_is_discarded_is_gone_and_what_is_left_comes_again(tmp_path):
+def test_discarded_snapshots_are_deleted_and_left_ones_are_offered_again(tmp_path):
     left_behind(tmp_path)
     list_snapshots(tmp_path).snapshots[0].leave()
     list_snapshots(tmp_path).snapshots[0].discard()
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_writer_that_discards_leaves_nothing(tmp_path):
+def test_discarding_a_snapshot_file_leaves_nothing(tmp_path):
     file = SnapshotFile(tmp_path)
     file.discard()
     file.write(THIRDS, SnapshotOrigin())
@@ -132,7 +132,7 @@ def test_the_snapshot_of_a_running_writer_is_not_offered(tmp_path):
     assert len(list_snapshots(tmp_path).snapshots) == 1
 
 
-def test_what_one_start_offers_no_other_start_offers(tmp_path):
+def test_a_snapshot_is_offered_by_one_start_only(tmp_path):
     left_behind(tmp_path)
     first = list_snapshots(tmp_path)
     assert list_snapshots(tmp_path).snapshots == ()
@@ -140,7 +140,7 @@ def test_what_one_start_offers_no_other_start_offers(tmp_path):
     assert len(list_snapshots(tmp_path).snapshots) == 1
 
 
-def test_a_preview_that_no_file_may_hold_gives_way_to_what_was_committed(tmp_path):
+def test_an_invalid_preview_is_replaced_by_the_committed_document(tmp_path):
     file = SnapshotFile(tmp_path)
     file.write(BROKEN, SnapshotOrigin(), THIRDS)
     file.leave()
@@ -195,7 +195,7 @@ def damage(content, kind):
         "noise",
     ],
 )
-def test_a_damaged_one_is_set_aside_and_the_others_are_offered(tmp_path, kind):
+def test_a_damaged_snapshot_is_renamed_and_others_are_offered(tmp_path, kind):
     left_behind(tmp_path, OTHER)
     bad = tmp_path / f"0bad{SUFFIX}"
     bad.write_bytes(damage(left_behind(tmp_path / "source").read_bytes(), kind))
@@ -208,14 +208,14 @@ def test_a_damaged_one_is_set_aside_and_the_others_are_offered(tmp_path, kind):
     assert list_snapshots(tmp_path).damaged == ()
 
 
-def test_a_folder_in_the_place_of_a_snapshot_stops_nothing(tmp_path):
+def test_a_folder_in_place_of_a_snapshot_is_ignored(tmp_path):
     (tmp_path / f"a{SUFFIX}").mkdir()
     found = list_snapshots(tmp_path)
     assert found.snapshots == ()
     assert len(found.damaged) == 1
 
 
-def test_what_ended_processes_left_is_removed(tmp_path):
+def test_locks_and_temporary_files_of_ended_processes_are_removed(tmp_path):
     left_behind(tmp_path)
     (tmp_path / f"gone{SUFFIX}.claim").touch()
     child = subprocess.Popen([sys.executable, "-c", ""])
@@ -228,7 +228,7 @@ def test_what_ended_processes_left_is_removed(tmp_path):
     assert list(tmp_path.iterdir()) == [new]
 
 
-def test_a_lock_is_one_holder_s_until_it_is_released(tmp_path):
+def test_a_lock_has_one_owner_until_release(tmp_path):
     path = tmp_path / "lock"
     first = acquire(path, is_private=True).lock
     assert first is not None
@@ -254,7 +254,7 @@ def test_a_lock_ends_with_its_process(tmp_path):
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-def test_the_snapshot_of_a_killed_process_is_offered_and_of_a_running_one_not(tmp_path):
+def test_only_snapshots_of_ended_processes_are_offered(tmp_path):
     code = """
 import sys
 from pathlib import Path
@@ -320,7 +320,7 @@ for begin in ("first", "again"):
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-def test_killed_at_any_step_of_writing_there_is_the_old_snapshot_or_the_new_one(tmp_path):
+def test_a_kill_while_writing_leaves_the_old_or_the_new_snapshot(tmp_path):
     done = subprocess.run(
         [sys.executable, "-c", KILLED_AT_EVERY_STEP, str(tmp_path)],
         cwd=ROOT,
@@ -332,7 +332,7 @@ def test_killed_at_any_step_of_writing_there_is_the_old_snapshot_or_the_new_one(
     assert done.stdout.splitlines() == ["first True new none", "again True new old"]
 
 
-def test_a_snapshot_of_ten_thousand_points_comes_back(tmp_path):
+def test_a_snapshot_of_ten_thousand_points_is_restored(tmp_path):
     points = tuple(Point(i / 3, -i / 7, velocity=(1 / 3, i / 11)) for i in range(10_000))
     document = Document((replace(make_curve([]), points=points),))
     left_behind(tmp_path, document)

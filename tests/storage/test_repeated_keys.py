@@ -55,7 +55,7 @@ def in_words(place):
 
 
 @pytest.mark.parametrize("escaped", [False, True])
-def test_a_key_that_is_there_twice_is_refused_wherever_it_is(escaped):
+def test_a_repeated_key_is_refused_in_any_object(escaped):
     assert decode(written(CONTENT).encode()).curves == (PLAIN, MANUAL, PLAIN)
     places = list(places_of(CONTENT))
     assert len(places) > 40
@@ -65,7 +65,7 @@ def test_a_key_that_is_there_twice_is_refused_wherever_it_is(escaped):
         assert str(refusal.value).startswith(f"{in_words(place)} appears twice;"), place
 
 
-def test_what_need_not_be_written_is_no_key_too_many():
+def test_a_written_default_is_no_repeated_key():
     content = json.loads(json.dumps(CONTENT))
     content["curves"][0]["points"][1] |= {"t": None, "corner": False}
     assert decode(written(content).encode()).curves == (PLAIN, MANUAL, PLAIN)

@@ -25,7 +25,7 @@ def files(folder):
     return sorted(folder.glob("*.snapshot.json"))
 
 
-def test_the_backup_of_what_was_left_goes_when_it_is_open_again(session, tmp_path):
+def test_the_snapshot_of_a_left_document_is_deleted_when_it_is_open_again(session, tmp_path):
     kept = SetAside(session, tmp_path)
     session.files.open_copy(LESSONS[0])
     assert session.undo_stack.count() == 0
@@ -48,7 +48,7 @@ def test_the_backup_of_what_was_left_goes_when_it_is_open_again(session, tmp_pat
 @pytest.mark.parametrize(
     "leave", [Session.new, lambda session: session.files.restore(Document((make_curve(POINTS),)), None)]
 )
-def test_what_was_left_is_offered_when_the_history_is_gone(session, tmp_path, leave):
+def test_a_left_document_is_offered_when_the_history_has_ended(session, tmp_path, leave):
     kept = SetAside(session, tmp_path)
     session.commit(Document((make_curve(POINTS),)), "Work")
     session.files.open_copy(LESSONS[1], "Lesson 4")
@@ -72,7 +72,7 @@ def test_recovered_work_is_not_dropped_for_a_lesson(session, tmp_path):
     kept.leave()
 
 
-def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session, tmp_path):
+def test_a_saved_lesson_is_never_overwritten_by_the_document_before(session, tmp_path):
     file = tmp_path / "mine.curve.json"
     session.commit(Document((make_curve(POINTS),)), "Work")
     session.files.open_copy(LESSONS[0], "Lesson 3")
@@ -90,7 +90,7 @@ def test_a_lesson_that_was_saved_is_never_overwritten_by_what_was_before(session
     other.new()
 
 
-def test_a_disk_that_refuses_is_told_of(session, tmp_path):
+def test_a_failing_disk_is_reported(session, tmp_path):
     said: list[str] = []
     session.message.connect(
         lambda message: said.append(message.text) if message.kind is MessageKind.REFUSAL else None

@@ -39,7 +39,7 @@ def shape(**values):
     return Document(tuple(parts), **values)
 
 
-def test_everything_comes_back():
+def test_styles_shapes_and_groups_survive_saving():
     some = shape(
         unit="mm",
         grid_spacing=0.1,
@@ -49,7 +49,7 @@ def test_everything_comes_back():
     assert decode(encode(some)) == some
 
 
-def test_defaults_are_left_out_however_they_were_computed():
+def test_computed_defaults_are_omitted():
     plain = make_curve([(0.0, 0.0), (1.0, 1.0)])
     computed = replace(plain, style=Style(fill_opacity=float("1"), miter_limit=float("4")))
     written = encode(Document((computed,), grid_spacing=float("0")))
@@ -57,7 +57,7 @@ def test_defaults_are_left_out_however_they_were_computed():
     assert json.loads(written)["curves"][0].keys() == {"name", "family", "parametrization", "points"}
 
 
-def test_a_colour_of_version_1_is_that_of_the_stroke():
+def test_a_colour_of_version_1_becomes_the_stroke():
     rule = {"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0}
     points = [{"x": 0.0, "y": 0.0}, {"x": 1.0, "y": 1.0}]
     curves = [
@@ -84,7 +84,7 @@ def test_a_colour_of_version_1_is_that_of_the_stroke():
         ({"dash_offset": 1e13}, ".dash_offset must lie between"),
     ],
 )
-def test_a_style_that_cannot_be_drawn_is_refused_with_its_place(changed, complaint):
+def test_an_invalid_style_is_refused_with_its_field(changed, complaint):
     curve = replace(make_curve([(0.0, 0.0), (1.0, 1.0)]), style=replace(Style(), **changed))
     with pytest.raises(FormatError) as refusal:
         encode(Document((curve,)))
@@ -106,13 +106,13 @@ def test_a_style_that_cannot_be_drawn_is_refused_with_its_place(changed, complai
         ({"export": Export(".png", "", (("dpi", "\0"),))}, "export.options[0] must be printable texts"),
     ],
 )
-def test_a_plane_that_cannot_be_drawn_is_refused_with_its_place(values, complaint):
+def test_an_invalid_plane_is_refused_with_its_field(values, complaint):
     with pytest.raises(FormatError) as refusal:
         encode(shape(**values))
     assert str(refusal.value).startswith(complaint)
 
 
-def test_a_shape_that_is_none_is_refused():
+def test_an_inconsistent_shape_is_refused():
     torn = shape()
     torn = torn.with_curve(1, replace(torn.curves[1], shape="S"))
     with pytest.raises(FormatError, match=r"curves\[0\]\.shape must name two or more curves"):
@@ -131,14 +131,14 @@ def test_a_shape_that_is_none_is_refused():
         ({"groups": tuple(map(str, range(51)))}, "curves[0].groups must name 50 groups at most"),
     ],
 )
-def test_names_of_shapes_and_groups_that_cannot_be_kept_are_refused(values, complaint):
+def test_invalid_names_of_shapes_and_groups_are_refused(values, complaint):
     curves = tuple(replace(make_curve([(0, k), (1, k)], name=f"{k}"), **values) for k in range(2))
     with pytest.raises(FormatError) as refusal:
         encode(Document(curves))
     assert str(refusal.value).startswith(complaint)
 
 
-def test_a_group_that_is_torn_apart_is_refused():
+def test_a_torn_group_is_refused():
     curves = [make_curve([(0, k), (1, k)], name=f"{k}") for k in range(3)]
     torn = (replace(curves[0], groups=("G",)), curves[1], replace(curves[2], groups=("G",)))
     with pytest.raises(FormatError, match=r"curves\[2\]\.groups must name .* curves that follow each other"):
