@@ -1,4 +1,4 @@
-"""Icons in the colours of a theme, drawn when and as large as they are needed."""
+"""Icons in the colours of a theme, drawn when they are needed, in the needed size."""
 
 from __future__ import annotations
 

@@ -126,7 +126,7 @@ class _SystemFollower(QObject):
             _apply(app, self.system_theme(app))
 
     def system_theme(self, app: QApplication) -> Theme:
-        """Return the mode of the system; where it has none, the mode of its palette at the start."""
+        """Return the theme of the system; without a colour scheme, the theme of its palette at the start."""
         scheme = app.styleHints().colorScheme()
         return {Qt.ColorScheme.Dark: DARK, Qt.ColorScheme.Light: LIGHT}.get(scheme, self.before)
 
@@ -135,8 +135,8 @@ def apply_theme(app: QApplication, mode: ThemeMode) -> Theme:
     """
     Give the whole application its style, palette and style sheet.
 
-    Widgets that are open hear of it by ``QEvent.Type.PaletteChange``; those that paint with a
-    `Theme` or show an `icon` fetch them again there with ``theme_of(self.palette())``.
+    Open widgets get ``QEvent.Type.PaletteChange``; widgets that paint with a `Theme` or show an
+    `icon` then fetch these again with ``theme_of(self.palette())``.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def apply_theme(app: QApplication, mode: ThemeMode) -> Theme:
 
 
 def _set_native_scheme(app: QApplication, mode: ThemeMode) -> None:
-    """Tell the platform, so that title bars and native dialogs go along where they can."""
+    """Set the colour scheme of the platform for title bars and native dialogs."""
     hints = app.styleHints()
     if mode is ThemeMode.SYSTEM:
         hints.unsetColorScheme()
@@ -170,7 +170,7 @@ def _set_native_scheme(app: QApplication, mode: ThemeMode) -> None:
 def _apply(app: QApplication, theme: Theme) -> None:
     palette, sheet = palette_of(theme), style_sheet_of(theme)
     if app.palette() == palette and app.styleSheet() == sheet:
-        return  # every widget would be polished again, for nothing
+        return  # otherwise every widget would be polished again without need
     # Under a style sheet the style has no name; under ours it is Fusion, and every widget is polished once.
     is_ours = app.styleSheet() in map(style_sheet_of, (LIGHT, DARK))
     if not is_ours and app.style().name().lower() != "fusion":
@@ -178,7 +178,7 @@ def _apply(app: QApplication, theme: Theme) -> None:
     app.setPalette(palette)
     boxes = _palette_of_boxes(theme)
     for name in ("QCheckBox", "QLineEdit", "QAbstractSpinBox"):
-        # PySide takes the name as text, whatever its types say.
+        # PySide accepts the name as text, against its type hints.
         app.setPalette(boxes, name)  # type: ignore[arg-type]
     app.setStyleSheet(sheet)
 
@@ -202,7 +202,8 @@ def palette_of(theme: Theme) -> QPalette:
 def _palette_of_boxes(theme: Theme) -> QPalette:
     """Return the palette of check boxes and fields, whose border Fusion draws in a darker shade of Window.
 
-    Of the usual one that could hardly be seen, in the dark not at all; they fill nothing with it.
+    A shade of the usual colour would be hardly visible, and invisible in the dark theme; these widgets use
+    the colour for nothing else.
     """
     palette, window = palette_of(theme), QPalette.ColorRole.Window
     palette.setColor(window, rim(theme).lighter(_FUSION_DARKER))

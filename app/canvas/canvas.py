@@ -1,4 +1,4 @@
-"""The canvas: the widget of the drawing."""
+"""The canvas: the widget of the drawing, with tools, menus and rulers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Handles of the selected points and those that face them: lines and marks, as large as can be told apart."""
+"""Handles of selected points and handles that face these: their lines, and marks that do not overlap."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The camera of a plot: which part of the plane is seen, and where it lies on the screen."""
+"""The camera of a plot: the visible part of the plane, and its position on the screen."""
 
 from __future__ import annotations
 

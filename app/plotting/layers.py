@@ -1,4 +1,4 @@
-"""Layers of a plot: painted in order, in one theme and scale; those that are still, once into a picture.
+"""Layers of a plot: painted in order, in one theme and scale; still layers are painted once into a picture.
 
 They are no items of Qt's graphics scene: neither Qt's graphics view nor pyqtgraph is asked to paint.
 """

@@ -1,4 +1,4 @@
-"""Line styles on the screen: pens, lines, marks, and small pictures of them for legends and switches."""
+"""Line styles on the screen: pens, lines, marks, and their small pictures for legends and switches."""
 
 from __future__ import annotations
 

@@ -14,9 +14,9 @@ from .camera import Camera
 
 
 class Panning:
-    """Panning of a plot with the mouse; the pointer's shape shows that it would.
+    """Panning of a plot with the mouse; the pointer has the shape of a hand.
 
-    Every method takes an event that the plot received; what concerns other gestures is left alone.
+    Every method is given an event of the plot, and ignores events of other gestures.
     """
 
     def __init__(self, camera: Camera, viewport: QWidget) -> None:

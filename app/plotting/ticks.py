@@ -1,4 +1,4 @@
-"""Ticks of an axis: where they stand, and their numbers, which are told apart at every zoom."""
+"""Ticks of an axis: their values, and numbers that differ at every zoom."""
 
 from __future__ import annotations
 

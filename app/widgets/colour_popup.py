@@ -1,4 +1,4 @@
-"""A popup in which a colour is chosen, seen at once where it is used."""
+"""A popup to choose a colour in, with a live preview."""
 
 from __future__ import annotations
 

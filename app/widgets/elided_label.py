@@ -1,4 +1,4 @@
-"""Labels for words that change while a hand moves.
+"""Labels whose text changes during a drag.
 
 Why not a ``QLabel`` as it is: whatever text it is given, it has the whole window laid out anew, which costs a
 drag more than drawing the curve.

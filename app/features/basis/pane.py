@@ -1,4 +1,4 @@
-"""The basis panel with its header: which kinds are shown, how they are scaled, how far they reach."""
+"""The basis panel with its header: switches for kinds of functions, formulas, and their range."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ from .model import PointTableModel
 from .view import PointTableView
 
 INTERVAL_MS = 100
-"""The table follows a drag at this pace; the canvas is what the eye is on."""
+"""Milliseconds between two updates of the table during a drag, in which the user looks at the canvas."""
 
 
 class PointTable(FollowsTheme, QWidget):
