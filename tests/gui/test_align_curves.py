@@ -80,7 +80,7 @@ def test_curves_are_aligned_by_their_extents(four):
     four.trigger("alignToEachOther")
 
 
-def test_the_largest_is_another_one_than_that_edited(four):
+def test_the_largest_curve_may_be_another_than_the_edited_curve(four):
     before = boxes(four)
     four.trigger("alignToLargest")
     four.trigger("alignTop")
@@ -184,7 +184,7 @@ def test_a_group_that_is_alone_is_aligned_as_one(four):
     four.trigger("alignToEachOther")
 
 
-def test_a_locked_curve_stays_and_the_others_go_along_it(four):
+def test_unlocked_curves_are_aligned_to_a_locked_curve(four):
     four.session.selected.set_curves({0})
     four.trigger("curveLocked")
     four.session.selected.set_curves(range(4), 1)
@@ -205,7 +205,7 @@ def test_selected_points_come_first_as_ever(four):
     assert boxes(four)[[0, 2, 3]] == pytest.approx(others)
 
 
-def test_what_needs_more_curves_says_so(four):
+def test_alignment_of_too_few_curves_is_refused_with_the_number_needed(four):
     four.session.selected.set_curves({0, 1})
     assert four.action("alignLeft").isEnabled()
     assert not four.action("distributeHorizontally").isEnabled()
@@ -231,7 +231,7 @@ def test_the_buttons_of_the_panel_align(four):
     assert low == pytest.approx(4 * [low[0]], abs=CLOSE)
 
 
-def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four):
+def test_alignment_refers_to_the_last_clicked_or_the_smallest_curve(four):
     """Also where it lies between the others in the list, and after the list was turned round."""
     four.session.selected.select_whole({0})
     for place in (3, 1):
@@ -252,7 +252,7 @@ def test_the_last_chosen_is_the_one_clicked_last_and_the_smallest_is_found(four)
     four.trigger("alignToEachOther")
 
 
-def test_curves_chosen_with_none_edited_are_aligned_to_the_first_of_them(four):
+def test_without_an_edited_curve_alignment_refers_to_the_first_selected_curve(four):
     four.session.selected.select_whole({2})
     four.click(
         tuple(four.session.views[3].curve.evaluate(0.4).tolist()), keys=Qt.KeyboardModifier.ShiftModifier

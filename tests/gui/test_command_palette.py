@@ -30,7 +30,7 @@ def press(palette, key):
     QTest.keyClick(palette.search, key)
 
 
-def test_its_key_opens_it_and_escape_gives_the_focus_back(editor, palette):
+def test_the_key_opens_the_palette_and_escape_restores_the_focus(editor, palette):
     editor.window.canvas.setFocus()
     held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     QTest.keyClick(editor.window.canvas, Qt.Key.Key_P, held)
@@ -41,7 +41,7 @@ def test_its_key_opens_it_and_escape_gives_the_focus_back(editor, palette):
     assert editor.window.canvas.hasFocus()
 
 
-def test_enter_does_what_was_found_first(editor, palette):
+def test_enter_runs_the_first_match(editor, palette):
     editor.run_command("hermite")
     assert editor.curve.family is HERMITE
     assert not palette.isVisible()
@@ -69,7 +69,7 @@ LETTERS = {
 }
 
 
-def test_a_few_letters_find_it(editor):
+def test_a_few_letters_find_a_command(editor):
     found = {typed: editor.find_command(typed)[:3] for typed in LETTERS}
     assert {typed: names for typed, names in found.items() if LETTERS[typed] not in names} == {}
 
@@ -106,7 +106,7 @@ def test_up_and_down_choose_and_go_round(editor, palette):
     assert palette.list.currentIndex().row() == len(names) - 1
 
 
-def test_a_click_does_it(editor, palette):
+def test_a_click_runs_a_command(editor, palette):
     names = editor.find_command("lagrange hermite quintic")
     assert names == []
     names = editor.find_command("hermite")
@@ -117,14 +117,14 @@ def test_a_click_does_it(editor, palette):
     assert not palette.isVisible()
 
 
-def test_what_cannot_be_used_now_is_explained(editor, palette):
+def test_a_disabled_command_explains_its_reason(editor, palette):
     assert editor.find_command("redo")[0] == "Redo"
     press(palette, Qt.Key.Key_Return)
     assert palette.isVisible()
     assert palette.findChild(type(palette._note), "paletteNote").text() == "Nothing to redo."
 
 
-def test_a_click_elsewhere_closes_it(editor, palette):
+def test_a_click_elsewhere_closes_the_palette(editor, palette):
     editor.find_command("sa")
     editor.click((-1.0, -0.2))
     assert not palette.isVisible()
@@ -146,7 +146,7 @@ def test_actions_that_only_show_submenus_are_not_listed(editor):
     assert isinstance(editor.action("undo"), QAction)
 
 
-def test_what_goes_while_it_is_listed_is_listed_no_longer(editor, palette, tmp_path):
+def test_a_deleted_action_leaves_the_list(editor, palette, tmp_path):
     """File > Open Recent fills itself anew when it opens: the palette painted actions that were gone."""
     recent = editor.window.menus.recent
     editor.window.preferences.add_recent_file(tmp_path / "a.curve.json")
@@ -173,7 +173,7 @@ PEOPLE_TYPE = {
 }
 
 
-def test_what_people_type_finds_it(editor):
+def test_usual_words_find_the_commands(editor):
     """None of these was found, or by letters scattered over something else."""
     assert {typed: editor.find_command(typed)[0] for typed in PEOPLE_TYPE} == PEOPLE_TYPE
 
@@ -204,7 +204,7 @@ def paste_command(editor, text):
 
 
 @pytest.mark.parametrize("of", DERIVATIVES, ids=lambda of: of.name)
-def test_every_rule_for_tangents_is_found_says_what_it_does_and_is_named_in_the_history(editor, of):
+def test_every_rule_for_tangents_is_found_explained_and_named_in_the_history(editor, of):
     editor.choose_family("septic_hermite")
     editor.show_dock("curveDock")
     box = editor.window.findChild(QComboBox, f"{of.name}Rule")

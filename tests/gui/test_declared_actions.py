@@ -102,7 +102,7 @@ def submenu(window, *titles):
     return menu
 
 
-def test_it_stands_in_its_menu_and_says_what_it_does(counting):
+def test_an_action_is_in_its_menu_with_its_tip(counting):
     shown = counting.action("countPoints")
     assert entries(submenu(counting.window, "Analysis", "Plots"))[-2:] == ["plotHodograph", "countPoints"]
     assert shown.text() == "Count Aloud"
@@ -111,7 +111,7 @@ def test_it_stands_in_its_menu_and_says_what_it_does(counting):
     assert not shown.icon().isNull()
 
 
-def test_it_is_enabled_by_what_it_needs_and_done_by_its_key(counting, qtbot):
+def test_an_action_is_enabled_by_its_need_and_triggered_by_its_key(counting, qtbot):
     commands = counting.window.commands[CountingCommands]
     held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
     qtbot.keyClick(counting.window.canvas, Qt.Key.Key_F7, held)
@@ -126,7 +126,7 @@ def test_it_is_enabled_by_what_it_needs_and_done_by_its_key(counting, qtbot):
     assert not counting.action("countPoints").isEnabled()
 
 
-def test_what_its_handler_refuses_stands_in_the_status_line(counting):
+def test_an_error_of_a_handler_is_in_the_status_line(counting):
     counting.window.commands[CountingCommands].refuses = True
     counting.select([1])
     counting.trigger("countPoints")
@@ -134,14 +134,14 @@ def test_what_its_handler_refuses_stands_in_the_status_line(counting):
     assert counting.window.status_line.is_refusal
 
 
-def test_whether_it_is_on_is_asked_of_its_declaration(counting):
+def test_a_switch_is_checked_as_declared(counting):
     actions = counting.window.actions_by_name
     assert actions.is_on("toggleGrid")
     assert not actions.is_on("toggleScrub")
     assert not actions.is_on("countPoints")
 
 
-def test_the_menu_of_a_place_on_the_curve_has_what_is_declared_for_it(counting):
+def test_the_menu_of_a_position_on_the_curve_has_the_declared_entry(counting):
     counting.select([1])
     at = tuple(counting.session.active_view.curve.evaluate(0.43))
     counting.open_menu(at)
@@ -150,7 +150,7 @@ def test_the_menu_of_a_place_on_the_curve_has_what_is_declared_for_it(counting):
     assert t == pytest.approx(0.43, abs=0.02)
 
 
-def test_a_panel_is_declared_on_what_builds_it(counting):
+def test_a_panel_is_declared_on_the_method_that_builds_it(counting):
     dock = counting.window.findChild(QDockWidget, "countDock")
     assert dock.windowTitle() == "Count"
     assert dock.isHidden()
@@ -160,7 +160,7 @@ def test_a_panel_is_declared_on_what_builds_it(counting):
     assert [label.text() for label in dock.widget().findChildren(QLabel)] == ["Counted"]
 
 
-def test_palette_keys_and_sheet_know_it(counting):
+def test_palette_shortcuts_and_help_list_the_action(counting):
     assert counting.find_command("count aloud")[0] == "Count Points Aloud"
     keys = ShortcutEditor(counting.window.actions_by_name.keymap, counting.window)
     names = [keys.table.item(row, 0).data(Qt.ItemDataRole.UserRole) for row in range(keys.table.rowCount())]
@@ -173,7 +173,7 @@ def test_palette_keys_and_sheet_know_it(counting):
     assert TIP in [label.text() for label in sheet.findChildren(QLabel)]
 
 
-def test_records_that_come_later_have_their_actions_in_the_next_window(qtbot):
+def test_records_added_later_have_actions_in_the_next_window(qtbot):
     SwitchCommands.records = ["Curve 1", "Sketch"]
     assert [each.action.name for each in all_declared([SwitchCommands])] == ["titleCurve 1", "titleSketch"]
     SwitchCommands.records = ["Curve 1", "Sketch", "Arch"]

@@ -69,7 +69,7 @@ def test_a_double_click_on_the_title_floats_a_panel_and_docks_it_in_front(editor
     QTest.mouseRelease(title, LEFT, pos=title.rect().center())
 
 
-def test_the_float_button_says_what_a_press_does(editor):
+def test_the_tip_of_the_float_button_describes_a_press(editor):
     button_ = button(editor, "pointsDockFloat")
     assert (button_.isChecked(), button_.accessibleName()) == (False, "Float Points")
     assert button_.toolTip().startswith("Float")
@@ -129,7 +129,7 @@ def test_the_buttons_are_reached_by_tab_and_pressed_by_space(editor):
     assert not dock(editor, "curvesDock").isFloating()
 
 
-def test_the_keys_to_the_next_panel_lead_to_what_is_in_it(editor):
+def test_the_keys_to_the_next_panel_focus_its_content(editor):
     editor.window.canvas.setFocus()
     seen = set()
     for _ in range(12):
@@ -140,7 +140,7 @@ def test_the_keys_to_the_next_panel_lead_to_what_is_in_it(editor):
 
 
 @pytest.mark.parametrize("front", ["curveDock", "jointsDock"])
-def test_what_was_in_front_before_an_explanation_is_so_after_escape(editor, front):
+def test_escape_restores_the_front_tab_before_an_explanation(editor, front):
     editor.show_dock(front)
     editor.select([2])
     editor.key(Qt.Key.Key_W)
@@ -154,7 +154,7 @@ def test_what_was_in_front_before_an_explanation_is_so_after_escape(editor, fron
     assert editor.session.selection == {2}
 
 
-def test_a_scrub_line_that_was_there_goes_back_where_it_was(editor):
+def test_a_previous_scrub_line_returns_to_its_position(editor):
     editor.scrub(0.3)
     t = editor.session.scrub.t
     editor.trigger("explainWidest")

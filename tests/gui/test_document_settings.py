@@ -52,7 +52,7 @@ def test_the_unit_is_a_step_of_the_history_and_the_numbers_stay(editor, panel):
     assert unit_line(panel).text() == "none"
 
 
-def test_a_click_selects_the_unit_so_that_typing_replaces_it(editor, panel):
+def test_a_click_selects_the_unit_for_typing(editor, panel):
     line = unit_line(panel)
     assert line.text() == "none"
     QTest.mouseClick(line, Qt.MouseButton.LeftButton)
@@ -66,7 +66,7 @@ def test_a_click_selects_the_unit_so_that_typing_replaces_it(editor, panel):
     assert not line.hasSelectedText()
 
 
-def test_an_unknown_unit_is_kept_and_a_note_says_so(editor, panel):
+def test_an_unknown_unit_is_kept_with_a_note(editor, panel):
     note = panel.findChild(QLabel, "documentUnitNote")
     retype(editor, unit_line(panel), "mm")
     assert not note.isVisible()
@@ -92,7 +92,7 @@ def test_the_grid_is_a_step_of_the_history(editor, panel):
     assert line.text() == "adaptive"
 
 
-def test_each_document_has_its_own(editor, panel, tmp_path):
+def test_each_document_has_its_own_settings(editor, panel, tmp_path):
     retype(editor, unit_line(panel), "in")
     editor.session.save(tmp_path / "a.curve.json")
     editor.session.new()
@@ -102,7 +102,7 @@ def test_each_document_has_its_own(editor, panel, tmp_path):
     assert editor.window.preferences.unit_name == ""
 
 
-def test_new_documents_begin_as_this_one_if_one_says_so(editor, panel):
+def test_new_documents_use_the_settings_saved_for_them(editor, panel):
     retype(editor, unit_line(panel), "mm")
     editor.set_grid(0.5)
     style = Style(stroke="#0072b2", width=0.3)
@@ -122,7 +122,7 @@ def test_the_first_sketch_has_the_unit_of_new_documents(qtbot, tmp_path):
     assert not editor.session.files.is_modified
 
 
-def test_a_new_document_goes_on_with_the_family_worked_with_last(qtbot, tmp_path):
+def test_a_new_document_uses_the_last_family(qtbot, tmp_path):
     bezier, spline = FAMILIES.named("bezier"), FAMILIES.named("b_spline")
     preferences = Preferences(tmp_path / "settings.ini")
     editor = Editor(qtbot, preferences=preferences)

@@ -170,7 +170,7 @@ def test_with_a_single_window_a_drop_names_the_other_files(editor, tmp_path):
     assert editor.message == "b.curve.json was not opened: there is one window."
 
 
-def test_a_mixed_drop_takes_all_it_can(editor, files):
+def test_a_mixed_drop_uses_all_supported_files(editor, files):
     for name in ("b.csv", "c.csv"):
         (files / name).write_text("1,2\n3,4\n", encoding="utf-8")
     (files / "b.png").write_bytes((files / "a.png").read_bytes())
@@ -193,7 +193,7 @@ def test_a_mixed_drop_takes_all_it_can(editor, files):
     )
 
 
-def test_a_drop_adds_to_its_document_although_that_takes_a_while(editor, files, monkeypatch):
+def test_a_slow_drop_adds_to_its_own_document(editor, files, monkeypatch):
     """The picture went with the document before, and the table was not imported, for another was opened."""
     monkeypatch.setattr("app.storage.open_file._LARGE", 1)
     drop(editor, files / "a.curve.json", files / "a.csv", files / "a.png")
@@ -297,7 +297,7 @@ def test_the_rest_of_a_drop_is_skipped_or_given_up_with_its_document(editor, tmp
     editor.session.files.give_up_changes()
 
 
-def test_several_files_chosen_to_be_imported_come_as_those_of_a_drop(editor, tmp_path):
+def test_several_files_of_the_import_dialog_are_imported_like_a_drop(editor, tmp_path):
     """Of three names the dialog gave one, and nothing was said of the others."""
     paths = tables(tmp_path, "a.csv", "b.csv", "c.csv")
     editor.window.preferences.last_folder = tmp_path

@@ -116,7 +116,7 @@ def test_selected_points_are_mirrored_alone(two):
     assert undo_text(two) == "Flip 3 points horizontally"
 
 
-def test_chosen_curves_are_mirrored_together(two):
+def test_selected_curves_are_mirrored_together(two):
     choose_both(two)
     middle = sampled_bounds(two, 0, 1).mean(axis=0)
     before = [points(two, place) for place in (0, 1)]
@@ -151,11 +151,11 @@ def with_velocity(curve, index, velocity):
     return replace(curve, points=tuple(new))
 
 
-def test_the_palette_finds_it_as_mirror(two):
+def test_the_palette_finds_flip_as_mirror(two):
     assert set(two.find_command("mirror")[:2]) == {"Flip Horizontally", "Flip Vertically"}
 
 
-def test_a_locked_curve_is_not_mirrored_and_says_so(two):
+def test_flipping_a_locked_curve_is_refused(two):
     two.trigger("curveLocked")
     document = two.session.document
     two.key(Key.Key_H)
@@ -180,7 +180,7 @@ def drag_pivot(editor, to, **keys):
     editor.drag(start, to, **keys)
 
 
-def test_it_is_dragged_and_everything_turns_about_it(two):
+def test_the_pivot_is_dragged_and_rotations_are_about_it(two):
     two.trigger("selectAll")
     document = two.session.document
     drag_pivot(two, (-1.0, 1.0))
@@ -202,7 +202,7 @@ def test_it_is_dragged_and_everything_turns_about_it(two):
     assert pivot(two) == pytest.approx((x, y), abs=1e-12)
 
 
-def test_escape_takes_a_drag_of_it_back(two):
+def test_escape_cancels_a_drag_of_the_pivot(two):
     two.trigger("selectAll")
     middle = pivot(two)
     two.press(middle)
@@ -215,7 +215,7 @@ def test_escape_takes_a_drag_of_it_back(two):
     assert two.session.box.pivot is None
 
 
-def test_a_double_click_puts_it_back_to_the_middle(two):
+def test_a_double_click_resets_the_pivot_to_the_centre(two):
     two.trigger("selectAll")
     middle = pivot(two)
     drag_pivot(two, (-1.0, 1.0))
@@ -234,7 +234,7 @@ def test_a_double_click_puts_it_back_to_the_middle(two):
         ({"points": make_curve([(0, 0), (4, 2)]).points}, True),
     ],
 )
-def test_it_is_taken_over_the_fill_or_line_of_what_is_chosen_once_the_grips_turn(two, look, turns):
+def test_with_rotating_grips_the_pivot_is_hit_before_fill_and_line(two, look, turns):
     """The curve was dragged instead; before that, who presses in the middle means what lies there."""
     document = two.session.document
     two.session.commit(document.with_curve(0, replace(document.curves[0], **look)), "Look")
@@ -253,7 +253,7 @@ def test_it_is_taken_over_the_fill_or_line_of_what_is_chosen_once_the_grips_turn
 
 @pytest.mark.parametrize("keys", [Qt.KeyboardModifier.NoModifier, SHIFT])
 @pytest.mark.parametrize("turns", [False, True])
-def test_a_click_on_it_reaches_what_lies_there(editor, turns, keys):
+def test_a_click_on_the_pivot_reaches_the_curve_below(editor, turns, keys):
     """The pivot swallowed it: no ellipse in the middle of a chosen rectangle was chosen by its middle."""
     editor.window.canvas.camera.show_box((-7, 7), (-5, 5))
     editor.settle()
@@ -287,7 +287,7 @@ def shows_cross(editor):
     return canvas.viewport().grab().toImage().pixelColor(place).saturation() > 60
 
 
-def test_a_cross_that_is_seen_is_one_that_a_drag_takes(two):
+def test_a_visible_pivot_can_be_dragged(two):
     """In a small box it was seen and a drag moved the object; with grips that turn, it is what matters."""
     two.window.canvas.camera.show_box((-60, 60), (-36, 36))
     two.session.selected.select_whole({0})
@@ -301,7 +301,7 @@ def test_a_cross_that_is_seen_is_one_that_a_drag_takes(two):
     assert two.session.document is before
 
 
-def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
+def test_a_drag_in_the_centre_of_a_small_box_moves_the_selection(two):
     two.window.canvas.camera.show_box((-100, 100), (-60, 60))
     two.session.selected.select_whole({0})
     before, middle = points(two), pivot(two)
@@ -310,7 +310,7 @@ def test_in_the_middle_of_a_small_box_a_drag_moves_what_is_in_it(two):
     assert two.session.box.pivot is None
 
 
-def test_with_nothing_chosen_there_is_none(two):
+def test_without_a_selection_there_is_no_pivot(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     place = pivot(two)
@@ -324,7 +324,7 @@ def test_with_nothing_chosen_there_is_none(two):
     assert "No curve is selected" in two.status
 
 
-def test_it_goes_along_when_what_it_belongs_to_is_moved(two):
+def test_the_pivot_moves_with_its_selection(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     x, y = pivot(two)
@@ -337,7 +337,7 @@ def test_it_goes_along_when_what_it_belongs_to_is_moved(two):
     assert pivot(two) == pytest.approx(box[0] + (np.array([x + 2, y]) - box[0]) * grown, abs=1e-9)
 
 
-def test_it_is_forgotten_with_the_selection_and_comes_back_with_it(two):
+def test_the_pivot_is_reset_with_the_selection_and_restored_with_it(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     place = pivot(two)
@@ -349,7 +349,7 @@ def test_it_is_forgotten_with_the_selection_and_comes_back_with_it(two):
     assert two.session.box.pivot is None
 
 
-def test_what_is_drawn_or_chosen_in_its_place_has_none(two):
+def test_a_new_selection_has_no_moved_pivot(two):
     """A width that was typed for another rectangle grew away from somewhere odd."""
 
     def draw(low, high):
@@ -385,7 +385,7 @@ def test_what_is_drawn_or_chosen_in_its_place_has_none(two):
     assert pivot(two) == pytest.approx(middle, abs=CLOSE)
 
 
-def test_copies_have_it_too(two):
+def test_copies_keep_the_pivot(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     place = pivot(two)
@@ -398,7 +398,7 @@ def test_copies_have_it_too(two):
     assert pivot(two) == place
 
 
-def test_it_snaps_to_a_point_and_to_the_box(two):
+def test_the_pivot_snaps_to_a_point_and_to_the_box(two):
     two.window.canvas.tools.snapping.settings = Snapping(True, frozenset({SnapKind.POINTS}))
     two.trigger("selectAll")
     box = box_shown(two)
@@ -408,7 +408,7 @@ def test_it_snaps_to_a_point_and_to_the_box(two):
     assert pivot(two) == (box[0][0], box[1][1])
 
 
-def test_shift_scales_by_a_grip_about_it(two):
+def test_shift_scales_by_a_grip_about_the_pivot(two):
     two.trigger("selectAll")
     before = box_shown(two)
     drag_pivot(two, (-1.0, -1.0))
@@ -425,7 +425,7 @@ def test_shift_scales_by_a_grip_about_it(two):
     assert pivot(two) == pytest.approx((x, y), abs=0.05 * two.pixel)
 
 
-def test_the_round_grip_turns_about_it(two):
+def test_the_round_grip_rotates_about_the_pivot(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, -1.0))
     x, y = pivot(two)
@@ -463,7 +463,7 @@ def test_the_pivot_of_a_turn_is_marked_also_without_a_box(two):
 # Larger and smaller
 
 
-def test_one_of_several_does_not_turn_about_the_pivot_of_all(two):
+def test_one_of_several_curves_does_not_rotate_about_the_common_pivot(two):
     """Each of them did, and its place was told as that of a corner far away."""
     two.session.selected.select_whole([0, 1])
     two.session.box.set_turns(True)

@@ -97,7 +97,7 @@ def test_a_guide_is_drawn_out_of_the_upper_ruler_live_and_in_one_step(drawing):
     assert guides(drawing) == []
 
 
-def test_one_is_drawn_out_of_the_left_ruler_whatever_tool_is_in_use(drawing):
+def test_a_guide_is_drawn_out_of_the_left_ruler_with_any_tool(drawing):
     for tool in ("addTool", "pencilTool", "measureTool", "selectTool"):
         drawing.trigger(tool)
         before = drawing.session.document
@@ -138,7 +138,7 @@ def test_hint_and_cursor_over_a_ruler_announce_a_guide(drawing):
     assert canvas.viewport().cursor().shape() == Qt.CursorShape.SizeHorCursor
 
 
-def test_a_new_guide_snaps_to_points_and_says_so(drawing):
+def test_a_new_guide_snaps_to_points_with_a_label(drawing):
     drawing.trigger("toggleSnap")
     near = drawing.window.canvas.to_pixel(3.07 + 3 * drawing.pixel, 1.0)
     begin(drawing, beside(drawing), near)
@@ -255,7 +255,7 @@ def test_a_guide_that_is_there_already_is_not_added_again(drawing):
     assert guides(drawing) == [("x", 2.5)]
 
 
-def test_a_double_click_types_its_place(drawing):
+def test_a_double_click_on_a_guide_opens_its_field(drawing):
     with_guides(drawing, ("x", -1.0))
     double_click(drawing, drawing.window.canvas.to_pixel(-1.0, 1.0))
     assert field(drawing).edit.text() == "-1"
@@ -264,7 +264,7 @@ def test_a_double_click_types_its_place(drawing):
     assert drawing.session.undo_stack.undoText() == "Move guide to x = −2.25"
 
 
-def test_the_key_that_enters_a_place_chooses_nothing(drawing):
+def test_the_key_that_enters_a_place_selects_nothing(drawing):
     with_guides(drawing, ("x", -1.0))
     for _ in range(2):
         drawing.key(Qt.Key.Key_Escape)
@@ -319,7 +319,7 @@ def test_hidden_guides_catch_nothing_and_are_not_hit(drawing):
     assert drawing.window.store.state.guides_visible
 
 
-def test_snapping_to_guides_is_a_choice_of_its_own(drawing):
+def test_snapping_to_guides_has_its_own_switch(drawing):
     with_guides(drawing, ("x", 5.123))
     preferences = drawing.window.preferences
     preferences.snap_kinds = frozenset(each for each in preferences.snap_kinds if each.value != "guides")
@@ -387,7 +387,7 @@ def test_guides_are_saved_and_are_no_part_of_a_picture(drawing, tmp_path):
 
 
 @pytest.mark.parametrize(("name", "theme"), [("themeLight", LIGHT), ("themeDark", DARK)])
-def test_a_guide_is_a_dashed_line_that_is_seen(drawing, name, theme):
+def test_a_guide_is_painted_as_a_dashed_line(drawing, name, theme):
     drawing.trigger(name)
     with_guides(drawing, ("x", -2.0))
     drawing.wait_for_rest()

@@ -63,7 +63,7 @@ def farthest(editor, curve):
 
 
 @pytest.mark.parametrize("meets", [False, True])
-def test_between_straight_lines_the_segment_that_joins_them_is_straight(editor, meets):
+def test_the_joining_segment_between_straight_lines_is_straight(editor, meets):
     """It bulged."""
     far = (3.0, 1.0) if meets else (4.0, 3.0)
     show(editor, hermite([(0, 0), (3, 1)], "Left", "Arch"), hermite([(6, 0), far], "Right", "Arch"))
@@ -97,7 +97,7 @@ def test_a_band_over_two_ends_and_ctrl_j_join_these(arcs):
     assert arcs.session.selected.curves == {0, 1}
 
 
-def test_ends_that_meet_become_one_point_whichever_they_are(editor):
+def test_meeting_ends_become_one_point(editor):
     """Two starts: the edited curve keeps its direction, the other one comes before it."""
     show(editor, hermite(LEFT, "A"), hermite([LEFT[0], *FAR], "B"))
     editor.session.selected.set_curves({0, 1}, active=0)
@@ -110,7 +110,7 @@ def test_ends_that_meet_become_one_point_whichever_they_are(editor):
     assert editor.curve.points[3].corner
 
 
-def test_both_ends_of_one_curve_close_it_and_nothing_else_moves(editor):
+def test_joining_both_ends_closes_a_curve_and_moves_nothing_else(editor):
     show(editor, hermite(LEFT, "A"))
     before = editor.curve
     editor.click(LEFT[0])
@@ -137,7 +137,7 @@ def test_a_loop_whose_ends_meet_closes_in_one_point(editor):
 
 
 @pytest.mark.parametrize("end", [(3.0, -1.0), LEFT[0]])
-def test_a_curve_that_keeps_no_shape_closes_as_its_rules_have_it(editor, end):
+def test_a_curve_without_velocities_closes_by_its_rules(editor, end):
     """Where its ends met the segment between them had no length, and there was no curve."""
     points = [*LEFT, (4.0, -1.0), end]
     show(editor, make_curve(points, name="A", family=FAMILIES.named("cubic_spline")))
@@ -158,7 +158,7 @@ def test_an_inner_point_beside_an_end_joins_nothing(arcs):
     assert arcs.session.document == begun
 
 
-def test_polynomials_are_not_joined_at_their_ends_either(editor):
+def test_polynomials_cannot_be_joined_at_their_ends(editor):
     show(editor, make_curve(LEFT, name="A"), make_curve(RIGHT, name="B"))
     editor.session.selected.set_curves({0, 1}, active=0)
     editor.drag((2.5, 2.6), (4.5, 1.5))
@@ -167,7 +167,7 @@ def test_polynomials_are_not_joined_at_their_ends_either(editor):
     assert names(editor) == ["A", "B"]
 
 
-def test_chosen_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor):
+def test_selected_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor):
     sides = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)]
     a, b, c, d = ((sides[at], sides[at + 1]) for at in range(4))
     pieces = [list(a), list(reversed(c)), list(reversed(b)), list(d)]
@@ -185,7 +185,7 @@ def test_chosen_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor):
     assert names(editor) == list("acbd")
 
 
-def test_two_chosen_curves_are_joined_at_their_nearest_ends(arcs):
+def test_two_selected_curves_are_joined_at_their_nearest_ends(arcs):
     arcs.session.selected.select_whole({1, 0})
     arcs.key(Key.Key_J, CTRL)
     assert len(arcs.session.document.curves) == 2

@@ -29,7 +29,7 @@ def has_focus(widget):
     return here is not None and (here is widget or widget.isAncestorOf(here))
 
 
-def test_every_menu_and_entry_has_a_letter_of_its_own(editor):
+def test_every_menu_and_entry_has_its_own_mnemonic(editor):
     bar = editor.window.menuBar()
     assert [letter_of(action.text()) for action in bar.actions()] == ["F", "E", "C", "P", "A", "N", "V", "H"]
     menus = [menu for menu in bar.findChildren(QMenu) if menu.title()]

@@ -67,7 +67,7 @@ def test_families_and_parameters_stand_first_in_the_menu_curve(editor):
     ]  # fmt: skip
 
 
-def test_the_bar_names_what_is_worked_on(editor):
+def test_the_menu_bar_names_the_objects_of_the_editor(editor):
     bar = editor.window.menuBar().actions()
     assert [plain(entry.text()) for entry in bar] == [
         "File", "Edit", "Curve", "Points", "Arrange", "Analysis", "View", "Help",
@@ -202,7 +202,7 @@ def row_menu(waves):
         menu.close()
 
 
-def test_the_menu_of_a_row_has_what_can_be_done_alone(row_menu):
+def test_the_menu_of_a_row_has_only_enabled_actions(row_menu):
     """It had 26 entries, most of them grey."""
     menu = row_menu(1)
     entries = [each for each in menu.actions() if not each.isSeparator()]
@@ -214,7 +214,7 @@ def test_the_menu_of_a_row_has_what_can_be_done_alone(row_menu):
     assert all(each.isEnabled() for part in (menu, *submenus) for each in part.actions())
 
 
-def test_the_menu_of_a_row_has_what_is_done_to_shapes(row_menu, editor):
+def test_the_menu_of_a_row_has_the_actions_on_shapes(row_menu, editor):
     editor.session.selected.select_whole((0, 1))
     editor.trigger("combineCurves")
     menu = row_menu(1)
@@ -222,7 +222,7 @@ def test_the_menu_of_a_row_has_what_is_done_to_shapes(row_menu, editor):
     assert {"breakApart", "simplify"} <= {each.objectName() for each in shape.actions()}
 
 
-def test_what_is_hidden_can_be_shown_again_by_the_menu_of_a_row(row_menu, editor):
+def test_the_menu_of_a_row_shows_hidden_curves(row_menu, editor):
     assert not editor.action("showAll").isEnabled()
     editor.trigger("curveVisible")
     editor.settle()

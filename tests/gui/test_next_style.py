@@ -52,7 +52,7 @@ def test_the_pen_goes_on_with_the_last_style(editor):
     assert [curve.style.fill for curve in editor.session.document.curves[-2:]] == [BLUE, BLUE]
 
 
-def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(empty):
+def test_a_shape_without_paint_does_not_set_the_next_style(empty):
     """A rectangle was drawn that nobody could see."""
     rectangle(empty, 20)
     style_set(empty, "fillPaintHex", BLUE)
@@ -73,7 +73,7 @@ def test_a_shape_without_any_paint_is_no_model_of_what_is_drawn_next(empty):
     assert not drawn.has_stroke
 
 
-def test_what_is_set_while_a_tool_holds_a_curve_that_nobody_chose_is_for_the_next_one(empty):
+def test_a_style_set_without_a_selection_is_that_of_the_next_curve(empty):
     first = rectangle(empty, 20)
     empty.key(Qt.Key.Key_V)
     empty.session.selected.select_whole(())
@@ -89,7 +89,7 @@ def test_what_is_set_while_a_tool_holds_a_curve_that_nobody_chose_is_for_the_nex
     assert empty.session.model.style == first
 
 
-def test_what_is_drawn_after_a_curve_was_deleted_looks_like_it(empty):
+def test_the_next_curve_has_the_style_of_a_deleted_one(empty):
     first = rectangle(empty, 20)
     rectangle(empty, 120)
     empty.key(Qt.Key.Key_V)
@@ -121,7 +121,7 @@ def imported(empty, tmp_path, drawings_read_here):
 
 
 @pytest.mark.parametrize("escape", [True, False])
-def test_what_is_drawn_after_an_import_looks_as_before_it(imported, escape):
+def test_an_import_does_not_change_the_next_style(imported, escape):
     """It looked like the first shape that was imported."""
     if escape:
         imported.key(Qt.Key.Key_Escape)
@@ -132,12 +132,12 @@ def test_what_is_drawn_after_an_import_looks_as_before_it(imported, escape):
     assert [curve.style.fill for curve in imported.session.document.curves[3:]] == [GREEN]
 
 
-def test_what_is_drawn_after_an_import_was_undone_looks_as_before_it(imported):
+def test_an_undone_import_does_not_change_the_next_style(imported):
     imported.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert len(imported.session.document.curves) == 1
     assert rectangle(imported, 120).fill == GREEN
 
 
-def test_what_is_drawn_looks_like_an_imported_curve_that_was_chosen(imported):
+def test_a_selected_imported_curve_sets_the_next_style(imported):
     imported.session.selected.select_whole([1])
     assert rectangle(imported, 120).fill == RED

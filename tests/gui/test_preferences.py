@@ -36,7 +36,7 @@ def test_a_first_start_has_defaults_and_no_complaint(store):
     assert preferences.complaint == ""
 
 
-def test_everything_comes_back(store, tmp_path):
+def test_all_settings_are_restored(store, tmp_path):
     first = Preferences(store)
     first.theme_mode = ThemeMode.DARK
     first.window_geometry = QByteArray(b"\x01\xd9\x00geometry")
@@ -53,14 +53,14 @@ def test_everything_comes_back(store, tmp_path):
     assert second.complaint == ""
 
 
-def test_it_is_an_ini_file(store):
+def test_preferences_are_an_ini_file(store):
     preferences = Preferences(store)
     preferences.theme_mode = ThemeMode.LIGHT
     del preferences
     assert "theme=light" in store.read_text(encoding="utf-8")
 
 
-def test_without_an_argument_it_writes_into_the_configuration_folder(own_home):
+def test_preferences_without_a_path_are_in_the_configuration_folder(own_home):
     preferences = Preferences()
     preferences.theme_mode = ThemeMode.LIGHT
     del preferences
@@ -169,7 +169,7 @@ choice="{\"ending\":\".jpg\",\"values\":{\"quality\":90}}"
 """
 
 
-def test_what_older_versions_had_more_is_skipped_without_a_word(qtbot, store):
+def test_settings_of_older_versions_are_skipped_silently(qtbot, store):
     store.write_text(OF_OLDER_VERSIONS, encoding="utf-8")
     preferences = Preferences(store)
     editor = Editor(qtbot, preferences=preferences)
@@ -305,7 +305,7 @@ def saved_geometry(qtbot, rect):
     ],
     ids=["right", "left", "huge", "tiny"],
 )
-def test_a_place_off_every_screen_is_not_taken(qtbot, qapp, store, rect):
+def test_a_window_position_off_every_screen_is_ignored(qtbot, qapp, store, rect):
     preferences = Preferences(store)
     preferences.window_geometry = saved_geometry(qtbot, rect)
     editor = Editor(qtbot, preferences=preferences)
@@ -326,7 +326,7 @@ def test_a_layout_that_is_none_gives_the_default_and_a_word(qtbot, store, conten
     assert editor.window.point_table.isVisible()
 
 
-def test_a_place_that_cannot_be_read_is_said(tmp_path):
+def test_an_unreadable_file_of_settings_is_reported(tmp_path):
     preferences = Preferences(tmp_path)
     assert "cannot be read" in preferences.complaint
     preferences.theme_mode = ThemeMode.DARK

@@ -57,7 +57,7 @@ def test_the_theme_changes_at_once(editor, dialog):
     assert editor.window.preferences.theme_mode is ThemeMode.SYSTEM
 
 
-def test_the_button_and_escape_close_it_and_enter_does_not(editor, dialog):
+def test_the_button_and_escape_close_the_dialog_and_enter_does_not(editor, dialog):
     button = dialog.findChild(QPushButton, "closePreferences")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert not dialog.isVisible()
@@ -86,7 +86,7 @@ def test_the_unit_is_that_of_new_documents(editor, dialog):
     assert place(editor).count(" mm") == 2
 
 
-def test_a_click_selects_the_unit_and_one_that_no_file_knows_is_told(editor, dialog):
+def test_a_click_selects_the_unit_and_an_unknown_one_gets_a_note(editor, dialog):
     line, note = units(dialog).lineEdit(), dialog.findChild(QLabel, "unitBoxNote")
     for typed, is_told in (("parsec", True), ("cm", False)):
         spacing(dialog).setFocus()
@@ -119,7 +119,7 @@ def test_a_spacing_that_cannot_be_is_explained(editor, dialog, typed):
     assert dialog.findChild(QLabel, "preferencesProblem").text() == ""
 
 
-def test_what_points_snap_to(editor, dialog):
+def test_targets_of_snapping_are_preferences(editor, dialog):
     assert editor.window.preferences.snap_kinds == frozenset(SnapKind)
     dialog.findChild(QCheckBox, "snap_curves").click()
     assert editor.window.preferences.snap_kinds == frozenset(SnapKind) - {"curves"}
@@ -169,7 +169,7 @@ class _WithMore(Preferences):
     align_to = Choice("tests/align", Reference.EACH_OTHER, "Align to", "A state of the window")
 
 
-def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot, store):
+def test_a_declared_setting_is_shown_applied_at_once_and_saved(qtbot, store):
     """The windows of one more person, for the dialog reads the class of the preferences."""
     preferences = _WithMore(store)
     editor = Editor(qtbot, preferences=preferences)
@@ -193,7 +193,7 @@ def test_a_setting_that_is_one_line_is_seen_changed_at_once_and_remembered(qtbot
     assert state.state.align_to is list(Reference)[1]
 
 
-def test_what_is_remembered_of_the_window_is_not_there():
+def test_saved_window_settings_are_not_in_the_dialog():
     named = settings_with_labels(Preferences)
     assert list(named)[:3] == ["theme_mode", "unit_name", "grid_spacing"]
     for name in ("window_geometry", "shortcuts", "snap_on", "export_choice", "last_folder"):
@@ -251,7 +251,7 @@ def store(tmp_path):
     return tmp_path / "settings.ini"
 
 
-def test_they_are_remembered(store):
+def test_changed_preferences_are_saved(store):
     first = Preferences(store)
     assert (first.grid_spacing, first.unit_name, first.snap_kinds) == (0.0, "", frozenset(SnapKind))
     first.grid_spacing, first.unit_name, first.snap_kinds = 1 / 3, "cm", frozenset({"grid", "points"})
@@ -277,7 +277,7 @@ def test_they_are_remembered(store):
         ("[General]\nshortcuts={", "shortcuts"),
     ],
 )
-def test_what_makes_no_sense_counts_as_not_set(store, line, key):
+def test_an_invalid_setting_counts_as_not_set(store, line, key):
     store.write_text(line)
     preferences = Preferences(store)
     assert preferences.grid_spacing == 0.0
@@ -286,7 +286,7 @@ def test_what_makes_no_sense_counts_as_not_set(store, line, key):
     assert key in preferences.complaint
 
 
-def test_it_is_no_larger_than_its_pages_need(editor, dialog):
+def test_the_dialog_is_no_larger_than_its_pages(editor, dialog):
     """Its lower half was empty."""
     editor.settle()
     assert dialog.height() == dialog.sizeHint().height()

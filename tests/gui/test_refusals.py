@@ -53,7 +53,7 @@ NO_SEGMENTS = f"A Lagrange curve is one polynomial and has no segments. C{HERMIT
         (Qt.Key.Key_4, ALT | KEYPAD, NO_SEGMENTS),
     ],
 )
-def test_the_keys_of_what_is_disabled_say_what_it_needs(line, key, held, expected):
+def test_the_keys_of_a_disabled_action_show_its_need(line, key, held, expected):
     line.session.say("An older answer.")
     line.key(key, held)
     assert line.status == expected
@@ -68,7 +68,7 @@ SO_ALREADY = [
 ]
 
 
-def test_what_is_so_already_is_told_and_no_refusal(line):
+def test_a_redundant_action_shows_a_message_and_no_refusal(line):
     """Pressed once more, keys were answered by an orange line with a sign."""
     line.choose_family(HERMITE)
     line.select([0, 1])
@@ -110,7 +110,7 @@ def test_in_an_empty_document_there_is_nothing_to_copy_or_to_delete(editor):
         assert editor.window.status_line.is_refusal, name
 
 
-def test_they_say_so_from_the_panels_too(line):
+def test_refusals_appear_for_keys_in_panels(line):
     line.show_dock("curvesDock")
     view = line.window.commands[CurveListCommands].panel.view
     view.setFocus()
@@ -118,7 +118,7 @@ def test_they_say_so_from_the_panels_too(line):
     assert line.status == "“Join Ends of Curves” needs two selected ends, or a second curve."
 
 
-def test_keys_that_a_person_chose_say_it(line):
+def test_changed_keys_show_the_need(line):
     keymap = line.window.actions_by_name.keymap
     key = line.action("splitCurve").shortcut()
     keymap.assign("joinCurve", [key])
@@ -150,7 +150,7 @@ def test_letters_typed_into_a_field_are_text(line):
     assert "needs" not in line.status
 
 
-def test_every_action_that_is_disabled_says_what_it_needs_in_its_tip(line):
+def test_the_tip_of_every_disabled_action_has_its_need(line):
     line.session.selected.set_points([])
     for name in ("joinCurve", "alignLeft", "distributeVertically", "undo"):
         action = line.action(name)
@@ -160,7 +160,7 @@ def test_every_action_that_is_disabled_says_what_it_needs_in_its_tip(line):
     assert "Needs" not in line.action("alignLeft").toolTip()
 
 
-def test_what_has_no_need_says_a_plain_sentence(line):
+def test_an_action_without_a_need_has_a_plain_refusal(line):
     action = line.action("fitView")
     action.setEnabled(False)
     line.key(Qt.Key.Key_F)

@@ -155,7 +155,7 @@ def test_the_eye_and_the_lock_are_switches(three):
     assert three.session.document.curves[2] == replace(three.session.document.curves[2], visible=True)
 
 
-def test_a_colour_is_chosen_from_the_palette_by_keys(three):
+def test_a_colour_is_set_in_the_palette_by_keys(three):
     three.trigger("curveColour")
     menu = three.menu()
     for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Return):
@@ -164,7 +164,7 @@ def test_a_colour_is_chosen_from_the_palette_by_keys(three):
     assert three.curve.style.stroke == "#0072b2"
 
 
-def test_the_points_of_a_hidden_curve_are_faint_while_it_is_edited(three):
+def test_the_points_of_an_edited_hidden_curve_are_faint(three):
     def ink():
         x, y = three.window.canvas.to_pixel(*three.point(1)).toTuple()
         colour = three.window.canvas.viewport().grab().toImage().pixelColor(x, y)

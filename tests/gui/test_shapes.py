@@ -157,7 +157,7 @@ def seen(editor, x, y):
 
 
 @pytest.mark.parametrize("edited", ["Outer", "Inner", "Side"])
-def test_the_hole_is_seen_whatever_is_edited(ring, edited):
+def test_the_hole_is_visible_whichever_curve_is_edited(ring, edited):
     fold(ring, "Shape 1")
     click_row(ring, edited)
     assert (seen(ring, 2.2, 0.3), seen(ring, 0.3, 0.2)) == ("#cc3311", LIGHT.paper.name())
@@ -183,7 +183,7 @@ def test_the_hole_is_one_in_pictures_and_one_path_in_svg(ring, tmp_path):
     assert (text.count("<path"), text.count('fill-rule="evenodd"')) == (2, 1)
 
 
-def test_what_runs_the_other_way_keeps_its_rule(rings):
+def test_a_reversed_curve_keeps_its_fill_rule(rings):
     click_row(rings, "Inner")
     rings.trigger("reverseCurve")
     click_row(rings, "Outer", CTRL)
@@ -207,7 +207,7 @@ def test_one_curve_is_grouped_and_ungrouped(rings):
     assert (rings.curve.name, rings.curve.groups) == (name, ())
 
 
-def test_with_nothing_chosen_there_is_nothing_to_combine_or_group(ring):
+def test_without_a_selection_combine_and_group_are_disabled(ring):
     ring.session.selected.select_whole({0})
     assert ring.action("breakApart").isEnabled()
     assert ring.action("groupCurves").isEnabled()
@@ -216,7 +216,7 @@ def test_with_nothing_chosen_there_is_nothing_to_combine_or_group(ring):
         assert not ring.action(name).isEnabled()
 
 
-def test_a_shape_is_broken_apart_and_its_curves_are_chosen(ring):
+def test_a_shape_is_broken_apart_and_its_curves_are_selected(ring):
     click_row(ring, "Shape 1")
     assert not ring.action("combineCurves").isEnabled()
     ring.key(Qt.Key.Key_K, CTRL | SHIFT)
@@ -274,7 +274,7 @@ def test_an_entry_stays_open_through_changes_and_another_name(ring):
     assert rows(ring)[-3:] == ["R", "  Inner", "  Outer"]
 
 
-def test_a_curve_of_a_shape_is_renamed_too(ring):
+def test_a_curve_of_a_shape_can_be_renamed(ring):
     fold(ring, "Shape 1")
     click_row(ring, "Inner")
     key_in_list(ring, Qt.Key.Key_F2)
@@ -287,7 +287,7 @@ def test_a_curve_of_a_shape_is_renamed_too(ring):
     assert shapes(ring) == ["Shape 1", "Shape 1", ""]
 
 
-def test_a_name_that_is_taken_is_refused(ring):
+def test_a_name_in_use_is_refused(ring):
     ring.trigger("selectAllCurves")
     ring.trigger("groupCurves")
     view = view_of(ring)
@@ -311,7 +311,7 @@ def test_a_screen_reader_hears_of_shapes(ring):
 
 
 @pytest.mark.parametrize("folded", [True, False])
-def test_what_is_done_to_a_shape_is_done_to_all_of_it(ring, folded):
+def test_actions_on_a_shape_change_all_its_curves(ring, folded):
     if not folded:
         fold(ring, "Shape 1")
     click_row(ring, "Shape 1", spot=Spot.EYE)
@@ -338,7 +338,7 @@ def test_commands_take_the_whole_shape_of_the_curve_that_is_edited(ring):
     assert (names(ring), undo_text(ring)) == (["Side", "Outer", "Inner"], "Delete Shape 1 copy")
 
 
-def test_a_title_says_what_of_a_shape_is_meant(ring):
+def test_a_title_distinguishes_a_shape_from_a_contour(ring):
     titles = [ring.action(name) for name in ("deleteCurve", "duplicateCurve")]
     ring.session.selected.activate(0)
     assert [each.text() for each in titles] == ["Delete Shape", "Duplicate Shape"]
@@ -359,7 +359,7 @@ def test_a_new_curve_does_not_tear_a_shape(ring):
     assert shapes(ring) == ["Shape 1", "Shape 1", "", ""]
 
 
-def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
+def test_a_curve_of_an_opened_shape_is_selected_and_deleted_alone(ring):
     """The canvas shows a box around it and not around its shape, and every key is about that."""
     ring.session.selected.select_whole(())
     fold(ring, "Shape 1")
@@ -377,7 +377,7 @@ def test_a_curve_of_an_opened_shape_is_chosen_alone_and_goes_alone(ring):
     assert ring.session.selected.whole_curves == {0, 1}
 
 
-def test_what_is_folded_tells_that_a_part_of_it_is_chosen(ring):
+def test_a_folded_entry_marks_selected_curves_inside(ring):
     """By a fainter mark with a dot, and in words; not the one that is opened, and not where all of it is."""
     image = [seen_in_list(ring, "Shape 1")]
     fold(ring, "Shape 1")
@@ -409,7 +409,7 @@ def test_a_curve_is_deleted_alone_from_the_opened_entry(ring, how):
     assert shapes(ring) == ["Shape 1", "Shape 1", ""]
 
 
-def test_delete_on_a_folded_entry_deletes_all_of_it(ring):
+def test_delete_on_a_folded_entry_deletes_all_its_curves(ring):
     ring.session.selected.activate(1)
     key_in_list(ring, Qt.Key.Key_Delete)
     assert names(ring) == ["Side"]
@@ -474,7 +474,7 @@ def test_a_group_does_not_go_into_itself(group):
 # Groups
 
 
-def test_chosen_curves_become_a_group_by_a_key(rings):
+def test_selected_curves_become_a_group_by_a_key(rings):
     click_row(rings, "Inner")
     click_row(rings, "Side", CTRL)
     rings.key(Qt.Key.Key_G, CTRL)
@@ -482,7 +482,7 @@ def test_chosen_curves_become_a_group_by_a_key(rings):
     assert (rows(rings), undo_text(rings)) == (["Group 1", "Outer"], "Group 2 curves")
 
 
-def test_a_group_has_an_entry_that_chooses_all(group):
+def test_a_group_has_an_entry_that_selects_all(group):
     assert rows(group) == ["Group 1", "Outer"]
     click_row(group, "Group 1")
     assert chosen(group) == {"Inner", "Side"}
@@ -533,7 +533,7 @@ def test_a_press_within_a_fill_is_one_on_that_curve(ring):
     assert ring.curve.name == "Side"
 
 
-def test_the_topmost_fill_is_meant_and_what_it_covers_is_not(rings):
+def test_a_press_hits_the_topmost_fill_only(rings):
     covered = diamond(1.0, "Covered", x=1.2, style=Style())
     rings.session.commit(Document((covered, *rings.session.document.curves)), "Cover", active=3)
     rings.session.selected.activate(3)
@@ -556,7 +556,7 @@ def test_within_the_shape_that_is_edited_a_rubber_band_begins(ring):
 
 
 @pytest.mark.parametrize("how", ["pen", "pencil", "paste"])
-def test_what_is_drawn_or_pasted_comes_on_top_of_all(ring, how):
+def test_drawn_and_pasted_curves_are_in_front(ring, how):
     ring.session.selected.activate(0)
     if how == "pen":
         ring.trigger("addTool")
@@ -597,7 +597,7 @@ def chosen_as_wholes(editor):
 ALL = {"Outer", "Inner", "Side"}
 
 
-def test_a_click_chooses_the_whole_group_and_a_double_click_enters_it(whole):
+def test_a_click_selects_the_whole_group_and_a_double_click_enters_it(whole):
     whole.hover((6.0, 0.3))
     assert "move “Group 1”" in whole.window.status_line.hint
     assert "click to select it, double-click to edit it" in whole.window.status_line.hint
@@ -618,7 +618,7 @@ def test_with_ctrl_a_click_passes_over_the_group(whole):
     assert chosen_as_wholes(whole) == ALL
 
 
-def test_shift_click_chooses_whole_shapes_too_and_no_longer(whole):
+def test_shift_click_adds_and_removes_whole_shapes(whole):
     whole.trigger("selectAllCurves")
     whole.trigger("ungroupCurves")
     whole.session.selected.select_whole(())
@@ -647,7 +647,7 @@ def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     assert chosen_as_wholes(whole) == {"Side"}
 
 
-def test_what_is_counted_are_shapes_and_groups_and_not_their_curves(whole):
+def test_shapes_and_groups_are_counted_as_one(whole):
     """A word and a circle were "15 curves"."""
     whole.session.selected.select_whole({0, 1, 2})
     whole.trigger("ungroupCurves")
@@ -723,7 +723,7 @@ def test_a_drag_over_the_fill_of_another_curve_is_a_rubber_band_and_a_click_edit
     assert edited.curve.name == "Side"
 
 
-def test_shift_click_within_a_fill_chooses_it_too(edited):
+def test_shift_click_within_a_fill_adds_its_curve(edited):
     edited.click((6.3, 0.2), keys=SHIFT)
     assert chosen(edited) == {"Outer", "Side"}
     edited.session.selected.activate(2)
@@ -731,7 +731,7 @@ def test_shift_click_within_a_fill_chooses_it_too(edited):
     assert chosen(edited) == ALL
 
 
-def test_the_points_of_the_other_curves_of_the_shape_are_seen(edited):
+def test_the_points_of_the_other_curves_of_the_shape_are_visible(edited):
     canvas = edited.window.canvas
 
     def has_rim():
@@ -778,7 +778,7 @@ def test_a_shape_in_a_group_is_copied_whole_and_pasted_as_one_of_its_own(group):
 # Many
 
 
-def test_leaving_a_curve_of_a_shape_chooses_the_shape(edited):
+def test_leaving_a_curve_of_a_shape_selects_the_shape(edited):
     edited.escape()
     assert chosen_as_wholes(edited) == {"Outer", "Inner"}
     assert edited.status.startswith("“Shape 1” is selected as a whole")
@@ -804,7 +804,7 @@ def test_a_contour_that_is_highlighted_in_the_list_is_duplicated_and_copied_as_a
     assert shapes(ring).count("") == 2
 
 
-def test_cut_takes_the_contour_alone_and_the_row_of_the_shape_means_all_of_it(ring):
+def test_cut_removes_a_contour_alone_or_the_whole_shape_by_its_row(ring):
     fold(ring, "Shape 1")
     click_row(ring, "Inner")
     ctrl_in_list(ring, Qt.Key.Key_X)

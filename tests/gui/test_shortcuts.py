@@ -138,7 +138,7 @@ def test_no_keys_at_all(editor, keys):
     assert editor.action("redo").toolTip() == "Do the step again\nNothing to redo."
 
 
-def test_they_are_remembered(qtbot, tmp_path):
+def test_changed_keys_are_saved(qtbot, tmp_path):
     store = tmp_path / "settings.ini"
     first = Editor(qtbot, preferences=Preferences(store))
     record(open_keys(first), "familyHermite", Qt.Key.Key_U, CTRL)
@@ -158,7 +158,7 @@ def test_remembered_keys_that_make_no_sense_stop_nothing(qtbot, tmp_path):
     assert editor.action("quit").shortcuts() == []
 
 
-def test_a_remembered_key_is_kept_from_an_action_that_comes_with_it_since(qtbot, tmp_path):
+def test_a_saved_key_wins_over_a_newer_default_key(qtbot, tmp_path):
     preferences = Preferences(tmp_path / "settings.ini")
     preferences.shortcuts = {"fitView": "Ctrl+S"}
     editor = Editor(qtbot, preferences=preferences)

@@ -56,7 +56,7 @@ def near(editor, place, dx=3, dy=2):
         (2.4, 1, 2),
     ],
 )
-def test_grid_values_are_the_numbers_that_are_meant(value, spacing, expected):
+def test_grid_values_are_round_decimal_numbers(value, spacing, expected):
     assert grid_value(value, spacing) == expected
 
 

@@ -97,7 +97,7 @@ def seen(editor, x, y):
 # One step, for all that are chosen
 
 
-def test_one_click_paints(editor, panel):
+def test_one_click_on_a_swatch_paints(editor, panel):
     click(panel, "fillPaint_Blue")
     assert styles(editor)[1] == Style(fill=BLUE)
     assert editor.session.undo_stack.undoText() == "Fill of Stem"
@@ -112,7 +112,7 @@ def test_one_click_paints(editor, panel):
     assert styles(editor) == [Style()] * 3
 
 
-def test_all_chosen_curves_change_in_one_step(editor, panel):
+def test_all_selected_curves_curves_change_in_one_step(editor, panel):
     editor.session.selected.set_curves([0, 1, 2])
     steps = editor.session.undo_stack.count()
     click(panel, "strokePaint_Blue")
@@ -122,7 +122,7 @@ def test_all_chosen_curves_change_in_one_step(editor, panel):
     assert child(panel, QLabel, "styleSubject").text() == "3 curves"
 
 
-def test_what_differs_is_shown_as_mixed_and_stays_apart(editor, panel):
+def test_different_values_are_shown_as_mixed_and_kept(editor, panel):
     enter(editor, panel, "strokeWidth", "0.5")
     click(panel, "fillPaint_Blue")
     editor.session.selected.set_curves([1, 2])
@@ -240,7 +240,7 @@ def test_a_width_is_shown_with_the_unit_of_the_document(editor, panel):
     assert text_of(panel, "strokeWidth") == "auto"
 
 
-def test_what_cannot_be_is_refused_in_the_form_and_stays_to_be_mended(editor, panel):
+def test_invalid_input_is_refused_in_the_form_and_stays(editor, panel):
     click(panel, "fillPaint_Blue")
     click(panel, "lineJoin_miter")
     before, problem = styles(editor), child(panel, QLabel, "styleProblem")
@@ -260,7 +260,7 @@ def test_what_cannot_be_is_refused_in_the_form_and_stays_to_be_mended(editor, pa
         assert problem.isHidden(), field
 
 
-def test_what_is_wrong_moves_no_row_and_goes_with_a_swatch(editor, panel):
+def test_a_refusal_moves_no_row_and_a_swatch_clears_it(editor, panel):
     rows = [child(panel, QWidget, name) for name in ("fillPaint_Blue", "strokeWidth", "strokeOpacity")]
     before = [row.mapTo(panel, QPoint()) for row in rows]
     enter(editor, panel, "fillPaintHex", "no colour")
@@ -274,7 +274,7 @@ def test_what_is_wrong_moves_no_row_and_goes_with_a_swatch(editor, panel):
     assert child(panel, QLabel, "styleProblem").isHidden()
 
 
-def test_a_unit_needs_a_document_that_has_one(editor, panel):
+def test_a_unit_needs_a_document_with_a_unit(editor, panel):
     begin(editor, square(0, 0, 1, "Leaf"))
     enter(editor, panel, "strokeWidth", "5 mm")
     assert "The document has no unit of length" in child(panel, QLabel, "styleProblem").text()
@@ -339,7 +339,7 @@ def pick(popup, colour):
     QTest.keyClicks(field, colour)
 
 
-def test_a_colour_is_seen_while_it_is_looked_at_and_escape_takes_it_back(editor, panel):
+def test_a_colour_is_previewed_and_escape_cancels(editor, panel):
     before, steps = seen(editor, 5.5, 1.5), editor.session.undo_stack.count()
     choice = popup(panel)
     pick(choice, "#ff0000")
@@ -351,7 +351,7 @@ def test_a_colour_is_seen_while_it_is_looked_at_and_escape_takes_it_back(editor,
     assert editor.session.undo_stack.count() == steps
 
 
-def test_a_colour_of_any_kind_is_chosen_in_one_step_and_remembered(editor, panel):
+def test_a_colour_of_any_kind_is_selected_in_one_step_and_remembered(editor, panel):
     steps = editor.session.undo_stack.count()
     choice = popup(panel, "strokePaint")
     for colour in ("#ff0000", "#123456"):
@@ -414,7 +414,7 @@ def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):
 # Copied
 
 
-def test_a_style_is_copied_and_pasted_to_all_chosen_curves(editor, panel):
+def test_a_style_is_copied_and_pasted_to_all_selected_curves_curves(editor, panel):
     click(panel, "fillPaint_Blue")
     enter(editor, panel, "strokeWidth", "0.5")
     # As in Inkscape: what was copied as a curve gives its style; and the style alone has keys of its own.
@@ -484,7 +484,7 @@ def test_an_open_curve_is_filled_to_the_straight_line_between_its_ends(editor):
     assert (seen(editor, 2, 0.2), seen(editor, 2, -0.2)) == (BLUE, LIGHT.paper.name())
 
 
-def test_what_is_edited_keeps_its_place_in_the_order(editor):
+def test_the_edited_curve_keeps_its_order(editor):
     below, above = (square(k, k, 4, f"{k}", style=Style(fill=paint)) for k, paint in enumerate((BLUE, RED)))
     begin(editor, below, above)
     for active in (0, 1):
@@ -497,7 +497,7 @@ def test_what_is_edited_keeps_its_place_in_the_order(editor):
     assert seen(editor, 4, 2.5) != RED
 
 
-def test_millions_of_pixels_from_where_it_ends_a_shape_is_still_right(editor):
+def test_a_shape_is_painted_right_millions_of_pixels_from_its_end(editor):
     begin(editor, square(0, 0, 4, "Leaf", style=Style(fill=BLUE, stroke=RED, width=0.01)))
     for x, half, colours in (
         (4.0, 1e-8, {RED}),
@@ -531,7 +531,7 @@ def test_dashes_begin_at_the_start_wherever_one_looks(editor):
         assert found == [x % 4 < 2 for x in places if x % 2 == 1]
 
 
-def test_dashes_that_cannot_be_told_apart_are_as_pale_as_their_share(editor):
+def test_dashes_below_a_pixel_are_painted_as_pale_as_their_share(editor):
     """Of an odd number of lengths, dashes and gaps change their roles: half of all is drawn."""
     lines = [
         replace(make_curve([(0, y), (9, y)], family=HERMITE), style=Style(stroke=RED, width=1.0, dash=dash))
@@ -544,7 +544,7 @@ def test_dashes_that_cannot_be_told_apart_are_as_pale_as_their_share(editor):
 # Views
 
 
-def test_a_colour_that_is_moved_in_the_dark_is_told(editor, panel):
+def test_a_colour_adjusted_to_the_dark_theme_has_a_note(editor, panel):
     dim = "#202020"
     begin(editor, square(0, 0, 4, "Leaf", style=Style(stroke=dim, width=0.5)))
     editor.window.context.store.change(theme_mode=ThemeMode.DARK)
@@ -582,7 +582,7 @@ def test_the_list_shows_stroke_and_fill(editor, panel):
     assert all(counts.get(code, 0) > 8 for code in (RED, BLUE, GREEN))
 
 
-def test_the_list_changes_the_colour_that_is_seen(editor, panel):
+def test_the_list_changes_the_visible_colour(editor, panel):
     begin(editor, square(0, 0, 3, "Leaf"), square(4, 0, 3, "Stem", style=Style(fill=GREEN, stroke="none")))
     for row, name, wanted in (
         (0, "colour_Vermillion", Style(stroke=RED)),
@@ -604,7 +604,7 @@ def test_the_list_changes_the_colour_that_is_seen(editor, panel):
     assert styles(editor)[0] == Style(stroke="#123456")
 
 
-def test_the_list_fills_too(editor, panel):
+def test_the_list_sets_fills(editor, panel):
     editor.click_in_list(2, Spot.SWATCH)
     menu = editor.menu()
     (inside,) = [each.menu() for each in menu.actions() if each.menu() is not None]
@@ -615,7 +615,7 @@ def test_the_list_fills_too(editor, panel):
     assert editor.session.undo_stack.undoText() == "Fill Root"
 
 
-def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
+def test_a_new_curve_has_the_style_of_the_last_one(editor, panel):
     click(panel, "strokePaint_Blue")
     enter(editor, panel, "strokeWidth", "0.5")
     editor.trigger("newCurve")
@@ -623,7 +623,7 @@ def test_a_curve_that_is_begun_looks_as_the_one_before(editor, panel):
     assert len(styles(editor)) == 4
 
 
-def test_with_nothing_chosen_the_panel_shows_and_sets_what_is_drawn_next(editor, panel):
+def test_without_a_selection_the_panel_shows_and_sets_the_next_style(editor, panel):
     editor.escape()
     assert editor.session.selected.whole_curves == {1}
     assert child(panel, QLabel, "styleSubject").text() == "Stem"
@@ -677,7 +677,7 @@ def test_a_fine_line_is_drawn_without_qt_s_stroker_and_not_made_for_the_edited_c
 # Swapped
 
 
-def test_fill_and_stroke_change_places_with_their_opacities_for_all_that_is_chosen(editor, panel):
+def test_swapping_fill_and_stroke_swaps_the_opacities_of_all_selected_curves(editor, panel):
     looks = (
         Style(fill=RED, fill_opacity=0.5, stroke=BLUE, width=0.3, stroke_opacity=0.8),
         Style(stroke=GREEN, fill=BLUE),
@@ -698,7 +698,7 @@ def test_fill_and_stroke_change_places_with_their_opacities_for_all_that_is_chos
     assert editor.session.document == Document(curves, unit="cm")
 
 
-def test_what_is_drawn_next_has_its_paints_swapped_where_nothing_is_chosen(editor, panel):
+def test_swapping_fill_and_stroke_without_a_selection_changes_the_next_style(editor, panel):
     editor.session.selected.select_whole(())
     before, style = editor.session.document, editor.session.model.style
     editor.key(Qt.Key.Key_X, Qt.KeyboardModifier.ShiftModifier)
@@ -728,7 +728,7 @@ def test_used_colours_stand_below_the_others_and_move_nothing(editor, panel):
     assert edit.text() == used[0]
 
 
-def test_dots_are_chosen_with_ends_that_show_them_and_typed_ones_that_are_not_seen_are_told(editor, panel):
+def test_the_preset_of_dots_sets_round_ends_and_typed_invisible_dots_have_a_note(editor, panel):
     """Butt ends of a dash of length 0 are nothing at all: the line was gone."""
     note = child(panel, QLabel, "styleUnseenDots")
     click(panel, "lineCap_butt")

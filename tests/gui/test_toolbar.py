@@ -109,7 +109,7 @@ def is_as_said(editor, width, words, style):
     ],
     ids=lambda value: str(value) if isinstance(value, int) else "",
 )
-def test_it_says_as_much_as_there_is_room_for(editor_with, count, rows):
+def test_the_toolbar_shows_as_much_text_as_fits(editor_with, count, rows):
     """However many families there are: those after three stand in a menu. On the way down and up again."""
     editor = editor_with(count, rows[0][0])
     for row in (*rows, *rows[::-1]):
@@ -117,7 +117,7 @@ def test_it_says_as_much_as_there_is_room_for(editor_with, count, rows):
 
 
 @pytest.mark.parametrize(("count", "width"), [(3, 900), (4, 900), (8, 920)])
-def test_the_families_and_the_rule_are_seen_where_not_all_has_room(editor_with, count, width):
+def test_families_and_the_rule_stay_visible_in_a_narrow_window(editor_with, count, width):
     editor = editor_with(count, width)
     assert editor.window.toolbar.sizeHint().width() > editor.window.toolbar.width() == width
     assert styles(editor) == [ICON] * 3
@@ -233,7 +233,7 @@ def test_one_button_has_the_tools_without_a_button_and_keeps_the_last_one_used(e
     assert ellipse.isChecked()
 
 
-def test_it_is_as_wide_with_nothing_to_tell_of_as_with_a_curve(editor):
+def test_the_toolbar_has_the_same_width_without_a_curve(editor):
     bar = editor.window.findChild(QComboBox, "parametrizationBox").parentWidget()
     width = bar.sizeHint().width()
     editor.new()

@@ -87,7 +87,7 @@ def test_the_key_leads_to_the_width(leaf):
     assert field(leaf, "Width").cursorPosition() == 0, "the first digits are seen"
 
 
-def test_it_shows_the_curve_without_its_stroke_and_not_its_points(leaf):
+def test_the_panel_shows_the_bounds_of_the_curve_without_stroke_or_points(leaf):
     bounds = sampled_bounds(leaf)
     assert bounds[1][1] > 22.1
     shown = [float(field(leaf, name).text()) for name in ("X", "Y", "Width", "Height")]
@@ -96,7 +96,7 @@ def test_it_shows_the_curve_without_its_stroke_and_not_its_points(leaf):
     assert label(leaf, "transformWhat") == "All 4 points"
 
 
-def test_it_follows_the_selection_and_drags(leaf):
+def test_the_panel_follows_the_selection_and_drags(leaf):
     leaf.select([1, 2])
     assert label(leaf, "transformWhat") == "2 points"
     assert [field(leaf, name).text() for name in ("X", "Y", "Height")] == ["20", "21", "2"]
@@ -119,7 +119,7 @@ def test_without_points_there_is_nothing_to_set(leaf):
     assert not any(button.isEnabled() for button in whole_buttons(leaf))
 
 
-def test_with_nothing_chosen_its_buttons_are_off_like_its_fields(leaf):
+def test_without_a_selection_buttons_and_fields_are_disabled(leaf):
     assert all(button.isEnabled() for button in whole_buttons(leaf))
     for _ in range(2):
         leaf.escape()
@@ -174,7 +174,7 @@ def test_the_lock_keeps_proportions(leaf):
     click(leaf, "panelProportionsButton")
 
 
-def test_chosen_curves_have_one_size_together(leaf):
+def test_selected_curves_have_one_size_together(leaf):
     leaf.session.selected.set_curves({0, 1})
     leaf.settle()
     enter(leaf, "Width", "70")
@@ -182,7 +182,7 @@ def test_chosen_curves_have_one_size_together(leaf):
     assert undo_text(leaf) == "Set width of 2 curves to 70 mm"
 
 
-def test_a_stroke_stays_as_wide_as_it_is_whatever_its_curve_is_scaled_by(leaf):
+def test_scaling_a_curve_keeps_the_width_of_its_stroke(leaf):
     width, _ = size(leaf)
     enter(leaf, "Width", "50%")
     transform(leaf, "S", "3")
@@ -201,7 +201,7 @@ def test_points_alone_leave_the_stroke(leaf):
     assert undo_text(leaf) == "Set width of 2 points to 30 mm"
 
 
-def test_undo_takes_back_what_was_entered_and_while_typing_the_typing(leaf):
+def test_undo_reverts_the_entry_and_while_typing_the_text(leaf):
     for name, text in (("Width", "70"), ("Height", "30")):
         enter(leaf, name, text)
     edit, steps = field(leaf, "Height"), leaf.session.undo_stack
@@ -235,7 +235,7 @@ def test_a_place_of_the_box_is_put_at_the_numbers(leaf):
     assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
 
 
-def test_the_chooser_shows_where_the_pivot_is_and_middle_forgets_it(leaf):
+def test_the_pivot_chooser_shows_the_pivot_and_its_centre_resets_it(leaf):
     names = [f"pivot{name}" for name in ("Middle", "TopRight")]
     down = lambda: [leaf.window.findChild(QToolButton, name).isChecked() for name in names]  # noqa: E731
     assert down() == [True, False]
@@ -303,7 +303,7 @@ def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
     assert field(leaf, "Angle").text() == "0", "another selection"
 
 
-def test_a_copy_has_the_angle_of_what_it_is_of_and_what_it_is_turned_by(leaf):
+def test_a_copy_has_the_angle_of_its_original_plus_its_own_rotation(leaf):
     leaf.key(Key.Key_Escape)
     assert leaf.session.selected.curves == {0}
     for shown, amount in ((45, "45"), (75, "30")):
@@ -342,7 +342,7 @@ NO_LENGTHS = [
 ]
 
 
-def test_what_is_no_length_stays_to_be_mended_and_changes_nothing(leaf):
+def test_an_invalid_length_stays_in_the_field_and_changes_nothing(leaf):
     for name, text, reason in NO_LENGTHS:
         document = leaf.session.document
         enter(leaf, name, text)
@@ -356,7 +356,7 @@ def test_what_is_no_length_stays_to_be_mended_and_changes_nothing(leaf):
 
 
 @pytest.mark.parametrize("typed", ["", "3 apples"])
-def test_one_escape_drops_what_was_typed_and_gives_the_keys_back_to_the_canvas(leaf, typed):
+def test_one_escape_discards_typed_text_and_focuses_the_canvas(leaf, typed):
     """It took two, and the first had looked as if it had done that."""
     leaf.window.activateWindow()
     edit, document = field(leaf, "Width"), leaf.session.document
@@ -379,7 +379,7 @@ def test_a_unit_needs_a_unit_of_the_document(leaf):
     assert "The document has no unit" in label(leaf, "transformProblem")
 
 
-def test_what_was_typed_and_left_changes_nothing(leaf):
+def test_typed_text_without_enter_changes_nothing(leaf):
     document = leaf.session.document
     for name in ("X", "Width", "Angle", "Turn"):
         edit = field(leaf, name)
@@ -393,7 +393,7 @@ def test_what_was_typed_and_left_changes_nothing(leaf):
     assert leaf.session.document is document, "numbers that are only shown round nothing"
 
 
-def test_the_reference_of_alignment_is_chosen_here_and_in_the_menu(leaf):
+def test_the_reference_of_alignment_is_set_in_the_panel_and_in_the_menu(leaf):
     box = leaf.window.findChild(QComboBox, "alignReference")
     assert box.currentText() == "Each other"
     QTest.keyClick(box, Key.Key_Down)
@@ -402,7 +402,7 @@ def test_the_reference_of_alignment_is_chosen_here_and_in_the_menu(leaf):
     assert box.currentText() == "Each other"
 
 
-def test_the_keyboard_chooses_a_place_by_tab_and_arrows(leaf):
+def test_the_keyboard_selects_a_place_by_tab_and_arrows(leaf):
     field(leaf, "X").setFocus()
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Backtab)
     assert QApplication.focusWidget().objectName() == "pivotMiddle"
@@ -431,7 +431,7 @@ def test_the_lock_binds_the_grips_at_the_corners(leaf):
     leaf.trigger("keepProportions")
 
 
-def test_who_types_the_short_number_that_a_field_shows_gets_just_that(leaf):
+def test_typing_the_displayed_short_number_gives_exactly_that(leaf):
     """80.6367 for 80.636709675 was taken for no change."""
     enter(leaf, "Width", "80.636709675")
     leaf.window.canvas.setFocus()
@@ -463,7 +463,7 @@ def test_who_types_the_short_number_that_a_field_shows_gets_just_that(leaf):
         assert {each: getattr(style, each) for each in wanted} == wanted
 
 
-def test_a_field_shows_few_decimals_and_the_exact_number_to_who_types_or_points_at_it(leaf):
+def test_a_field_shows_few_decimals_and_the_exact_number_when_focused_or_hovered(leaf):
     """Of a width of 80.636709675 the field showed what had room."""
     enter(leaf, "Width", "80.636709675")
     leaf.window.canvas.setFocus()
@@ -508,7 +508,7 @@ def test_enter_goes_back_to_the_canvas_whose_keys_work_at_once(leaf):
     assert field(leaf, "Y").hasFocus()
 
 
-def test_in_a_new_window_of_1440_by_900_nothing_of_it_has_to_be_scrolled(new_editor):
+def test_the_panel_fits_a_new_window_of_1440_by_900_without_scrolling(new_editor):
     new_editor.window.resize(1440, 900)
     new_editor.new()
     new_editor.window.canvas.camera.show_box((0, 210), (0, 297))

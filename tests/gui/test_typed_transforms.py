@@ -123,7 +123,7 @@ def test_the_status_line_names_a_single_point(arch):
     assert (arch.point(0), undo_text(arch)) == ((2.0, 1.0), "Move point 0")
 
 
-def test_a_locked_or_empty_curve_says_so(arch):
+def test_a_transform_of_a_locked_or_empty_curve_is_refused(arch):
     arch.trigger("curveLocked")
     document = arch.session.document
     arch.key(Key.Key_G)

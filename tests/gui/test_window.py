@@ -97,7 +97,7 @@ def test_number_keys_switch_the_family(editor):
         assert editor.action(name).isChecked(), name
 
 
-def test_choosing_what_is_already_chosen_is_no_step(editor):
+def test_selecting_the_current_family_is_no_step(editor):
     editor.choose_family(LAGRANGE)
     editor.choose_parametrization(ParametrizationKind.CHORD_LENGTH)
     assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
@@ -213,7 +213,7 @@ def test_examples_open_as_copies_without_a_file(editor):
         assert editor.message == ""
 
 
-def test_whatever_way_an_example_is_opened_nothing_is_left_beside_it(editor, qtbot, tmp_path, monkeypatch):
+def test_opening_an_example_leaves_no_other_window(editor, qtbot, tmp_path, monkeypatch):
     """The README's first command left a lock in the checkout; the folder's test failed over it."""
     before = sorted(resource().rglob("*"))
     link = tmp_path / "link.curve.json"
@@ -404,7 +404,7 @@ def words_of(sheet):
     return [label.text() for label in sheet.findChildren(QLabel)]
 
 
-def test_help_lies_in_the_window_and_goes_with_the_same_key(editor):
+def test_the_same_key_opens_and_closes_help(editor):
     sheet = open_sheet(editor)
     assert not sheet.isWindow()
     assert editor.window.centralWidget().geometry().contains(sheet.geometry())
@@ -428,7 +428,7 @@ def test_escape_puts_help_away_and_nothing_else(editor, focus):
     assert editor.session.selection == frozenset()
 
 
-def test_a_click_beside_help_puts_it_away_and_works(editor):
+def test_a_click_beside_help_closes_it_and_works(editor):
     sheet = open_sheet(editor)
     QTest.mouseClick(sheet, Qt.MouseButton.LeftButton, pos=QPoint(20, 12))
     assert sheet.isVisible()
@@ -564,7 +564,7 @@ def test_a_digit_typed_into_the_table_and_left_there_changes_nothing(editor):
     assert "was not changed" in editor.status
 
 
-def test_save_writes_what_is_committed_not_a_preview(editor, tmp_path):
+def test_save_writes_the_committed_document_not_a_preview(editor, tmp_path):
     document = editor.session.document
     editor.press(editor.point(2))
     editor.move((0.2, 4))
@@ -625,7 +625,7 @@ def test_a_closed_window_leaves_nothing_behind(qapp, tmp_path):
     assert len(qapp.allWidgets()) <= before
 
 
-def test_the_line_on_the_canvas_takes_no_press_from_it(editor):
+def test_a_press_on_the_message_bar_reaches_the_canvas(editor):
     """A designer lost the second point of a letter to the greeting that lay over it."""
     editor.new()
     editor.trigger("addTool")
@@ -637,7 +637,7 @@ def test_the_line_on_the_canvas_takes_no_press_from_it(editor):
     assert editor.message == ""
 
 
-def test_what_is_typed_on_the_help_is_looked_for_and_acts_on_nothing_behind_it(editor):
+def test_keys_typed_on_help_search_and_do_not_reach_the_window(editor):
     """The letters of "pivot" chose other tools, showed the scrub line and let go of what was selected."""
     editor.select([2])
     before, state, choice = editor.session.document, editor.window.store.state, editor.session.selected.state

@@ -23,7 +23,7 @@ def store_of(tmp_path):
     return WindowStore(Preferences(tmp_path / "settings.ini"))
 
 
-def test_a_change_is_told_once_with_what_was_before(qapp, tmp_path):
+def test_a_change_is_announced_once_with_the_previous_state(qapp, tmp_path):
     store, told = store_of(tmp_path), []
     store.changed.connect(lambda before, after: told.append((before, after)))
     before = store.state
@@ -33,7 +33,7 @@ def test_a_change_is_told_once_with_what_was_before(qapp, tmp_path):
     assert len(told) == 1
 
 
-def test_who_hears_later_hears_of_changes_in_their_order(qapp, tmp_path):
+def test_later_receivers_get_changes_in_order(qapp, tmp_path):
     """A change by one who hears of another one would else be told before that one, and undone after it."""
     store, seen = store_of(tmp_path), []
 
@@ -75,7 +75,7 @@ def test_fields_that_preferences_of_the_same_name_remember_are_remembered(qapp, 
     assert again.grid
 
 
-def test_what_another_one_has_remembered_is_taken_over_when_asked(qapp, tmp_path):
+def test_preferences_of_another_window_are_read_on_request(qapp, tmp_path):
     store = store_of(tmp_path)
     other = store_of(tmp_path)
     other.change(snap_on=True)
@@ -95,7 +95,7 @@ SWITCHES = [
 ]
 
 
-def test_a_switch_shows_the_state_and_asks_for_another_one(editor):
+def test_a_switch_shows_the_state_and_requests_a_change(editor):
     editor.trigger("familyHermite")
     for name, field in SWITCHES:
         store, action = editor.window.store, editor.action(name)
@@ -118,7 +118,7 @@ def test_while_the_mouse_moves_the_image_no_tool_for_points_looks_as_if_in_use(e
     assert editor.action("selectTool").isChecked()
 
 
-def test_nobody_asks_an_action_whether_it_is_checked():
+def test_no_code_reads_is_checked_of_an_action():
     """A box of a dialog is asked: until the dialog is answered its value is nowhere else."""
     asked = {
         path.stem

@@ -95,7 +95,7 @@ def test_taking_out_the_edited_curve_hands_on_to_its_neighbour(five):
     assert chosen(five) == "C"
 
 
-def test_a_plain_click_chooses_one(five):
+def test_a_plain_click_selects_one_curve(five):
     choose(five, "BCE")
     click_row(five, 1)
     assert chosen(five) == "B"
@@ -130,7 +130,7 @@ def test_shift_and_arrows_extend_and_shrink(five):
     assert chosen(five) == "C"
 
 
-def test_control_a_in_the_list_chooses_all_and_on_the_canvas_the_points(five):
+def test_control_a_in_the_list_selects_all_and_on_the_canvas_the_points(five):
     view = five.window.commands[CurveListCommands].panel.view
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_A, CTRL)
@@ -141,7 +141,7 @@ def test_control_a_in_the_list_chooses_all_and_on_the_canvas_the_points(five):
     assert five.session.selection == {0, 1, 2, 3}
 
 
-def test_the_action_chooses_all(five):
+def test_the_action_selects_all(five):
     five.run_command("Select All Curves")
     assert chosen(five) == "BACDE"
     # Once more is harmless, and no warning.
@@ -160,7 +160,7 @@ def test_the_list_tells_a_screen_reader(five):
 # Choosing on the canvas
 
 
-def test_shift_click_on_another_curve_chooses_it_too(five):
+def test_shift_click_adds_another_curve_to_the_selection(five):
     five.select([1, 2])
     at = on_curve(five, 3)
     five.hover(at)
@@ -174,7 +174,7 @@ def test_shift_click_on_another_curve_chooses_it_too(five):
     assert five.status == "Only “B” is selected."
 
 
-def test_a_click_on_a_chosen_curve_edits_it_alone(five):
+def test_a_click_on_a_selected_curve_edits_that_curve_alone(five):
     choose(five, "BD")
     five.click(on_curve(five, 3))
     assert chosen(five) == "D"
@@ -189,7 +189,7 @@ def test_by_clicks_the_points_are_let_go_first_then_the_other_curves(five):
         assert (five.session.selection, chosen(five)) == (frozenset(), expected)
 
 
-def test_the_status_line_says_what_the_tools_act_on(five):
+def test_the_status_line_names_the_curves_that_tools_act_on(five):
     choose(five, "BD")
     five.hover((-1.5, 4.4))
     assert five.window.status_line.hint.startswith("2 curves selected, “B” is edited · G moves, S scales")
@@ -212,7 +212,7 @@ def test_the_sheet_names_the_selected_curves(five):
 # The choice is kept valid
 
 
-def test_the_choice_follows_its_curves_through_changes_of_the_list(five):
+def test_the_selection_follows_its_curves_through_changes_of_the_list(five):
     choose(five, "BDE")
     five.trigger("raiseCurve")
     assert (names(five), chosen(five)) == ("ACBDE", "BDE")
@@ -225,7 +225,7 @@ def test_the_choice_follows_its_curves_through_changes_of_the_list(five):
     assert chosen(five) == "BDE"
 
 
-def test_the_choice_ends_with_what_replaces_the_edited_curve(five):
+def test_replacing_the_edited_curve_ends_the_selection(five):
     choose(five, "BDE")
     five.trigger("newCurve")
     assert chosen(five) == "Curve 1"
@@ -246,7 +246,7 @@ def test_the_choice_ends_with_the_document(five):
 # Commands
 
 
-def test_all_chosen_are_hidden_and_shown_in_one_step(five):
+def test_all_selected_curves_are_hidden_and_shown_in_one_step(five):
     choose(five, "BDE")
     five.trigger("curveVisible")
     assert [curve.visible for curve in five.session.document.curves] == [True, False, True, False, False]
@@ -256,7 +256,7 @@ def test_all_chosen_are_hidden_and_shown_in_one_step(five):
     assert undo_text(five) == "Show 3 curves"
 
 
-def test_all_chosen_are_locked_and_freed(five):
+def test_all_selected_curves_are_locked_and_freed(five):
     choose(five, "BD")
     click_row(five, 3, spot=Spot.LOCK)
     assert [curve.locked for curve in five.session.document.curves] == [False, True, False, True, False]
@@ -265,7 +265,7 @@ def test_all_chosen_are_locked_and_freed(five):
     assert not any(curve.locked for curve in five.session.document.curves)
 
 
-def test_all_chosen_get_a_colour(five):
+def test_all_selected_curves_get_a_colour(five):
     choose(five, "BDE")
     click_row(five, 4, spot=Spot.SWATCH)
     five.choose("colour_Vermillion")
@@ -275,7 +275,7 @@ def test_all_chosen_get_a_colour(five):
 
 
 @pytest.mark.parametrize("how", ["action", "Delete", "Delete in the list"])
-def test_all_chosen_are_deleted_in_one_step(five, how):
+def test_all_selected_curves_are_deleted_in_one_step(five, how):
     document = five.session.document
     choose(five, "BDE")
     assert five.action("deleteCurve").text() == "Delete 3 Curves"
@@ -292,7 +292,7 @@ def test_all_chosen_are_deleted_in_one_step(five, how):
     assert five.session.document == document
 
 
-def test_all_chosen_are_duplicated_and_the_copies_chosen(five):
+def test_all_selected_curves_are_duplicated_and_the_copies_selected(five):
     choose(five, "CB")
     five.trigger("duplicateCurve")
     assert [curve.name for curve in five.session.document.curves[1:5]] == ["B", "C", "B copy", "C copy"]
@@ -343,7 +343,7 @@ def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(fiv
 # Transforms
 
 
-def test_dragging_one_moves_all_chosen(five):
+def test_dragging_one_selected_curve_moves_all(five):
     before = five.session.document
     choose(five, "BD")
     x, y = on_curve(five, 3)
@@ -370,7 +370,7 @@ def test_shift_keeps_the_drag_to_an_axis(five):
     assert chosen(five) == "BD"
 
 
-def test_dragging_a_curve_that_is_not_chosen_moves_that_one_alone(five):
+def test_dragging_an_unselected_curve_moves_that_curve_alone(five):
     before = five.session.document
     choose(five, "BD")
     x, y = on_curve(five, 4)
@@ -396,7 +396,7 @@ def test_bending_and_points_of_the_edited_curve_work_as_ever(five):
     ("key", "typed", "name"),
     [("G", "x2.5", "Move 2 curves"), ("S", "y2", "Scale 2 curves"), ("R", "90", "Rotate 2 curves")],
 )
-def test_keys_transform_all_chosen_by_a_typed_amount(five, key, typed, name):
+def test_keys_transform_all_selected_curves_by_a_typed_amount(five, key, typed, name):
     choose(five, "BC")
     box = five.window.canvas.marks.box
     assert box_shown(five) == pytest.approx(sampled_bounds(five, 1, 2), abs=CLOSE)
@@ -428,7 +428,7 @@ def test_keys_transform_all_chosen_by_a_typed_amount(five, key, typed, name):
 
 
 @pytest.mark.parametrize("how", ["Escape", "right button"])
-def test_a_transform_of_all_chosen_is_taken_back(five, how):
+def test_a_transform_of_all_selected_curves_is_cancelled(five, how):
     document, steps = five.session.document, five.session.undo_stack.count()
     choose(five, "BCE")
     for key in (Qt.Key.Key_G, Qt.Key.Key_S, Qt.Key.Key_R):
@@ -448,7 +448,7 @@ def test_a_transform_of_all_chosen_is_taken_back(five, how):
 
 
 @pytest.mark.parametrize("how", ["Escape", "right button"])
-def test_a_drag_of_all_chosen_is_taken_back(five, how):
+def test_a_drag_of_all_selected_curves_is_cancelled(five, how):
     document = five.session.document
     choose(five, "BC")
     for what, start in {"curve": on_curve(five, 2), "grip": five.grip(1, 1), "turn": five.grip()}.items():
@@ -467,7 +467,7 @@ def test_a_drag_of_all_chosen_is_taken_back(five, how):
         assert five.session.document is document, what
 
 
-def test_a_grip_scales_all_chosen_about_the_opposite_corner(five):
+def test_a_grip_scales_all_selected_curves_about_the_opposite_corner(five):
     choose(five, "BC")
     before = sampled_bounds(five, 1, 2)
     x, y = five.grip(1, 1)
@@ -501,7 +501,7 @@ def test_the_point_under_the_pointer_snaps_to_a_curve_that_stays(five):
     assert tuple(positions(five, 1)[3]) == pytest.approx((goal[0], goal[1] - 2))
 
 
-def test_arrows_nudge_all_chosen_and_are_one_step(five):
+def test_arrows_nudge_all_selected_curves_and_are_one_step(five):
     before = five.session.document
     choose(five, "BD")
     step = round_step_above(2 * five.window.canvas.camera.pixel_size)
@@ -535,7 +535,7 @@ def test_the_box_is_there_for_several_curves_only(five):
 # Seen
 
 
-def test_chosen_curves_are_drawn_with_rings(five):
+def test_selected_curves_are_drawn_with_rings(five):
     canvas = five.window.canvas
     accent = five.window.canvas.layers.theme.accent
 
@@ -556,7 +556,7 @@ def test_chosen_curves_are_drawn_with_rings(five):
     assert not ringed(3)
 
 
-def test_a_chosen_curve_that_is_hidden_is_faint_and_moves_along(five):
+def test_a_selected_curve_that_is_hidden_is_faint_and_moves_along(five):
     before = five.session.document
 
     def strength():
@@ -580,7 +580,7 @@ def test_a_chosen_curve_that_is_hidden_is_faint_and_moves_along(five):
     ) is None  # fmt: skip
 
 
-def test_what_is_not_dragged_is_not_painted_anew(five):
+def test_curves_outside_a_drag_are_not_painted_again(five):
     choose(five, "BDE")
     canvas = five.window.canvas
     five.settle()
@@ -613,7 +613,7 @@ def test_choosing_drops_no_row_drag(five):
 # Clipboard
 
 
-def test_all_chosen_are_copied_and_pasted(five):
+def test_all_selected_curves_are_copied_and_pasted(five):
     choose(five, "BC")
     originals = five.session.document.curves
     five.key(Qt.Key.Key_C, CTRL)
@@ -629,7 +629,7 @@ def test_all_chosen_are_copied_and_pasted(five):
     assert undo_text(five) == "Paste 2 curves"
 
 
-def test_all_chosen_are_cut(five):
+def test_all_selected_curves_are_cut(five):
     choose(five, "BD")
     five.key(Qt.Key.Key_X, CTRL)
     assert (names(five), chosen(five), undo_text(five)) == ("ACE", "C", "Cut 2 curves")
@@ -637,7 +637,7 @@ def test_all_chosen_are_cut(five):
     assert (names(five), chosen(five)) == ("ACEBD", "BD")
 
 
-def test_what_is_no_curve_on_the_clipboard_is_told(five):
+def test_pasting_without_curves_on_the_clipboard_is_refused(five):
     data = QMimeData()
     data.setData(CURVES, b"{")
     QApplication.clipboard().setMimeData(data)
@@ -647,7 +647,7 @@ def test_what_is_no_curve_on_the_clipboard_is_told(five):
     assert five.session.document is document
 
 
-def test_what_an_older_program_copied_besides_is_told(five):
+def test_data_of_older_versions_on_the_clipboard_are_reported(five):
     data = QMimeData()
     content = encode(Document((make_curve([(0.0, 0.0), (1.0, 1.0)], name="Old"),)))
     more = b'"version": 2, "kept_texts": [{}, {}],'
@@ -662,7 +662,7 @@ def test_what_an_older_program_copied_besides_is_told(five):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
+def test_curves_that_are_imported_to_others_are_selected(five, tmp_path):
     path = tmp_path / "drawing.svg"
     path.write_text('<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9"/><path d="M0 9L9 0"/></svg>')
     five.window.commands[ImportCommands].import_files([path])
@@ -676,7 +676,7 @@ def test_curves_that_are_imported_to_others_are_chosen(five, tmp_path):
 
 
 @pytest.mark.parametrize(("name", "order"), [("raiseCurve", "ACBED"), ("lowerCurve", "BADCE")])
-def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
+def test_selected_curves_are_raised_and_lowered_together(five, name, order):
     five.session.selected.set_curves({1, 3})
     five.trigger(name)
     verb = "Raise" if name == "raiseCurve" else "Lower"
@@ -695,7 +695,7 @@ def test_chosen_curves_are_raised_and_lowered_together(five, name, order):
         (Qt.Key.Key_End, "BDACE", "Lower 2 curves to bottom"),
     ],
 )
-def test_chosen_curves_go_to_the_top_and_the_bottom_together(five, key, order, name):
+def test_selected_curves_go_to_the_top_and_the_bottom_together(five, key, order, name):
     five.session.selected.set_curves({1, 3})
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     five.key(key, both)
@@ -708,7 +708,7 @@ def test_chosen_curves_go_to_the_top_and_the_bottom_together(five, key, order, n
     assert (names(five), chosen(five)) == ("ABCDE", "BD")
 
 
-def test_chosen_rows_are_dragged_together(five):
+def test_selected_rows_are_dragged_together(five):
     five.session.selected.set_curves({1, 2}, 1)
     view = five.window.commands[CurveListCommands].panel.view
     start, end = view.parts.row_rect(2).center(), view.parts.row_rect(4).top()
@@ -754,7 +754,7 @@ def fine_lines(editor, count):
     return editor
 
 
-def test_many_chosen_curves_keep_their_colours_and_boxes_mark_them(editor):
+def test_many_selected_curves_keep_their_colours_and_boxes_mark_them(editor):
     """More than twelve fine lines had a line in the colour of choice in place of their own."""
     fine_lines(editor, 14)
     canvas = editor.window.canvas
@@ -771,7 +771,7 @@ def test_many_chosen_curves_keep_their_colours_and_boxes_mark_them(editor):
     assert accent.name() not in {after.pixelColor(x, top + 20).name() for x in range(left - 2, left + 3)}
 
 
-def test_the_box_is_as_large_as_what_it_is_around_and_its_grips_lie_beside_it(five):
+def test_the_box_has_the_size_of_the_curves_and_its_grips_lie_outside(five):
     """They lay sixteen pixels off, where nothing but a line can be pressed."""
     five.session.selected.select_whole([0, 1])
     five.settle()

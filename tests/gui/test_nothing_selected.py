@@ -32,7 +32,7 @@ def none(waves):
     return three
 
 
-def test_no_action_changes_a_curve_that_nobody_chose(none):
+def test_no_action_changes_an_unselected_curve(none):
     session, before, tried = none.session, none.session.document, []
     for each in all_actions():
         action = none.action(each.name)
@@ -57,7 +57,7 @@ KEYS_OF_CURVES = [
 ]
 
 
-def test_a_key_of_a_curve_says_that_none_is_chosen(none):
+def test_a_key_of_a_curve_is_refused_without_a_selection(none):
     for key, held in KEYS_OF_CURVES:
         before = none.session.document
         none.key(key, held)
@@ -105,7 +105,7 @@ def test_the_bar_and_the_form_show_that_there_is_no_curve_and_take_nothing(none)
     assert session.document.curves[1].name == "Leaf"
 
 
-def test_enter_edits_what_was_chosen_also_when_the_pointer_has_left(none):
+def test_enter_edits_the_selected_curve_after_the_pointer_has_left(none):
     """It sought a point below a pointer at infinity, and warned of numbers that are none."""
     none.hover(none.point(1))
     QApplication.sendEvent(none.window.canvas, QEvent(QEvent.Type.Leave))
@@ -125,7 +125,7 @@ def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(
     assert editor.curve.family.name == "quintic_hermite"
 
 
-def test_a_digit_leaves_curves_that_are_chosen_as_wholes_and_the_toolbar_changes_them(none):
+def test_a_digit_key_keeps_selected_wholes_and_the_toolbar_changes_them(none):
     none.session.selected.select_whole((0, 2))
     before = none.session.document
     none.key(Qt.Key.Key_5)
@@ -143,7 +143,7 @@ def test_a_digit_leaves_curves_that_are_chosen_as_wholes_and_the_toolbar_changes
     assert none.curve.family.name == "septic_hermite"
 
 
-def test_all_curves_can_be_chosen_also_where_there_is_one(waves):
+def test_a_single_curve_can_be_selected_with_select_all(waves):
     """It said that none was left to choose, beside "Nothing is chosen"."""
     one = waves("A")
     one.escape()
@@ -166,7 +166,7 @@ def test_measuring_takes_up_no_curve(none):
         assert not none.session.selected.marked, key
 
 
-def test_measuring_leaves_what_is_edited_or_chosen(none):
+def test_measuring_keeps_the_selection(none):
     none.session.selected.select_whole((0, 1))
     none.key(Qt.Key.Key_M)
     assert none.session.selected.whole_curves == {0, 1}
