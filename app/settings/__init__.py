@@ -1,4 +1,4 @@
-"""Settings: what is remembered between starts.
+"""Settings that are remembered between starts.
 
 - ``preferences``: all settings, as attributes.
 - ``kinds``: the kinds of settings.  ``file``: the ini file that holds them.

@@ -81,7 +81,7 @@ class Setting(ABC, Generic[Value]):
         self.write(owner.file, value)
 
     def read(self, file: SettingsFile) -> Value:
-        """Return what the file holds, or the default."""
+        """Return the value in the file, or the default."""
         return self._read(file)
 
     def write(self, file: SettingsFile, value: Value) -> None:

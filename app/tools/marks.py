@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import msgspec
-from msgspec.structs import asdict, replace
 
 from ..document.model import Vector
 from ..view_model.curve.curve_view import CurveView
@@ -80,8 +79,3 @@ class Marks(msgspec.Struct, frozen=True):
     line: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None
-
-    def above(self, below: Marks) -> Marks:
-        """Return both; of what both have, this."""
-        drawn = {name: value for name, value in asdict(self).items() if value not in (None, ())}
-        return replace(below, **drawn)
