@@ -81,7 +81,7 @@ class Files:
     def note_export(self, export: Export) -> None:
         """Take note of an export, also of one that a file tells of.
 
-        It is saved with the next change, and nobody is asked about it alone.
+        It is saved with the next change; an export alone is no unsaved change.
         """
         self._exports[self.origin] = export
 
@@ -163,7 +163,7 @@ class Files:
         after = HistoryState(document, 0, DocumentOrigin(path, title, self.origin))
         session.history.push(session.state, after, text)
         self.note_export(document.export)
-        # What is in front now is as it came; the work that was left is told of by `left`.
+        # The new document is unchanged; the signal `left` reports the one before.
         session.undo_stack.setClean()
         session.file_changed.emit()
         session.opened.emit()
@@ -184,7 +184,7 @@ class Files:
         """Begin a history with `document`; its views may be given."""
         if file is None and path is not None:
             file = OpenFile.adopt(path, self.file)
-        # The path comes later: what is put away of the document before leaves this file alone.
+        # The path comes later: closing the document before does not touch this file.
         self._take(None, file)
         origin = origin or DocumentOrigin()
         self._exports = {origin: document.export}
@@ -235,7 +235,7 @@ class Files:
             self._session.file_changed.emit()
 
     def give_up_changes(self) -> None:
-        """Let the document go as it is, unsaved: nobody is asked about it."""
+        """Give up unsaved changes without a question."""
         self._session.undo_stack.setClean()
         if self.file is not None:
             self.file.accept()

@@ -35,7 +35,7 @@ class DocumentOrigin(msgspec.Struct, frozen=True, eq=False):
     file_stem
         Name for its file without ending; empty for that of a curve.
     is_disposable
-        Whether it is the first sketch or an empty document: unchanged, it is nobody's work.
+        Whether it is the first sketch or an empty document, which may be replaced while unchanged.
     """
 
     copied: Path | None = None
@@ -151,7 +151,7 @@ class History:
             self.stack.clear()
 
     def end_run(self) -> None:
-        """Let the next change be a step of its own."""
+        """Make the next change a step of its own."""
         self._run = None
 
     @property

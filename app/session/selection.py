@@ -38,9 +38,9 @@ if TYPE_CHECKING:
 class Selection:
     """Selected points and curves, and the point under the pointer; each names something that exists.
 
-    One curve is edited, and with it those of its shape and those chosen beside it: their points are shown
-    and selected, some of the active one if any. Or none is, and curves are chosen as wholes; the active one
-    is then the last that was edited or chosen. The session's signals report each change.
+    One curve is edited, and with it those of its shape and those selected beside it: their points are shown
+    and selected, some of the active one if any. Or none is, and curves are selected as wholes; the active one
+    is then the last that was edited or selected. The session's signals report each change.
 
     Attributes
     ----------
@@ -49,16 +49,16 @@ class Selection:
     curves
         Indices of the curves that are worked on together; the active one is one of them.
     last
-        The curve that was chosen last, of several at once the foremost.
+        The curve that was selected last, of several at once the foremost.
     is_editing
         Whether the active curve is edited.
     hovered
         The point under the pointer, or -1.
     is_lent
-        Whether a tool took up the active curve while nothing was selected: nobody chose it.
+        Whether a tool began to edit the active curve while nothing was selected.
     next_style
-        The style that was set, or used last, while nothing was selected, or before the chosen curves were
-        brought here: that of what is drawn next. None where that looks like the active curve.
+        The style that was set, or used last, while nothing was selected, or before curves were
+        imported: that of the next curve drawn. None where that looks like the active curve.
     """
 
     def __init__(self, session: Session) -> None:
@@ -67,7 +67,7 @@ class Selection:
         self.curves = frozenset({0})
         self.is_editing = True
         self.last = 0
-        # While no curve is edited, those that are chosen: all of `curves`, or none at all.
+        # While no curve is edited, those selected as wholes: all of `curves`, or none at all.
         self._whole_curves: frozenset[int] = frozenset()
         self.hovered = -1
         self.is_implicit = False
@@ -80,7 +80,7 @@ class Selection:
 
     @property
     def active_curves(self) -> frozenset[int]:
-        """The curves whose points can be selected: the active one, its shape, and those chosen with it."""
+        """The curves whose points can be selected: the active one, its shape, and those selected with it."""
         return self.with_shapes if self.is_editing else frozenset()
 
     @property
@@ -108,7 +108,7 @@ class Selection:
         """
         if self.group.parts and not whole_curves:
             return ClipboardSelection(self.group.curves, self.group)
-        # One curve of a shape can be chosen alone, in the list.
+        # One curve of a shape can be selected alone, in the list.
         return ClipboardSelection(self.with_shapes if self.is_editing else self._whole_curves)
 
     @property
@@ -205,7 +205,7 @@ class Selection:
         self._take(expand_to_shapes(document, existing), is_editing=False)
 
     def edit_active(self) -> None:
-        """Edit the active curve, because the tool needs one; it is implicit where nobody selected it."""
+        """Edit the active curve, because the tool needs one; implicitly where it was not selected."""
         is_lent, style = self.is_implicit or not self.marked, self.next_style
         self.activate(self._session.active_index)
         self.is_implicit, self.next_style = is_lent, style
@@ -216,7 +216,7 @@ class Selection:
         self.next_style = style
 
     def show_whole(self, indices: Collection[int]) -> None:
-        """Show curves as chosen while a gesture goes on; `choose` or `restore` ends it."""
+        """Show whole curves as selected during a gesture; `select_whole` or `restore` ends it."""
         self._whole_curves = frozenset(indices)
         self._session.selected_curves_changed.emit(self.curves)
 
@@ -281,7 +281,7 @@ class Selection:
     def assign(
         self, curves: Collection[int], whole: Collection[int] = (), *, is_editing: bool = True
     ) -> None:
-        """Have these curves be the selected ones, and tell nobody; `whole` of them where none is edited."""
+        """Set the selected curves without a signal; `whole` of them where none is edited."""
         self.curves, self.is_editing = frozenset(curves), is_editing
         self._whole_curves = frozenset() if is_editing else frozenset(whole)
 
@@ -294,7 +294,7 @@ class Selection:
         self.next_style = None
 
     def begin_opened(self) -> None:
-        """Begin with a document that was opened: nobody chose its curves.
+        """Begin with a document that was opened: its curves are edited implicitly.
 
         None hidden or locked is edited.
         """
@@ -303,7 +303,7 @@ class Selection:
             self.select_whole(())
 
     def reset(self) -> None:
-        """Edit the active curve, with nothing of it selected, and tell nobody yet."""
+        """Edit the active curve, with no point selected, without a signal yet."""
         active = self._session.active_index
         self.assign((active,))
         self.group, self.last = NO_POINTS, active
@@ -311,7 +311,7 @@ class Selection:
     # Around a gesture
 
     def begin_curve(self, index: int) -> None:
-        """Edit curve `index`, which a gesture begins, and nothing else; tell nobody yet."""
+        """Edit curve `index`, which a gesture begins, and nothing else; without a signal yet."""
         self.make_active(index)
         self.assign((index,))
         # It is not in the document yet.
@@ -329,12 +329,12 @@ class Selection:
     def following(self, before: Document) -> Iterator[None]:
         """Follow from a document to the present one, around the signal that reports it.
 
-        Nobody who is told of the document finds something named that it does not have. Whoever draws it has
-        to hear of the points first.
+        No listener of the signal finds a selected curve or point that the document does not have. The canvas
+        has to get the points before the selection.
         """
         session, curves = self._session, self._session.document.curves
         if session.active_index in self.curves and reshaped_curves(before, session.document) is not None:
-            # As under most drags: all that is selected, or pointed at, is where it was.
+            # As during most drags: selection and hovered point are unchanged.
             yield
             session.scrub.keep()
             return
@@ -362,7 +362,7 @@ class Selection:
     def select_returned(self, document: Document, then: SelectionState | None) -> None:
         """Select the points or curves that undo or redo has brought back; restore the selection of `then`.
 
-        That is so, too, where what was edited or chosen since goes with the step, as copies do.
+        Likewise where curves selected since are removed with the step, as copies are.
         """
         now, before = self._session.committed, document.curves
         curves = now.curves
@@ -379,8 +379,8 @@ class Selection:
 def _comes_back(then: SelectionState, returned: Collection[int], now: Selection, *, is_left: bool) -> bool:
     """Return whether the selection before a step is restored, because undo has brought back some of it.
 
-    Likewise where nothing is selected any more, for what the step has made is gone: then points of what was
-    edited, or what was chosen as a whole.
+    Likewise where nothing is selected any more, because the curves that the step had made are removed: then
+    points of edited curves, or whole curves.
     """
     has_gone = is_left and not now.marked
     if then.is_editing:

@@ -33,9 +33,8 @@ _log = logging.getLogger("curvebench.session")
 class Batch:
     """A batch of signals that belong together: true while it is entered.
 
-    A step changes the document, what is selected and the history, and each has a signal of its own. Who shows
-    all of them together, at every one of these, would show the same several times, and what never was in
-    between: it waits for the end.
+    A step changes document, selection and history, and each has its signal. A listener that renders all three
+    would render several times, intermediate states among them; with `then` it waits for the end of the batch.
     """
 
     def __init__(self) -> None:
@@ -57,7 +56,7 @@ class Batch:
             show()
 
     def then(self, show: Callable[[], object]) -> None:
-        """Call `show` when all is told, once; right now, where nothing is being told."""
+        """Call `show` once at the end of the batch; right now outside a batch."""
         if self:
             self._waiting[show] = None
         else:
@@ -82,9 +81,9 @@ class SessionSignals(QObject):
     hovered_changed
         The pointer is over another point (its index, or -1), on the canvas or in the basis panel.
     scrub_changed
-        The scrub line was moved to another t, or put away (None).
+        The scrub line was moved to another t, or hidden (None).
     pivot_changed
-        Another pivot was chosen, or it has gone along with what it was chosen for.
+        Another pivot was set, or it has moved along with the points it was set for.
     grips_changed
         The grips of the box around what is selected do something else.
     file_changed
@@ -99,14 +98,14 @@ class SessionSignals(QObject):
         There is another step to undo or redo.
     interrupted
         The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
-        is void, and what has been said about the old one is out of date.
+        is void, and messages about the old document are out of date.
     message
         A `Message` for the person.
 
     Attributes
     ----------
-    telling
-        Entered while several of these tell of one thing.
+    batch
+        Entered while several signals report one change.
     """
 
     document_changed = Signal(object)
@@ -160,7 +159,7 @@ class Session(SessionSignals):
     selected
         Selected points and curves, the point under the pointer.
     box
-        What was chosen of the box around what is selected.
+        The pivot and the grips of the box around the selection.
     scrub
         The scrub line.
     """
@@ -269,7 +268,7 @@ class Session(SessionSignals):
 
     @property
     def target_view(self) -> CurveView | None:
-        """The view-model of the active curve; None while no curve is edited and none chosen.
+        """The view model of the active curve; None while no curve is edited and none selected.
 
         A blank document has nothing to choose from: its curve is the one that is about to be drawn.
         """
@@ -448,7 +447,7 @@ class Session(SessionSignals):
         self.selected.clear()
         self.scrub.set(None)
         self.box.set_pivot(None)
-        # Another document's curves are nobody's last good shape.
+        # Curves of another document have no last good shape here.
         self._views.take()
 
     def _restore(self, state: HistoryState, views: Sequence[CurveView] | None = None) -> None:

@@ -32,7 +32,7 @@ _ARM = 26.0
 _REACH = 8.0
 
 _LEAST_BOX, _LEAST_TURNING_BOX = 60.0, 20.0
-"""Pixels along a box with room for a pivot that nobody chose; fewer where its grips turn."""
+"""Pixels along a box with room for a pivot that was not set; fewer where its grips turn."""
 
 
 class TransformKind(Enum):
@@ -185,7 +185,7 @@ class SelectionBox:
         # The last group with its box, and what they were found for, the views first.
         self._known: tuple[object, ...] = ()
         self._result: tuple[PointGroup | None, TransformBox | None] = (None, None)
-        # All points of the curves that were chosen last as wholes, and which document and choice they are of.
+        # All points of the last whole curves, with the document and the curves they are of.
         self._whole: tuple[Document, frozenset[int], PointGroup] | None = None
 
     @property

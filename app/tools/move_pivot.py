@@ -58,7 +58,7 @@ class MovePivot(Gesture, kw_only=True):
     press, start
         The positions of the press and of the pivot then.
     before
-        The pivot that was chosen before.
+        The pivot that was set before.
     """
 
     press: Vector

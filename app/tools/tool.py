@@ -435,7 +435,7 @@ class GestureRow(msgspec.Struct, frozen=True):
     keys, what
         How it is made, and what it does.
     selected, curves
-        Whether it is done to selected points; to curves that are chosen as wholes.
+        Whether it needs selected points; curves that are selected as wholes.
     needs_derivatives
         Whether the points need velocities.
     """

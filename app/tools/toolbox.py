@@ -256,7 +256,7 @@ class Toolbox:
         if self.background.lines:
             marks = replace(marks, waiting=self.background.lines)
         if marks.pivot is None and (pivot := self.box.pivot) is not None:
-            # A chosen pivot is there whatever tool is in use.
+            # A pivot that was set is drawn whatever tool is in use.
             marks = replace(marks, pivot=pivot)
         return marks
 

@@ -52,7 +52,7 @@ DETAIL = ChoiceSetting(
 )
 
 _CLOSING = 12.0
-"""Pixels between beginning and end of a line that is meant to return."""
+"""Pixels between beginning and end of a line, up to which it counts as closed."""
 
 _LEAST_ROUND = 5.0
 """Times that length, from which on a line can return."""
