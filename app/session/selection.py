@@ -54,7 +54,7 @@ class Selection:
         Whether the active curve is edited.
     hovered
         The point under the pointer, or -1.
-    is_lent
+    is_implicit
         Whether a tool began to edit the active curve while nothing was selected.
     next_style
         The style that was set, or used last, while nothing was selected, or before curves were
