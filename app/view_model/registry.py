@@ -65,7 +65,7 @@ class Registry(Collection[_Record]):
         package = import_module(self._package)
         names = [module.name for module in pkgutil.iter_modules(package.__path__, f"{self._package}.")]
         members: list[Any] = [value for name in names for value in vars(import_module(name)).values()]
-        return self._sorted(module for module in members if isinstance(module, self._kind))
+        return self._sorted(member for member in members if isinstance(member, self._kind))
 
     @staticmethod
     def _sorted(records: Iterable[_Record]) -> list[_Record]:
