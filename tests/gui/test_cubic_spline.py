@@ -142,5 +142,5 @@ def test_the_band_the_bend_and_the_explanation_say_it(bent):
     x, y = bent.session.active_view.curve.evaluate(0.5)
     bent.press((float(x), float(y)), keys=Qt.KeyboardModifier.ControlModifier)
     bent.move((float(x) + 0.5, float(y) - 0.4), keys=Qt.KeyboardModifier.ControlModifier)
-    assert f"the points alone move, by weights {SMALL} ·" in bent.status
+    assert f"only the points move, by weights {SMALL} ·" in bent.status
     bent.escape()

@@ -12,10 +12,11 @@ To add a plot, add a module here with a `Plot` (``plot`` explains the fields); n
         title="Height y",
         symbol="y",
         rank=90,
-        values=lambda sampled: sampled.view.curve.evaluate(sampled.t)[:, 1],
+        orders=(0,),
+        values=lambda sampled: sampled.derivatives[0][:, 1],
     )
 
 `values` is called for the visible t, and for the t of the scrub line alone: each value depends only on the
 curve and on its own t. An integral along the curve begins at the start of the domain. `orders` names the
-derivatives that come with the samples. ``tests/gui/test_own_overlay.py`` adds one.
+derivatives that come with the samples, 0 the positions. ``tests/gui/test_own_overlay.py`` adds one.
 """
