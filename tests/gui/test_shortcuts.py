@@ -135,7 +135,7 @@ def test_no_keys_at_all(editor, keys):
     keys.choose("redo")
     keys.clear.click()
     assert editor.action("redo").shortcuts() == []
-    assert editor.action("redo").toolTip() == "Do the step again\nNothing to redo."
+    assert editor.action("redo").toolTip() == "Redo the last undone step\nNothing to redo."
 
 
 def test_changed_keys_are_saved(qtbot, tmp_path):
