@@ -92,7 +92,7 @@ class Drops:
         if others := self._context.files.trace(files.pictures):
             left.append(others)
         if files.elsewhere:
-            left.append(f"{count_of(files.elsewhere, 'link')} to no file of this computer left out.")
+            left.append(f"{count_of(files.elsewhere, 'link')} to files that are not on this computer skipped.")
         for import_files in self._import:
             import_files(files.imports)
         if left:
@@ -113,7 +113,7 @@ class Drops:
         beside = others[: MOST_WINDOWS - 1] if self.open_window is not None else []
         left += self._open_beside(beside)
         if len(others) > len(beside):
-            most = f"a drop opens {MOST_WINDOWS} documents" if beside else "there is one window"
+            most = f"a drop opens at most {MOST_WINDOWS} documents" if beside else "there is only one window"
             left.append(f"{_listed(others[len(beside) :])} not opened: {most}.")
         return left
 
@@ -128,7 +128,7 @@ class Drops:
                 # The file was readable a moment ago.
                 left.append(f"{path.name} was not opened. {problem}")
         if opened:
-            windows = "a window of its own" if len(opened) == 1 else "windows of their own"
+            windows = "a new window" if len(opened) == 1 else "new windows"
             names = names_of([path.name for path in opened])
             self._context.session.say(f"Opened {names} in {windows}.")
         return left

@@ -143,12 +143,12 @@ class FocusCommands:
 
     @action("nextPanel", "Next Panel", VIEW_FOCUS, "F6")
     def _go_on(self) -> None:
-        """Go on to the next panel with the keyboard."""
+        """Move the keyboard focus to the next panel."""
         self._walk(1)
 
     @action("previousPanel", "Previous Panel", VIEW_FOCUS, "Shift+F6")
     def _go_back(self) -> None:
-        """Go back to the panel before."""
+        """Move the keyboard focus to the previous panel."""
         self._walk(-1)
 
     def _walk(self, step: int) -> None:
@@ -173,7 +173,7 @@ class FocusCommands:
 
     @action("openMenuBar", "Menu Bar", VIEW_FOCUS, "F10")
     def _open_menu_bar(self) -> None:
-        """Open the first menu, to go on with the arrows."""
+        """Open the first menu; arrow keys open the others."""
         bar = self._context.window.menuBar()
         if bar.isVisible():
             bar.setActiveAction(bar.actions()[0])

@@ -62,7 +62,7 @@ LETTERS = {
     "sidp": "Side Panel",
     "frz": "Freeze Parameters",
     "export": "Export…",
-    "param cheb": "Chebyshev (2nd kind) Parameters",
+    "param cheb": "Chebyshev (2nd Kind) Parameters",
     "examples letter": "Letter S",
     "dark": "Theme: Dark",
     "panels history": "History Panel",

@@ -141,7 +141,7 @@ def test_all_documents_of_a_drop_are_opened(program, tmp_path):
     opened = [program.session.files.path, *(window.session.files.path for window in program.others())]
     assert sorted(opened) == paths
     assert program.session.files.path == paths[0]
-    assert program.status == "Opened b.curve.json and c.curve.json in windows of their own."
+    assert program.status == "Opened b.curve.json and c.curve.json in new windows."
     assert program.message == ""
 
 
@@ -160,14 +160,14 @@ def test_a_drop_opens_no_hundred_windows(program, tmp_path, monkeypatch):
     monkeypatch.setattr("app.window.drops.MOST_WINDOWS", 2)
     drop(program, *documents(tmp_path, "a", "b", "c", "d"))
     assert len(program.others()) == 1
-    assert program.message == "c.curve.json and d.curve.json were not opened: a drop opens 2 documents."
+    assert program.message == "c.curve.json and d.curve.json were not opened: a drop opens at most 2 documents."
 
 
 def test_with_a_single_window_a_drop_names_the_other_files(editor, tmp_path):
     paths = documents(tmp_path, "a", "b")
     drop(editor, *paths)
     assert editor.session.files.path == paths[0]
-    assert editor.message == "b.curve.json was not opened: there is one window."
+    assert editor.message == "b.curve.json was not opened: there is only one window."
 
 
 def test_a_mixed_drop_uses_all_supported_files(editor, files):
@@ -189,7 +189,7 @@ def test_a_mixed_drop_uses_all_supported_files(editor, files):
     assert editor.session.document.image is not None
     assert editor.message == (
         "b.png was not traced: a document has one reference image. "
-        "1 link to no file of this computer left out."
+        "1 link to files that are not on this computer skipped."
     )
 
 

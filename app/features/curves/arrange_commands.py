@@ -178,7 +178,7 @@ class ShapeCommands:
     )
     @also(CURVE_MENU(40))
     def _combine(self) -> None:
-        """Combine the selected curves to one shape with one fill; a curve inside another one is a hole."""
+        """Combine the selected curves into one shape with one fill; curves inside others become holes."""
         session, curves = self._session, _selected_with_shapes(self._session)
         views = [session.views[index] for index in sorted(curves)]
         has_holes = fills_holes([view.polyline for view in views if view.has_curve])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from string import capwords
 
 from PySide6.QtGui import QAction
 
@@ -210,7 +211,7 @@ class RuleCommands:
             kind.label,
             CURVE_RULES,
             tip=f"Use {kind.phrase} parameters" + (f": {kind.spaced}" if kind.spaced else ""),
-            full_name=f"{kind.label} Parameters",
+            full_name=f"{capwords(kind.label)} Parameters",
             checked=lambda state: state.parametrization is kind,
             group="parametrization",
         ),

@@ -116,7 +116,7 @@ class GuideCommands:
         full_name="Show Rulers",
     )
     def _toggle_rulers(self) -> None:
-        """Show rulers above and at the left of the canvas, or plain axes."""
+        """Show rulers above and to the left of the canvas, or plain axes."""
 
     @switch(
         "guides_visible",
@@ -183,7 +183,7 @@ class SnapCommands:
             f"snapTo{kind.value.capitalize()}",
             kind.label,
             VIEW_SNAP_TO,
-            tip=f"Snap to this target: {kind.label.lower()}",
+            tip=f"Turn snapping to this target on or off: {kind.label.lower()}",
             full_name=f"Snap To: {kind.label}",
             checked=lambda state: kind in state.window.snapping.kinds,
             keywords="magnet",

@@ -109,12 +109,12 @@ class ZoomCommands:
 
     @action("zoomIn", "Zoom In", VIEW_ZOOM_STEPS, "Ctrl+=, Ctrl++, +, =", "zoom-in")
     def _zoom_in(self) -> None:
-        """Zoom in on the canvas, about the pointer where it is over the canvas."""
+        """Zoom in, about the pointer if it is over the canvas."""
         self._zoom(ZOOM_STEP)
 
     @action("zoomOut", "Zoom Out", VIEW_ZOOM_STEPS, "Ctrl+-, -", "zoom-out")
     def _zoom_out(self) -> None:
-        """Zoom out on the canvas, about the pointer where it is over the canvas."""
+        """Zoom out, about the pointer if it is over the canvas."""
         self._zoom(1 / ZOOM_STEP)
 
     @action(
