@@ -83,7 +83,7 @@ class Drops:
         return True
 
     def take_drawing(self, event: QDropEvent, position: Vector) -> None:
-        """Add the curves of an accepted drag at a place."""
+        """Add the curves of an accepted drag at a position."""
         for paste in self._paste:
             paste(event.mimeData(), position)
 
@@ -92,7 +92,9 @@ class Drops:
         if others := self._context.files.trace(files.pictures):
             left.append(others)
         if files.elsewhere:
-            left.append(f"{count_of(files.elsewhere, 'link')} to files that are not on this computer skipped.")
+            left.append(
+                f"Skipped {count_of(files.elsewhere, 'link')} to files that are not on this computer."
+            )
         for import_files in self._import:
             import_files(files.imports)
         if left:

@@ -160,7 +160,9 @@ def test_a_drop_opens_no_hundred_windows(program, tmp_path, monkeypatch):
     monkeypatch.setattr("app.window.drops.MOST_WINDOWS", 2)
     drop(program, *documents(tmp_path, "a", "b", "c", "d"))
     assert len(program.others()) == 1
-    assert program.message == "c.curve.json and d.curve.json were not opened: a drop opens at most 2 documents."
+    assert (
+        program.message == "c.curve.json and d.curve.json were not opened: a drop opens at most 2 documents."
+    )
 
 
 def test_with_a_single_window_a_drop_names_the_other_files(editor, tmp_path):
@@ -189,7 +191,7 @@ def test_a_mixed_drop_uses_all_supported_files(editor, files):
     assert editor.session.document.image is not None
     assert editor.message == (
         "b.png was not traced: a document has one reference image. "
-        "1 link to files that are not on this computer skipped."
+        "Skipped 1 link to files that are not on this computer."
     )
 
 

@@ -37,7 +37,7 @@ class CurveList(SafeOverrides, QWidget):
     row_targeted
         A menu about the row of a node is wanted.
     menu_requested
-        A menu is wanted at a place of the screen.
+        A menu is requested at a position of the screen.
 
     Attributes
     ----------
