@@ -27,7 +27,7 @@ def _words(document: Document, path: str) -> str:
     parts: list[str] = []
     for name, index in _FIELD.findall(path):
         fields = fields_of(type(value)) if isinstance(value, Value) else ()
-        field = next((each for each in fields if each.name == name), None)
+        field = next((entry for entry in fields if entry.name == name), None)
         if field is None:
             return ""
         value = getattr(value, name)

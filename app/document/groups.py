@@ -87,7 +87,7 @@ def tidy_shapes(document: Document, before: Document | None = None) -> Document:
         return document
     if not any(curve.shape or curve.groups for curve in document.curves):
         return document
-    curves = list(_with_own_groups(_with_whole_shapes(document)))
+    curves = list(_with_unused_group_names(_with_whole_shapes(document)))
     if any(new is not old for new, old in zip(curves, document.curves, strict=True)):
         return replace(document, curves=tuple(curves))
     return document
@@ -116,7 +116,7 @@ def _with_whole_shapes(document: Document) -> Iterator[Curve]:
             yield with_field_values(part, shared)
 
 
-def _with_own_groups(curves: Iterable[Curve]) -> Iterator[Curve]:
+def _with_unused_group_names(curves: Iterable[Curve]) -> Iterator[Curve]:
     """Yield the curves, each group under a name of its own, nested at most `_DEEPEST` deep."""
     used: set[str] = set()
     before: tuple[str, ...] = ()

@@ -73,7 +73,7 @@ def _within(indices: frozenset[int], count: int) -> frozenset[int]:
 def followed_selection(
     state: SelectionState, before: Sequence[Curve], after: Sequence[Curve]
 ) -> SelectionState:
-    """Return what is selected after a change: the same curves and points, at their new indices.
+    """Return the selection after a change: the same curves and points, at their new indices.
 
     The active curve is one of `after`. Where the edited curves are gone and no curve has replaced them, no
     curve is edited and none selected: the next key does not act on a curve that nobody asked for.

@@ -79,7 +79,7 @@ def transform_group(document: Document, group: PointGroup, by: Affine) -> Docume
         document,
         group,
         positions_mapped(by),
-        lambda each, curve, indices: transform_points(each, curve, indices, by),
+        lambda new, curve, indices: transform_points(new, curve, indices, by),
     )
 
 

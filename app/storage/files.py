@@ -108,7 +108,7 @@ def document_in(data: bytes, path: str | os.PathLike[str]) -> Decoded:
     return Decoded(with_absolute_image_path(decoded.document, folder_of(path)), decoded.left_out)
 
 
-def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None = None) -> Stamp:
+def save(path: str | os.PathLike[str], document: Document, *, expected: Stamp | None = None) -> Stamp:
     """Write a document to `path`, completely or not at all, with the path of its image relative to `path`.
 
     A file of an older version of the format is first copied to a backup (``name.v0.bak``); a file of a newer
@@ -116,7 +116,7 @@ def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None
 
     Parameters
     ----------
-    seen
+    expected
         Stamp of the file when it was last read: a file that has changed since is not replaced. By default any
         file is replaced.
 
@@ -128,10 +128,10 @@ def save(path: str | os.PathLike[str], document: Document, *, seen: Stamp | None
         If the file cannot be written; the old file is unchanged.
     """
     data = encode(with_relative_image_path(document, folder_of(path)))
-    return write(path, data, before_replacing=lambda target: _check_replaceable(path, target, seen))
+    return write(path, data, before_replacing=lambda target: _check_replaceable(path, target, expected))
 
 
-def _check_replaceable(path: str | os.PathLike[str], target: Path, seen: Stamp | None) -> None:
+def _check_replaceable(path: str | os.PathLike[str], target: Path, expected: Stamp | None) -> None:
     """Raise StorageError if the file must not be replaced; back up a file of an older version."""
     try:
         present = read_content(target)
@@ -139,10 +139,10 @@ def _check_replaceable(path: str | os.PathLike[str], target: Path, seen: Stamp |
         return
     except StorageError:
         # The file may be written but not read: compare its status in the folder instead.
-        if seen is not None and not seen.is_of(target.stat()):
+        if expected is not None and not expected.is_of(target.stat()):
             raise _changed(path) from None
         return
-    if seen is not None and present.stamp.digest != seen.digest:
+    if expected is not None and present.stamp.digest != expected.digest:
         raise _changed(path)
     version = version_of(present.data)
     if version is not None and version > VERSION:

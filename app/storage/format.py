@@ -212,7 +212,7 @@ def version_of(data: bytes) -> int | None:
 
 
 def _migrated(data: bytes, version: int) -> tuple[_File, LeftOut]:
-    """Return the content of a file of an older version as one of this version, and what was left out."""
+    """Return the content of a file of an older version as one of this version, and the lost features."""
     values = _values_in(data)
     try:
         migration = migrated(values, version, VERSION)

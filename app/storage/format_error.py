@@ -132,10 +132,10 @@ def foreign_content_clause(data: bytes) -> str:
 
 
 def foreign_name_clause(name: str) -> str:
-    """Return, as a clause, why a file of this name is not read; empty of what may be."""
+    """Return the clause that a file of a foreign format, by its name, cannot be opened; empty for others."""
     name = name.lower()
     return next(
-        (_clause(each) for each in FOREIGN_FORMATS if each.endings and name.endswith(each.endings)), ""
+        (_clause(kind) for kind in FOREIGN_FORMATS if kind.endings and name.endswith(kind.endings)), ""
     )
 
 

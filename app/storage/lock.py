@@ -106,12 +106,12 @@ class ProcessLock:
         A deleted lock file is created again.
         """
         with suppress(OSError):
-            found = _read(self.path)
-            if found is None:
+            owner = _read(self.path)
+            if owner is None:
                 with folder_lock(self.path.parent):  # not while another process takes it over
                     self._descriptors.append(_create(self.path, self._owner))
-            elif found.mark != self._owner.mark:
-                return found
+            elif owner.mark != self._owner.mark:
+                return owner
         return None
 
     def release(self) -> None:

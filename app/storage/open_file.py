@@ -189,7 +189,7 @@ class OpenFile:
     def _save(self, document: Document, *, overwrite: bool) -> None:
         self._refuse_if_not_ours()
         try:
-            self.stamp = files.save(self.path, document, seen=None if overwrite else self.stamp)
+            self.stamp = files.save(self.path, document, expected=None if overwrite else self.stamp)
         except UnconfirmedError as problem:
             self.stamp, self.change = problem.stamp, FileChange.SAME
             raise

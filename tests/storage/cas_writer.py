@@ -27,7 +27,7 @@ def main(path: Path, signal: Path, rounds: int) -> None:
         # Long enough that a half written file would show.
         points = [(number + 1.0, 0.0)] + [(float(index), 1.0) for index in range(200)]
         try:
-            save(path, Document((make_curve(points),)), seen=content.stamp)
+            save(path, Document((make_curve(points),)), expected=content.stamp)
         except ChangedOnDiskError:
             continue
         saved += 1

@@ -71,9 +71,9 @@ class DocumentCommands:
     def _quit(self) -> None:
         """Close all windows; you are asked about unsaved changes first."""
         others = [
-            each
-            for each in QApplication.topLevelWidgets()
-            if isinstance(each, QMainWindow) and each.isVisible() and each is not self._context.window
+            window
+            for window in QApplication.topLevelWidgets()
+            if isinstance(window, QMainWindow) and window.isVisible() and window is not self._context.window
         ]
         all(window.close() for window in (self._context.window, *others))
 
