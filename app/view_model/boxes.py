@@ -48,7 +48,7 @@ def _keeps_axes(curve_map: CurveMap) -> bool:
 
 
 def _compute(views: Iterable[CurveView]) -> None:
-    from curvecore.analysis.bounding_boxes import bounding_boxes  # noqa: PLC0415 - when first looked at
+    from curvecore.analysis.bounding_boxes import bounding_boxes  # noqa: PLC0415 - at the first use
     from curvecore.bezier.pieces import bezier_pieces  # noqa: PLC0415
 
     pairs = [(view, view.curve) for view in views if view.curve is not None]

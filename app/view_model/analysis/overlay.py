@@ -167,7 +167,7 @@ class OverlayInput(msgspec.Struct, frozen=True, eq=False, dict=True):
     scrub
         The scrub line's t; None without one.
     report
-        Called now and then by what takes long; raises when nobody waits for it any more.
+        Called now and then by long computations; raises when the result is no longer wanted.
     """
 
     view: CurveView
@@ -206,7 +206,7 @@ def is_quick(view: CurveView) -> bool:
 def _samples_of(view: CurveView) -> list[Samples]:
     """Return samples of every piece, the joints among them, one-sided at both ends of each segment.
 
-    A joint of a Hermite curve stands there twice: its second derivative differs between the sides.
+    A joint of a Hermite curve has two samples: its second derivative differs between the sides.
     """
     if view.curve is None or not view.is_current:
         return []

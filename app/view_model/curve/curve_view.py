@@ -7,7 +7,7 @@
     moved = view_of(curve_after_a_drag, view)
 
 While points are dragged, polylines and handles follow the points, and the core's curve is computed when
-somebody asks for it.
+it is used.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     `curve` is the core's curve, `problem` says why there is none, `polyline` and `flattened` are what is
     drawn. While points are dragged and all else rests, and where all points were mapped, the polyline
-    follows them, and the core's curve is made only when somebody asks for it.
+    follows them, and the core's curve is computed only when it is used.
 
     Attributes
     ----------
@@ -314,14 +314,14 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def known_box(self) -> tuple[FloatArray, float] | None:
-        """The box of the polyline, and by how much the curve's may differ; None before it is asked for."""
+        """The box of the polyline, and the largest deviation of the curve; None before its first use."""
         if "drawn_box" not in self.__dict__ or not self._whole[1]:
             return None
         return self.drawn_box, self._whole[1]
 
     @property
     def whole_line(self) -> tuple[Polyline, float] | None:
-        """The polyline with the tolerance that it keeps everywhere; None before it is asked for."""
+        """The polyline with the tolerance that it keeps everywhere; None before its first use."""
         return self._whole if "_whole" in self.__dict__ and self._whole[1] else None
 
     def take_over(self, line: Polyline, tolerance: float, box: FloatArray, extent: FloatArray) -> None:
