@@ -128,8 +128,8 @@ def test_ticks_without_effect_have_a_hint(drawn, name):
     panel = editor.window.basis_panel
     before = shape(editor)
     editor.send(panel, QEvent.Type.MouseMove, panel.rail_pixel(editor.parameters[1]), held=False)
-    assert "does nothing" in editor.status
-    assert "hollow" in editor.status
+    assert "does not affect the curve" in editor.status
+    assert "Hollow tick" in editor.status
     # Nothing that the pointer says could be dragged, unless E takes others along.
     assert panel.viewport().cursor().shape() == Qt.CursorShape.ArrowCursor
     panel.setFocus()
@@ -219,7 +219,7 @@ def test_dots_on_the_edge_of_the_rail_have_a_hint(drawn, name):
         # The edge is 8 pixels above where ticks are grabbed.
         at = panel.rail_pixel(place) - QPointF(0.0, 9.0)
         editor.send(panel, QEvent.Type.MouseMove, at, held=False)
-        assert editor.status.startswith(f"The dot of point {index}: near t = ")
+        assert editor.status.startswith(f"The dot of point {index}: its influence is largest near t = ")
         assert panel.drawing.rail.hovered == index
     editor.drag_pixels(panel, at, panel.rail_pixel(0.4))
     assert editor.session.document is document
