@@ -314,10 +314,12 @@ def with_mnemonics(texts: Sequence[str]) -> list[str]:
 
 def _letters(text: str) -> dict[str, int]:
     """Return the index of each letter or digit of a text, those at the beginning of words first."""
-    found_at = [(index, letter) for index, letter in enumerate(text) if letter.isascii() and letter.isalnum()]
-    begin = [(index, letter) for index, letter in found_at if index == 0 or not text[index - 1].isalnum()]
+    letters_at = [
+        (index, letter) for index, letter in enumerate(text) if letter.isascii() and letter.isalnum()
+    ]
+    begin = [(index, letter) for index, letter in letters_at if index == 0 or not text[index - 1].isalnum()]
     first: dict[str, int] = {}
-    for index, letter in [*begin, *found_at]:
+    for index, letter in [*begin, *letters_at]:
         first.setdefault(letter.casefold(), index)
     return first
 

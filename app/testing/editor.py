@@ -248,7 +248,7 @@ class Editor(InputDriver):
         palette.search.clear()
         type_keys(palette.search, text)
         self.settle()
-        return palette.found
+        return palette.matches
 
     def run_command(self, text: str) -> None:
         """Run the first match of the command palette."""

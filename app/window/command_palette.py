@@ -139,7 +139,7 @@ class CommandPalette(OverlayFrame):
     # Search and run
 
     @property
-    def found(self) -> list[str]:
+    def matches(self) -> list[str]:
         """Names of the listed commands, best first."""
         return [command.name for command in self._model.commands]
 

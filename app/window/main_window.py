@@ -93,7 +93,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         self.actions_by_name.attach(self.splitter)
         self.central.fit()
         # Not the usual ranges: an open lesson may have set them.
-        when_first_shown(self, self.central.fit_again)
+        on_first_show(self, self.central.fit_again)
 
     # Building
 
@@ -285,7 +285,7 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
         preferences.refuse("window/splitter", "it is not a layout")
     hide_idle_docks(window)
     if floating_docks(window):
-        when_first_shown(window, lambda: _lift(window))
+        on_first_show(window, lambda: _lift(window))
 
 
 def first_size(screen: QScreen) -> QSize:
@@ -304,7 +304,7 @@ def hide_floating(window: QMainWindow) -> None:
         dock.hide()
 
 
-def when_first_shown(window: QMainWindow, act: Callable[[], None]) -> None:
+def on_first_show(window: QMainWindow, act: Callable[[], None]) -> None:
     """Call `act` when the window is shown for the first time and has its size."""
     _FirstShow(window, act)
 

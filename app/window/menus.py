@@ -185,7 +185,7 @@ class ContextMenus:
                 session.selected.select_whole(
                     pressed_curves(session.document, hit.index, session.selected.state)
                 )
-            self._open_on_edited(position)
+            self._open_on_active(position)
         elif hit is not None and hit.part is Part.CURVE:
             self._curve_menu(hit.t).popup(position)
         elif hit is not None and hit.part is not Part.GUIDE:
@@ -203,7 +203,7 @@ class ContextMenus:
         selected.switch_active(hit.curve)
         return hit.on_active_curve
 
-    def _open_on_edited(self, position: QPoint) -> None:
+    def _open_on_active(self, position: QPoint) -> None:
         """Open the menu at a position on the curve that the right button has activated."""
         hit = self._context.central.canvas.hit_at(position)
         is_alone = len(self._context.session.selected.curves) == 1

@@ -75,7 +75,7 @@ class Toolbar(SafeOverrides, QToolBar):
         self._has_style = False
         # By style and the names of the switches that are on.
         self._widths: dict[tuple[_Step, tuple[str, ...]], int] = {}
-        self._shown: tuple[_Step, tuple[str, ...]] | None = None
+        self._rendered: tuple[_Step, tuple[str, ...]] | None = None
         actions.redeclared.connect(self._follow_actions)
         actions.switched.connect(self._fit)
 
@@ -124,7 +124,7 @@ class Toolbar(SafeOverrides, QToolBar):
             put_in(self, entries)
             self._follow(action for action in entries if action not in known)
         self._widths.clear()
-        self._shown = None
+        self._rendered = None
         self._hold_sizes()
         self._fit()
 
@@ -174,9 +174,9 @@ class Toolbar(SafeOverrides, QToolBar):
 
     def _show_step(self, step: _Step) -> None:
         in_use = self._in_use
-        if self._shown == (step, in_use):
+        if self._rendered == (step, in_use):
             return
-        before, self._shown = self._shown, (step, in_use)
+        before, self._rendered = self._rendered, (step, in_use)
         if before is None or before[0] != step:
             for widget in self._widgets:
                 widget.set_compact(

@@ -115,7 +115,7 @@ class DocumentFiles:
         """
         self.show_elsewhere: Callable[[Path], bool] = lambda _path: False
         """Brings another window that has a file to the front; returns whether there is one."""
-        self.take_opened: Callable[[Path, Any], object] = lambda _path, _taken: None
+        self.take_opened: Callable[[Path, Any], object] = lambda _path, _content: None
         """Begins with what was read of a file of another format."""
         self._after_opening: list[Callable[[str], object]] | None = None
         session.files.blank = lambda: blank_document(preferences)

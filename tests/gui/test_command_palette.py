@@ -152,10 +152,10 @@ def test_a_deleted_action_leaves_the_list(editor, palette, tmp_path):
     editor.window.preferences.add_recent_file(tmp_path / "a.curve.json")
     recent.aboutToShow.emit()
     editor.trigger("commandPalette")
-    listed = len(palette.found)
+    listed = len(palette.matches)
     recent.aboutToShow.emit()
     palette.list.viewport().repaint()
-    assert len(palette.found) == listed - 1
+    assert len(palette.matches) == listed - 1
     palette.search.setText("a")
     palette.close_and_return()
 

@@ -101,7 +101,7 @@ class StyleCommands:
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.previewed.connect(self._preview)
         panel.preview_cancelled.connect(self._cancel_preview)
-        panel.shown.connect(self._render)
+        panel.became_visible.connect(self._render)
         panel.refused.connect(self._session.refuse)
         for name, field in panel.opacities.items():
             edit, words = partial(self._with_share, name), partial(self._words_of_share, name)
@@ -302,8 +302,8 @@ class StyleClipboardCommands:
         if fragment is not None and not fragment.is_bare:
             read = partial(exchange.svg.fragments.read_fragment, fragment)
             self._context.work.start("Reading the style", read, self._give_first, Path("The style"), "pasted")
-        elif style_found := _style_in(data):
-            self._give(style_found)
+        elif pasted_style := _style_in(data):
+            self._give(pasted_style)
         else:
             self._session.refuse(_NOTHING_TO_PASTE)
 

@@ -45,7 +45,7 @@ class StylePanel(FieldForm):
         Values are previewed, until a change or a cancellation.
     preview_cancelled
         The preview is cancelled.
-    shown
+    became_visible
         The panel has become visible and needs its values.
 
     Attributes
@@ -58,7 +58,7 @@ class StylePanel(FieldForm):
     stepped = Signal(object)
     previewed = Signal(object)
     preview_cancelled = Signal()
-    shown = Signal()
+    became_visible = Signal()
 
     def __init__(
         self,
@@ -205,7 +205,7 @@ class StylePanel(FieldForm):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self.shown.emit()
+        self.became_visible.emit()
 
     def _render_numbers(self, values: dict[str, object], unit: str) -> None:
         width = values.get("width", MIXED)

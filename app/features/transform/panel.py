@@ -186,7 +186,7 @@ class TransformPanel(FieldForm):
         self.skew_edit.returnPressed.connect(partial(self._skew, 0))
         for axis, button in enumerate(self.skew_buttons):
             button.clicked.connect(partial(self._skew, axis))
-        self.chooser.chosen.connect(self.pivot_picked)
+        self.chooser.picked.connect(self.pivot_picked)
         self.reference.activated.connect(lambda at: self.reference_picked.emit(list(Reference)[at]))
 
     # Rendering: nothing here writes back
@@ -283,11 +283,11 @@ class PivotChooser(SafeOverrides, QWidget):
 
     Signals
     -------
-    chosen
+    picked
         A position was picked: −1, 0 or 1 for left, middle, right, and for bottom, middle, top.
     """
 
-    chosen = Signal(int, int)
+    picked = Signal(int, int)
 
     def __init__(self) -> None:
         super().__init__()
@@ -304,7 +304,7 @@ class PivotChooser(SafeOverrides, QWidget):
             button = named(QToolButton(), name, f"Pivot: {words}", tip)
             button.setCheckable(True)
             button.setFixedSize(_SIDE, _SIDE)
-            button.clicked.connect(partial(self.chosen.emit, *at))
+            button.clicked.connect(partial(self.picked.emit, *at))
             grid.addWidget(button, *divmod(rank, 3))
             self._group.addButton(button)
             self._buttons[at] = button
