@@ -121,8 +121,9 @@ def drawings_read_here(monkeypatch):
 
     def read(reader, data, tolerance, *, report, **_limits):
         report(0.0, "Reading")
-        answer = reader_process.answer_to(
-            reader_process.Request(reader.__module__, reader.__name__, tolerance, data), reader_process.MEMORY
+        answer = reader_process.response_to(
+            reader_process.ReadRequest(reader.__module__, reader.__name__, tolerance, data),
+            reader_process.MEMORY,
         )
         if answer.result is None:
             raise reader_process.ExchangeError(answer.problem)

@@ -15,7 +15,7 @@ from ..view_model.basis_findings import digits_in_words
 from .output import one_line
 
 if TYPE_CHECKING:
-    from ..exchange.facts import CurveFacts, Growth
+    from ..exchange.facts import CurveFacts, LebesgueConstants
 
 _EDGES = ("left", "bottom", "right", "top")
 """Edges of the box of a curve."""
@@ -72,7 +72,7 @@ def facts_as_text(facts: CurveFacts, unit: str) -> str:
         rows.append(("domain", _range_text(*facts.domain)))
         rows.append(("length", _length_text(*facts.length) if facts.length else _BEYOND))
     if facts.lebesgue_constant is not None:
-        rows.append(("Λ (Lebesgue)", _growth_text(facts.lebesgue_constant)))
+        rows.append(("Λ (Lebesgue)", _lebesgue_text(facts.lebesgue_constant)))
     if facts.box is not None:
         left, bottom, right, top = facts.box
         rows.append(("box", f"about x {_edges_text(left, right)}, y {_edges_text(bottom, top)}"))
@@ -107,7 +107,7 @@ def _missing(facts: CurveFacts) -> dict[str, str]:
     return {name: _BEYOND for name, missing in is_missing.items() if missing}
 
 
-def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
+def _finite_only(growth: LebesgueConstants | None) -> dict[str, float | None] | None:
     """Return the constants by name; null stands for one beyond all floats."""
     if growth is None:
         return None
@@ -115,7 +115,7 @@ def _finite_only(growth: Growth | None) -> dict[str, float | None] | None:
     return {name: value if value < LARGEST else None for name, value in constants.items()}
 
 
-def _growth_text(growth: Growth) -> str:
+def _lebesgue_text(growth: LebesgueConstants) -> str:
     points = f"{growth.points:.3g}" if growth.points < LARGEST else _BEYOND
     points = f"{points} {growth.holds}".rstrip()
     if growth.points >= LARGEST:

@@ -37,7 +37,7 @@ _POINTS_AT_ONCE = 2000
 """Points of the curves that are worked on together: some megabytes."""
 
 
-class Growth(NamedTuple):
+class LebesgueConstants(NamedTuple):
     """Lebesgue constants: factors by which errors can grow on the curve.
 
     Attributes
@@ -107,7 +107,7 @@ class CurveFacts:
     pieces: int = 0
     domain: tuple[float, float] | None = None
     length: Length | None = None
-    lebesgue_constant: Growth | None = None
+    lebesgue_constant: LebesgueConstants | None = None
     box: tuple[float, float, float, float] | None = None
     warnings: tuple[str, ...] = ()
     closed: bool = False
@@ -185,16 +185,16 @@ def _facts_of_block(curves: Sequence[Curve], shapes: Sequence[_Shape | str]) -> 
     usable = [*good.values()]
     around = bounding_boxes([shape.core for shape in usable], [shape.pieces for shape in usable])
     boxes = dict(zip(good, around, strict=True))
-    growths = dict(zip(good, _growths([shape.view for shape in usable]), strict=True))
-    lengths = dict(zip(good, _lengths(usable, [*growths.values()]), strict=True))
+    constants_of_shapes = dict(zip(good, _lebesgue_constants([shape.view for shape in usable]), strict=True))
+    lengths = dict(zip(good, _lengths(usable, [*constants_of_shapes.values()]), strict=True))
     for index, (curve, shape) in enumerate(zip(curves, shapes, strict=True)):
         if isinstance(shape, str):
             yield replace(_facts_of_points(curve), warnings=(shape,))
         else:
-            yield _facts_with_curve(shape, boxes[index], lengths[index], growths[index])
+            yield _facts_with_curve(shape, boxes[index], lengths[index], constants_of_shapes[index])
 
 
-def _facts_with_curve(shape: _Shape, around: Box, length: Length, growth: Growth) -> CurveFacts:
+def _facts_with_curve(shape: _Shape, around: Box, length: Length, constants: LebesgueConstants) -> CurveFacts:
     curve, core = shape.curve, shape.core
     box, warnings = _edges(curve, around)
     return replace(
@@ -205,9 +205,9 @@ def _facts_with_curve(shape: _Shape, around: Box, length: Length, growth: Growth
         pieces=len(core.breaks) - 1,
         domain=core.domain,
         length=length if length.value < LARGEST else None,
-        lebesgue_constant=growth,
+        lebesgue_constant=constants,
         box=box,
-        warnings=(*warnings, *_amplification(growth), *filter(None, [shape.rounding.remark])),
+        warnings=(*warnings, *_amplification(constants), *filter(None, [shape.rounding.remark])),
         closed=curve.is_closed,
         corners=len(shape.view.corners),
         smooth=len(shape.view.two_sided) - len(shape.view.corners) if shape.view.arrays.ties.any() else 0,
@@ -243,14 +243,14 @@ def _edges(curve: Curve, box: Box) -> tuple[tuple[float, float, float, float] | 
     return (left, bottom, right, top), ()
 
 
-def _lengths(shapes: Sequence[_Shape], growths: Sequence[Growth]) -> list[Length]:
+def _lengths(shapes: Sequence[_Shape], constants_of_shapes: Sequence[LebesgueConstants]) -> list[Length]:
     """Return arc lengths; their bounds count the effect of the rounding of t."""
     lengths = lengths_of([shape.pieces for shape in shapes], LENGTH_TOLERANCE)
     others = [
         []
-        if shape.rounding.is_lost(*growth[:2], length.error / max(length.value, SMALLEST))
+        if shape.rounding.is_lost(*constants[:2], length.error / max(length.value, SMALLEST))
         else shape.rounding.disturbed()
-        for shape, growth, length in zip(shapes, growths, lengths, strict=True)
+        for shape, constants, length in zip(shapes, constants_of_shapes, lengths, strict=True)
     ]
     # Deviations of the pieces count by the weights, too.
     pieces = [bezier_pieces(case.curve, min(FINE / case.weight, 1e-6)) for case in chain(*others)]
@@ -261,10 +261,10 @@ def _lengths(shapes: Sequence[_Shape], growths: Sequence[Growth]) -> list[Length
     return lengths
 
 
-def _growths(views: Sequence[CurveView]) -> list[Growth]:
+def _lebesgue_constants(views: Sequence[CurveView]) -> list[LebesgueConstants]:
     """Return the constants of the data and of the points."""
     return [
-        Growth(
+        LebesgueConstants(
             constant if view.cardinal and not view.cardinal.follows else growth_of_data(view),
             constant,
             view.growth_holds,
@@ -273,10 +273,10 @@ def _growths(views: Sequence[CurveView]) -> list[Growth]:
     ]
 
 
-def _amplification(growth: Growth) -> tuple[str, ...]:
+def _amplification(constants: LebesgueConstants) -> tuple[str, ...]:
     """Return a warning if small errors in the points grow along the curve."""
-    if growth.points < AMPLIFICATION_WORTH_A_WORD:
+    if constants.points < AMPLIFICATION_WORTH_A_WORD:
         return ()
-    times = f"up to {growth.points:.2g}-fold" if growth.points < LARGEST else "beyond all bounds"
-    constant = " ".join(filter(None, ("Lebesgue constant", growth.holds)))
+    times = f"up to {constants.points:.2g}-fold" if constants.points < LARGEST else "beyond all bounds"
+    constant = " ".join(filter(None, ("Lebesgue constant", constants.holds)))
     return (f"Errors in the points grow {times} along the curve ({constant}).",)

@@ -40,8 +40,8 @@ QUESTION, ANSWER, _UNFINISHED = "question", "answer", "unfinished"
 """Names of the files by which the processes talk, in a folder of their own."""
 
 
-class Request(msgspec.Struct):
-    """Message to the child: a reader, a file and the limits; see `ReaderProcess.read`."""
+class ReadRequest(msgspec.Struct):
+    """Message to the child process: a reader, a file and the limits; see `ReaderProcess.read`."""
 
     module: str
     reader: str
@@ -51,8 +51,8 @@ class Request(msgspec.Struct):
     seconds: float = SECONDS
 
 
-class Answer(msgspec.Struct):
-    """Message of the child: a result or a problem."""
+class ReadResponse(msgspec.Struct):
+    """Message of the child process: a result or a problem."""
 
     result: ImportResult | None = None
     problem: str = ""
@@ -76,17 +76,17 @@ def main(folder: str) -> None:
 
 
 def _answer_in(folder: Path) -> None:
-    request = msgspec.msgpack.decode((folder / QUESTION).read_bytes(), type=Request)
+    request = msgspec.msgpack.decode((folder / QUESTION).read_bytes(), type=ReadRequest)
     import_module(request.module)  # imports do not count against the limit
     limit_processor_time(request.seconds)
-    answer = msgspec.msgpack.encode(answer_to(request, request.memory), enc_hook=encode_hook)
+    answer = msgspec.msgpack.encode(response_to(request, request.memory), enc_hook=encode_hook)
     limit_processor_time(inf)
     limit_memory(None)
     (folder / _UNFINISHED).write_bytes(answer)
     (folder / _UNFINISHED).replace(folder / ANSWER)
 
 
-def answer_to(request: Request, memory: int | None = None) -> Answer:
+def response_to(request: ReadRequest, memory: int | None = None) -> ReadResponse:
     """Return the answer of the reader, also where it raises; with so much memory, if that is limited."""
     try:
         reader: Reader = getattr(import_module(request.module), request.reader)
@@ -95,17 +95,17 @@ def answer_to(request: Request, memory: int | None = None) -> Answer:
         result = reader(request.data, request.tolerance)
         validate(result.document)
     except ExchangeError as problem:
-        return Answer(problem=str(problem))
+        return ReadResponse(problem=str(problem))
     except FormatError as problem:
-        return Answer(problem=f"The file cannot be converted to a document: {problem}.")
+        return ReadResponse(problem=f"The file cannot be converted to a document: {problem}.")
     except MemoryError:
-        return Answer(problem="Reading needs more memory than is allowed and was stopped.")
+        return ReadResponse(problem="Reading needs more memory than is allowed and was stopped.")
     except RecursionError:
-        return Answer(problem="The file is nested too deeply.")
+        return ReadResponse(problem="The file is nested too deeply.")
     except Exception as problem:
         # An unforeseen file can make a parser raise anything.
-        return Answer(problem=f"The file is damaged ({type(problem).__name__}).")
-    return Answer(result)
+        return ReadResponse(problem=f"The file is damaged ({type(problem).__name__}).")
+    return ReadResponse(result)
 
 
 def limit_memory(extra: int | None) -> None:

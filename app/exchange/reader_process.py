@@ -29,11 +29,11 @@ from .reader_main import (
     NO_MEMORY,
     QUESTION,
     SECONDS,
-    Answer,
     Reader,
-    Request,
-    answer_to,
+    ReadRequest,
+    ReadResponse,
     main,
+    response_to,
 )
 
 SMALL = 2**16
@@ -58,7 +58,7 @@ class ReaderProcess:
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self._request: Request | None = None
+        self._request: ReadRequest | None = None
 
     def __enter__(self) -> Self:
         return self
@@ -83,7 +83,7 @@ class ReaderProcess:
             If the process cannot be started, or the content cannot be passed to it.
         """
         seconds = seconds_for(len(data)) if seconds is None else seconds
-        request = Request(reader.__module__, reader.__name__, tolerance, data, memory, seconds)
+        request = ReadRequest(reader.__module__, reader.__name__, tolerance, data, memory, seconds)
         if request == self._request:
             return
         if self._request is not None or (self._process is not None and self._process.poll() is not None):
@@ -130,7 +130,9 @@ class ReaderProcess:
         """
         self.begin(reader, data, tolerance, seconds=seconds, memory=memory)
         try:
-            answer = msgspec.msgpack.decode(self._wait_for_answer(report), type=Answer, dec_hook=decode_hook)
+            answer = msgspec.msgpack.decode(
+                self._wait_for_answer(report), type=ReadResponse, dec_hook=decode_hook
+            )
         except BaseException:
             self.end()
             raise
@@ -215,10 +217,10 @@ def read_in_this_process(reader: Reader, data: bytes) -> ImportResult:
     ExchangeError
         As `read_in_process`, but for the limits.
     """
-    return _result_of(answer_to(Request(reader.__module__, reader.__name__, None, data)))
+    return _result_of(response_to(ReadRequest(reader.__module__, reader.__name__, None, data)))
 
 
-def _result_of(answer: Answer) -> ImportResult:
+def _result_of(answer: ReadResponse) -> ImportResult:
     if answer.result is None:
         raise ExchangeError(answer.problem)
     return answer.result

@@ -74,7 +74,7 @@ class ColumnMapping:
 
 
 @dataclass(frozen=True)
-class Guess:
+class RoleGuess:
     """Roles that the columns of a table seem to have.
 
     Attributes
@@ -115,7 +115,7 @@ def _without_unit(title: str) -> str:
 
 def guess(
     titles: Sequence[str], rows: Sequence[Sequence[str]] = (), is_number: Sequence[bool] | None = None
-) -> Guess:
+) -> RoleGuess:
     """Return the roles of columns by their titles, or else by their order.
 
     Parameters
@@ -132,7 +132,7 @@ def guess(
         # Not beside velocities, which are per unit of time.
         has_rates = not set(known) <= {"x", "y", *WORDS}
         along = [] if has_rates else _columns_along(titles, rows)
-        return Guess(ColumnMapping(**known | dict(zip(("t",), along, strict=False))))
+        return RoleGuess(ColumnMapping(**known | dict(zip(("t",), along, strict=False))))
     free = [
         column
         for column in range(len(titles))
@@ -144,21 +144,23 @@ def guess(
     return _by_order(known, [column for column in free if column not in counted] or free)
 
 
-def _by_order(known: dict[str, int], free: list[int]) -> Guess:
+def _by_order(known: dict[str, int], free: list[int]) -> RoleGuess:
     """Return the roles of columns by their order, where the titles do not name both x and y."""
     if "x" in known or "y" in known:
         missing = "y" if "x" in known else "x"
         mapping = ColumnMapping(**{**known, missing: free[0]}) if free else None
-        return Guess(mapping, is_certain=len(free) == 1)
+        return RoleGuess(mapping, is_certain=len(free) == 1)
     if "t" in known and len(free) == 1:
         # A function of time: its graph.
         rest = {role: column for role, column in known.items() if role != "t"}
-        return Guess(ColumnMapping(**{**rest, "x": known["t"], "y": free[0]}))
+        return RoleGuess(ColumnMapping(**{**rest, "x": known["t"], "y": free[0]}))
     if len(free) < 2:
-        return Guess(None)
+        return RoleGuess(None)
     if len(free) == 3 and not known:
-        return Guess(ColumnMapping(free[1], free[2], t=free[0]), is_certain=False)
-    return Guess(ColumnMapping(**{**known, "x": free[0], "y": free[1]}), len(free) == 2 and "t" not in known)
+        return RoleGuess(ColumnMapping(free[1], free[2], t=free[0]), is_certain=False)
+    return RoleGuess(
+        ColumnMapping(**{**known, "x": free[0], "y": free[1]}), len(free) == 2 and "t" not in known
+    )
 
 
 def mapping_of(text: str, titles: Sequence[str]) -> ColumnMapping:

@@ -10,7 +10,7 @@ from curvecore.arrays import FloatArray
 
 from ...document.limits import MAX_MAGNITUDE
 from ..errors import ExchangeError
-from .columns import ColumnMapping, Guess, guess
+from .columns import ColumnMapping, RoleGuess, guess
 
 MAX_COLUMNS = 64
 MAX_ROWS = 2_000_000
@@ -96,7 +96,7 @@ class Preview:
     titles: tuple[str, ...]
     cells: tuple[tuple[str, ...], ...]
     numbers: tuple[int, ...]
-    guess: Guess
+    guess: RoleGuess
     remark: str = ""
     is_text: bool = True
 

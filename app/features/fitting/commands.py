@@ -36,7 +36,7 @@ from ...workbench.docks import Panel, make_room
 from .. import fitting
 
 if TYPE_CHECKING:
-    from .panel import FitPanel, FitWish
+    from .panel import FitOptions, FitPanel
 
 _PATIENCE_S = 0.08
 """Seconds that the window may be blocked; longer work has a thread of its own."""
@@ -45,7 +45,7 @@ _COMPUTED = 0.8
 """Share of the work that goes before the views of the new curves."""
 
 
-class _TakesLong(Exception):  # noqa: N818 - nothing has gone wrong
+class _TakesTooLongError(Exception):
     """The computation is better done beside the window."""
 
 
@@ -78,7 +78,7 @@ class SimplifyCommands:
             # Counted from the first report on, as modules may have to be imported before.
             until = until or time.monotonic() + _PATIENCE_S
             if time.monotonic() > until:
-                raise _TakesLong
+                raise _TakesTooLongError
 
         def done(result: tuple[Simplified, list[CurveView]]) -> None:
             if session.committed is not document:
@@ -91,7 +91,7 @@ class SimplifyCommands:
             self._put(what, make(report=stop_when_late))
         except EditError as reason:
             session.refuse(str(reason))
-        except _TakesLong:
+        except _TakesTooLongError:
             self._work.compute(what, partial(_with_views, make, document), done)
 
     def _put(self, what: str, result: Simplified) -> None:
@@ -130,7 +130,7 @@ class FitCommands(QObject):
         super().__init__(context.window)
         self._context, self._session = context, context.session
         self._panel: FitPanel | None = None
-        self._asked: tuple[CurveView, FitWish] | None = None
+        self._asked: tuple[CurveView, FitOptions] | None = None
         self._result: Fitted | None = None
         self._problem = ""
         self._task = DebouncedTask(self)
@@ -144,7 +144,7 @@ class FitCommands(QObject):
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the content of the dock; called when it is first looked at."""
         self._panel = fitting.panel.FitPanel(parent)
-        self._panel.wished.connect(self._ask)
+        self._panel.options_changed.connect(self._ask)
         self._panel.applied.connect(self._apply)
         self._panel.cancelled.connect(self._cancel)
         return self._panel
@@ -204,17 +204,17 @@ class FitCommands(QObject):
 
     def _ask(self) -> None:
         assert self._panel is not None
-        view, wish = self._session.active_view, self._panel.wish
-        if isinstance(wish, str) or not view.is_current:
+        view, options = self._session.active_view, self._panel.options
+        if isinstance(options, str) or not view.is_current:
             self._forget()
             self._panel.render_result(
-                wish if isinstance(wish, str) else view.problem, can_apply=False, busy=False
+                options if isinstance(options, str) else view.problem, can_apply=False, busy=False
             )
             return
-        if self._asked is not None and self._asked[0].source == view.source and self._asked[1] == wish:
+        if self._asked is not None and self._asked[0].source == view.source and self._asked[1] == options:
             return
-        self._asked, self._result, self._problem = (view, wish), None, ""
-        self._task.ask(partial(_fitted, view, wish))
+        self._asked, self._result, self._problem = (view, options), None, ""
+        self._task.ask(partial(_fitted, view, options))
         self._show()
 
     def _receive(self, result: Fitted | str) -> None:
@@ -241,13 +241,13 @@ class FitCommands(QObject):
 
     def _words(self, result: Fitted) -> str:
         assert self._asked is not None
-        view, wish = self._asked
+        view, options = self._asked
         text = f"{count_of(len(view.source.points), 'point')} become {result.words}"
         if view.source.shape:
             text += f" Only “{view.source.display_name}” is fitted; Simplify changes its whole shape."
-        is_short = wish.tolerance is not None and result.deviation > wish.tolerance
+        is_short = options.tolerance is not None and result.deviation > options.tolerance
         if is_short and not result.is_scattered:
-            text += f" No {wish.family.title} curve was found that is closer."
+            text += f" No {options.family.title} curve was found that is closer."
         if is_of_points_alone(view) and not result.is_scattered:
             text += " Measured at the points, not between them."
         return text
@@ -265,14 +265,14 @@ class FitCommands(QObject):
         self._dock.close()
 
 
-def _fitted(view: CurveView, wish: FitWish, report: Report) -> Fitted | str:
+def _fitted(view: CurveView, options: FitOptions, report: Report) -> Fitted | str:
     try:
         return fitted_to_curve(
             view,
-            view.source.with_family(wish.family),
-            count=wish.count,
-            tolerance=wish.tolerance,
-            keeps_times=wish.keeps_times,
+            view.source.with_family(options.family),
+            count=options.count,
+            tolerance=options.tolerance,
+            keeps_times=options.keeps_times,
             report=report,
         )
     except EditError as problem:

@@ -19,14 +19,14 @@ _DIGITS = 6
 _COUNTS = (2, 500)
 
 
-class Goal(NamedEnum):
+class FitGoal(NamedEnum):
     """Goal of a fit: a distance or a number of points."""
 
     WITHIN = "within", "Within a distance"
     COUNT = "count", "Number of points"
 
 
-class FitWish(msgspec.Struct, frozen=True):
+class FitOptions(msgspec.Struct, frozen=True):
     """Options of a fit; either the count or the tolerance is given."""
 
     family: Family
@@ -40,13 +40,13 @@ class FitPanel(SafeOverrides, QScrollArea):
 
     Signals
     -------
-    wished
+    options_changed
         The options have changed.
     applied, cancelled
         The result is applied, or discarded.
     """
 
-    wished = Signal()
+    options_changed = Signal()
     applied = Signal()
     cancelled = Signal()
 
@@ -59,7 +59,7 @@ class FitPanel(SafeOverrides, QScrollArea):
         self._families = list(FAMILIES)
         titles = [family.label for family in self._families]
         self.family = choice_box("fitFamily", "Family", "Family of the curve with fewer points", titles)
-        goals = [goal.label for goal in Goal]
+        goals = [goal.label for goal in FitGoal]
         self.goal = choice_box("fitGoal", "Goal", "Largest distance, or number of points", goals)
         tip = "Largest distance from the present curve"
         self.tolerance = RangedDoubleSpinBox("fitTolerance", "Largest distance", tip, (1e-6, 1e9))
@@ -93,36 +93,36 @@ class FitPanel(SafeOverrides, QScrollArea):
         self.setWidget(page)
 
     def _connect(self) -> None:
-        self.family.activated.connect(self.wished)
+        self.family.activated.connect(self.options_changed)
         self.goal.activated.connect(self._change_goal)
         for box in (self.tolerance, self.count):
             box.valueChanged.connect(self._number_changed)
-        self.keeps_times.clicked.connect(self.wished)
+        self.keeps_times.clicked.connect(self.options_changed)
         self.apply_button.clicked.connect(self.applied)
         self.cancel_button.clicked.connect(self.cancelled)
 
     def _change_goal(self) -> None:
         self._show_goal()
-        self.wished.emit()
+        self.options_changed.emit()
 
     def _number_changed(self) -> None:
         if not self._is_rendering:
-            self.wished.emit()
+            self.options_changed.emit()
 
     _is_rendering = False
 
     def _show_goal(self) -> None:
-        is_count = self.goal.currentIndex() == list(Goal).index(Goal.COUNT)
+        is_count = self.goal.currentIndex() == list(FitGoal).index(FitGoal.COUNT)
         self._form.setRowVisible(self.count, is_count)
         self._form.setRowVisible(self.tolerance, not is_count)
 
     @property
-    def wish(self) -> FitWish | str:
+    def options(self) -> FitOptions | str:
         """The options of the fit, or the problem of one."""
-        is_count = self.goal.currentIndex() == list(Goal).index(Goal.COUNT)
+        is_count = self.goal.currentIndex() == list(FitGoal).index(FitGoal.COUNT)
         if problem := str(self.count.problem if is_count else self.tolerance.problem):
             return problem
-        return FitWish(
+        return FitOptions(
             self._families[self.family.currentIndex()],
             self.count.value() if is_count else None,
             None if is_count else self.tolerance.value(),

@@ -143,8 +143,8 @@ class ImportCommands:
         dialog.finished.connect(release)
         dialog.rejected.connect(self._series.end)
         dialog.foot.rest_skipped.connect(skip_rest)
-        dialog.foot.show_turn(self._series.turn)
-        self._series.changed = dialog.foot.show_turn
+        dialog.foot.show_position(self._series.position)
+        self._series.changed = dialog.foot.show_position
         dialog.bring_up()
 
     def _show_dialog_for(self, path: Path, content: ImportResult | _OpenTable) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 
 
-class Turn(msgspec.Struct, frozen=True):
+class SeriesPosition(msgspec.Struct, frozen=True):
     """Number of a file in a series of imports, from 1, and the count of files."""
 
     number: int = 1
@@ -35,7 +35,7 @@ class ImportSeries:
     Attributes
     ----------
     changed
-        Called with the turn when files are added during the dialog of another.
+        Called with the new position when files are added during the dialog of another.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class ImportSeries:
         self._waiting: list[Path] = []
         self._number = 0
         self._problems: list[str] = []
-        self.changed: Callable[[Turn], object] | None = None
+        self.changed: Callable[[SeriesPosition], object] | None = None
 
     @property
     def is_busy(self) -> bool:
@@ -54,15 +54,15 @@ class ImportSeries:
         return self._now is not None or bool(self._waiting)
 
     @property
-    def turn(self) -> Turn:
-        """Turn of the file that is being imported."""
-        return Turn(self._number, self._number + len(self._waiting))
+    def position(self) -> SeriesPosition:
+        """Position of the file that is being imported."""
+        return SeriesPosition(self._number, self._number + len(self._waiting))
 
     def add(self, paths: Iterable[Path]) -> None:
         """Import files after those that wait."""
         self._waiting += paths
         if self.changed is not None:
-            self.changed(self.turn)
+            self.changed(self.position)
         self.go_on()
 
     def go_on(self) -> None:

@@ -24,7 +24,7 @@ from ...tasks.task import SingleTask
 from ...widgets.boxes import row_of
 from ...widgets.controls import choice_box, named, push_button
 from ...widgets.frames import FittedDialog
-from .import_series import Turn
+from .import_series import SeriesPosition
 
 A_NEW_DOCUMENT = "A new document"
 INTO = ("This document", A_NEW_DOCUMENT)
@@ -131,13 +131,13 @@ class ImportFoot(QWidget):
         self.rest.hide()
         row_of(self.rest, (self.box, 1), margins=0, parent=self)
 
-    def show_turn(self, turn: Turn) -> None:
+    def show_position(self, position: SeriesPosition) -> None:
         """Show the number of the file among several, and the button to skip the others."""
         self._dialog.setWindowTitle(
-            f"{self._title} ({turn.number} of {turn.count})" if turn.count > 1 else self._title
+            f"{self._title} ({position.number} of {position.count})" if position.count > 1 else self._title
         )
-        waits = turn.waiting > 0
+        waits = position.waiting > 0
         self._cancel.setText("Skip" if waits else self._words)
         self._cancel.setToolTip("Skip this file and continue with the next (Esc)" if waits else self._tip)
-        self.rest.setToolTip(f"Skip this file and the {count_of(turn.waiting, 'file')} after it")
+        self.rest.setToolTip(f"Skip this file and the {count_of(position.waiting, 'file')} after it")
         self.rest.setVisible(waits)
