@@ -1,4 +1,4 @@
-"""Uncaught exceptions: the work is backed up, the person is told once, and the program goes on.
+"""Uncaught exceptions: the work is backed up, a dialog is shown once, and the program continues.
 
 `CrashHandler` takes the interpreter's hooks and shows the crash dialog; `report_of` writes the report for the
 makers, without names of files and folders.

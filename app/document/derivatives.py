@@ -1,4 +1,4 @@
-"""Derivatives of points, and the rules that estimate them where nobody has set them.
+"""Derivatives of points, and the rules that estimate them where they are not explicit.
 
 To add a rule: a function of ``curvecore`` that computes the estimates (its name stands in the late names of
 ``curvecore/__init__.pyi``), and a member of `VelocityRule`, `AccelerationRule` or `JerkRule` below; menus,

@@ -76,7 +76,7 @@ def followed_selection(
     """Return the selection after a change: the same curves and points, at their new indices.
 
     The active curve is one of `after`. Where the edited curves are gone and no curve has replaced them, no
-    curve is edited and none selected: the next key does not act on a curve that nobody asked for.
+    curve is edited and none selected: the next key does not act on an unexpected curve.
     """
     active, is_editing = state.active, state.is_editing
     points = followed_group(state.points, active, before, after)
@@ -88,7 +88,7 @@ def followed_selection(
         # after copies were made stay selected when the copies go.
         active = min(selected, key=lambda index: abs(index - active))
     elif active not in selected:
-        # An added curve becomes the selected one; where a curve has gone nobody has selected another.
+        # An added curve becomes the selected one; where a curve was removed, no other is selected.
         selected = frozenset({active} if is_editing or len(after) > len(before) else ())
     curves = selected or frozenset({active})
     whole = selected if not is_editing or len(selected) > 1 else frozenset()

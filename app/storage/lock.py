@@ -142,7 +142,7 @@ class LockResult(msgspec.Struct, frozen=True):
             return "ours" if self.lock is not None else f"impossible ({self.problem})"
         if self.owner.is_this_process:
             return "of another window"
-        return "of another program of this person" if self.owner.is_same_person else "of somebody else"
+        return "of another process of this user" if self.owner.is_same_person else "of another user"
 
 
 def lock_path(target: Path) -> Path:

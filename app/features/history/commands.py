@@ -90,13 +90,12 @@ class HistoryCommands:
     @also(TOOLBAR(20))
     def _undo(self) -> None:
         """Undo the last step."""
-        # Undo in the middle of a drag takes the drag back, not the step before it; and what a drag has
-        # begun, while it is computed.
+        # Undo during a drag cancels the drag, not the step before it; then background work of a drag.
         stack = self._session.undo_stack
         if self._context.cancel_gesture():
             return
-        if what := self._context.central.canvas.tools.background.cancel_last():
-            self._session.say(f"{what} was cancelled.")
+        if title := self._context.central.canvas.tools.background.cancel_last():
+            self._session.say(f"{title} was cancelled.")
         elif stack.canUndo():
             text = stack.undoText()
             stack.undo()
