@@ -39,23 +39,19 @@ def press_on_point(event: ToolEvent, hit: Hit, on_click: Click | None = None) ->
     if hit.index not in selected.points:
         # Alone: a drag with Shift moves this point along an axis; only a click adds it to the selection.
         selected.set_points([hit.index])
-    group, grabbed = selected.group, (session.active_index, hit.index)
-    drag = MovePoints(
-        document=session.document,
-        group=group,
-        grabbed=grabbed,
-        start=event.pointer.position,
-        snapper=event.snapping.for_points(group, grabbed),
-        on_click=on_click,
-    )
+    drag = press_on_group(event, selected.group, on_click, grabbed=(session.active_index, hit.index))
     return unless_locked(event, drag)
 
 
 def press_on_group(
-    event: ToolEvent, group: PointGroup, on_click: Click, selects: SelectionState | None = None
+    event: ToolEvent,
+    group: PointGroup,
+    on_click: Click,
+    selects: SelectionState | None = None,
+    grabbed: tuple[int, int] | None = None,
 ) -> MovePoints:
-    """Start to move a group, of which the point nearest to the pointer snaps."""
-    grabbed = nearest_point(event, group)
+    """Start to move a group; the grabbed point snaps, or else the one nearest to the pointer."""
+    grabbed = grabbed or nearest_point(event, group)
     return MovePoints(
         document=event.session.document,
         group=group,
