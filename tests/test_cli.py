@@ -97,9 +97,7 @@ def test_info_prints_the_facts(capsys):
     assert "warning" not in rows
 
 
-def test_info_says_that_the_growth_of_errors_by_a_rule_that_is_not_linear_holds_at_these_points(
-    tmp_path, capsys
-):
+def test_info_says_that_the_error_growth_of_a_nonlinear_rule_holds_at_the_given_points(tmp_path, capsys):
     """It said 1.69, a mean of x and y. Beside a corner between straight runs there is no bound."""
     worse = [(1, 6), (0, 0), (3, 0), (1, 3), (2, 6), (4, 6), (2, 6)]
     corner = [(0, 0), (1, 1), (2, 2), (3, 1), (4, 0)]
@@ -168,7 +166,7 @@ def test_info_tells_the_style_and_the_unit(style, words, tmp_path, capsys):
     assert content["curves"][0]["style"]["stroke"] == style.stroke
 
 
-def test_render_takes_curves_by_name_and_shows_them_alone(tmp_path, capsys):
+def test_render_draws_only_the_named_curves(tmp_path, capsys):
     path, picture = tmp_path / "a.curve.json", tmp_path / "a.svg"
     curves = [
         make_curve(((x, 0.0), (x + 1.0, 2.0)), name=name) for x, name in ((0.0, "leaf 1"), (9.0, "stem"))
@@ -199,7 +197,7 @@ def test_info_tells_shapes_and_groups(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(("count", "degree", "kind"), [(5, 4, None), (6, None, "rational, blended degree 3")])
-def test_info_says_what_a_rational_curve_is(tmp_path, capsys, count, degree, kind):
+def test_info_names_degree_and_kind_of_a_rational_curve(tmp_path, capsys, count, degree, kind):
     path = tmp_path / "rational.curve.json"
     points = [(k, k % 2) for k in range(count)]
     save(path, Document((make_curve(points, family=FAMILIES.named("floater_hormann")),)))
@@ -495,7 +493,7 @@ def test_convert_writes_every_format_and_says_how_exactly(ending, tmp_path, caps
     assert out.stat().st_size > 100
 
 
-def test_convert_takes_settings_of_the_family_and_info_prints_them(tmp_path, capsys):
+def test_convert_accepts_settings_of_the_family_and_info_prints_the_settings(tmp_path, capsys):
     table, curve = tmp_path / "bell.csv", tmp_path / "bell.curve.json"
     table.write_text("x,y\n" + "\n".join(f"{x},{1 / (1 + x * x)}" for x in range(-5, 6)))
     family = ["--family", "floater_hormann"]
@@ -537,7 +535,7 @@ def test_convert_and_info_take_real_settings_of_a_family_file(tmp_path, capsys):
         ("b-spline", "b_spline"),
     ],
 )
-def test_a_family_is_named_as_people_see_it(typed, name, tmp_path, capsys):
+def test_a_family_is_accepted_by_its_displayed_title(typed, name, tmp_path, capsys):
     """`--family Bézier` was refused, and with it a list that the title was not in."""
     table, curve = tmp_path / "line.csv", tmp_path / "line.curve.json"
     table.write_text("x,y\n0,0\n1,2\n2,1\n3,3\n")
@@ -545,7 +543,7 @@ def test_a_family_is_named_as_people_see_it(typed, name, tmp_path, capsys):
     assert load(curve).curves[0].family.name == name
 
 
-def test_a_family_that_is_none_is_refused_with_those_there_are(tmp_path, capsys):
+def test_an_unknown_family_is_refused_with_the_list_of_families(tmp_path, capsys):
     with pytest.raises(SystemExit):
         main(["convert", LETTER, str(tmp_path / "a.curve.json"), "--family", "splines"])
     said = " ".join(capsys.readouterr().err.split())
@@ -738,7 +736,7 @@ def test_pictures_need_no_display(tmp_path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
-def test_the_editor_without_a_display_says_what_works_instead():
+def test_the_editor_without_a_display_suggests_the_other_commands():
     done = run(LETTER)
     assert done.returncode == 1
     assert done.stderr.startswith("curvebench: There is no display to open a window on.")
@@ -782,7 +780,7 @@ def test_the_editor_opens_a_window_for_every_file(qapp, capsys):
     assert capsys.readouterr() == ("", "")
 
 
-def test_one_file_that_is_no_document_does_not_keep_the_others_from_opening(qtbot, tmp_path, capsys):
+def test_a_file_that_is_no_document_does_not_keep_the_other_files_from_opening(qtbot, tmp_path, capsys):
     """One line on stderr, “a.csv cannot be read: it is not JSON”, and no window for the document either."""
     table, bad, picture = tmp_path / "a.csv", tmp_path / "bad.curve.json", tmp_path / "a.png"
     table.write_text("0,0\n1,1\n", encoding="utf-8")
@@ -913,7 +911,7 @@ def test_the_basis_of_a_missing_curve_is_refused(capsys, tmp_path):
     assert not Path(out).exists()
 
 
-def test_a_picture_that_would_be_too_large(capsys, tmp_path):
+def test_a_picture_beyond_the_limit_of_pixels_is_refused(capsys, tmp_path):
     said = refusal(capsys, "render", LETTER, "-o", str(tmp_path / "a.png"), "--scale", "1e300")
     assert "its sides can be 1 to 16384 pixels" in said
 
@@ -954,7 +952,7 @@ def test_convert_says_whether_its_deviation_is_a_bound(capsys, tmp_path):
         assert json.loads(capsys.readouterr().out)["deviation_is_bound"] is (not word)
 
 
-def test_convert_writes_a_formula_with_as_many_digits_as_it_needs(capsys, tmp_path):
+def test_convert_refuses_too_few_digits_of_a_formula_and_writes_enough(capsys, tmp_path):
     near, out = tmp_path / "near.csv", tmp_path / "near.tex"
     near.write_text("x,y\n0,0\n1,0\n1.00000001,0\n2,1\n", encoding="utf-8")
     assert "Use 8 or more" in refusal(capsys, "convert", str(near), str(out))

@@ -148,7 +148,7 @@ def test_large_drawings_have_several_processes(folder, monkeypatch):
     assert jobs(["a.csv", "large.csv"], 1) == 1
 
 
-def test_a_terminal_shows_which_of_the_files_it_is(folder, monkeypatch):
+def test_a_terminal_displays_the_number_of_the_current_file(folder, monkeypatch):
     class Terminal(io.StringIO):
         def isatty(self) -> bool:
             return True

@@ -43,7 +43,7 @@ def test_fit_gives_the_number_of_points_and_the_deviation(table, tmp_path, capsy
     assert gaps(curve).max() <= 1.01 * told + 1e-3
 
 
-def test_fit_tolerance_is_kept(table, tmp_path, capsys):
+def test_fit_tolerance_bounds_the_gap_to_the_curve(table, tmp_path, capsys):
     out = tmp_path / "few.curve.json"
     assert main(["convert", str(table), str(out), "--fit-tolerance", "0.01"]) == 0
     (curve,) = load(out).curves
@@ -53,7 +53,7 @@ def test_fit_tolerance_is_kept(table, tmp_path, capsys):
     assert "largest deviation from the true curves" in capsys.readouterr().out
 
 
-def test_documents_keep_their_families_and_times_where_asked(tmp_path, capsys):
+def test_fitted_documents_keep_their_families_and_on_request_their_times(tmp_path, capsys):
     source = "resources/examples/robot_move.curve.json"
     before = load(source).curves[0]
     out = tmp_path / "few.curve.json"

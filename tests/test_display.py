@@ -57,7 +57,7 @@ def test_the_package_is_named():
     assert missing_library("libqxcb.so: invalid ELF header") == ""
 
 
-def test_wayland_and_a_chosen_platform_are_left_to_qt(monkeypatch, tmp_path):
+def test_wayland_and_a_given_platform_are_left_to_qt(monkeypatch, tmp_path):
     monkeypatch.setenv("DISPLAY", ":7391")
     for name, value in (("WAYLAND_DISPLAY", "wayland-0"), ("QT_QPA_PLATFORM", "offscreen")):
         monkeypatch.setenv("QT_QPA_PLATFORM", "")

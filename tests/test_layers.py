@@ -29,7 +29,7 @@ MODULES = {
 }
 
 
-def test_the_contracts_of_the_layers_are_kept():
+def test_the_contracts_of_the_layers_hold():
     code = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
@@ -57,7 +57,7 @@ def packages() -> list[Path]:
 
 
 @each_row("package", packages(), ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_the_map_of_a_package_names_all_of_it(package):
+def test_the_map_of_a_package_names_all_its_modules(package):
     text = ast.get_docstring(ast.parse((package / "__init__.py").read_text(encoding="utf-8"))) or ""
     named = set(re.findall(r"``(\w+)``", text))
     there = {path.stem for path in package.glob("*.py")} - {"__init__", "__main__"}
@@ -119,7 +119,7 @@ def start():
     return Start(set(before), set(after), searched)
 
 
-def test_the_window_starts_without_what_is_rarely_used(start):
+def test_the_window_starts_without_rarely_used_modules(start):
     late = {
         "PIL",
         "app.canvas.motion_layer",
@@ -157,7 +157,7 @@ def test_the_window_starts_without_what_is_rarely_used(start):
     }
 
 
-def test_the_process_that_reads_drawings_imports_what_reading_takes():
+def test_the_reading_process_imports_only_the_modules_for_reading():
     """Every drawing that is read alone pays for its start."""
     code = (
         "import sys, numpy; known = set(sys.modules)\n"
@@ -182,7 +182,7 @@ def test_the_start_imports_without_a_search_through_sources(start):
     assert "PySide6" not in start.before
 
 
-def test_what_a_drag_of_thousands_makes_has_no_search_through_all_there_is():
+def test_a_drag_of_thousands_of_curves_triggers_no_full_garbage_collection():
     """Every third move of 3,000 curves took 30 ms longer for it; here several at once make values."""
     code = (
         "import gc, app.cli.start\n"
@@ -197,7 +197,7 @@ def test_what_a_drag_of_thousands_makes_has_no_search_through_all_there_is():
     assert done.returncode == 0, done.stderr
 
 
-def test_the_start_imports_of_pyqtgraph_what_a_plot_takes_and_copies_no_names_of_qt():
+def test_the_start_imports_only_the_needed_pyqtgraph_modules_and_copies_no_names_of_qt():
     """Its package imports all it has, and has PySide make every class and enumeration of three modules.
 
     The rest comes when asked for, and then all is there; Qt's own modules are as they were.
@@ -236,7 +236,7 @@ def test_the_start_imports_of_pyqtgraph_what_a_plot_takes_and_copies_no_names_of
     assert done.returncode == 0, done.stderr
 
 
-def test_what_uses_pyqtgraph_gets_it_from_one_module():
+def test_only_one_module_imports_pyqtgraph():
     sources = {name: path.read_text(encoding="utf-8") for name, path in MODULES.items()}
     named = re.compile(r"^\s*(import|from) pyqtgraph", re.MULTILINE)
     assert [name for name, text in sources.items() if named.search(text)] == ["app.plotting.graphs"]

@@ -193,7 +193,7 @@ def planted(tmp_path_factory):
 
 
 @each_row("kind", NAMED)
-def test_what_is_left_over_is_named_with_the_test(planted, kind):
+def test_a_leftover_is_reported_for_the_test_that_left_the_object(planted, kind):
     parts = re.split(r"^_+ ERROR at teardown of test_(\w+) _+$", planted, flags=re.MULTILINE)
     told = dict(zip(parts[1::2], parts[2::2], strict=True))
     assert re.search(f"left over: {NAMED[kind]}", told[kind]), told[kind]

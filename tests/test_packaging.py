@@ -94,7 +94,7 @@ def test_icons_refer_to_nothing_outside():
         assert not re.search(r"href|://|<script|<style|<image", drawing), path.name
 
 
-def test_licences_are_there_and_name_their_owners():
+def test_licences_exist_and_name_their_owners():
     for name in PROJECT["project"]["license-files"]:
         assert (ROOT / name).is_file()
     assert "Curvebench contributors" in text_of("LICENSE")

@@ -108,11 +108,11 @@ def test_a_panel_holds_no_session(path):
         "self.tools.event.session.selected.set_points([1])",
     ],
 )
-def test_one_that_holds_a_session_is_found(code):
+def test_a_panel_that_holds_a_session_is_detected(code):
     assert sessions_in(code)
 
 
-def test_the_panels_of_features_are_read_too():
+def test_the_panels_of_features_are_among_the_checked_files():
     read = {path.relative_to(ROOT).as_posix() for path in PANELS}
     table = {f"app/features/point_table/{name}.py" for name in ("panel", "model", "view")}
     assert table < read

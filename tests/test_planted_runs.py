@@ -174,7 +174,7 @@ def test_the_run_ends_and_the_others_are_run(hanging):
         ("test_in_its_teardown_after_a_failure", "hangs_behind"),
     ],
 )
-def test_the_test_is_named_and_where_it_hangs(hanging, test, function):
+def test_a_hanging_test_is_reported_with_its_name_and_function(hanging, test, function):
     reported = [line for line in hanging.output.splitlines() if line.endswith(f"::{test}'")]
     assert any("crashed while running" in line for line in reported), hanging.output
     assert f" in {function}\n" in hanging.errors, hanging.errors
@@ -190,7 +190,7 @@ def test_only_benchmarks_have_no_limit(request):
     assert {path.parent for path in without} <= {ROOT / "tests/bench"}
 
 
-def test_all_failures_and_what_a_test_tells_arrive(runs):
+def test_all_failures_and_their_output_are_reported(runs):
     dots, more = (run.output for run in runs)
     assert "1 failed, 2 passed, 1 skipped, 1 xfailed, 2 errors" in more, more
     for output in (dots, more):

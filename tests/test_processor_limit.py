@@ -22,18 +22,18 @@ def code_of(text):
 
 @pytest.mark.skipif("sys.platform == 'win32'", reason="Windows has no such timer")
 @pytest.mark.parametrize("work", [IN_C, IN_PYTHON])
-def test_the_system_ends_what_is_busy(work):
+def test_the_system_ends_a_busy_process(work):
     assert processor_limit.was_overdue(code_of(LIMIT + work))
 
 
-def test_a_thread_ends_what_is_busy_where_the_system_has_no_timer(monkeypatch):
+def test_a_thread_ends_a_busy_process_without_a_system_timer(monkeypatch):
     code = code_of(NO_TIMER + LIMIT + IN_PYTHON)
     monkeypatch.delattr("signal.setitimer", raising=False)
     assert processor_limit.was_overdue(code)
 
 
 @pytest.mark.parametrize("system", ["", NO_TIMER])
-def test_what_waits_or_has_no_limit_any_more_goes_on(system):
+def test_a_waiting_or_unlimited_process_continues(system):
     lifted = "limit_processor_time(float('inf'))\n"
     busy = "began = time.process_time()\nwhile time.process_time() - began < 0.1: pass\n"
     code = code_of(f"{system}{LIMIT}import time; time.sleep(0.1)\n{lifted}{busy}")

@@ -114,7 +114,7 @@ def test_the_readme_lists_the_pages_of_the_manual():
 
 
 @pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md"])
-def test_it_can_be_read_in_five_minutes(name):
+def test_a_page_is_at_most_9000_bytes_long(name):
     assert len(text_of(name).encode()) <= 9000
 
 
@@ -145,7 +145,7 @@ def test_files_and_names_in_contributing_exist():
         assert set(name.split(".")) <= defined, name
 
 
-def test_the_core_example_prints_what_it_says(tmp_path):
+def test_the_core_example_prints_the_stated_sum(tmp_path):
     (example,) = blocks("Library")
     result = run("-W", "error", "-c", example, cwd=tmp_path)
     assert result.returncode == 0, result.stderr

@@ -78,12 +78,12 @@ def test_the_editor_is_driven_beside_a_strangers_app(run, tmp_path):
     assert "2 passed" in result.stdout, result.stdout + result.stderr
 
 
-def test_what_ships_with_the_program_is_found(run, installed):
+def test_resources_of_the_installed_program_are_inside_the_package(run, installed):
     result = run("-c", "from curvebench.storage import resources as r; print(r.resource('icons', 'app.svg'))")
     assert Path(result.stdout.strip()).is_relative_to(installed), result.stderr
 
 
-def test_without_the_editors_packages_the_command_says_what_to_install(run):
+def test_without_the_editors_packages_the_command_names_the_installation(run):
     result = run("-c", f"{WITHOUT}\nfrom curvebench.__main__ import main; sys.exit(main())")
     assert result.returncode == 1
     (line,) = result.stderr.splitlines()

@@ -65,7 +65,7 @@ def test_some_points_of_one_curve_can_be_transformed(four):
     assert [point.position for point in after.curves[2].points] == [(0.0, 2.0), (1.5, 2.25)]
 
 
-def test_a_too_large_transform_changes_nothing(four):
+def test_a_transform_beyond_the_limits_changes_nothing(four):
     far = replace(four.curves[3], points=(Point(9e11, 0.0), Point(0.0, 0.0)))
     with pytest.raises(EditError, match="1e12"):
         move_group(four.with_curve(3, far), whole_curves(four, {0, 3}), (2e11, 0.0))

@@ -53,7 +53,7 @@ def test_hidden_curves_are_not_drawn_and_take_no_room(document):
     assert drawing.left_out == ()
 
 
-def test_svg_keeps_hidden_curves_in_order_without_showing_them(document):
+def test_svg_stores_hidden_curves_in_order_without_display(document):
     found = paths(document)
     assert [(name, path.get("display")) for name, path in found.items()] == [
         ("Pond", None),

@@ -180,7 +180,7 @@ def drag_pivot(editor, to, **keys):
     editor.drag(start, to, **keys)
 
 
-def test_the_pivot_is_dragged_and_rotations_are_about_it(two):
+def test_the_pivot_is_dragged_and_rotations_are_about_the_pivot(two):
     two.trigger("selectAll")
     document = two.session.document
     drag_pivot(two, (-1.0, 1.0))
@@ -337,7 +337,7 @@ def test_the_pivot_moves_with_its_selection(two):
     assert pivot(two) == pytest.approx(box[0] + (np.array([x + 2, y]) - box[0]) * grown, abs=1e-9)
 
 
-def test_the_pivot_is_reset_with_the_selection_and_restored_with_it(two):
+def test_the_pivot_is_reset_with_the_selection_and_restored_with_the_selection(two):
     two.trigger("selectAll")
     drag_pivot(two, (-1.0, 1.0))
     place = pivot(two)

@@ -108,7 +108,7 @@ def test_a_guide_is_drawn_out_of_the_left_ruler_with_any_tool(drawing):
         drawing.trigger("undo")
 
 
-def test_escape_a_click_and_the_way_back_draw_none(drawing):
+def test_escape_a_click_and_a_drag_back_to_the_ruler_create_no_guide(drawing):
     canvas, steps = drawing.window.canvas, drawing.session.undo_stack.count()
     end = canvas.to_pixel(1.0, 3.0)
     begin(drawing, above(drawing), end)

@@ -169,7 +169,7 @@ def test_points_that_undo_brings_back_are_selected_in_both_contours(letter):
     assert selected(letter) == {0: {2}, 1: {2}}
 
 
-def test_the_box_is_around_the_points_of_both_contours_and_scales_them(letter):
+def test_the_box_surrounds_the_points_of_both_contours_and_scales_both(letter):
     letter.drag((-4.0, 0.7), (-1.0, -0.7))
     box = letter.window.canvas.marks.box
     assert (box.low, box.high) == ((-3.0, 0.0), (-1.5, 0.0))

@@ -32,7 +32,7 @@ def close(editor):
 
 
 @pytest.mark.parametrize("at", [(2, 6), None])
-def test_a_drag_moves_it_whole_and_edits_it_not(three, at):
+def test_a_drag_on_another_curve_moves_the_whole_curve_without_editing(three, at):
     before, steps = three.session.document, three.session.undo_stack.count()
     three.select([1])
     x, y = at or on_curve(three, 2)
@@ -71,7 +71,7 @@ def test_a_key_keeps_the_drag_to_an_axis(three, keys):
     assert three.session.selected.curves == {1}
 
 
-def test_it_snaps_by_its_point_to_those_that_stay(three):
+def test_a_dragged_other_curve_snaps_by_its_point_to_points_at_rest(three):
     x, y = three.session.views[2].curve.evaluate(0.02)
     goal, end = three.session.document.curves[0].points[2].position, (0.0, 6.0)
     near = (x + goal[0] - end[0] + 0.02, y + goal[1] - end[1] - 0.02)
@@ -89,7 +89,7 @@ def test_it_snaps_by_its_point_to_those_that_stay(three):
     assert three.session.document.curves[2].points[0].position == goal
 
 
-def test_it_can_be_taken_back(three):
+def test_a_drag_of_another_curve_can_be_cancelled(three):
     for at, way in product(((2, 6), None), ("escape", "right button")):
         before, steps = three.session.document, three.session.undo_stack.count()
         x, y = at or on_curve(three, 2)
@@ -110,7 +110,7 @@ def test_it_can_be_taken_back(three):
         three.window.status_line.clear_message()
 
 
-def test_a_click_on_its_point_selects_it_too(three):
+def test_a_click_on_a_point_of_another_curve_edits_the_curve_and_selects_the_point(three):
     before = three.session.document
     three.click((1, 7))
     assert (three.curve.name, three.session.selection) == ("C", {1})
@@ -118,7 +118,7 @@ def test_a_click_on_its_point_selects_it_too(three):
     assert three.session.document is before
 
 
-def test_a_click_on_its_line_selects_nothing_until_it_is_edited(three):
+def test_a_click_on_the_line_of_another_curve_selects_no_point(three):
     before = three.session.document
     three.click(on_curve(three, 0))
     assert (three.curve.name, three.session.selection) == ("A", frozenset())
@@ -131,7 +131,7 @@ def test_a_click_on_its_line_selects_nothing_until_it_is_edited(three):
     assert three.session.document is before
 
 
-def test_at_the_edge_of_reach_it_is_moved_or_there_is_a_band_but_never_both(three):
+def test_at_the_edge_of_reach_a_drag_moves_the_curve_or_draws_a_band_but_never_both(three):
     for pixels in (7.4, 9.0, 15.0):
         before = three.session.document
         x, y = on_curve(three, 2, 0.5)
@@ -161,7 +161,7 @@ def locked(three, request):
     return three
 
 
-def test_clicks_and_drags_go_through_what_is_locked_to_what_is_below(locked):
+def test_clicks_and_drags_go_through_a_locked_curve_to_the_curve_below(locked):
     at, is_editing = on_curve(locked, 3), locked.session.selected.is_editing
     locked.hover(at)
     assert "“D”" in locked.window.status_line.hint
@@ -173,7 +173,7 @@ def test_clicks_and_drags_go_through_what_is_locked_to_what_is_below(locked):
     assert locked.session.document.curves[0] is not before.curves[0]
 
 
-def test_what_is_locked_with_nothing_below_says_so_and_is_not_taken(locked):
+def test_a_press_on_a_locked_curve_without_another_below_is_refused_with_a_message(locked):
     locked.session.change(
         "Delete D", lambda document: replace(document, curves=document.curves[1:]), active=1
     )
@@ -201,7 +201,7 @@ def test_what_is_locked_with_nothing_below_says_so_and_is_not_taken(locked):
 # The right button
 
 
-def test_the_first_right_click_offers_what_can_be_done_at_that_place(three):
+def test_the_first_right_click_offers_the_commands_for_the_clicked_position(three):
     at = on_curve(three, 2)
     found = entries(three.open_menu(at))
     assert three.curve.name == "C"
@@ -224,7 +224,7 @@ def test_a_right_click_on_a_locked_curve_is_for_the_canvas(three):
     close(three)
 
 
-def test_the_first_right_click_on_its_point_is_for_the_point(three):
+def test_the_first_right_click_on_a_point_of_another_curve_opens_the_menu_of_the_point(three):
     found = entries(three.open_menu((2, 6)))
     assert (three.curve.name, three.session.selection) == ("C", {2})
     assert found["deleteSelection"]
@@ -232,7 +232,7 @@ def test_the_first_right_click_on_its_point_is_for_the_point(three):
     assert three.curve.points[2].corner
 
 
-def test_a_right_click_on_one_of_several_chosen_leaves_them_chosen(three):
+def test_a_right_click_on_a_selected_curve_keeps_all_selected_curves(three):
     three.click(on_curve(three, 2), keys=SHIFT)
     assert "insertPointHere" in entries(three.open_menu(on_curve(three, 2)))
     assert (three.curve.name, three.session.selected.curves) == ("C", {1, 2})
@@ -242,7 +242,7 @@ def test_a_right_click_on_one_of_several_chosen_leaves_them_chosen(three):
     close(three)
 
 
-def test_the_menu_of_what_is_chosen_is_short_and_acts_on_it(three):
+def test_the_menu_of_several_selected_curves_is_short_and_acts_on_all(three):
     """It was that of a curve whose points are edited, of thirty entries, half of them grey."""
     selected = three.session.selected
     selected.select_whole([0, 1])

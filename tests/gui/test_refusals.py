@@ -127,7 +127,7 @@ def test_changed_keys_show_the_need(line):
     keymap.reset_all()
 
 
-def test_the_same_keys_work_where_they_can(line):
+def test_the_keys_of_a_refused_action_work_for_another_family(line):
     line.choose_family(HERMITE)
     line.select([0, 1])
     line.key(Qt.Key.Key_4, ALT)
@@ -199,7 +199,7 @@ def test_a_locked_curve_refuses_with_the_sign(line):
     assert line.session.document == before
 
 
-def test_a_drag_that_cannot_go_on_is_marked_while_it_is_held(line):
+def test_a_refused_drag_is_marked_until_the_release(line):
     line.trigger("curveLocked")
     line.press(line.point(1))
     line.move((1.6, 2.6))

@@ -42,13 +42,13 @@ def test_shift_click_toggles(arch):
     assert arch.session.selection == {2}
 
 
-def test_a_click_on_one_of_several_selected_points_selects_it_alone(arch):
+def test_a_click_on_a_selected_point_selects_the_point_alone(arch):
     arch.select([0, 1, 2])
     arch.click(arch.point(1))
     assert arch.session.selection == {1}
 
 
-def test_a_drag_of_one_of_several_selected_points_moves_them_all(arch):
+def test_a_drag_of_a_selected_point_moves_all_selected_points(arch):
     arch.select([1, 2])
     arch.drag_point(1, to=(1, 3))
     assert points(arch)[1:3] == pytest.approx(np.array([(1, 3), (3, 3)]), abs=2 * arch.pixel)
@@ -56,7 +56,7 @@ def test_a_drag_of_one_of_several_selected_points_moves_them_all(arch):
     assert arch.session.selection == {1, 2}
 
 
-def test_a_drag_with_shift_moves_the_point_under_it_alone(arch):
+def test_a_drag_with_shift_moves_only_the_point_under_the_pointer(arch):
     arch.select([0])
     arch.drag_point(1, to=(2, 2.2), keys=SHIFT)
     assert arch.point(0) == (0.0, 0.0)
@@ -85,7 +85,7 @@ def test_shift_adds_with_the_band_and_a_click_with_shift_keeps(arch):
     assert arch.session.selection == {0, 2}
 
 
-def test_escape_brings_back_what_was_selected_before_the_band(arch):
+def test_escape_restores_the_selection_from_before_the_band(arch):
     arch.select([3])
     arch.press((-1, 3))
     arch.move((3.5, 1))
@@ -121,7 +121,7 @@ def test_tab_walks_points_that_lie_on_each_other(editor):
 # Transforms by keys
 
 
-def test_g_moves_with_no_button_down_and_a_click_ends_it(arch):
+def test_g_moves_without_a_button_until_a_click(arch):
     arch.select([1, 2])
     steps = arch.session.undo_stack.count()
     arch.hover((0, 3))
@@ -157,7 +157,7 @@ def test_all_points_turn_about_the_middle_of_the_curve(arch):
     assert undo_text(arch) == "Rotate 4 points"
 
 
-def test_digits_do_not_switch_the_family_while_they_are_typed(arch):
+def test_typed_digits_of_an_amount_do_not_switch_the_family(arch):
     arch.select([1, 2])
     arch.key(Key.Key_S)
     arch.type_amount("23")
@@ -249,7 +249,7 @@ def test_a_transform_ends_when_the_keys_go_elsewhere(arch):
     assert arch.session.document is document
 
 
-def test_the_menu_begins_a_transform_too(arch):
+def test_the_menu_begins_a_transform(arch):
     arch.select([1, 2])
     arch.trigger("rotateSelection")
     arch.type_amount("180")
@@ -257,7 +257,7 @@ def test_the_menu_begins_a_transform_too(arch):
     assert points(arch).tolist() == [[0, 0], [3, 2], [1, 2], [4, 0]]
 
 
-def test_an_action_in_the_middle_of_a_transform_drops_it(arch):
+def test_an_action_during_a_transform_cancels_the_transform(arch):
     arch.select([1, 2])
     arch.hover((0, 3))
     arch.key(Key.Key_G)
@@ -397,7 +397,7 @@ def test_the_box_can_be_hidden_and_stays_hidden(arch):
     assert not arch.window.preferences.transform_box
 
 
-def test_grips_say_what_they_do_and_change_the_pointer(arch):
+def test_grips_have_a_hint_and_a_pointer_shape(arch):
     arch.select([0, 1, 2, 3])
     arch.hover(arch.grip(1, 1))
     assert "scale 4 points" in arch.window.status_line.hint
@@ -443,7 +443,7 @@ def test_distribute(arch):
     assert points(arch).tolist() == [list(point) for point in POINTS]
 
 
-def test_what_needs_more_points_is_not_offered(arch):
+def test_actions_that_need_more_points_are_disabled(arch):
     arch.select([1])
     assert arch.action("rotateSelection").isEnabled()
     assert not arch.action("alignLeft").isEnabled()

@@ -529,7 +529,7 @@ def test_a_point_is_inserted_at_the_scrub_line(three):
 # Drawn
 
 
-def test_the_others_are_drawn_in_their_colours_and_repainted_only_when_something_changed(three):
+def test_other_curves_are_drawn_in_their_colours_and_repainted_only_after_a_change(three):
     three.click_in_list(2, Spot.SWATCH)
     three.choose("colour_Vermillion")
     assert three.session.document.curves[2].style.stroke == "#d55e00"

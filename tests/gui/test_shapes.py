@@ -136,7 +136,7 @@ def group(rings):
 # Combine and Break Apart
 
 
-def test_combined_curves_are_one_shape_whose_hole_is_a_hole(rings):
+def test_combined_curves_are_one_shape_with_a_hole(rings):
     click_row(rings, "Inner", CTRL)
     rings.key(Qt.Key.Key_K, CTRL)
     assert (shapes(rings), undo_text(rings)) == (["Shape 1", "Shape 1", ""], "Combine 2 curves")
@@ -165,7 +165,7 @@ def test_the_hole_is_visible_whichever_curve_is_edited(ring, edited):
     assert seen(ring, 0.3, 0.2) == "#cc3311"
 
 
-def test_the_hole_is_one_in_pictures_and_one_path_in_svg(ring, tmp_path):
+def test_the_hole_stays_a_hole_in_pictures_and_the_shape_is_one_path_in_svg(ring, tmp_path):
     saved = tmp_path / "ring.curve.json"
     ring.session.save(saved)
     png, svg = tmp_path / "ring.png", tmp_path / "ring.svg"
@@ -191,7 +191,7 @@ def test_a_reversed_curve_keeps_its_fill_rule(rings):
     assert rings.curve.style.fill_rule is FillRule.NONZERO
 
 
-def test_one_curve_is_not_combined_and_a_plain_one_not_broken_apart(rings):
+def test_a_single_curve_is_not_combined_and_a_plain_curve_not_broken_apart(rings):
     assert not rings.action("combineCurves").isEnabled()
     assert not rings.action("breakApart").isEnabled()
     assert not rings.action("ungroupCurves").isEnabled()
@@ -415,7 +415,7 @@ def test_delete_on_a_folded_entry_deletes_all_its_curves(ring):
     assert names(ring) == ["Side"]
 
 
-def test_a_split_curve_of_a_shape_stays_in_it(ring):
+def test_a_split_curve_of_a_shape_stays_in_the_shape(ring):
     ring.session.selected.activate(0)
     ring.select([2])
     ring.trigger("splitCurve")
@@ -434,7 +434,7 @@ def test_a_shape_is_dragged_whole(ring):
     assert undo_text(ring) == "Reorder Shape 1"
 
 
-def test_a_curve_is_dragged_into_a_shape_and_out_of_it(ring):
+def test_a_curve_is_dragged_into_a_shape_and_out_of_the_shape(ring):
     fold(ring, "Shape 1")
     drag_row(ring, "Side", top_of(ring, "Outer"))
     assert rows(ring) == ["Shape 1", "  Inner", "  Side", "  Outer"]
@@ -455,7 +455,7 @@ def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
 
 
 @pytest.mark.parametrize("folded", [True, False])
-def test_a_curve_dropped_on_an_entry_goes_into_it(ring, folded):
+def test_a_curve_dropped_on_an_entry_goes_into_the_shape(ring, folded):
     if not folded:
         fold(ring, "Shape 1")
     drag_row(ring, "Side", view_of(ring).parts.entry_rect(row_named(ring, "Shape 1")).center().y())
@@ -493,7 +493,7 @@ def test_a_group_has_an_entry_that_selects_all(group):
     assert (group.status, undo_text(group)) == ("Ungrouped Group 1.", "Ungroup Group 1")
 
 
-def test_groups_are_in_groups_with_shapes_in_them(group):
+def test_groups_contain_groups_and_shapes(group):
     group.trigger("selectAllCurves")
     group.trigger("groupCurves")
     fold(group, "Group 2")
@@ -525,7 +525,7 @@ def test_shapes_and_groups_are_saved(group, tmp_path):
 # What is filled is pressed within
 
 
-def test_a_press_within_a_fill_is_one_on_that_curve(ring):
+def test_a_press_within_a_fill_is_a_press_on_the_filled_curve(ring):
     ring.click((2.2, 0.3))
     assert ring.session.document.curves[ring.session.active_index].shape == "Shape 1"
     ring.session.selected.activate(2)
@@ -597,7 +597,7 @@ def chosen_as_wholes(editor):
 ALL = {"Outer", "Inner", "Side"}
 
 
-def test_a_click_selects_the_whole_group_and_a_double_click_enters_it(whole):
+def test_a_click_selects_the_whole_group_and_a_double_click_enters_the_group(whole):
     whole.hover((6.0, 0.3))
     assert "move “Group 1”" in whole.window.status_line.hint
     assert "click to select it, double-click to edit it" in whole.window.status_line.hint
@@ -708,7 +708,7 @@ def test_another_curve_of_the_shape_bends_at_once(edited):
     assert shapes(edited) == ["Shape 1", "Shape 1", ""]
 
 
-def test_a_drag_over_the_fill_of_another_curve_is_a_rubber_band_and_a_click_edits_it(edited):
+def test_a_drag_over_the_fill_of_another_curve_is_a_rubber_band_and_a_click_edits_that_curve(edited):
     document = edited.session.document
     edited.hover((6.3, 0.2))
     hint = edited.window.status_line.hint
@@ -816,7 +816,7 @@ def test_cut_removes_a_contour_alone_or_the_whole_shape_by_its_row(ring):
     assert shapes(ring) == ["Shape 1", "Shape 1", "Shape 1 copy", "Shape 1 copy", ""]
 
 
-def test_a_folded_shape_opens_under_a_drag_that_rests_on_it(ring):
+def test_a_folded_shape_opens_under_a_resting_drag(ring):
     view = view_of(ring)
     port, start, onto = view.viewport(), place_in(ring, "Side"), place_in(ring, "Shape 1")
     QTest.mousePress(port, LEFT, pos=start)
@@ -837,7 +837,7 @@ def test_a_folded_shape_opens_under_a_drag_that_rests_on_it(ring):
     assert shapes(ring) == ["Shape 1"] * 3
 
 
-def test_style_calls_a_shape_by_its_name_and_the_menu_of_a_curve_raises_it(ring):
+def test_style_displays_the_name_of_a_shape_and_the_menu_of_a_curve_opens_style(ring):
     """Style named one of its curves, and said so of points of two."""
     ring.session.selected.activate(0)
     ring.show_dock("styleDock")

@@ -174,7 +174,7 @@ def test_a_selection_moves_with_its_grip_on_the_grid(pair):
     assert pair.point(2) == pytest.approx((3.54, 3.57))
 
 
-def test_a_new_point_snaps_and_the_snap_is_shown_before_the_press(pair):
+def test_a_new_point_snaps_and_the_snap_is_marked_before_the_press(pair):
     pair.trigger("addTool")
     pair.hover(near(pair, (5.5, 1.5)))
     assert pair.window.canvas.marks.snap.position == (5.5, 1.5)
@@ -238,7 +238,7 @@ def test_the_corner_of_the_box_meets_another_curve(pair):
 
 
 @pytest.mark.parametrize(("to", "label"), [(3.5, "grid x"), (4.0, "straight above point 3")])
-def test_a_side_of_the_box_snaps_along_its_way(pair, to, label):
+def test_a_side_of_the_box_snaps_along_its_direction(pair, to, label):
     pair.select([0, 1, 2])
     at = drag_grip(pair, 1, 0, (3.07, 1.055), (to, 1.055))
     assert pair.window.canvas.marks.snap.label == label
@@ -346,7 +346,7 @@ def test_a_closed_curve_is_measured_from_all_its_points(pair):
     assert pair.window.canvas.marks.snap.label == "point 3"
 
 
-def test_the_grid_that_is_snapped_to_is_the_one_on_screen(editor):
+def test_points_snap_to_the_grid_on_screen(editor):
     canvas = editor.window.canvas
     canvas.camera.show_box((0, 10), (0, 8))
     wide = canvas.tools.canvas.grid_spacing()

@@ -112,7 +112,7 @@ def test_one_click_on_a_swatch_paints(editor, panel):
     assert styles(editor) == [Style()] * 3
 
 
-def test_all_selected_curves_curves_change_in_one_step(editor, panel):
+def test_all_selected_curves_change_in_one_step(editor, panel):
     editor.session.selected.set_curves([0, 1, 2])
     steps = editor.session.undo_stack.count()
     click(panel, "strokePaint_Blue")
@@ -122,7 +122,7 @@ def test_all_selected_curves_curves_change_in_one_step(editor, panel):
     assert child(panel, QLabel, "styleSubject").text() == "3 curves"
 
 
-def test_different_values_are_shown_as_mixed_and_kept(editor, panel):
+def test_different_values_are_displayed_as_mixed_and_stay(editor, panel):
     enter(editor, panel, "strokeWidth", "0.5")
     click(panel, "fillPaint_Blue")
     editor.session.selected.set_curves([1, 2])
@@ -181,7 +181,7 @@ def turn(field, notches):
     QApplication.sendEvent(field, event)
 
 
-def test_the_wheel_turns_no_choice_that_it_only_passes(editor, panel):
+def test_the_wheel_does_not_change_a_choice_without_the_focus(editor, panel):
     """Whoever scrolled the panel gave the line another dash when the pointer came over that."""
     box = panel.findChild(QComboBox, "dashBox")
     steps = editor.session.undo_stack.count()
@@ -233,7 +233,7 @@ def test_arrow_keys_and_the_wheel_step_a_number_and_a_held_key_is_one_step(edito
         assert styles(editor) == before, case
 
 
-def test_a_width_is_shown_with_the_unit_of_the_document(editor, panel):
+def test_a_width_is_displayed_with_the_unit_of_the_document(editor, panel):
     enter(editor, panel, "strokeWidth", "5 mm")
     assert text_of(panel, "strokeWidth") == "0.5 cm"
     enter(editor, panel, "strokeWidth", "auto")
@@ -260,7 +260,7 @@ def test_invalid_input_is_refused_in_the_form_and_stays(editor, panel):
         assert problem.isHidden(), field
 
 
-def test_a_refusal_moves_no_row_and_a_swatch_clears_it(editor, panel):
+def test_a_refusal_moves_no_row_and_a_swatch_clears_the_refusal(editor, panel):
     rows = [child(panel, QWidget, name) for name in ("fillPaint_Blue", "strokeWidth", "strokeOpacity")]
     before = [row.mapTo(panel, QPoint()) for row in rows]
     enter(editor, panel, "fillPaintHex", "no colour")
@@ -280,7 +280,7 @@ def test_a_unit_needs_a_document_with_a_unit(editor, panel):
     assert "The document has no unit of length" in child(panel, QLabel, "styleProblem").text()
 
 
-def test_colours_are_typed_as_people_write_them(editor, panel):
+def test_colours_are_accepted_in_common_notations(editor, panel):
     paints = {"#0072B2": BLUE, "0072b2": BLUE, "f00": "#ff0000", "Teal": "#008080", "ink": ""}
     for typed, paint in paints.items():
         click(panel, "strokePaint_Yellow")
@@ -370,7 +370,7 @@ def test_a_colour_of_any_kind_is_selected_in_one_step_and_remembered(editor, pan
     assert panel.findChild(QToolButton, "fillPaint_#123456") is None
 
 
-def test_colours_of_the_document_are_offered_behind_those_used_last(editor, panel):
+def test_colours_of_the_document_are_offered_after_the_recent_ones(editor, panel):
     """Of an opened drawing its own colours had to be picked or typed."""
     editor.window.preferences.recent_colours = "#123456"
     document = editor.session.document
@@ -462,7 +462,7 @@ def test_the_style_of_svg_that_was_copied_elsewhere_is_pasted(editor, panel):
 # On the canvas
 
 
-def test_fill_and_stroke_have_their_place_and_width(editor):
+def test_fill_and_stroke_have_their_position_and_width(editor):
     style = Style(stroke=RED, width=0.4, fill=BLUE)
     begin(editor, square(0, 0, 4, "Leaf", style=style), make_curve([(8, 0), (9, 3)], name="Other"), active=1)
     for active in (1, 0):
@@ -510,7 +510,7 @@ def test_a_shape_is_painted_right_millions_of_pixels_from_its_end(editor):
         assert found == colours, (x, half)
 
 
-def test_fill_and_stroke_are_seen_through_each_by_itself(editor):
+def test_fill_and_stroke_have_separate_opacities(editor):
     style = Style(stroke="#000000", width=1.0, fill="#000000", stroke_opacity=0.5, fill_opacity=0.5)
     begin(editor, square(0, 0, 4, "Leaf", style=style), make_curve([(8, 0), (9, 3)], name="Other"), active=1)
     # Half of the line lies over the fill.
@@ -519,7 +519,7 @@ def test_fill_and_stroke_are_seen_through_each_by_itself(editor):
     assert 60 < QColor(seen(editor, 0.25, 2)).red() < 66
 
 
-def test_dashes_begin_at_the_start_wherever_one_looks(editor):
+def test_dashes_begin_at_the_start_of_the_curve_at_any_zoom(editor):
     style = Style(stroke=RED, width=1.0, cap=LineCap.BUTT, dash=(2.0, 2.0))
     line = replace(make_curve([(0, 0), (400, 0)], name="Line", family=HERMITE), style=style)
     begin(editor, line, make_curve([(0, 5), (9, 8)], name="Other"), active=1)
@@ -531,7 +531,7 @@ def test_dashes_begin_at_the_start_wherever_one_looks(editor):
         assert found == [x % 4 < 2 for x in places if x % 2 == 1]
 
 
-def test_dashes_below_a_pixel_are_painted_as_pale_as_their_share(editor):
+def test_dashes_below_a_pixel_are_painted_in_the_mean_colour(editor):
     """Of an odd number of lengths, dashes and gaps change their roles: half of all is drawn."""
     lines = [
         replace(make_curve([(0, y), (9, y)], family=HERMITE), style=Style(stroke=RED, width=1.0, dash=dash))
@@ -554,7 +554,7 @@ def test_a_colour_adjusted_to_the_dark_theme_has_a_note(editor, panel):
     editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)
 
 
-def test_pictures_of_the_others_are_kept_while_one_is_dragged(editor):
+def test_pictures_of_the_other_curves_are_reused_while_a_curve_is_dragged(editor):
     curves = [square(2 * k, 0, 3, f"{k}", style=Style(fill=BLUE, width=0.1)) for k in range(5)]
     begin(editor, *curves, active=2)
     layers = editor.window.canvas.drawing.curves

@@ -235,7 +235,7 @@ def test_a_place_of_the_box_is_put_at_the_numbers(leaf):
     assert sampled_bounds(leaf)[0] == pytest.approx((25.4, -2.0), abs=CLOSE), "it grows away from the pivot"
 
 
-def test_the_pivot_chooser_shows_the_pivot_and_its_centre_resets_it(leaf):
+def test_the_pivot_chooser_displays_the_pivot_and_its_centre_resets_the_pivot(leaf):
     names = [f"pivot{name}" for name in ("Middle", "TopRight")]
     down = lambda: [leaf.window.findChild(QToolButton, name).isChecked() for name in names]  # noqa: E731
     assert down() == [True, False]
@@ -274,7 +274,7 @@ def test_rotate_by_turns_with_every_enter(leaf):
     assert field(leaf, "Angle").text() == "90"
 
 
-def test_angles_are_shown_to_a_thousandth_and_kept_whole(leaf):
+def test_angles_are_displayed_to_a_thousandth_and_stored_exactly(leaf):
     enter(leaf, "Turn", "22.3692597")
     leaf.window.canvas.setFocus()
     assert field(leaf, "Turn").text() == field(leaf, "Angle").text() == "22.369"
@@ -431,7 +431,7 @@ def test_the_lock_binds_the_grips_at_the_corners(leaf):
     leaf.trigger("keepProportions")
 
 
-def test_typing_the_displayed_short_number_gives_exactly_that(leaf):
+def test_typing_the_displayed_short_number_sets_exactly_the_short_number(leaf):
     """80.6367 for 80.636709675 was taken for no change."""
     enter(leaf, "Width", "80.636709675")
     leaf.window.canvas.setFocus()
@@ -488,7 +488,7 @@ def test_a_field_shows_few_decimals_and_the_exact_number_when_focused_or_hovered
     assert line.toolTip().startswith("Width of the line")
 
 
-def test_enter_goes_back_to_the_canvas_whose_keys_work_at_once(leaf):
+def test_enter_returns_the_focus_to_the_canvas_and_its_keys_work_at_once(leaf):
     session, canvas = leaf.session, leaf.window.canvas
     session.selected.select_whole([0])
     for name in ("X", "Width", "Angle"):

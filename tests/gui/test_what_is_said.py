@@ -74,7 +74,7 @@ def test_the_offer_stays_under_the_pointer(pair):
         lambda editor: editor.window.message_bar.findChild(QToolButton, "closeMessage").click(),
     ],
 )
-def test_the_offer_goes_with_what_it_was_about(pair, act):
+def test_the_offered_button_disappears_with_the_reason_for_the_offer(pair, act):
     pair.drag_point(1, to=(1.2, 4.2))
     offer(pair)
     act(pair)
@@ -83,7 +83,7 @@ def test_the_offer_goes_with_what_it_was_about(pair, act):
     assert "A rule gives" not in pair.message + pair.status
 
 
-def test_a_tip_goes_in_front_of_what_was_said_and_gives_it_back(pair):
+def test_a_tip_covers_the_status_and_restores_it_afterwards(pair):
     pair.session.say("Something.")
     button = pair.window.toolbar.widgetForAction(pair.action("fitView"))
     QApplication.sendEvent(button, QStatusTipEvent("Show everything"))
@@ -104,13 +104,13 @@ def test_a_tip_goes_in_front_of_what_was_said_and_gives_it_back(pair):
         lambda editor: editor.session.new(),
     ],
 )
-def test_a_sentence_goes_with_the_document_it_was_about(pair, act):
+def test_the_status_is_cleared_with_its_document(pair, act):
     pair.session.say("Old.")
     act(pair)
     assert pair.status == ""
 
 
-def test_undo_and_redo_say_what_they_did(pair):
+def test_undo_and_redo_report_the_undone_or_redone_step(pair):
     pair.drag_point(1, to=(1.2, 4.2))
     pair.trigger("undo")
     assert pair.status == "Undone: Move point 1."
@@ -203,7 +203,7 @@ def test_pasting_says_so(pair):
     assert pair.status == "Cut 1 point."
 
 
-def test_a_refused_paste_is_forgotten_with_the_next_good_one(pair):
+def test_a_successful_paste_clears_the_message_of_a_refused_paste(pair):
     table = pair.window.commands[PointTableCommands].panel
     table.view.setCurrentIndex(table.model.index(0, 1))
     QGuiApplication.clipboard().setText("1\t2\n3\tx\n")
@@ -269,7 +269,7 @@ def test_a_closed_curve_that_lagrange_opens_says_why(pair):
     assert pair.status == ""
 
 
-def test_a_family_for_several_curves_is_told(waves):
+def test_a_family_chosen_for_several_curves_is_reported(waves):
     """Only one of them, and without a word."""
     editor = waves("ABC")
     count = editor.session.undo_stack.count()
@@ -384,7 +384,7 @@ def test_an_empty_canvas_speaks_of_the_tool_in_hand(editor):
         assert editor.message == ""
 
 
-def test_a_press_puts_away_what_was_said_before_it_not_what_it_says_itself(pair):
+def test_a_press_clears_an_older_refusal_but_not_the_refusal_it_causes(pair):
     """A cell of the table refuses what was typed when the press takes the focus away, however slowly."""
     line = pair.window.status_line
     line.refuse("Not that.")

@@ -96,7 +96,7 @@ def test_a_return_to_whole_curves_is_reported_and_hides_the_points(three):
     assert shows_points(three)
 
 
-def test_enter_edits_all_selected_curves_and_escape_selects_them_whole(whole):
+def test_enter_edits_all_selected_curves_and_escape_selects_the_whole_curves(whole):
     """One was edited, and the others had to be clicked again each time."""
     whole.click(on_curve(whole, 0))
     whole.click(on_curve(whole, 2), keys=SHIFT)
@@ -137,7 +137,7 @@ def test_a_double_click_on_a_point_selects_the_point(whole):
     assert (state(whole), whole.session.selection) == ((True, "", "C"), {2})
 
 
-def test_shift_click_adds_and_takes_out_and_a_click_beside_chooses_none(whole):
+def test_shift_click_adds_and_removes_and_a_click_elsewhere_clears_the_selection(whole):
     for row, expected in ((2, "C"), (0, "AC"), (2, "A")):
         whole.click(on_curve(whole, row), keys=SHIFT)
         assert (whole.session.selected.is_editing, chosen(whole)) == (False, expected)
@@ -258,7 +258,7 @@ def test_a_selected_curve_has_a_box_and_is_moved_scaled_and_deleted(whole):
     assert state(whole)[:2] == (False, "C")
 
 
-def test_without_a_selection_keys_report_that(whole):
+def test_without_a_selection_keys_report_the_missing_selection(whole):
     before = whole.session.document
     whole.hover((1.5, 4.4))
     whole.key(Qt.Key.Key_G)
