@@ -197,7 +197,7 @@ def keywords_of(action: QAction) -> str:
 
 
 def set_needs(action: QAction, needs: str) -> None:
-    """Set the noun phrase of what an action needs."""
+    """Set the noun phrase of the need of an action."""
     action.setProperty(_NEEDS, needs)
 
 

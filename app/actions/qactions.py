@@ -88,7 +88,7 @@ class Actions(QObject):
         return action
 
     def _index(self) -> None:
-        """Index actions by what is asked about them, so that rendering does not search hundreds of them."""
+        """Index actions by the facts to render, so that rendering does not search hundreds of them."""
         declared = [(item, self._actions[name]) for name, item in self._declared.items()]
         switches = {name: item.is_on for name, item in self._declared.items() if item.checked is not None}
         self._are_on = DerivedValues(switches)

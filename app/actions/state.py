@@ -204,8 +204,8 @@ def _highlighted(session: Session) -> str:
     return "Contour" if is_contour else node.kind.name.title()
 
 
-def _count_of_things(document: Document, chosen: frozenset[int]) -> int:
-    return len(nodes_of(document, chosen)) if len(chosen) > 1 else len(chosen)
+def _count_of_things(document: Document, curves: frozenset[int]) -> int:
+    return len(nodes_of(document, curves)) if len(curves) > 1 else len(curves)
 
 
 def _has_curve_beside(document: Document, selected: frozenset[int], shape: range, step: int) -> bool:
@@ -260,7 +260,7 @@ class ClipboardWatch(QObject):
 
     @property
     def holds_derivatives(self) -> bool:
-        """Whether there are derivatives on the clipboard now."""
+        """Whether the clipboard contains derivatives now."""
         if self._known is None:
             data = QGuiApplication.clipboard().mimeData()
             self._known = data is not None and data.hasFormat(DERIVATIVES)

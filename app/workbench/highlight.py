@@ -55,7 +55,7 @@ def remove(
     The shape of curves without some of their points is kept as far as can be, or else the handles there.
     """
     session = context.session
-    document, active, edited_curves = session.document, session.active_index, session.selected.active_curves
+    document, active, active_curves = session.document, session.active_index, session.selected.active_curves
     gone, deleted = what.curves_of(document), list[Deletion]()
 
     def without(document: Document, curve: int, indices: Collection[int]) -> Document:
@@ -69,7 +69,7 @@ def remove(
     change = session.change(
         f"{verb} {what.label(document)}",
         lambda document: what.removed_from(document, delete),
-        active=active_after_removal(document, gone, active, edited_curves) if gone else None,
+        active=active_after_removal(document, gone, active, active_curves) if gone else None,
     )
     if change:
         session.selected.set_points([])

@@ -55,7 +55,7 @@ class StatusLine(SafeOverrides, QStatusBar):
         self._timer = QTimer(self, singleShot=True, interval=_MESSAGE_MS)
         self._timer.timeout.connect(self.clear_message)
         # It runs until the end of the event that has shown the message.
-        self._is_fresh = QTimer(self, singleShot=True, interval=0)
+        self._fresh = QTimer(self, singleShot=True, interval=0)
 
     def put_after(self, widget: QWidget) -> None:
         """Insert a widget between the sentence and the numbers."""
@@ -124,7 +124,7 @@ class StatusLine(SafeOverrides, QStatusBar):
         self._message = text
         self.clearMessage()
         self._timer.start()
-        self._is_fresh.start()
+        self._fresh.start()
         self._render()
 
     def refuse(self, text: str) -> None:
@@ -135,7 +135,7 @@ class StatusLine(SafeOverrides, QStatusBar):
     def begin_gesture(self) -> None:
         """Remove earlier messages at a press, but not one that the press itself has caused."""
         self.clearMessage()
-        if not self._is_fresh.isActive():
+        if not self._fresh.isActive():
             self.clear_message()
 
     def clear_message(self) -> None:

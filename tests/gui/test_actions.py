@@ -30,7 +30,7 @@ def test_every_action_stands_in_one_menu_once(editor, tmp_path):
     assert {name: shown.count(name) for name in names} == dict.fromkeys(names, 1)
 
 
-def test_every_action_says_what_it_does(editor):
+def test_every_action_has_a_tip(editor):
     for each in all_actions():
         action = editor.action(each.name)
         assert action.text(), each.name
@@ -38,7 +38,7 @@ def test_every_action_says_what_it_does(editor):
         assert action.statusTip() == each.tip, each.name
 
 
-def test_actions_of_which_one_is_checked_are_in_one_group(editor):
+def test_actions_with_one_checked_member_are_in_one_group(editor):
     """Of the groups that were made for them most were empty."""
     groups = {
         frozenset(action.objectName() for action in group.actions())
@@ -51,7 +51,7 @@ def test_actions_of_which_one_is_checked_are_in_one_group(editor):
     assert groups == {names for group, names in wanted.items() if group}
 
 
-def test_what_stands_in_a_toolbar_has_an_icon(editor):
+def test_every_action_in_a_toolbar_has_an_icon(editor):
     bars = editor.window.findChildren(QToolBar)
     buttons = [button for bar in bars for button in bar.findChildren(QToolButton) if button.defaultAction()]
     assert len(buttons) > 10

@@ -24,7 +24,7 @@ def chosen(editor):
     return "".join(document.curves[place].name for place in sorted(selected.whole_curves))
 
 
-def test_a_drag_chooses_what_it_moves_and_keys_go_on_with_it(whole):
+def test_a_drag_selects_the_moved_curves_and_keys_act_on_them(whole):
     before, steps = whole.session.document, whole.session.undo_stack.count()
     x, y = on_curve(whole, 2)
     whole.press((x, y))
@@ -66,7 +66,7 @@ def test_escape_takes_back_the_move_and_the_choice(whole):
     assert whole.session.undo_stack.count() == steps
 
 
-def test_a_drag_of_one_of_a_group_chooses_the_group(whole):
+def test_a_drag_of_a_curve_in_a_group_selects_the_group(whole):
     whole.key(Qt.Key.Key_A, CTRL)
     whole.trigger("groupCurves")
     whole.escape()
@@ -79,7 +79,7 @@ def test_a_drag_of_one_of_a_group_chooses_the_group(whole):
         assert chosen(whole) == "ABC"
 
 
-def test_all_are_those_that_are_seen_and_free(whole):
+def test_select_all_selects_visible_unlocked_curves(whole):
     """What was hidden was deleted unseen, and what was locked refused everything."""
     selected = whole.session.selected
     selected.select_whole({0})

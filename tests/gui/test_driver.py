@@ -14,7 +14,7 @@ def impossible(reason):
     return pytest.raises(ImpossibleError, match=reason)
 
 
-def test_what_no_person_can_do_is_refused_with_the_reason(editor):
+def test_impossible_input_is_refused_with_the_reason(editor):
     session, canvas = editor.session, editor.window.canvas
     before = session.document
     with impossible(r"'undo' \(.*\) is disabled"):
@@ -55,7 +55,7 @@ def test_what_no_person_can_do_is_refused_with_the_reason(editor):
     assert session.document is before
 
 
-def test_what_is_hidden_or_covered_cannot_be_reached(editor):
+def test_hidden_and_covered_widgets_cannot_be_reached(editor):
     label = QLabel("Over it", editor.window.canvas.viewport())
     label.setObjectName("overIt")
     label.setGeometry(200, 200, 50, 20)
@@ -135,7 +135,7 @@ def test_waiting_in_an_application_that_was_told_to_quit_raises(editor, told_to_
     late.deleteLater()
 
 
-def test_a_loop_that_is_ended_early_is_told(qapp, told_to_quit):
+def test_an_event_loop_that_ends_early_is_reported(qapp, told_to_quit):
     with pytest.raises(ApplicationQuitError):
         spin(1)
     repair_loops(qapp)
@@ -150,7 +150,7 @@ def timers_of_nobody():
     return sum(each.parent() is None for each in timers) + len(QAbstractEventDispatcher.instance().children())
 
 
-def test_what_is_due_soon_is_brought_forward_in_its_order_and_what_is_slow_is_left(editor):
+def test_short_timers_are_fired_in_order_and_slow_ones_are_left(editor):
     editor.wait_for_rest()
     done = []
     timers = {
@@ -174,7 +174,7 @@ def test_what_is_due_soon_is_brought_forward_in_its_order_and_what_is_slow_is_le
             timer.deleteLater()
 
 
-def test_what_never_rests_is_told(editor, monkeypatch):
+def test_a_window_that_never_rests_is_reported(editor, monkeypatch):
     monkeypatch.setattr(waiting, "WAIT_S", 0.05)
     restless = QTimer(editor.window, singleShot=True, interval=1)
     restless.timeout.connect(restless.start)

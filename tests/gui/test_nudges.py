@@ -80,7 +80,7 @@ def test_an_action_in_between_begins_a_new_step(nudged):
     assert history(nudged) == ["Begin", "Nudge point 1", "Nudge point 1"]
 
 
-def test_another_selection_begins_a_new_step_and_so_does_its_return(nudged):
+def test_another_selection_and_its_return_begin_new_steps(nudged):
     for index in (1, 2, 2):
         nudged.select([])
         nudged.select([index])
@@ -114,7 +114,7 @@ def test_there_and_back_again_is_no_step(nudged):
     assert history(nudged) == [*begun, "Nudge point 1"]
 
 
-def test_ticks_and_the_image_are_nudged_in_one_step_too(nudged):
+def test_quick_nudges_of_ticks_and_of_the_image_are_one_step(nudged):
     panel = nudged.window.basis_panel
     nudged.select([1])
     panel.setFocus()

@@ -127,7 +127,7 @@ def planted(editor, tmp_path):
     return editor
 
 
-def test_every_label_of_the_sources_says_what_its_text_is():
+def test_every_label_of_the_sources_is_one_of_ours():
     """`app.qt.labels.Label` does; whoever takes Qt's own lets it guess."""
     imported = re.compile(r"^from PySide6\.QtWidgets import (?:[^(\n]*|\([^)]*)\bQLabel\b", re.MULTILINE)
     takers = [path.name for path in APP.rglob("*.py") if imported.search(path.read_text(encoding="utf-8"))]

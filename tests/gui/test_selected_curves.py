@@ -86,7 +86,7 @@ def test_control_click_adds_and_takes_out(five):
     assert undo_text(five) == "Begin"
 
 
-def test_taking_out_the_edited_curve_hands_on_to_its_neighbour(five):
+def test_removing_the_edited_curve_from_the_selection_edits_its_neighbour(five):
     choose(five, "BCE")
     click_row(five, 1, CTRL)
     assert chosen(five) == "CE"
@@ -515,7 +515,7 @@ def test_arrows_nudge_all_selected_curves_and_are_one_step(five):
     assert five.session.document == before
 
 
-def test_selected_points_go_before_chosen_curves(five):
+def test_selected_points_take_precedence_over_selected_curves(five):
     before = five.session.document
     choose(five, "BD")
     five.click(five.point(1))

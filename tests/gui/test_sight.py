@@ -106,7 +106,7 @@ def test_the_first_words_fit_the_tool(editor):
     assert editor.message == ""
 
 
-def test_a_missing_picture_is_said_before_the_first_words(editor, red, tmp_path):
+def test_a_missing_picture_is_reported_before_the_greeting(editor, red, tmp_path):
     editor.new()
     editor.window.commands[ImageCommands].trace(red)
     path = tmp_path / "a.curve.json"
@@ -171,7 +171,7 @@ def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, red,
     assert second.context.docks["imageDock"].isHidden()
 
 
-def test_folding_the_side_does_not_bring_it_back(arch, red):
+def test_folding_the_side_panel_does_not_restore_the_dock_of_a_removed_image(arch, red):
     arch.window.commands[ImageCommands].trace(red)
     arch.trigger("toggleSidePanel")
     arch.trigger("undo")

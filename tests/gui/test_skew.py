@@ -82,13 +82,13 @@ def test_a_second_click_has_grips_that_rotate_and_skew_and_a_third_such_that_sca
     assert arch.session.document is document
 
 
-def test_a_click_on_one_of_several_turns_the_grips_of_all(arch):
+def test_a_click_on_one_of_several_curves_switches_the_grips_of_all(arch):
     arch.session.selected.select_whole({0, 1})
     turned(arch)
     assert arch.session.selected.whole_curves == {0, 1}
 
 
-def test_ctrl_click_still_chooses_one_of_a_group_that_is_chosen(arch):
+def test_ctrl_click_selects_one_curve_of_a_selected_group(arch):
     arch.session.change(
         "Group",
         lambda document: replace(

@@ -259,7 +259,7 @@ def test_a_new_theme_is_applied_to_open_windows_at_once(dressed, qtbot):
         assert set(canvas.told) == {theme}
 
 
-def test_following_the_system_replaces_the_chosen_theme(dressed):
+def test_following_the_system_replaces_the_set_theme(dressed):
     own = apply_theme(dressed, ThemeMode.SYSTEM)
     apply_theme(dressed, ThemeMode.DARK if own is LIGHT else ThemeMode.LIGHT)
     assert apply_theme(dressed, ThemeMode.SYSTEM) is own

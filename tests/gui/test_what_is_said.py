@@ -118,7 +118,7 @@ def test_undo_and_redo_report_the_undone_or_redone_step(pair):
     assert pair.status == "Redone: Move point 1."
 
 
-def test_the_amount_of_a_cancelled_drag_goes_at_once(pair):
+def test_the_amount_of_a_cancelled_drag_disappears_at_once(pair):
     pair.press(pair.point(1))
     pair.move((1.3, 4.4))
     assert pair.status.startswith("Point 1 at ")
@@ -129,7 +129,7 @@ def test_the_amount_of_a_cancelled_drag_goes_at_once(pair):
 
 
 @pytest.mark.parametrize("act", ["deleteSelection", "undo", "familyLagrange"])
-def test_the_amount_of_a_drag_goes_with_a_command_in_its_midst(pair, act):
+def test_the_amount_of_a_drag_disappears_with_a_command_during_the_drag(pair, act):
     pair.press(pair.point(1))
     pair.move((1.3, 4.4))
     pair.trigger(act)
@@ -160,7 +160,7 @@ def test_a_drag_on_the_rail_tells_t_and_that_escape_cancels(pair):
     assert pair.parameters[1] == pytest.approx(1 / 3, abs=0.1)
 
 
-def test_t_goes_when_the_pointer_leaves_the_rail(pair):
+def test_t_disappears_when_the_pointer_leaves_the_rail(pair):
     panel = pair.window.basis_panel
     pair.drag_parameter(1, to=0.4)
     assert shown_t(pair).startswith("t 0.4")
@@ -174,14 +174,14 @@ def test_t_goes_when_the_pointer_leaves_the_rail(pair):
     assert shown_t(pair) == "t 0.25"
 
 
-def test_t_goes_when_a_drag_ends_outside(pair):
+def test_t_disappears_when_a_drag_ends_outside(pair):
     panel = pair.window.basis_panel
     start = panel.rail_pixel(pair.parameters[1])
     pair.drag_pixels(panel, start, start + QPointF(30, -900))
     assert shown_t(pair) == ""
 
 
-def test_t_goes_with_the_document(pair):
+def test_t_disappears_with_the_document(pair):
     pair.drag_parameter(1, to=0.4)
     session = pair.session
     session.commit(rule_edits.set_interval(session.document, session.active_index, 0.0, 20.0), "Stretch")
@@ -190,7 +190,7 @@ def test_t_goes_with_the_document(pair):
     assert float(shown_t(pair).removeprefix("t ")) == pytest.approx(8, abs=0.1)
 
 
-def test_pasting_says_so(pair):
+def test_pasting_is_confirmed_by_a_message(pair):
     pair.paste_text("5\t5\n6\t6\n")
     pair.trigger("pastePoints")
     assert pair.status == "Pasted 2 points."
@@ -284,7 +284,7 @@ def test_a_family_chosen_for_several_curves_is_reported(waves):
     assert [curve.family for curve in editor.session.document.curves] == [HERMITE] * 3
 
 
-def test_a_family_that_could_hold_a_shape_set_by_hand_and_does_not_says_so(pair):
+def test_a_family_change_that_loses_a_shape_is_reported(pair):
     pair.choose_family(QUINTIC_HERMITE)
     assert pair.status == ""
     pair.choose_family(HERMITE)
@@ -323,7 +323,7 @@ def test_redoing_an_image_leaves_the_tab_in_front(pair, tmp_path):
 # What a press would do, under a pointer that rests
 
 
-def test_a_click_edits_another_curve_and_says_so(pair):
+def test_a_click_edits_another_curve_with_a_message(pair):
     place = tuple(pair.session.views[0].curve.evaluate(0.5))
     pair.hover(place)
     assert pair.status.startswith("Drag to move “A” · click to edit it")

@@ -18,7 +18,7 @@ def shown_place(editor):
     return editor.window.statusBar().findChild(QLabel, "pointerPlace").text()
 
 
-def test_a_dragged_point_tells_where_it_is(arch):
+def test_the_status_line_shows_the_position_of_a_dragged_point(arch):
     arch.press(arch.point(1))
     arch.move((1.5, 2.25))
     assert arch.status.startswith("Point 1 at ")
@@ -27,7 +27,7 @@ def test_a_dragged_point_tells_where_it_is(arch):
     arch.release((1.5, 2.25))
 
 
-def test_a_point_that_snaps_tells_its_own_place_and_not_the_hand_s(arch):
+def test_the_status_line_shows_the_snapped_position_not_the_pointer(arch):
     near = arch.window.canvas.tools.canvas.grid_spacing() * 3
     arch.trigger("toggleSnap")
     arch.press(arch.point(1))
@@ -40,7 +40,7 @@ def test_a_point_that_snaps_tells_its_own_place_and_not_the_hand_s(arch):
     arch.release((1 + near, 2.0))
 
 
-def test_along_one_axis_too(arch):
+def test_the_status_line_shows_the_position_along_one_axis(arch):
     arch.press(arch.point(2), keys=SHIFT)
     arch.move((4.0, 2.2), keys=SHIFT)
     assert f"Point 2 at {arch.point(2)[0]:.4g}, 2 · " in arch.status
@@ -48,7 +48,7 @@ def test_along_one_axis_too(arch):
     arch.release((4.0, 2.2), keys=SHIFT)
 
 
-def test_several_points_tell_how_far_they_went(arch):
+def test_the_status_line_shows_the_offset_of_several_points(arch):
     arch.select([1, 2])
     arch.press(arch.point(1))
     arch.move((1.5, 2.0))
@@ -57,13 +57,13 @@ def test_several_points_tell_how_far_they_went(arch):
     arch.release((1.5, 2.0))
 
 
-def test_the_pointer_s_place_comes_back_after_the_drag(arch):
+def test_the_position_of_the_pointer_returns_after_the_drag(arch):
     arch.drag_point(1, to=(1.5, 2.25))
     arch.hover((5.0, 1.0))
     assert shown_place(arch).startswith("x 5") or shown_place(arch).startswith("x 4.99")
 
 
-def test_a_transform_by_key_tells_where_its_one_point_is(arch):
+def test_a_transform_by_key_shows_the_position_of_its_single_point(arch):
     arch.select([1])
     arch.hover((1.0, 2.0))
     arch.trigger("moveSelection")
@@ -88,7 +88,7 @@ def test_nudges_say_where_the_point_is_and_the_step(arch):
     assert arch.status == f"2 points nudged · step 0, {step:.4g}"
 
 
-def test_nudges_on_the_grid_say_its_step(arch):
+def test_nudges_on_the_grid_show_the_step(arch):
     arch.trigger("toggleSnap")
     arch.select([2])
     fine = arch.window.canvas.tools.canvas.grid_spacing()

@@ -121,7 +121,7 @@ def test_enter_edits_all_selected_curves_and_escape_selects_the_whole_curves(who
     assert (selected.is_editing, chosen(whole)) == (False, "")
 
 
-def test_a_click_chooses_and_a_double_click_edits(whole):
+def test_a_click_selects_and_a_double_click_edits(whole):
     whole.click(on_curve(whole, 2))
     assert state(whole) == (False, "C", "C")
     assert whole.status == "“C” is selected."
@@ -207,7 +207,7 @@ def test_the_pen_begins_another_curve_where_none_was_edited(whole):
     assert len(whole.curve.points) == 2
 
 
-def test_the_pen_goes_on_with_the_curve_that_was_edited(three):
+def test_the_pen_continues_the_curve_that_was_edited(three):
     three.key(Qt.Key.Key_P)
     three.click((1.5, 4.6))
     assert [len(curve.points) for curve in three.session.document.curves] == [4, 5, 4]

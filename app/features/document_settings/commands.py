@@ -36,7 +36,7 @@ class DocumentSettingsCommands:
         """Return the form."""
         self._panel = document_settings.panel.DocumentPanel(parent)
         self._edits = FormEdits(self._session, self._panel)
-        self._panel.made_default.connect(self._make_default)
+        self._panel.defaults_requested.connect(self._make_default)
         self._render_panel()
         return self._panel
 

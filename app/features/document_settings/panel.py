@@ -46,11 +46,11 @@ class DocumentPanel(FieldForm):
 
     Signals
     -------
-    made_default
+    defaults_requested
         The settings of this document are to be the defaults of new ones.
     """
 
-    made_default = Signal()
+    defaults_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("documentPanel", "documentProblem", parent)
@@ -61,7 +61,7 @@ class DocumentPanel(FieldForm):
         self._usual = Label(name="newDocuments", wordWrap=True)
         tip = "Use this unit, this grid and the style of this curve in new documents"
         self._take = push_button("useForNew", "Use for New Documents", tip)
-        self._take.clicked.connect(self.made_default)
+        self._take.clicked.connect(self.defaults_requested)
         form = form_of(*self._unit.rows, *self._grid.rows)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)

@@ -78,7 +78,7 @@ def _position_of(family: Family) -> BarPosition:
     return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
 
 
-def _edited_curve(family: Family) -> Need:
+def _active_curve(family: Family) -> Need:
     """Return the condition of the digit key of a family, which could be pressed by accident."""
 
     def why(state: ActionState) -> str:
@@ -136,7 +136,7 @@ class RuleCommands:
             keywords=f"{family.full_title} {' '.join(family.name.split('_'))} {family.name.replace('_', '')}",
             checked=lambda state: state.family == family,
             group="family",
-            key_needs=_edited_curve(family),
+            key_needs=_active_curve(family),
         ),
     )
     @also_for_each(lambda family: (_position_of(family),))
