@@ -5,8 +5,7 @@ The docstring of each package says what it does and lists its modules.
 To add a feature: a package here, and its name in `FEATURES`. Its module ``commands`` has a tuple
 `COMMAND_SETS`. A command set is a class that takes a `WindowContext` (``app/workbench/context.py``); its
 decorated methods are the actions (see ``app/actions``), and it takes part in the window by the methods that
-`hooks` lists there. A feature tells others nothing directly: they share the session, the window's state and
-its signals.
+`hooks` lists there. Features communicate only through the session, the state of the window and signals.
 
 To add a panel to a feature: a widget with `render_view(value)` and signals for what the person did, and a
 method of the command set that builds it in a given parent::
