@@ -84,7 +84,7 @@ def predicates():
     return {question.__code__ for question in asked if callable(question)}
 
 
-def test_while_a_gesture_draws_another_curve_actions_are_about_that(editor):
+def test_during_a_gesture_on_another_curve_actions_refer_to_the_drawn_curve(editor):
     """A menu would have shown the family of the curve that was edited before."""
     editor.session.commit(
         Document((make_curve([(0, 0), (1, 2), (3, 2)], family=FAMILIES.named("b_spline")),)), "Begin"
@@ -114,7 +114,7 @@ def test_a_drag_of_a_selected_point_asks_no_action_anything(editor):
         assert editor.action("undo").text() == "Undo: Move point 1", family
 
 
-def test_one_changed_fact_asks_only_the_actions_that_depend_on_it(editor):
+def test_one_changed_fact_updates_only_the_dependent_actions(editor):
     editor.session.commit(Document((make_curve(((0, 0), (1, 1), (2, 0), (3, 1))),)), "Begin")
     editor.settle()
 

@@ -51,7 +51,7 @@ def test_a_second_and_third_delete_take_no_other_curve(four, key, held, step):
     assert state(four) == ("ACD", False, "", "")
 
 
-def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_the_whole(four):
+def test_undo_of_deleted_points_selects_the_points_and_undo_of_a_deleted_curve_the_whole_curve(four):
     four.select([0, 1, 2, 3])
     four.key(DELETE)
     assert state(four)[:2] == ("ACD", False)
@@ -65,7 +65,7 @@ def test_undo_of_all_points_gone_brings_them_back_selected_and_of_a_whole_curve_
 
 
 @pytest.mark.parametrize("name", ["duplicateSelection", "duplicateCurve", "newCurve"])
-def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
+def test_undo_of_an_addition_restores_the_previous_selection(four, name):
     """Nothing was chosen, and the next key said so."""
     four.session.selected.select_whole([1, 2])
     four.trigger(name)
@@ -74,7 +74,7 @@ def test_undo_of_what_was_added_leaves_chosen_what_was_before(four, name):
     assert state(four) == ("ABCD", False, "BC", "")
 
 
-def test_what_was_chosen_since_stays_so_when_copies_go(four):
+def test_undo_of_copies_keeps_a_later_selection(four):
     four.session.selected.select_whole([1])
     four.trigger("duplicateSelection")
     four.session.selected.select_whole([0])
@@ -82,7 +82,7 @@ def test_what_was_chosen_since_stays_so_when_copies_go(four):
     assert state(four) == ("ABCD", False, "A", "")
 
 
-def test_one_deleted_in_the_list_leaves_the_one_that_is_edited(four):
+def test_a_curve_deleted_in_the_list_leaves_the_edited_curve_edited(four):
     four.show_dock("curvesDock")
     four.click_in_list(3)
     four.window.commands[CurveListCommands].panel.view.setFocus()
@@ -100,7 +100,7 @@ def test_all_points_deleted_of_one_part_leave_the_rest_of_the_shape_edited(four)
     assert state(four) == ("ABC", True, "", "C")
 
 
-def test_of_several_that_are_edited_those_left_are_still(four):
+def test_deleting_one_of_several_edited_curves_leaves_the_others_edited(four):
     selected = four.session.selected
     selected.select_whole({0, 3})
     four.key(Qt.Key.Key_Return)
@@ -127,7 +127,7 @@ def test_undo_of_a_curve_that_was_drawn_leaves_the_others_alone(four):
     assert len(four.curve.points) == 2
 
 
-def test_a_pen_that_has_lost_its_curve_takes_back_a_beginning(four):
+def test_escape_removes_a_curve_begun_after_the_edited_curve_was_deleted(four):
     four.key(Qt.Key.Key_P)
     four.key(DELETE)
     assert state(four) == ("ACD", False, "", "")
@@ -142,7 +142,7 @@ def test_a_pen_that_has_lost_its_curve_takes_back_a_beginning(four):
     assert four.window.status_line.hint.startswith("Click to begin another curve")
 
 
-def test_the_last_curve_leaves_one_to_draw(waves):
+def test_deleting_the_last_curve_leaves_an_empty_curve(waves):
     one = waves("AB")
     one.key(DELETE)
     one.session.selected.select_whole({0})

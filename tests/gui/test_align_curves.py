@@ -51,7 +51,7 @@ def whole(boxes):
     return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
 
-def test_curves_are_aligned_by_their_extents(four):
+def test_curves_are_aligned_to_each_reference_by_their_extents(four):
     for to in ("EachOther", "First", "Largest", "Drawing"):
         four.trigger(f"alignTo{to}")
         before = boxes(four)

@@ -92,7 +92,7 @@ def colours_along(editor):
 # Where it is offered
 
 
-def test_it_is_offered_wherever_families_are(editor):
+def test_a_family_is_offered_in_every_list_of_families(editor):
     toolbar = editor.window.findChild(QToolBar, "mainToolbar")
     further = toolbar.findChild(QMenu, "familiesMenu")
     for place, name in enumerate(EVERY, start=1):
@@ -108,7 +108,7 @@ def test_it_is_offered_wherever_families_are(editor):
     editor.key(Qt.Key.Key_Escape)
 
 
-def test_its_key_chooses_it_and_undo_takes_it_back(editor):
+def test_the_key_of_a_family_switches_and_undo_switches_back(editor):
     for name in EVERY:
         editor.choose_family("hermite" if name == "lagrange" else "lagrange")
         assert editor.curve.family.name != name
@@ -133,7 +133,7 @@ def test_its_key_chooses_it_and_undo_takes_it_back(editor):
 # Drawing and dragging
 
 
-def test_points_are_drawn_one_by_one(editor):
+def test_points_of_every_family_are_drawn_one_by_one(editor):
     for name in EVERY:
         editor.new()
         editor.choose_family(name)
@@ -163,7 +163,7 @@ def test_a_point_is_dragged_under_every_rule(drawn):
             assert is_true(editor), (name, kind)
 
 
-def test_what_is_seen_during_a_drag_is_the_curve(drawn):
+def test_the_drawing_during_a_drag_is_the_curve(drawn):
     for name in EVERY:
         editor = drawn(name)
         editor.press(editor.point(2))
@@ -236,7 +236,7 @@ def test_parameters_are_dragged_and_typed_on_the_rail(drawn):
 # Reshaping
 
 
-def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
+def test_a_point_is_inserted_on_the_curve_and_the_change_is_reported(drawn, own):
     editor = drawn(own, ParametrizationKind.MANUAL)
     place = editor.session.active_view.curve.evaluate(0.5)
     editor.scrub(0.5)
@@ -249,7 +249,7 @@ def test_a_point_is_inserted_on_the_curve_and_the_change_is_told(drawn, own):
     assert is_true(editor)
 
 
-def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
+def test_an_edit_that_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     editor = drawn(own)
     before = editor.session.document
     editor.scrub(0.5)
@@ -265,7 +265,7 @@ def test_what_cannot_keep_the_shape_is_refused_with_a_sentence(drawn, own):
     assert editor.session.document == before
 
 
-def test_converted_to_cubics_it_keeps_its_shape_and_splits(drawn):
+def test_a_curve_converted_to_cubics_keeps_the_shape_and_splits(drawn):
     for own in OWN:
         editor = drawn(own)
         before = editor.session.active_view.curve
@@ -282,7 +282,7 @@ def test_converted_to_cubics_it_keeps_its_shape_and_splits(drawn):
         assert editor.curve.family.name == own, own
 
 
-def test_functions_that_lose_their_digits_are_drawn_and_measured(drawn):
+def test_functions_with_rounding_errors_are_drawn_and_measured(drawn):
     """The curve was refused: “must be 1 at parameter 2, not 1.000000008”."""
     editor = drawn("tests_gaussian")
     times = [0.0, 0.2, 0.6 - 1e-7, 0.6, 0.8, 1.0]
@@ -339,7 +339,7 @@ def test_a_tick_leads_back_from_parameters_that_the_family_refuses(drawn, tmp_pa
     assert editor.session.active_view.ticks[3] > 0.6
 
 
-def test_two_of_them_are_joined_or_it_is_said_why_not(drawn):
+def test_two_curves_of_a_family_are_joined_or_the_refusal_has_a_reason(drawn):
     for own in OWN:
         editor = drawn(own)
         beside = [(x + 6.0, y + 2.0) for x, y in POINTS]
@@ -367,7 +367,7 @@ def test_the_way_back_is_the_same_curve(drawn):
 # Table, files
 
 
-def test_the_table_shows_and_takes_its_numbers(drawn):
+def test_the_table_displays_and_accepts_numbers_of_every_family(drawn):
     for own in OWN:
         editor = drawn(own)
         table = editor.window.point_table.model()
@@ -382,7 +382,7 @@ def test_the_table_shows_and_takes_its_numbers(drawn):
         assert editor.point(2) == POINTS[2], own
 
 
-def test_it_is_saved_and_opened_as_it_was(drawn, tmp_path):
+def test_a_saved_curve_of_every_family_opens_unchanged(drawn, tmp_path):
     for name in EVERY:
         editor = drawn(name)
         path = tmp_path / "name.curve.json"
@@ -460,7 +460,7 @@ def switch_off(editor, names):
             action.trigger()
 
 
-def test_the_laboratory_says_that_it_computes_other_curves(drawn, own):
+def test_the_laboratory_announces_that_its_methods_compute_other_curves(drawn, own):
     editor = drawn(own)
     editor.trigger("toggleLaboratory")
     said = f"{FAMILIES.named(own).a_curve} is made of other functions"
@@ -492,7 +492,7 @@ def texts_of(panel):
     return found
 
 
-def test_a_motion_runs_along_it(drawn):
+def test_a_motion_runs_along_every_family(drawn):
     for name in EVERY:
         editor = drawn(name)
         editor.trigger("playMotion")
@@ -500,7 +500,7 @@ def test_a_motion_runs_along_it(drawn):
         assert is_true(editor), name
 
 
-def test_what_is_no_polynomial_is_not_called_one(drawn, own):
+def test_a_family_without_polynomials_is_not_called_a_polynomial(drawn, own):
     """The curve's form said "degree None · 5 pieces", then "no polynomial": who knows?"""
     editor = drawn(own)
     facts = editor.window.findChild(QLabel, "curveFacts").text().replace("\N{NO-BREAK SPACE}", " ")

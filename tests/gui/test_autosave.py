@@ -149,7 +149,7 @@ def test_a_step_is_backed_up(kept):
     until_kept(kept.session.document)
 
 
-def test_a_drag_is_backed_up_while_it_lasts(kept):
+def test_a_running_drag_is_backed_up(kept):
     committed = kept.session.committed
     kept.press(kept.point(2))
     kept.move((1.0, 1.0))
@@ -199,7 +199,7 @@ def test_a_document_whose_file_was_emptied_is_backed_up(kept, tmp_path, monkeypa
     until(lambda: not files())
 
 
-def test_a_snapshot_names_its_file_and_whether_it_changed(kept, tmp_path):
+def test_a_snapshot_names_its_file_and_whether_the_file_changed(kept, tmp_path):
     path = tmp_path / "mine.curve.json"
     kept.session.save(path)
     move_point(kept, (2.0, 3.0))
@@ -501,7 +501,7 @@ def test_a_damaged_snapshot_is_only_mentioned(editor):
     assert editor.point(1) == pytest.approx((2, 3), abs=editor.pixel)
 
 
-def test_editing_works_while_the_recovery_bar_is_shown(editor):
+def test_editing_works_while_the_recovery_bar_is_visible(editor):
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
     editor.click((2.95, 3.3))

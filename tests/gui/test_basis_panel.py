@@ -336,7 +336,7 @@ def test_kinds_can_be_switched(editor, panel):
     assert not editor.window.findChild(QToolButton, "velocityFunctions").isVisible()
 
 
-def test_functions_that_leave_the_range_are_reported_and_fit_shows_them(editor, panel):
+def test_the_panel_reports_functions_outside_the_range_and_fit_extends_the_range(editor, panel):
     editor.drag_parameter(3, to=editor.parameters[4] - 0.02)
     note = editor.window.central["basisPane"].findChild(QWidget, "basisExtent").toolTip()
     assert "The functions range" in note

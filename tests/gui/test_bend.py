@@ -157,7 +157,7 @@ def test_a_key_counts_before_and_during_a_bend_and_changes_the_hint(arch):
     arch.escape()
 
 
-def test_a_bend_sets_the_estimated_handles_beside_it_and_no_others(arch):
+def test_a_bend_sets_only_the_estimated_handles_beside_the_segment(arch):
     arch.choose_family(HERMITE)
     start = middle(arch)[1]
     arch.drag(start, (start[0], start[1] + 0.5))

@@ -134,7 +134,7 @@ def test_escape_and_a_click_draw_nothing(drawing):
     assert drawing.action("ellipseTool").isChecked()
 
 
-def test_a_box_curve_takes_the_place_of_an_empty_curve_and_a_flat_box_draws_none(editor):
+def test_a_box_curve_replaces_an_empty_curve_and_a_flat_box_draws_nothing(editor):
     editor.new()
     editor.trigger("rectangleTool")
     editor.press((1.0, 1.0))

@@ -46,7 +46,7 @@ def use(window):
     window.session.undo_stack.setClean()
 
 
-def test_windows_that_were_closed_are_gone_with_all_they_had(qapp, tmp_path):
+def test_closed_windows_leave_no_objects(qapp, tmp_path):
     # Of 50 that were opened and closed, 51 windows and 1,123 timers were left, in 101 MB.
     paths = [tmp_path / f"{number}.curve.json" for number in range(2)]
     for path in paths:

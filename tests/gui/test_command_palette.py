@@ -74,7 +74,7 @@ def test_a_few_letters_find_a_command(editor):
     assert {typed: names for typed, names in found.items() if LETTERS[typed] not in names} == {}
 
 
-def test_everything_in_the_registry_and_in_the_menus_is_found(editor, palette, tmp_path):
+def test_the_palette_finds_all_actions_and_all_menu_entries(editor, palette, tmp_path):
     path = tmp_path / "of yesterday.curve.json"
     editor.session.save(path)
     editor.window.open_file(path)
@@ -178,7 +178,7 @@ def test_usual_words_find_the_commands(editor):
     assert {typed: editor.find_command(typed)[0] for typed in PEOPLE_TYPE} == PEOPLE_TYPE
 
 
-def test_a_degree_is_found_and_leads_to_its_field(editor):
+def test_the_palette_finds_a_degree_and_leads_to_its_field(editor):
     assert "Barycentric Rational: Blended Degree…" in editor.find_command("degree")
     editor.key(Qt.Key.Key_Escape)
     assert not editor.action("familyFloaterHormannDegree").isEnabled()
@@ -204,7 +204,7 @@ def paste_command(editor, text):
 
 
 @pytest.mark.parametrize("of", DERIVATIVES, ids=lambda of: of.name)
-def test_every_rule_for_tangents_is_found_explained_and_named_in_the_history(editor, of):
+def test_the_palette_finds_every_tangent_rule_and_the_history_names_the_rule(editor, of):
     editor.choose_family("septic_hermite")
     editor.show_dock("curveDock")
     box = editor.window.findChild(QComboBox, f"{of.name}Rule")

@@ -63,7 +63,7 @@ def test_a_control_point_is_dragged_by_its_disc(drawn, name):
         assert np.array(places(editor, 0.4)) - start == pytest.approx(weight * way, abs=1e-12)
 
 
-def test_the_active_curve_has_a_control_polygon_and_others_have_none(drawn, name):
+def test_only_the_active_curve_has_a_control_polygon(drawn, name):
     editor = drawn(name)
     canvas = editor.window.canvas
 

@@ -120,7 +120,7 @@ def test_the_work_is_backed_up_before_the_dialog(guarded):
     assert guarded.point(1) == pytest.approx((1, 3), abs=guarded.pixel)
 
 
-def test_the_dialog_says_what_to_do_without_a_backup(guarded):
+def test_without_a_backup_the_dialog_explains_the_risk(guarded):
     snapshot_folder().parent.mkdir(parents=True, exist_ok=True)
     snapshot_folder().write_text("in the way")
     guarded.drag_point(1, to=(2, 3))
@@ -132,7 +132,7 @@ def test_the_dialog_says_what_to_do_without_a_backup(guarded):
     guarded.session.files.give_up_changes()
 
 
-def test_the_same_error_is_shown_once(guarded):
+def test_the_same_error_is_reported_once(guarded):
     raise_soon(guarded, ZeroDivisionError("again"), count=100)
     assert len(dialogs()) == 1
     press("goOn")
@@ -140,7 +140,7 @@ def test_the_same_error_is_shown_once(guarded):
     assert dialogs() == []
 
 
-def test_an_error_that_keeps_the_window_open_is_shown_each_time(guarded, qapp, monkeypatch):
+def test_an_error_that_keeps_the_window_open_is_reported_each_time(guarded, qapp, monkeypatch):
     """It was told once; from then on the × did nothing, without a word."""
     guarded.drag_point(1, to=(2, 3))
     monkeypatch.setattr(guarded.window.context.files, "may_discard", lambda: int("x"))
@@ -177,7 +177,7 @@ def test_escape_closes_the_dialog_and_the_program_continues(guarded):
     assert guarded.window.isVisible()
 
 
-def test_an_error_while_painting_is_shown_and_painting_continues(guarded, monkeypatch):
+def test_an_error_while_painting_is_reported_and_painting_continues(guarded, monkeypatch):
     layer = next(
         layer for layer in guarded.window.canvas.layers._layers if layer.is_visible and not layer.is_still
     )
@@ -199,7 +199,7 @@ def test_an_error_while_painting_is_shown_and_painting_continues(guarded, monkey
     assert dialogs() == []
 
 
-def test_an_error_in_a_thread_is_shown_by_the_window(guarded):
+def test_an_error_in_a_thread_is_reported_by_the_window(guarded):
     def fail():
         raise RuntimeError("in a thread")
 
@@ -306,7 +306,7 @@ def test_a_cancelled_end_of_the_session_asks_again(guarded):
     guarded.session.files.give_up_changes()
 
 
-def test_at_most_five_different_errors_are_shown(qtbot):
+def test_at_most_five_different_errors_are_reported(qtbot):
     handler = CrashHandler(lambda: True, list)
     handler.install()
     try:

@@ -58,7 +58,7 @@ def choose(editor, word):
     ("word", "value", "bc_type"),
     [("Clamped", "clamped", "clamped"), ("Not a knot", "not_a_knot", "not-a-knot")],
 )
-def test_the_ends_are_chosen_kept_and_undone(spline, tmp_path, word, value, bc_type):
+def test_the_end_conditions_are_selected_saved_and_undone(spline, tmp_path, word, value, bc_type):
     assert is_scipys(spline, "natural")
     assert [ends(spline).itemText(i) for i in range(4)] == ["Natural", "Clamped", "Not a knot", "Periodic"]
     choose(spline, word)
@@ -75,7 +75,7 @@ def test_the_ends_are_chosen_kept_and_undone(spline, tmp_path, word, value, bc_t
     assert is_scipys(spline, bc_type)
 
 
-def test_a_closed_curve_has_periodic_ends_whatever_was_chosen(spline):
+def test_a_closed_spline_has_periodic_ends_whatever_the_setting(spline):
     choose(spline, "Clamped")
     spline.trigger("closeCurve")
     assert is_scipys(spline, "periodic")
@@ -117,7 +117,7 @@ def bent(editor, request):
     return editor
 
 
-def test_the_panel_says_that_its_functions_are_those_of_small_moves(bent):
+def test_the_basis_panel_notes_that_its_functions_are_those_of_small_moves(bent):
     note = bent.window.findChild(QLabel, "basisDrawing")
     assert note.text() == ""
     bent.trigger("toggleEstimates")
@@ -130,7 +130,7 @@ def test_the_panel_says_that_its_functions_are_those_of_small_moves(bent):
     assert SMALL not in bent.window.findChild(QLabel, "basisTitle").toolTip()
 
 
-def test_the_band_the_bend_and_the_explanation_say_it(bent):
+def test_the_error_band_a_bend_and_the_explanation_mention_small_moves(bent):
     bent.show_dock("analysisDock")
     bent.trigger("overlayBand")
     note = bent.window.findChild(QLabel, "overlayBandNote")

@@ -75,7 +75,7 @@ def test_a_colour_keeps_its_hue_and_is_adjusted_no_more_than_necessary():
                 assert abs(turn) < 3  # rounding to eight bits, at the smallest chroma
 
 
-def test_without_paper_a_file_has_the_chosen_colours():
+def test_without_paper_a_file_has_the_selected_colours():
     assert 'stroke="#f0e442"' in svg_of(Document((coloured("#f0e442"),)), Options(style=INK)).text
     assert adjustment_of(None, "#f0e442") == ""
 

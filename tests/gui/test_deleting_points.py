@@ -39,7 +39,7 @@ def circle(count):
     )
 
 
-def test_a_point_of_a_circle_is_deleted_and_it_stays_one(editor):
+def test_a_circle_without_one_of_its_points_stays_a_circle(editor):
     """The circle of four points was pulled in by two fifths of its radius."""
     editor.session.commit(Document((circle(4),), unit="mm"), "Begin")
     editor.fit()
@@ -68,7 +68,7 @@ def distance_of(view, segment):
     return np.abs(np.hypot(*places.T) - 1).max()
 
 
-def test_lines_stay_lines_and_what_rules_estimate_is_estimated(editor):
+def test_deleting_points_keeps_lines_straight_and_estimates_estimated(editor):
     editor.new()
     editor.choose_family(HERMITE)
     editor.trigger("addTool")
@@ -92,7 +92,7 @@ def test_lines_stay_lines_and_what_rules_estimate_is_estimated(editor):
         ("", "“Delete, Leaving the Handles” keeps the handles instead."),
     ],
 )
-def test_what_is_said_names_the_key_that_somebody_has_chosen(editor, keys, said):
+def test_the_hint_after_deletion_names_the_assigned_key(editor, keys, said):
     editor.session.commit(Document((circle(4),), unit="mm"), "Begin")
     keymap = editor.window.context.actions.keymap
     keymap.assign("deleteLeavingHandles", [QKeySequence(keys)] if keys else [])

@@ -47,7 +47,7 @@ def test_neighbours_of_selected_points_are_drawn_unless_these_are_many():
     assert with_neighbours(range(60), among).tolist() == []
 
 
-def test_ticks_keep_their_distance():
+def test_displayed_ticks_have_a_minimum_distance():
     x = np.cumsum(np.tile([0.3, 2.0, 9.0], 30))
     kept, gap = spread_out(x, np.arange(90), 4.0)
     assert np.diff(x[kept]).min() >= 4

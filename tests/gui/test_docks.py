@@ -168,7 +168,7 @@ def test_a_previous_scrub_line_returns_to_its_position(editor):
 
 
 @pytest.mark.parametrize("size", [(1024, 700), (1400, 900)])
-def test_a_panel_that_is_opened_takes_the_room_it_needs_and_gives_it_back(qtbot, size):
+def test_an_opened_panel_takes_the_required_room_and_returns_the_room_when_closed(qtbot, size):
     editor = Editor(qtbot, size=size)
     points, transform = dock(editor, "pointsDock"), dock(editor, "transformDock")
     before = points.height()

@@ -66,7 +66,7 @@ def test_a_click_selects_the_unit_for_typing(editor, panel):
     assert not line.hasSelectedText()
 
 
-def test_an_unknown_unit_is_kept_with_a_note(editor, panel):
+def test_an_unknown_unit_stays_and_gets_a_note(editor, panel):
     note = panel.findChild(QLabel, "documentUnitNote")
     retype(editor, unit_line(panel), "mm")
     assert not note.isVisible()
@@ -144,7 +144,7 @@ def test_a_new_document_uses_the_last_family(qtbot, tmp_path):
     assert "curve" in preferences.complaint
 
 
-def test_a_style_that_cannot_be_read_is_none(tmp_path):
+def test_an_unreadable_style_in_the_settings_becomes_the_default_style(tmp_path):
     preferences = Preferences(tmp_path / "settings.ini")
     preferences.file.write("document/new_style", '{"stroke": "blue"}')
     assert preferences.new_style == Style()

@@ -20,7 +20,7 @@ assert application.clipboard().text() == "1 2"
 """
 
 
-def test_what_was_copied_does_not_end_the_process_with_a_fault():
+def test_copied_data_does_not_end_the_process_with_a_fault():
     """Qt destroyed it after the interpreter had gone: a segmentation fault, exit code −11."""
     assert subprocess.run([sys.executable, "-c", _COPIES], check=False).returncode == 0
 

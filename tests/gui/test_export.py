@@ -101,7 +101,7 @@ def test_a_png_is_written_with_its_options(editor, dialog, tmp_path, monkeypatch
     assert editor.status == f"Wrote a.png, 1000 × {image.height()} pixels."
 
 
-def test_the_options_of_a_format_alone_are_shown(dialog):
+def test_the_dialog_displays_only_the_options_of_the_format(dialog):
     form = dialog.form
     for ending, shown in ((".png", True), (".csv", False), (".py", False), (".svg", False)):
         choose_format(dialog, ending)
@@ -155,7 +155,7 @@ def test_a_table_needs_a_column(dialog):
     assert dialog.ok.isEnabled()
 
 
-def test_a_tolerance_is_kept(editor, dialog, tmp_path, monkeypatch):
+def test_a_typed_tolerance_is_written(editor, dialog, tmp_path, monkeypatch):
     editor.choose_family(LAGRANGE)
     choose_format(dialog, ".svg")
     edit = dialog.form.fields["tolerance"].widget
@@ -412,7 +412,7 @@ def measured(editor, unit="cm", **more):
     return settled(editor, editor.window.findChild(QDialog, "exportDialog"))
 
 
-def test_the_unit_of_the_document_gives_true_size_and_is_shown(editor, tmp_path, monkeypatch):
+def test_the_unit_of_the_document_gives_true_size_and_is_displayed(editor, tmp_path, monkeypatch):
     dialog = measured(editor)
     choose_format(dialog, ".svg")
     settled(editor, dialog)
@@ -592,7 +592,7 @@ def test_the_preview_follows_the_options(waves):
 
 
 @pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])
-def test_there_is_no_background_unless_it_is_asked_for(editor, dialog, ending, tmp_path, monkeypatch):
+def test_the_background_is_transparent_by_default(editor, dialog, ending, tmp_path, monkeypatch):
     choose_format(dialog, ending)
     settled(editor, dialog)
     assert dialog.form.fields["transparent"].widget.isChecked()
@@ -613,7 +613,7 @@ def test_there_is_no_background_unless_it_is_asked_for(editor, dialog, ending, t
 # Remembered with the document
 
 
-def test_a_document_remembers_how_it_was_exported(editor, dialog, tmp_path, monkeypatch):
+def test_a_document_remembers_its_last_export(editor, dialog, tmp_path, monkeypatch):
     path = tmp_path / "logo.curve.json"
     editor.session.save(path)
     choose_format(dialog, ".svg")

@@ -209,7 +209,7 @@ def test_a_slider_reaches_both_limits_by_steps_of_the_setting(editor, default, l
     field.slider.deleteLater()
 
 
-def test_a_choice_is_chosen_and_undone(swaying):
+def test_a_choice_setting_is_selected_and_undone(swaying):
     box = widget(swaying, QComboBox, "settingFirstSide")
     assert [box.itemText(row) for row in range(box.count())] == ["Left", "Right"]
     box.setFocus()

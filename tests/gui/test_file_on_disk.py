@@ -348,7 +348,7 @@ def test_closing_does_not_ask_after_the_file_is_restored(saved, path, until, mon
     assert saved.file_bar.text == ""
 
 
-def test_a_reader_is_not_asked_about_what_the_owner_saved(saved, path, qtbot, until):
+def test_a_reader_is_not_asked_about_changes_saved_by_the_owner(saved, path, qtbot, until):
     second = second_window(qtbot, path)
     edit(saved)
     saved.trigger("saveDocument")
@@ -541,7 +541,7 @@ def test_a_reader_is_notified_when_the_owner_closes(saved, path, qtbot, until):
     assert load(path) == changed
 
 
-def test_an_owner_who_crashed_is_noticed(editor, path, until, monkeypatch):
+def test_a_crashed_owner_is_detected(editor, path, until, monkeypatch):
     """A process that is killed removes no lock, so nothing tells; the reader looks from time to time."""
     monkeypatch.setattr("app.features.files.disk._OWNER_MS", 50)
     save(path, THEIRS)

@@ -167,7 +167,7 @@ def test_the_legend_hides_a_ghost(editor, qtbot):
     assert editor.window.canvas.drawing.annotations.legend.isHidden()
 
 
-def test_the_dock_shows_ghosts_and_applies_them(editor, qtbot):
+def test_the_dock_displays_ghosts_and_applies_a_ghost(editor, qtbot):
     editor.show_dock("analysisDock")
     switch = editor.window.findChild(QCheckBox, "ghostCentripetalSwitch")
     qtbot.keyClick(switch, Qt.Key.Key_Space)

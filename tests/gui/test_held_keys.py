@@ -123,7 +123,7 @@ def test_a_key_pressed_or_released_counts_at_once_and_the_release_commits_the_pr
         arch.select([])
 
 
-def test_a_key_let_go_just_before_the_button_is_shown_and_kept(arch):
+def test_a_key_released_just_before_the_button_has_no_effect_on_the_drag(arch):
     document = arch.session.document
     for what, key in DRAGS[::5]:
         to = begin(arch, what)

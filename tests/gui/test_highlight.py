@@ -71,7 +71,7 @@ def test_with_the_focus_in_the_list_its_curves_are_copied_whatever_points_are_se
     assert held().hasFormat(CURVES)
 
 
-def test_a_copy_is_pasted_from_the_list_too(three):
+def test_a_copy_is_pasted_from_the_focused_list(three):
     view = focus_list(three)
     QTest.keyClick(view, *KEYS["copy"])
     QTest.keyClick(view, Qt.Key.Key_V, CTRL | ALT)
@@ -100,7 +100,7 @@ def test_some_points_go_and_the_curve_stays(three, how):
 
 
 @pytest.mark.parametrize("how", ["cut", "delete"])
-def test_the_last_points_of_a_curve_take_it_along(three, how):
+def test_deleting_the_last_points_of_a_curve_deletes_the_curve(three, how):
     three.trigger("selectAll")
     three.key(*KEYS[how])
     assert names(three) == "AC"
@@ -110,7 +110,7 @@ def test_the_last_points_of_a_curve_take_it_along(three, how):
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_Delete, Qt.Key.Key_Backspace])
-def test_chosen_curves_are_deleted_together(three, key):
+def test_selected_curves_are_deleted_together(three, key):
     three.session.selected.set_curves({0, 1})
     three.key(key)
     assert names(three) == "C"
@@ -135,7 +135,7 @@ def test_without_its_last_points_the_only_curve_stays_of_its_family(editor):
 
 
 @pytest.mark.parametrize("how", ["cut", "delete"])
-def test_what_is_locked_stays_and_says_so(three, how):
+def test_a_locked_curve_is_not_deleted_or_cut_and_the_status_gives_the_reason(three, how):
     lock(three, 1)
     QGuiApplication.clipboard().setText("before")
     three.key(*KEYS[how])
@@ -164,7 +164,7 @@ def test_with_nothing_selected_the_edited_curve_is_doubled(three):
     assert undo_text(three) == "Duplicate B"
 
 
-def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
+def test_selected_points_are_duplicated_as_a_curve_of_their_own(three):
     three.select([1, 2, 3])
     three.key(Qt.Key.Key_D, CTRL)
     assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
@@ -176,7 +176,7 @@ def test_selected_points_are_doubled_as_a_curve_of_their_own(three):
 
 
 @pytest.mark.parametrize("selected", [[0, 1], [1, 2], [1, 2, 3]])
-def test_neighbours_keep_their_shape(three, selected):
+def test_neighbouring_points_duplicated_as_a_curve_keep_the_shape(three, selected):
     whole = three.session.active_view
     start, end = (float(whole.parameters[at]) for at in (selected[0], selected[-1]))
     expected = whole.curve.evaluate(np.linspace(start, end, 41))
@@ -205,7 +205,7 @@ def test_one_point_and_all_points_mean_the_curve(three, selected):
 
 
 @pytest.mark.parametrize(("how", "left"), [("copy", "ABC"), ("cut", "BC"), ("delete", "BC")])
-def test_a_curve_chosen_as_a_whole_is_what_is_meant(three, how, left):
+def test_keys_act_on_a_curve_selected_as_a_whole(three, how, left):
     three.session.selected.select_whole({0})
     three.key(*KEYS[how])
     assert names(three) == left
@@ -213,7 +213,7 @@ def test_a_curve_chosen_as_a_whole_is_what_is_meant(three, how, left):
 
 
 @pytest.mark.parametrize("how", ["copy", "cut", "delete"])
-def test_with_nothing_chosen_nothing_is_meant(three, how):
+def test_without_a_selection_keys_change_nothing(three, how):
     three.session.selected.select_whole(())
     three.session.say("An older answer.")
     three.key(*KEYS[how])
@@ -221,7 +221,7 @@ def test_with_nothing_chosen_nothing_is_meant(three, how):
     assert three.status == NONE_SELECTED
 
 
-def test_what_was_pasted_is_chosen_as_a_whole(three):
+def test_a_pasted_curve_is_selected_as_a_whole(three):
     three.key(*KEYS["copy"])
     three.key(Qt.Key.Key_V, CTRL | ALT)
     assert not three.session.selected.is_editing

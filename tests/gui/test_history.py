@@ -96,7 +96,7 @@ def view_of(editor):
     return editor.window.findChild(QUndoView, "historyView")
 
 
-def test_the_first_entry_is_named_although_the_panel_is_shown_later(editor):
+def test_the_first_entry_is_named_although_the_panel_opens_later(editor):
     session = editor.session
     session.new()
     editor.add_point(0, 0)

@@ -23,7 +23,7 @@ def hodograph(editor):
     return panel(editor).plot
 
 
-def test_the_hodograph_is_built_when_it_is_opened(new_editor):
+def test_the_hodograph_is_built_on_first_opening(new_editor):
     editor = new_editor
     dock = editor.window.findChild(QDockWidget, "hodographDock")
     assert dock.isHidden()

@@ -118,7 +118,7 @@ def test_a_table_is_imported_as_one_step(editor, tmp_path):
     assert dialog_of(editor, "importTableDialog") is None
 
 
-def test_into_an_empty_document_it_takes_the_place_of_the_empty_curve(editor, tmp_path):
+def test_an_import_into_an_empty_document_replaces_the_empty_curve(editor, tmp_path):
     editor.new()
     press(opened(editor, write(tmp_path / "a.tsv", "x\ty\n0\t0\n1\t1\n")), "importTable")
     assert [curve.name for curve in editor.session.document.curves] == ["a"]
@@ -305,7 +305,7 @@ def test_everything_to_press_or_type_into_has_a_name_and_a_tip(editor, tmp_path,
     dialog.close()
 
 
-def test_escape_leaves_everything_as_it_was(editor, tmp_path):
+def test_escape_in_the_import_dialog_changes_nothing(editor, tmp_path):
     before, steps = editor.session.document, editor.session.undo_stack.count()
     dialog = opened(editor, write(tmp_path / "a.csv", "1,2\n3,4\n"))
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
@@ -398,7 +398,7 @@ def test_another_separator_is_read_anew(editor, tmp_path):
     dialog.close()
 
 
-def test_many_rows_are_thinned_out_unless_the_person_wants_them_all(editor, tmp_path):
+def test_many_rows_are_thinned_out_unless_every_row_is_requested(editor, tmp_path):
     dialog = opened(editor, spiral(tmp_path / "spiral.csv", 5000))
     assert dialog.thinning_box.currentText() == "Fit a curve within"
     fitted = dialog._prepared
@@ -615,7 +615,7 @@ def test_a_missing_file_is_refused(editor, tmp_path):
 
 @pytest.mark.usefixtures("drawings_read_here")
 @pytest.mark.parametrize("name", ["a.svg", "a.csv"])
-def test_dropping_a_file_imports_it(editor, tmp_path, name):
+def test_a_dropped_file_is_imported(editor, tmp_path, name):
     path = write(tmp_path / name, SVG if name == "a.svg" else "1,2\n3,4\n")
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(path))])

@@ -79,7 +79,7 @@ def test_the_dialog_shows_the_drawing_with_its_colours_and_its_size(editor):
     dialog.close()
 
 
-def test_a_drawing_for_dark_paper_is_shown_on_dark_paper(editor):
+def test_a_drawing_for_dark_paper_is_displayed_on_dark_paper(editor):
     dialog = opened(editor, SVG / "material_favorite.svg")
     assert {"#15181c", "#e8eaed"} <= colours_in(dialog)
     dialog.close()
@@ -128,7 +128,7 @@ def test_a_new_document_takes_the_unit_of_the_drawing(editor):
     assert editor.session.document.unit == ""
 
 
-def test_the_first_sketch_gives_way_to_a_drawing_as_long_as_nobody_touched_it(editor):
+def test_a_drawing_replaces_the_first_sketch_unless_the_sketch_was_edited(editor):
     session, sketch = editor.session, editor.session.document
     session.files.begin(sketch)
     for _ in range(2):

@@ -101,7 +101,7 @@ def test_random_edits_with_undo(data):
         assert_same(view, view_of(document.curves[0]))
 
 
-def test_what_did_not_change_is_the_same_object():
+def test_unchanged_parts_of_a_view_are_the_same_objects():
     document = Document((make_curve(SQUARE, family=HERMITE),))
     view = view_of(document.curves[0])
     moved = view_of(point_edits.move_points(document, 0, {2}, (0.5, 0.0)).curves[0], view)
@@ -178,7 +178,7 @@ def test_parameters_that_answer_to_points_are_not_followed():
     assert not dragged(HERMITE, (0.5, 0.0), ParametrizationKind.CHORD_LENGTH)[0].is_followed
 
 
-def test_what_is_drawn_after_a_drag_is_exact(editor):
+def test_the_handles_drawn_after_a_drag_are_exact(editor):
     """Released, undone, or given up halfway with Escape: the handles are those of the curve."""
     editor.choose_family(HERMITE)
     editor.select([2])
@@ -200,7 +200,7 @@ def test_what_is_drawn_after_a_drag_is_exact(editor):
     editor.release(place)
 
 
-def test_a_curve_too_wild_to_be_followed_is_flattened_once_a_step():
+def test_a_curve_too_wild_for_frozen_samples_is_flattened_once_a_step():
     """Samples of its own were taken in every frame as well, and did not serve: a third of a second each."""
     rng = np.random.default_rng(5)
     t = np.linspace(0.0, 1.0, 120)

@@ -91,7 +91,7 @@ def test_the_key_halves_segments_between_selected_points(editor):
             assert editor.session.selected.points == {0, 1, 2, 3, 4, 6}, family
 
 
-def test_the_segment_that_closes_is_halved_and_none_is_told(editor):
+def test_the_closing_segment_is_halved_and_unconnected_ends_are_refused(editor):
     begin(editor, make_curve(BOW, family=HERMITE), kind=ParametrizationKind.CHORD_LENGTH)
     editor.select([0, 4])
     editor.key(Qt.Key.Key_Insert)
@@ -128,7 +128,7 @@ def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor):
         assert editor.session.document == document, (act, kind)
 
 
-def test_the_rule_stays_in_force_where_it_gives_the_same_shape(editor):
+def test_the_parameter_rule_stays_where_the_shape_stays(editor):
     flat = make_curve([(0, 0), (2, 0), (6, 0)], family=LAGRANGE)
     begin(editor, flat, kind=ParametrizationKind.CHORD_LENGTH)
     editor.select([1, 2])

@@ -80,7 +80,7 @@ def test_the_joining_segment_between_straight_lines_is_straight(editor, meets):
     )
 
 
-def test_a_band_over_two_ends_and_ctrl_j_join_these(arcs):
+def test_ctrl_j_joins_two_ends_selected_by_a_band(arcs):
     begun = arcs.session.document
     arcs.drag((2.5, 2.6), (4.5, 1.5))
     assert dict(arcs.session.selected.group.parts) == {0: {2}, 1: {2}}
@@ -125,7 +125,7 @@ def test_joining_both_ends_closes_a_curve_and_moves_nothing_else(editor):
     assert editor.status.startswith("Joined both ends: shapes kept")
 
 
-def test_a_loop_whose_ends_meet_closes_in_one_point(editor):
+def test_joining_the_meeting_ends_of_a_loop_closes_the_curve_in_one_point(editor):
     show(editor, hermite([*LEFT, (3.0, -1.0), LEFT[0]], "A"))
     before = editor.curve
     editor.drag((-0.5, 0.5), (0.5, -0.5))

@@ -51,7 +51,7 @@ def click_row(editor, row):
     editor.settle()
 
 
-def test_the_certificate_is_built_when_it_is_first_opened(new_editor):
+def test_the_certificate_is_built_on_first_opening(new_editor):
     assert panel(new_editor) is None
     new_editor.trigger("showJoints")
     assert panel(new_editor).isVisible()
@@ -195,7 +195,7 @@ def test_a_move_among_a_thousand_joints_judges_each_once_and_writes_the_visible_
     assert 0 < len(written) <= 2 * in_sight * len(COLUMNS)
 
 
-def test_the_work_for_a_joint_does_not_grow_with_their_number():
+def test_the_work_for_a_joint_does_not_grow_with_the_number_of_joints():
     def effort(count):
         points = tuple(Point(i / 100, float(np.sin(i / 30))) for i in range(count))
         view = view_of(Curve("Long", HERMITE, Parametrization(), points, VelocityRule.BESSEL))

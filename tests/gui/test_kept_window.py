@@ -16,7 +16,7 @@ from app.features.recovery.commands import RecoveryCommands
 ARCH = make_curve([(0, 0), (1, 2), (2, 0)], name="Arch")
 
 
-def test_what_is_planted_is_found(editor, monkeypatch):
+def test_planted_differences_of_the_window_are_detected(editor, monkeypatch):
     window, session = editor.window, editor.session
     hint, canvas = window.findChild(QLabel, "hint"), window.canvas
     action = window.actions_by_name["undo"]
@@ -107,14 +107,14 @@ _WAYS = {
 
 
 @pytest.mark.parametrize("way", list(_WAYS))
-def test_what_a_person_does_is_put_away(editor, kept_editor, way):
+def test_changes_by_a_person_are_reset(editor, kept_editor, way):
     _WAYS[way](editor)
     editor.settle()
     kept_editor._reset()
     assert not kept_editor.differences()
 
 
-def test_it_is_not_painted_to_find_out_that_it_is_as_new(editor, kept_editor):
+def test_comparing_the_window_does_not_paint(editor, kept_editor):
     """What the drawing keeps of a frame was told of: each test had its window painted once more."""
     editor.window.canvas.camera.show_box((0, 0.1), (0, 0.08))
     editor.settle()

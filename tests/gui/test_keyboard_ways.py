@@ -165,7 +165,7 @@ def test_escape_leaves_a_panel_for_the_canvas_and_then_steps_back(editor):
     assert window.canvas.hasFocus()
 
 
-def test_tab_goes_from_the_points_to_the_message_over_them_and_on_to_the_functions(editor):
+def test_tab_moves_from_the_points_to_the_message_and_on_to_the_functions(editor):
     window = editor.window
     editor.session.offer("It may be undone.", "fitView")
     window.canvas.setFocus()
@@ -209,7 +209,7 @@ class GreedyField(SafeOverrides, QLineEdit):
         return bool(super().event(event))
 
 
-def test_in_a_field_the_keys_of_the_window_act_and_those_of_text_edit_it(editor):
+def test_in_a_text_field_keys_of_the_window_act_and_editing_keys_edit_the_text(editor):
     """On X11 Ctrl+E went to the end of the line."""
     field = GreedyField("none", editor.window)
     field.show()

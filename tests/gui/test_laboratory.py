@@ -143,7 +143,7 @@ def rows(editor):
 
 
 @pytest.mark.parametrize("digits", [3, 7])
-def test_the_digits_in_the_window_are_those_of_an_independent_computation(lab, digits):
+def test_the_displayed_digits_are_those_of_an_independent_computation(lab, digits):
     slider = find(lab, QSlider, "digitsSlider")
     while slider.value() != digits:
         press_key(lab, slider, Qt.Key.Key_Right if slider.value() < digits else Qt.Key.Key_Left)
@@ -304,7 +304,7 @@ def test_a_drag_keeps_the_old_curves_faded_until_the_hand_rests(lab):
     assert text(lab, "laboratoryState") == ""
 
 
-def test_the_laboratory_computes_nothing_while_it_is_off_and_closing_its_dock_switches_it_off(new_editor):
+def test_a_disabled_laboratory_computes_nothing_and_closing_the_dock_disables_the_laboratory(new_editor):
     editor = new_editor
     assert not commands(editor)._settings.on
     assert commands(editor)._panel is None

@@ -103,7 +103,7 @@ def test_many_curves_are_imported_beside_the_window(editor, large):
     assert editor.session.undo_stack.count() == 3
 
 
-def test_a_window_that_is_as_new_takes_the_curves_that_were_worked_out_beside_it(editor, large):
+def test_a_window_with_an_empty_document_opens_a_large_file_without_computing_curves_again(editor, large):
     """It worked them all out a second time, frozen for 4 s with 2,000 paths."""
     editor.session.new()
     editor.window.commands[ImportCommands].import_files([large])
@@ -159,7 +159,7 @@ def test_a_large_document_named_at_the_start_is_read_beside_its_window(large, tm
     assert first.session.files.path == large
 
 
-def test_what_is_wrong_with_a_large_file_and_others_is_said_together(large, tmp_path, qtbot):
+def test_errors_of_a_large_file_and_of_another_are_reported_together(large, tmp_path, qtbot):
     path = tmp_path / "cut.curve.json"
     path.write_bytes(large.read_bytes()[:-9])
     (window,) = open_windows([str(path)], ["b.csv is gone."])
@@ -180,7 +180,7 @@ def test_another_document_that_was_opened_meanwhile_stays(editor, large):
     )
 
 
-def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):
+def test_an_error_of_a_large_file_is_reported(editor, large, tmp_path):
     path = tmp_path / "cut.curve.json"
     path.write_bytes(large.read_bytes()[:-9])
     editor.window.open_file(path)
@@ -189,7 +189,7 @@ def test_what_is_wrong_with_a_large_file_is_said(editor, large, tmp_path):
     assert "cut.curve.json was not opened" in editor.message
 
 
-def test_what_was_done_to_many_curves_is_undone_and_hidden_without_computing_them_anew(editor, large):
+def test_undoing_hiding_and_combining_many_curves_computes_no_curve_again(editor, large):
     """Undo made all views anew, the list asked every row for those above it, Combine each for all others."""
     editor.window.open_file(large)
     editor.wait_for_work()

@@ -97,7 +97,7 @@ def open_step(editor, qtbot, name, number):
         click(qtbot, find(editor, QPushButton, "lessonNext"))
 
 
-def test_a_lesson_is_chosen_stepped_through_and_left(editor, qtbot):
+def test_a_lesson_is_started_stepped_through_and_left(editor, qtbot):
     editor.trigger("toggleLessons")
     click(qtbot, find(editor, QPushButton, "lesson2"))
     assert [curve.name for curve in editor.session.document.curves] == [
@@ -222,7 +222,7 @@ def functions_of(name):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_goal_has_a_function_that_reaches_it_and_quotes_the_step(name):
+def test_every_goal_has_a_function_that_reaches_the_goal_and_quotes_the_step(name):
     steps, functions = load_lesson(name).steps, functions_of(name)
     with_goals = {f"reach_goal_{number}" for number, step in enumerate(steps, start=1) if step.goal}
     assert {key for key in functions if key.startswith("reach_goal_")} == with_goals
@@ -231,7 +231,7 @@ def test_every_goal_has_a_function_that_reaches_it_and_quotes_the_step(name):
         assert function.__doc__.rstrip(".").casefold() in step.text.casefold(), key
 
 
-def test_every_goal_is_reached_by_doing_what_the_steps_say(student, qtbot):
+def test_following_the_steps_of_a_lesson_reaches_every_goal(student, qtbot):
     """In one go: the points that lesson 1 has one append were in the way of its next goal."""
     for name in NAMES:
         open_step(student, qtbot, name, 0)
@@ -260,7 +260,7 @@ def reach_every_goal(student, qtbot, name):
         assert "Reached" in goal.text(), (name, number, goal.text())
 
 
-def test_a_goal_waits_for_the_curve_that_it_names(student, qtbot):
+def test_a_goal_waits_for_its_named_curve(student, qtbot):
     """With “In step” in hand, which was calm from the start, the goal used to tick."""
     open_step(student, qtbot, "02_three_parameter_sets", 4)
     goal = find(student, QLabel, "lessonGoal")
@@ -322,7 +322,7 @@ def test_undo_goes_back_from_the_next_lesson(editor, qtbot):
     assert editor.action("toggleLaboratory").isChecked()
 
 
-def test_work_is_kept_when_another_document_is_opened(editor, qtbot):
+def test_opening_another_document_saves_the_work_of_a_lesson(editor, qtbot):
     """From the list of lessons, which asked with a dialog; an example; and the same lesson begun again."""
     session = editor.session
     editor.window.commands[LessonCommands].open("08_cost")

@@ -82,7 +82,7 @@ def test_every_link_leads_to_a_page(manual):
         assert shown(manual).startswith(next(page.title for page in PAGES if page.name == link)), (name, link)
 
 
-def test_a_search_lists_the_pages_with_all_words_and_marks_them(manual):
+def test_a_search_lists_the_pages_with_all_words_and_marks_the_words(manual):
     search(manual, "scrub Λ")
     assert titles(manual) == ["Basis functions"]
     text = manual.findChild(QTextBrowser, "manualText")
@@ -155,7 +155,7 @@ def test_every_other_quote_of_a_page_stands_in_the_window(editor):
         assert set(quotes) - known == set(), page.name
 
 
-def test_the_pages_are_small_and_their_folder_has_nothing_else():
+def test_the_pages_are_small_and_alone_in_their_folder():
     assert {path.name for path in resource("manual").iterdir()} == {page.name for page in PAGES}
     assert all(len(page.text.encode()) < 8000 for page in PAGES)
     assert all(re.fullmatch(r"\d\d_[a-z_]+\.md", page.name) for page in PAGES)

@@ -136,7 +136,7 @@ class ShowOrder(QObject):
 
 
 @pytest.mark.parametrize("name", ["pointsDock", "historyDock", "styleDock"])
-def test_an_undocked_panel_is_shown_after_the_window_at_the_next_start(qtbot, tmp_path, name):
+def test_an_undocked_panel_appears_after_the_window_at_the_next_start(qtbot, tmp_path, name):
     preferences = tmp_path / "settings.ini"
     first = MainWindow(Session(), Preferences(preferences))
     first.setObjectName("mainWindow")

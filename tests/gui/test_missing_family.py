@@ -38,7 +38,7 @@ def opened(editor, path):
     return editor
 
 
-def test_the_file_names_the_family_and_is_read_back_as_it_was(path):
+def test_a_file_with_a_missing_family_is_read_and_written_unchanged(path):
     data = path.read_bytes()
     assert json.loads(data)["curves"][0]["family"] == NAME
     document = decode(data)
@@ -48,7 +48,7 @@ def test_the_file_names_the_family_and_is_read_back_as_it_was(path):
     assert encode(document) == data
 
 
-def test_it_opens_and_says_what_is_missing(opened):
+def test_a_file_with_a_missing_family_opens_and_the_message_names_the_family(opened):
     assert MISSING in opened.message
     assert opened.session.active_view.curve is None
     assert not any(opened.action(family.action_name).isChecked() for family in FAMILIES)
@@ -59,7 +59,7 @@ def test_it_opens_and_says_what_is_missing(opened):
     assert any("my_gaussian (not installed), 4 points" in text for text in said)
 
 
-def test_its_points_are_there_to_be_dragged_typed_and_undone(opened, path):
+def test_points_of_a_missing_family_can_be_dragged_typed_and_undone(opened, path):
     before = path.read_bytes()
     opened.drag_point(1, (1.5, 2.5))
     assert opened.point(1) == pytest.approx((1.5, 2.5), abs=2 * opened.pixel)
@@ -88,7 +88,7 @@ def test_a_point_that_moved_is_all_that_is_saved_otherwise(opened, path):
 NEED_THE_CURVE = ["splitCurve", "joinCurve", "reverseCurve", "closeCurve", "insertPoint"]
 
 
-def test_what_needs_the_curve_is_refused(opened):
+def test_edits_that_need_the_curve_of_a_missing_family_are_refused(opened):
     for action in NEED_THE_CURVE:
         opened.select([1])
         opened.session.scrub.set(0.3)
@@ -99,7 +99,7 @@ def test_what_needs_the_curve_is_refused(opened):
         assert opened.session.document is before, action
 
 
-def test_another_family_makes_a_curve_of_its_points(opened):
+def test_switching_from_a_missing_family_makes_a_curve_of_the_same_points(opened):
     opened.choose_family(LAGRANGE)
     assert opened.session.active_view.is_current
     assert MISSING not in opened.message
@@ -110,7 +110,7 @@ def test_another_family_makes_a_curve_of_its_points(opened):
     assert opened.curve.family is HERMITE
 
 
-def test_the_command_line_says_it_and_does_what_it_can(path, tmp_path, capsys):
+def test_the_command_line_reports_a_missing_family_and_writes_the_rest(path, tmp_path, capsys):
     assert main(["info", str(path)]) == 0
     assert MISSING in capsys.readouterr().out
     assert main(["info", "--json", str(path)]) == 0

@@ -83,7 +83,7 @@ def _corners(**fields):
 
 
 @pytest.mark.usefixtures("corners")
-def test_the_window_offers_a_new_format_with_its_options_and_writes_it(editor, tmp_path, monkeypatch):
+def test_the_window_offers_a_new_format_with_its_options_and_writes_the_file(editor, tmp_path, monkeypatch):
     save(tmp_path / "a.curve.json", Document((make_curve(POINTS),)))
     editor.session.open(tmp_path / "a.curve.json")
     asked = []
@@ -205,7 +205,7 @@ def test_a_conflict_of_two_formats_is_an_error_that_names_both(fields, reason):
     assert list(FORMATS) == before
 
 
-def test_a_flag_that_the_command_line_has_already_is_an_error_that_names_it():
+def test_a_flag_that_already_exists_is_an_error_that_names_the_flag():
     mine = _corners(options=(Check(name="output", flag="--thin", help="mine", default=False),))
     with (
         FORMATS.with_record(mine),

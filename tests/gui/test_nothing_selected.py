@@ -125,7 +125,7 @@ def test_in_a_blank_document_there_is_no_curve_to_choose_and_the_family_is_free(
     assert editor.curve.family.name == "quintic_hermite"
 
 
-def test_a_digit_key_keeps_selected_wholes_and_the_toolbar_changes_them(none):
+def test_a_digit_key_keeps_selected_curves_and_the_toolbar_changes_their_family(none):
     none.session.selected.select_whole((0, 2))
     before = none.session.document
     none.key(Qt.Key.Key_5)

@@ -124,7 +124,7 @@ def what_it_does(editor, name, begin, *, cancelled):
     ("names", "begin"),
     [(COMMANDS[::2], under_g), (COMMANDS[1::6], under_a_drag), (COMMANDS[1::6], under_the_pen)],
 )
-def test_a_command_in_the_middle_of_a_gesture_does_what_it_does_without(two, names, begin):
+def test_a_command_during_a_gesture_has_the_same_result_as_without_the_gesture(two, names, begin):
     for name in names:
         begin_with_two(two)
         with_on_clipboard(two, name)
@@ -136,7 +136,7 @@ def test_a_command_in_the_middle_of_a_gesture_does_what_it_does_without(two, nam
             assert within == what_it_does(two, name, begin, cancelled=True), name
 
 
-def test_a_panel_in_the_middle_of_a_gesture_changes_what_was_there(two):
+def test_a_panel_used_during_a_gesture_changes_the_committed_document(two):
     under_g(two)
     before = two.session.committed
     two.show_dock("curvesDock")
@@ -192,7 +192,7 @@ def test_undo_during_a_drag_of_alpha_takes_back_the_drag_alone(two):
     assert two.session.undo_stack.index() == index - 1
 
 
-def test_another_curve_while_the_pen_begins_one(editor):
+def test_escape_and_another_curve_cancel_a_curve_begun_by_the_pen(editor):
     rings = [
         curve_edits.set_closed(
             Document((make_curve([(x, 0), (x + 2, 0), (x + 2, 2)], family=HERMITE),)), 0, True
@@ -232,7 +232,7 @@ def test_undo_of_an_insertion_leaves_no_other_point_selected(two):
     assert len(two.curve.points) == 4
 
 
-def test_undo_of_a_deletion_selects_what_it_brings_back(two):
+def test_undo_of_a_deletion_selects_the_restored_points(two):
     two.trigger("deleteSelection")
     assert two.session.selection == frozenset()
     two.trigger("undo")
@@ -250,7 +250,7 @@ def test_undo_of_a_move_leaves_the_selection_of_now(two):
     assert two.session.selection == {3}
 
 
-def test_what_is_refused_leaves_the_selection(two):
+def test_a_refused_command_leaves_the_selection(two):
     two.trigger("curveLocked")
     for name in ("deleteSelection", "cutPoints", "reverseCurve"):
         two.trigger(name)
@@ -312,7 +312,7 @@ def test_points_that_would_share_a_parameter_are_not_pasted(editor):
     validate(editor.session.document)
 
 
-def test_derivatives_beyond_all_that_can_be_kept_are_refused_with_a_sentence(editor):
+def test_derivatives_beyond_the_limits_are_refused_with_a_sentence(editor):
     curve = make_curve([(0, 0), (1e6, 2e6), (3e6, 1e6)], family=HERMITE)
     rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-7)
     editor.session.commit(Document((replace(curve, parametrization=rule),)), "Begin")
@@ -335,7 +335,7 @@ def test_a_picture_at_the_end_of_the_plane_is_not_nudged_farther(editor, tmp_pat
     assert "must lie between" in editor.status
 
 
-def test_what_no_file_can_hold_is_not_committed(editor):
+def test_values_that_no_file_can_store_are_not_committed(editor):
     """The last gate, should an edit forget to check."""
     wild = replace(editor.curve, points=(*editor.curve.points, Point(float("nan"), 0.0)))
     with pytest.raises(FormatError):
@@ -396,7 +396,7 @@ def test_a_change_that_is_none_is_no_step_and_no_refusal(two):
     assert session.undo_stack.count() == steps
 
 
-def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
+def test_the_caller_gets_the_reason_why_a_locked_curve_did_not_change(two):
     session = two.session
     session.change("Lock", lambda document: set_appearance(document, [1], locked=True))
     change = session.change("Move", lambda document: point_edits.set_position(document, 1, 0, (9.0, 9.0)))
@@ -406,7 +406,7 @@ def test_why_a_locked_curve_stays_is_told_to_who_asked_too(two):
 
 
 @pytest.mark.parametrize("refuses", [False, True])
-def test_what_was_selected_is_selected_again_after_a_gesture_that_is_dropped(two, refuses):
+def test_a_cancelled_or_refused_gesture_restores_the_selection(two, refuses):
     """A press of the pen selects the point it makes; what was selected before was then lost."""
     session = two.session
     two.trigger("addTool")
@@ -426,7 +426,7 @@ def test_what_was_selected_is_selected_again_after_a_gesture_that_is_dropped(two
     two.release((1.5, 3.5))
 
 
-def test_a_number_for_a_locked_curve_stays_with_the_reason_beside_it(two):
+def test_a_number_for_a_locked_curve_stays_in_the_field_with_the_reason(two):
     """The cell's editor closed over a number that was not taken."""
     two.session.change("Lock", lambda document: set_appearance(document, [1], locked=True))
     two.settle()
@@ -448,7 +448,7 @@ def test_a_number_for_a_locked_curve_stays_with_the_reason_beside_it(two):
     assert not line.isVisible()
 
 
-def test_an_interval_for_a_locked_curve_stays_with_the_reason_below_it(two):
+def test_an_interval_for_a_locked_curve_stays_in_the_field_with_the_reason_below(two):
     two.session.change("Lock", lambda document: set_appearance(document, [1], locked=True))
     dock = two.window.findChild(QDockWidget, "curveDock")
     dock.show()

@@ -212,7 +212,7 @@ def test_the_number_of_ticks(dock, qtbot):
     assert len(first(editor, ticks.TICK)) == 2 * 20
 
 
-def test_the_circle_shows_the_scrub_line_and_follows_it(dock):
+def test_the_circle_displays_the_scrub_line_and_follows_its_position(dock):
     editor = dock
     editor.trigger("overlayCircle")
     assert editor.session.scrub.t == pytest.approx(0.5)

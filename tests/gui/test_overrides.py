@@ -75,7 +75,7 @@ def test_every_override_of_the_program_is_guarded():
     assert unguarded(classes) == [], "name `SafeOverrides` before Qt's class"
 
 
-def test_an_override_without_a_guard_is_found():
+def test_an_override_without_a_guard_is_detected():
     class Bare(QWidget):
         def paintEvent(self, event):
             pass

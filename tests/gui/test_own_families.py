@@ -203,7 +203,7 @@ def test_a_line_waits_until_a_drag_has_ended(using, save, path):
     until(lambda: "is no longer in its folder" in text_of(using))
 
 
-def test_a_template_is_short_and_says_what_there_is(path):
+def test_a_template_is_short_and_explains_the_options(path):
     text = template(path)
     assert text.count("\n") <= 30
     for word in ("title", "order", "breaks", "interpolates = False", "can_close = True", "settings = ["):
@@ -229,13 +229,13 @@ def test_a_dialog_that_is_left_changes_nothing(editor, ask):
     assert not editor.action("useOwnFamily").isEnabled()
 
 
-def test_a_template_that_cannot_be_written_is_told(editor, tmp_path, ask):
+def test_a_template_that_cannot_be_written_is_reported(editor, tmp_path, ask):
     ask(tmp_path / "nowhere" / "own.py")
     editor.trigger("familyTemplate")
     assert text_of(editor).startswith("own.py was not written.")
 
 
-def test_it_is_offered_wherever_families_are(using):
+def test_the_family_of_a_file_is_offered_in_every_list_of_families(using):
     family = FAMILIES.named(NAME)
     action = using.action(family.action_name)
     last = using.action(FAMILIES[-2].action_name)
@@ -265,7 +265,7 @@ def with_width(text, limits="limits=(0.2, 5.0)"):
     return text.replace("basis(t, parameters):", "basis(t, parameters, width):", 1)
 
 
-def test_the_setting_that_the_template_shows_is_a_field_and_is_kept(using, save, path):
+def test_the_setting_of_the_template_is_a_field_and_its_value_survives_changes_of_the_file(using, save, path):
     using.show_dock("curveDock")
     save(with_width(template(path)))
     until(lambda: using.window.findChild(QLineEdit, "settingWidth") is not None)
@@ -345,7 +345,9 @@ def test_everything_that_is_switched_on_follows(using, save, path):
         (('name = "my_lagrange"', 'name = "hermite"'), "a family named “hermite” already exists"),
     ],
 )
-def test_a_mistake_is_told_with_its_line_and_leaves_the_last_good_one(using, save, path, wrong, said):
+def test_a_mistake_is_reported_with_its_line_and_the_last_working_version_stays(
+    using, save, path, wrong, said
+):
     view = using.session.active_view
     with np.errstate(all="ignore"):
         save(template(path).replace(*wrong))
@@ -370,7 +372,7 @@ def test_a_sentence_that_was_put_away_stays_away_until_there_is_another(using, s
     until(lambda: "'tuple' object" in text_of(using))
 
 
-def test_a_file_that_is_gone_is_told_and_its_curves_go_on(using, save, path):
+def test_a_missing_file_is_reported_and_its_curves_continue(using, save, path):
     path.unlink()
     until(lambda: "is no longer in its folder" in text_of(using))
     using.drag_point(2, (3.0, 2.0))
@@ -379,7 +381,7 @@ def test_a_file_that_is_gone_is_told_and_its_curves_go_on(using, save, path):
     until(lambda: bar_of(using) is None)
 
 
-def test_a_gesture_in_flight_is_taken_back(using, save, path):
+def test_a_changed_file_cancels_a_running_gesture(using, save, path):
     using.press(using.point(2))
     using.move((3.0, 2.0))
     save(template(path).replace(*BROKEN))
@@ -486,7 +488,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
 
 
 @pytest.mark.usefixtures("told_soon")
-def test_what_hangs_beside_the_window_can_be_stopped(using, slowing):
+def test_a_hanging_computation_beside_the_window_can_be_stopped(using, slowing):
     slowing(1e9)
     using.add_point(4.5, 2.5)
     until(lambda: "takes long for 6 points…" in text_of(using))
@@ -515,7 +517,7 @@ def test_functions_that_are_slow_and_end_are_drawn_a_moment_later(using, slowing
         ("import sys\nprint('hello', file=sys.stderr)\nsys.exit(0)\n", "line 3: SystemExit: 0"),
     ],
 )
-def test_what_a_file_may_do_to_its_process_does_nothing_to_this_one(path, text, said):
+def test_harmful_code_in_a_file_affects_only_the_trial_process(path, text, said):
     path.write_text(text)
     with pytest.raises(family_file.FamilyFileError) as caught:
         trial.try_out(path, lambda _share, _word: None)
@@ -527,7 +529,7 @@ def test_what_a_file_may_do_to_its_process_does_nothing_to_this_one(path, text, 
 BUSY = "import re\nre.fullmatch('(a+)+', 'a' * 60 + 'b')\n"
 
 
-def test_a_trial_that_takes_too_long_is_ended(path, monkeypatch):
+def test_a_trial_beyond_the_time_limit_is_ended(path, monkeypatch):
     monkeypatch.setattr(trial, "SECONDS", 0.3)
     path.write_text(BUSY)
     with pytest.raises(family_file.FamilyFileError, match=r"ran for longer than 0\.3 s and was stopped"):
@@ -554,7 +556,7 @@ def second(qtbot, using):
     other.session.files.give_up_changes()
 
 
-def test_all_windows_have_it_and_follow(using, second, save, path):
+def test_all_windows_have_the_family_and_follow_its_changes(using, second, save, path):
     second.choose_family(NAME)
     curve = second.session.active_view.curve
     save(template(path).replace(*BROKEN))
@@ -580,7 +582,7 @@ def test_a_document_that_was_open_before_its_family_is_drawn(editor, path, save,
     assert not editor.session.files.is_modified
 
 
-def test_a_file_of_the_command_line_is_watched_too(qtbot, path, save, tried_here):
+def test_a_file_given_on_the_command_line_is_watched(qtbot, path, save, tried_here):
     save(template(path))
     with family_file.families_of_files(FAMILIES, [str(path)]):
         family_files().deleteLater()
@@ -612,9 +614,7 @@ def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_sta
     assert using.curve.family.name == NAME
 
 
-def test_a_file_asked_for_while_another_is_tried_leaves_that_one_asked_for_too(
-    editor, path, save, ask, tried_here
-):
+def test_a_second_requested_file_does_not_displace_the_first_request(editor, path, save, ask, tried_here):
     """The first one was said to be “run again”, and its family was not offered."""
     other = path.with_name("my_second.py")
     save(template(path))
