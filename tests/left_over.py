@@ -128,7 +128,7 @@ VALUES = {
     "the descriptor that signals wake": Value(
         _wakeup_descriptor, lambda number: signal.set_wakeup_fd(number, warn_on_full_buffer=False)
     ),
-    # The handler of the alarm stays with the program, see app/families/time_limit.py.
+    # The handler of the alarm stays with the program, see app/families/family_file.py.
     "the alarm": Value(_alarm, _set_alarm),
     **{f"the handler of {number.name}": _handler(number) for number in _SIGNALS},
 }

@@ -5,7 +5,7 @@ In reading order:
 - ``model``: `Document`, `Curve`, `Point`, and the rules for parameters.  ``style``: stroke and fill.
   ``derivatives``: velocity, acceleration and jerk of a point, and the rules that estimate them.
 - ``fields``: base class of all values, and what each field may hold.  ``limits``: largest numbers,
-  `EditError`. ``field_paths``: paths of fields in words.  ``words``: names, numbers and plurals for people.
+  `EditError`.  ``words``: names, numbers and plurals for people.
 - ``point_edits``: edits of the points of a curve and of their derivatives.  ``rule_edits``: of its family,
   rules and parameters.  ``curve_edits``: of whole curves.  ``straight_edits``: segments made straight.
   ``box_edits``: rectangles and ellipses.

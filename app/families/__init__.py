@@ -3,9 +3,8 @@
 - ``family``: `Family`, the record of a curve class with its words; `FamilySettings`, the settings of a
   family; `FamilySettingValues`, those that are not at their defaults.
 - ``registry``: `FAMILIES`: the families of the core, then those of installed packages and of files.
-- ``family_file``: families from a file of Python, checked before they are used, and the calls of its
-  functions.
-- ``time_limit``: a limit of time for such files.
+- ``family_file``: families from a file of Python, checked before they are used, the calls of its
+  functions, and their limit of time.
 
 To add a family to the program, add a file to ``curvecore.families``; its docstring says how. An installed
 package names its curve class as an entry point of the group ``curvebench.families``, a person names a file

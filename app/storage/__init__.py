@@ -8,7 +8,7 @@ In reading order:
 - ``migration``: older versions of the format.
 - ``open_file``: the file of an open document, its lock, and what other programs did to it.
 - ``lock``: lock files that name their owner.  ``system``: processes and locks of the operating system.
-  ``ps``: start time of a process.  ``digests``: SHA-256.
+  ``digests``: SHA-256.
 - ``recovery``: snapshots of unsaved work.
 - ``resources``: files that ship with the program.  ``examples``: the documents among them.
 

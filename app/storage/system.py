@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import platform
+import subprocess
 import sys
 import time
 from collections.abc import Iterator
@@ -91,8 +92,19 @@ def _started(pid: int) -> str | None:
     if sys.platform == "linux":
         return _started_on_linux(pid)
     if os.name == "posix":
-        return storage.ps.started(pid)
+        return _started_by_ps(pid)
     return ""  # On Windows, the signal that asks for a process would end it.
+
+
+def _started_by_ps(pid: int) -> str | None:
+    """Return the start time of process `pid`; None if there is no such process, empty if it is unknown."""
+    try:
+        done = subprocess.run(["ps", "-o", "lstart=", "-p", str(pid)], capture_output=True, check=False)
+    except OSError:
+        return ""
+    if done.stderr:
+        return ""  # This ps does not know the options.
+    return " ".join(done.stdout.decode("ascii", "replace").split()) or None
 
 
 def _started_on_linux(pid: int) -> str | None:

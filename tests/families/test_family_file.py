@@ -17,7 +17,7 @@ import pytest
 
 from app.cli import main
 from app.document.model import Document, make_curve
-from app.families import FAMILIES, HERMITE, Family, family_file, time_limit
+from app.families import FAMILIES, HERMITE, Family, family_file
 from app.families.family import families_of_module
 from app.families.family_file import (
     PATIENCE,
@@ -341,7 +341,7 @@ def test_a_loop_that_passes_over_mistakes_is_stopped_as_well(write, short_limits
 
 
 def test_a_call_that_waits_is_stopped(write, short_limits, monkeypatch):
-    monkeypatch.setattr(time_limit, "_longest_wait", lambda seconds: 1.5 * seconds)
+    monkeypatch.setattr(family_file, "_longest_wait", lambda seconds: 1.5 * seconds)
     path = write(
         GAUSSIAN.replace("    return _bells(t", "    import time; time.sleep(60)\n    return _bells(t")
     )
@@ -352,8 +352,8 @@ def test_a_call_that_waits_is_stopped(write, short_limits, monkeypatch):
 def test_time_that_the_machine_gives_to_others_does_not_count(write, short_limits, monkeypatch):
     """Beside busy programs a file was stopped 1 s after its limit, however little it had worked."""
     slow = SimpleNamespace(monotonic=lambda: 10.0 * time.monotonic(), thread_time=time.thread_time)
-    monkeypatch.setattr(time_limit, "time", slow)
-    monkeypatch.setattr(time_limit, "_longest_wait", lambda _seconds: 1000.0)
+    monkeypatch.setattr(family_file, "time", slow)
+    monkeypatch.setattr(family_file, "_longest_wait", lambda _seconds: 1000.0)
     families_in(write(f"import time\ntime.sleep(0.3)\n{GAUSSIAN}"))
 
 

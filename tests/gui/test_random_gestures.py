@@ -18,7 +18,7 @@ from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.document.selection import all_points
 from app.document.transforms import Edge, align_points, distribute_points
 from app.families import FAMILIES, HERMITE, LAGRANGE
-from app.features.wiggle.explain_tool import EXPLAIN
+from app.features.wiggle.commands import EXPLAIN
 from app.plotting.pixel_map import PixelMap
 from app.session import Session
 from app.storage.format import decode, encode

@@ -16,7 +16,7 @@ import msgspec
 import pytest
 
 from app.storage import lock as lock_module
-from app.storage import ps, system
+from app.storage import system
 from app.storage.files import remove_stale_files, temporary_name
 from app.storage.lock import OLD, Owner, acquire, lock_path, owner_of, take_over
 from app.storage.system import Process, is_alive, is_number_alive, machine, this_process, try_lock
@@ -132,7 +132,7 @@ def test_the_state_of_a_process_in_another_container_is_unknown():
 @pytest.mark.skipif(shutil.which("ps") is None, reason="there is no ps")
 def test_the_start_time_comes_from_ps_without_proc(monkeypatch):
     """As on macOS."""
-    monkeypatch.setattr(system, "_started", ps.started)
+    monkeypatch.setattr(system, "_started", system._started_by_ps)
     own = Process(machine(), os.getpid(), system._started(os.getpid()))
     assert own.started
     assert is_alive(own)
@@ -146,7 +146,7 @@ def test_the_system_lock_shows_whether_an_owner_in_a_container_runs(target):
     code = """\
         import sys
         from pathlib import Path
-        from app.storage import ps, system
+        from app.storage import system
         system._numbering = lambda: "another container"
         from app.storage.lock import acquire, lock_path
         result = acquire(lock_path(Path(sys.argv[1])))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QMenu, QSizePolicy, QToolButton
 
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch, widget_at
 from ...actions.keymap import action_name
@@ -30,10 +31,10 @@ from ...state.window_state import WindowState
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
 from ...view_model.settings import ChoiceSetting
-from ...widgets.controls import ToolbarWidget
+from ...widgets.boxes import row_of
+from ...widgets.controls import ToolbarWidget, named
 from ...workbench.context import WindowContext
 from ...workbench.docks import LateDock, hide_idle_docks
-from .more_tools_button import MoreToolsButton
 from .zoom import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
@@ -61,6 +62,46 @@ def _tool_choices() -> list[_ToolChoice]:
         if isinstance(setting, ChoiceSetting)
         for member in type(setting.default)
     ]
+
+
+_ICON, _ARROW = 20, 20
+"""Pixels along the sides of the icon, and of what stands beside it."""
+
+
+class MoreToolsButton(ToolbarWidget):
+    """Toolbar button for the last used tool of its menu.
+
+    Parameters
+    ----------
+    is_on
+        Function that tells by name whether a switch is on.
+    """
+
+    def __init__(self, is_on: Callable[[str], bool]) -> None:
+        super().__init__()
+        self._is_on = is_on
+        self.button = named(QToolButton(), "moreToolsButton", "More Tools")
+        self.button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        self.button.setIconSize(QSize(_ICON, _ICON))
+        self.button.setFixedWidth(_ICON + _ARROW)
+        self._menu = named(QMenu(self.button), "moreToolsMenu")
+        self._menu.setToolTipsVisible(True)
+        row_of(self.button, margins=(0, 0, 0, 0), parent=self)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+
+    def offer(self, tools: Sequence[QAction]) -> None:
+        """Set the tools of the menu; the first one is on the button."""
+        self._menu.addActions(list(tools))
+        self.button.setDefaultAction(tools[0])
+        # Set last: setDefaultAction replaces the menu by that of the action.
+        self.button.setMenu(self._menu)
+
+    def show_in_use(self) -> None:
+        """Show the tool in use, if it is in the menu; otherwise the last one."""
+        used = next((entry for entry in self._menu.actions() if self._is_on(entry.objectName())), None)
+        if used is not None and used is not self.button.defaultAction():
+            self.button.setDefaultAction(used)
+            self.button.setMenu(self._menu)
 
 
 class ViewCommands:

@@ -1,7 +1,6 @@
 """A wiggle explained: which points pull the curve at the scrub line, and what would calm it.
 
-- ``commands``: explains the curve at the scrub line, and tries cures.
-- ``explain_tool``: the tool by which a click puts the scrub line.
+- ``commands``: explains the curve at the scrub line, tries cures; the tool by which a click puts the line.
 - ``panel``: the explanation, the weights of the points as bars, and the cures.
 """
 

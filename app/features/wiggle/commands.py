@@ -20,14 +20,41 @@ from ...view_model.line_styles import CURE_STYLE
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel, make_room
 from .. import wiggle
-from .explain_tool import EXPLAIN
 
 if TYPE_CHECKING:
     from ...view_model.analysis.wiggle import Cure, Cures
     from .panel import WigglePanel
+from ...tools.pointer import Hint, Part
+from ...tools.tool import GestureRow, Tool, ToolEvent, ToolRecord
 
 _GROUP = "cure"
 _HEIGHT = 460
+
+
+class ExplainTool(Tool):
+    """Tool that moves the scrub line to the clicked point of the curve, which is explained there."""
+
+    def press(self, event: ToolEvent) -> None:
+        """Move the scrub line here."""
+        hit = event.hit
+        if hit is not None and hit.part is Part.CURVE:
+            event.session.scrub.set(hit.t)
+        else:
+            event.session.refuse("Click the curve where it swings out.")
+
+    def hover(self, event: ToolEvent) -> Hint:
+        """Return the hint for a click on the curve."""
+        text = "Click the curve where it swings out · V goes back to Select"
+        return Hint(text, grab=event.hit is not None)
+
+
+EXPLAIN = ToolRecord(
+    name="explain",
+    make=ExplainTool,
+    hint="Click the curve where it swings out; V goes back to Select.",
+    doing="explaining",
+    gestures=(GestureRow("Click the curve", "explain why it swings out there"),),
+)
 
 
 class WiggleCommands(QObject):
