@@ -117,7 +117,7 @@ def test_weights_beyond_one_range(compare, rng):
     assert targets.at_most("Lagrange n = 1000, uniform over chebyshev", ratio, 1.5, "times")
 
 
-def test_frame_of_a_thousand_points_whose_parameters_move(compare):
+def test_frame_of_a_thousand_points_with_moving_parameters(compare):
     """The curve, its polyline and its functions under chord length; the peer takes some 5 ms.
 
     Hardly a sample between two points lies in the box: none is divided, and none measured.

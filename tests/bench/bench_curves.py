@@ -126,7 +126,7 @@ def test_a_whole_curve_among_a_hundred_follows_as_quickly_as_one_alone(qtbot):
     assert hundred <= one + STYLED_MORE
 
 
-def test_curves_that_are_chosen_cost_nothing_while_a_point_is_dragged(qtbot):
+def test_selected_curves_cost_nothing_while_a_point_is_dragged(qtbot):
     one, ten = calmest(
         lambda: times(qtbot, 100, "curvesDock"), lambda: times(qtbot, 100, "curvesDock", chosen=10)
     )
@@ -134,7 +134,7 @@ def test_curves_that_are_chosen_cost_nothing_while_a_point_is_dragged(qtbot):
     assert ten.median <= MOST * one.median
 
 
-def test_thirty_chosen_curves_follow_the_pointer(qtbot):
+def test_thirty_selected_curves_follow_the_pointer(qtbot):
     alone, thirty = calmest(lambda: times(qtbot, 1, "curvesDock"), lambda: thirty_together(qtbot))
     print(f"\n30 curves of 20 points moved together: {thirty}   1 curve: {alone}")
     assert thirty.median <= 30 * ALL_MOST * alone.median

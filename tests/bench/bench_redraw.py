@@ -229,7 +229,7 @@ def test_a_parameter_of_a_thousand(open_wave, beside):
     assert beside("Lagrange n = 1000, a parameter", lambda: drag_tick(editor), 0.2, n=1000)
 
 
-def test_a_thousand_points_whose_functions_all_change(open_wave, beside):
+def test_a_thousand_points_with_changing_functions(open_wave, beside):
     """The basis panel and its evaluation are in this figure."""
     editor = open_wave(1000, HERMITE, ParametrizationKind.CHORD_LENGTH)
     what = "Hermite n = 1000, a point, chord length"

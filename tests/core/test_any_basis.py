@@ -83,7 +83,7 @@ WHERE = np.linspace(0.01, 0.97, 37)
 @pytest.mark.parametrize(
     "kind", [each for each in core_families() if not each.derivatives], ids=lambda kind: kind.name
 )
-def test_every_family_seen_through_its_functions_alone_is_the_same_curve(kind, points):
+def test_every_family_rebuilt_from_its_functions_is_the_same_curve(kind, points):
     """What the core knows of it besides makes it faster, not another one."""
 
     def like(parameters):
@@ -308,6 +308,6 @@ def test_functions_that_are_no_cardinal_basis_make_a_curve_that_misses_its_point
 
 
 @pytest.mark.parametrize("breaks", [[0.0, 0.6, 0.4], [[0.0, 1.0]], [0.0, np.inf]])
-def test_breaks_that_are_none(breaks):
+def test_breaks_that_do_not_increase_are_refused(breaks):
     with pytest.raises(CurveError, match="the breaks of hats must be finite and strictly increasing"):
         BasisCurve([[0, 0], [1, 1], [2, 0]], [0, 0.5, 1], Scheme("hats", hats, breaks=lambda _: breaks))

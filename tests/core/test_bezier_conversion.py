@@ -68,7 +68,7 @@ def test_errors_grow_by_the_condition_number_at_most():
     assert np.abs(moved.control_points).max() == pytest.approx(moved.condition, rel=1e-14)
 
 
-def test_the_control_points_of_two_points_are_these_points():
+def test_the_control_points_of_two_points_are_the_points():
     found = lagrange_to_bezier(LagrangeCurve([[0.0, 1.0], [2.0, 5.0]], [3.0, 4.5]))
     assert found.control_points.tolist() == [[0.0, 1.0], [2.0, 5.0]]
     assert found.condition == 1.0

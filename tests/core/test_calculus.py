@@ -127,7 +127,7 @@ def test_derivative_and_antiderivative_undo_each_other(name):
 
 
 @every_polynomial
-def test_pieces_of_derivative_and_antiderivative_are_those_of_scipy(name):
+def test_pieces_of_derivative_and_antiderivative_match_scipy(name):
     curve = CURVES[name]
     polynomial = curve.to_bpoly()
     for order in (1, 2):
@@ -197,7 +197,7 @@ def test_integrals_between_two_parameters(name, a, b):
 @every_polynomial
 @each_row(("a", "b"), [(-2.0, 0.0), (2.5, 4.0), (-3.0, 5.0), (3.5, 4.5), (-9.25, 13.5), (3.0, 7.0)])
 @each_row("extrapolate", [True, False, "periodic"])
-def test_integrals_outside_the_domain_are_those_of_scipy(name, a, b, extrapolate):
+def test_integrals_outside_the_domain_match_scipy(name, a, b, extrapolate):
     curve = CURVES[name]
     expected = curve.to_ppoly().integrate(a, b, extrapolate=extrapolate)
     assert curve.integrate(a, b, extrapolate) == pytest.approx(expected, rel=1e-10, abs=1e-10, nan_ok=True)
@@ -243,7 +243,7 @@ def test_a_polynomial_of_high_degree_is_integrated_in_parts():
 
 @every_polynomial
 @pytest.mark.parametrize("axis", [0, 1])
-def test_solutions_are_those_of_scipy(name, axis):
+def test_solutions_match_scipy(name, axis):
     curve = CURVES[name]
     polynomial = curve.to_ppoly()
     lowest, highest = (bound[axis] for bound in bounding_box(curve)[:2])
@@ -282,7 +282,7 @@ def test_roots_at_joints_at_ends_and_where_the_curve_only_touches():
     assert parabola.solve(1e-12) == pytest.approx([0.5 - 1e-6, 0.5 + 1e-6], abs=1e-10)
 
 
-def test_a_triple_root_is_found_once():
+def test_a_triple_root_is_listed_once():
     t = np.array([0.0, 0.3, 0.6, 1.0])
     curve = LagrangeCurve(((t - 0.5) ** 3)[:, None], t)
     assert curve.roots() == pytest.approx([0.5], abs=1e-5)
@@ -297,7 +297,7 @@ def test_a_coordinate_that_stays_is_given_by_the_ends_of_the_stretch():
     assert whole.solve(2.5).tolist() == []
 
 
-def test_a_jump_across_the_value_counts_if_it_shall():
+def test_a_jump_across_the_value_counts_on_request():
     """c'' of a cubic Hermite curve jumps at its joints, as of SciPy's."""
     curve = HermiteCurve([[0.0], [1.0], [0.0]], [[0.0], [0.0], [0.0]], [0, 1, 2]).derivative(2)
     kinked = HermiteCurve([[0.0], [0.0], [0.0]], [[1.0], [0.5], [-1.0]], [0, 1, 2]).derivative(2)
@@ -486,7 +486,7 @@ def test_a_curve_that_is_no_polynomial_has_no_bpoly():
         LagrangeCurve(np.zeros((65, 1)), uniform(65)).to_bpoly()
 
 
-def test_without_scipy_one_sentence_names_it(monkeypatch):
+def test_without_scipy_the_error_names_the_missing_package(monkeypatch):
     plain = builtins.__import__
 
     def without(name, *arguments, **keywords):
@@ -542,7 +542,7 @@ def test_a_curve_of_any_family_is_solved(of_any_family, order):
         assert np.abs(curve(inside)[:, axis] - value).max(initial=0.0) <= 1e-10 * np.abs(values).max()
 
 
-def test_a_curve_of_any_family_goes_to_scipy_and_back_where_it_is_of_polynomials(of_any_family):
+def test_a_curve_of_any_family_of_polynomials_converts_to_scipy_and_back(of_any_family):
     curve = of_any_family
     t = np.linspace(*curve.domain, 101)
     if curve.degree is None:

@@ -146,7 +146,7 @@ def test_errors_of_seven_points_grow_though_the_family_says_one(rule, published)
         assert lebesgue_function(cardinal, at).max() == pytest.approx(constant, rel=1e-6)
 
 
-def test_constants_of_many_bases_are_those_of_each(rng):
+def test_constants_of_many_bases_equal_those_of_each_basis(rng):
     """Cubics and quintics, few points and many, whose tables are filled up to one width."""
     bases = [
         cardinal_of(chord_length(rng.standard_normal((n, 2))), rules)

@@ -87,7 +87,7 @@ def joined_septics(before, after):
         ((2.0, 0.5, -1.0), "C0, G3"),
     ],
 )
-def test_third_order_contact_is_found(dim, change, label):
+def test_third_order_contact_is_detected(dim, change, label):
     """The chain rule of Barsky and DeRose: beta constraints of the third order."""
     p, v, a, j = (np.resize(x, dim) + 0.25 * np.arange(dim) for x in (P, V, A, J))
     b1, b2, b3 = change
@@ -128,7 +128,7 @@ def test_splines_are_twice_continuous_and_catmull_rom_is_not(shift):
     assert [joint.label for joint in joint_report(rom)] == ["C1"] * 3
 
 
-def test_jumps_are_those_of_the_pieces(rng):
+def test_reported_jumps_match_the_pieces(rng):
     curve = HermiteCurve(POINTS, rng.standard_normal((5, 2)), T)
     for joint in joint_report(curve):
         i = joint.joint
@@ -261,7 +261,7 @@ def test_a_b_spline_that_is_moved_is_as_smooth_as_before(far):
     assert labels == moved == ["C3", "C2", "C2", "C3"]
 
 
-def test_not_a_knot_is_none():
+def test_not_a_knot_joints_have_no_jump():
     """The jerk jumped at the last joint, by what the velocities are rounded by."""
     points = [[0, 3], [0, -1], [-4, 0], [-4.003, -0.002], [3, -3]]
     curve = CubicSplineCurve(points, chord_length(points), ends="not_a_knot")

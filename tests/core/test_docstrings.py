@@ -63,7 +63,7 @@ def described_in(section):
 
 
 @pytest.mark.parametrize("package", [curvecore, calculus], ids=lambda each: each.__name__)
-def test_the_names_are_those_of_the_stub(package):
+def test_the_exported_names_match_the_stub(package):
     """They are read from its lines, as one statement each."""
     stub = ast.parse(Path(package.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
     statements = [each for each in stub.body if isinstance(each, ast.ImportFrom)]

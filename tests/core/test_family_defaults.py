@@ -93,7 +93,7 @@ class Growing(ParametricCurve):
         return np.stack([np.exp(1000.0 * t), np.exp(1000.0 * t) - np.exp(1000.0 * t)], axis=1)
 
 
-def test_basis_functions_of_the_shape_m_n_are_those_of_one_kind():
+def test_basis_functions_of_shape_m_n_are_of_one_kind():
     curve = Growing([[1.0], [2.0]], [0.0, 1.0])
     assert curve.basis([0.0, 0.5]).shape == (2, 2, 1)
     assert curve.basis(0.0).shape == (2, 1)

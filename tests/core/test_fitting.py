@@ -97,7 +97,7 @@ def test_few_data_leave_a_calm_curve():
     assert np.abs(found.evaluate(np.linspace(0.0, 1.0, 101))).max() < 1.1
 
 
-def test_corners_are_refused_where_there_can_be_none():
+def test_corners_are_refused_by_families_without_corners():
     with pytest.raises(CurveError, match="can have no corners"):
         least_squares_curve(LagrangeCurve, wave(50), np.linspace(0, 1, 50), uniform(5), corners=[2])
 

@@ -211,7 +211,7 @@ class _Counted(LagrangeCurve):
         return super()._evaluate(t, order)
 
 
-def test_of_a_curve_too_wild_for_its_vertices_nothing_is_measured_between_them():
+def test_between_the_vertices_of_a_too_wild_curve_nothing_is_measured():
     """In a frame of a drag of a thousand points there were 11,600 evaluations, for the same vertices."""
     s = np.linspace(0.0, 1.0, 1000)
     points = np.column_stack([4.0 * s, 1.0 + 0.7 * np.sin(14.0 * s)])

@@ -107,7 +107,7 @@ def test_tips_that_move_along_their_own_line_are_followed_or_refused(n):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_the_estimate_for_calm_curves_is_the_greatest_of_those_piece_by_piece(seed):
+def test_the_estimate_for_calm_curves_is_the_greatest_of_the_pieces(seed):
     rng = np.random.default_rng(seed)
     answers = 0
     for size in 10.0 ** rng.uniform(-12, 12, 20):

@@ -180,7 +180,7 @@ def test_the_box_of_thousands_of_segments_that_all_turn_twice():
     assert bounding_box(curve).maximum[1] == pytest.approx(np.sqrt(3.0) / 18.0, abs=1e-12)
 
 
-def test_boxes_and_lengths_of_many_curves_are_those_of_each(rng):
+def test_boxes_and_lengths_of_many_curves_equal_those_of_each_curve(rng):
     """Chains, several degrees, and sizes from 1e-9 to 1e9."""
     curves = [
         family(name, 10.0**size * rng.standard_normal((n, 2)), chebyshev(n))

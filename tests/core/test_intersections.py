@@ -119,7 +119,7 @@ def test_a_tangential_touch(tolerance):
 
 @each_row("tolerance", [1e-6, 1e-9, 1e-12])
 @each_row("times", [4, 1000])
-def test_a_near_miss_is_none(tolerance, times):
+def test_a_near_miss_is_no_intersection(tolerance, times):
     found = self_intersections(two_parabolas(times * tolerance), tolerance)
     assert found.parameters.shape == (0, 2)
     assert found.is_complete

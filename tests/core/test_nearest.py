@@ -95,7 +95,7 @@ def test_a_parabola_in_closed_form():
         assert nearest(curve, [0.0, a], 1e-14).distance == pytest.approx(abs(a), abs=2e-14)
 
 
-def test_the_parameter_is_as_accurate_as_newtons_method_makes_it(rng):
+def test_the_nearest_parameter_is_accurate_to_rounding(rng):
     """Its last step is taken where no distance shows any more whether it was one in the right direction."""
     t = np.linspace(-2.0, 2.0, 3)
     curve = LagrangeCurve(np.stack((t, t * t), axis=1), t)
@@ -114,7 +114,7 @@ def test_the_centre_of_a_circle_is_equally_near_to_all_points():
     assert found.error <= 1e-9
 
 
-def test_the_other_side_of_a_break_is_seen():
+def test_the_other_side_of_a_break_is_considered():
     left = HermiteCurve([[0, 0], [1, 0]], [[1, 0], [1, 0]], [0, 1])
     right = HermiteCurve([[0, 5], [1, 5]], [[1, 0], [1, 0]], [1, 2])
     chain = Chain([left, right])

@@ -157,6 +157,6 @@ def test_wrong_arguments_of_rounding_are_refused():
         evaluate_rounded(NINE, CLOCK, [0.5], "newton", 2, rounding="nothing")
 
 
-def test_round_significant_takes_numbers_as_they_are_printed():
+def test_round_significant_rounds_decimals_as_printed():
     assert round_significant([2.675, -0.125, 0.0, 1e-310], 3).tolist() == [2.68, -0.125, 0.0, 1e-310]
     assert round_significant([[2.665, 1234.5]], 3).tolist() == [[2.66, 1230.0]]

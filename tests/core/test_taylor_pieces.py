@@ -199,7 +199,7 @@ def test_segments_of_a_few_roundings(exact, length):
             assert exact.worst_constant(curve.evaluate(x, order)[0], terms) <= LIMIT
 
 
-def test_coefficients_are_those_of_the_functions(exact):
+def test_coefficients_match_the_functions(exact):
     """Summed up at the middle of a segment, all expansions are what the functions are there."""
     for width in (2, 3):
         for order in range(2 * width):

@@ -22,7 +22,7 @@ def two():
     return Document(tuple(make_curve(WAVE, name=name, family=HERMITE) for name in "ab"))
 
 
-def test_moved_points_are_found_when_nothing_else_changed(two):
+def test_moved_points_are_listed_when_nothing_else_changed(two):
     moved = move_points(two, 1, [0, 2], (1.0, 0.0))
     assert reshaped_curves(two, moved) == [1]
     assert reshaped_curves(two, two) == []

@@ -130,7 +130,7 @@ def test_breaking_a_shape_apart_keeps_curves_and_order():
         ("[[ab]c]", "ab", "[[[ab]]c]"),
     ],
 )
-def test_grouped_curves_are_in_their_common_group(drawn, chosen, made):
+def test_grouped_curves_are_moved_into_their_common_group(drawn, chosen, made):
     some = document(drawn)
     result = group_curves(some, places(some, chosen))
     assert text(result.document) == made
@@ -251,7 +251,7 @@ def test_a_press_selects_the_outermost_group_that_is_not_entered(drawn, pressed_
     assert pressed_curves(some, curve, none) in [set(node.indices) for node in curve_tree(some.curves)]
 
 
-def test_copies_of_shapes_and_groups_have_names_of_their_own():
+def test_copies_of_shapes_and_groups_get_new_names():
     some = document("(ab)[cd]")
     copied = duplicate_curves(some, {0, 1}).document
     assert text(copied).replace("a copy", "A").replace("b copy", "B") == "(ab)(AB)[cd]"

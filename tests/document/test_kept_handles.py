@@ -174,7 +174,7 @@ def test_coincident_points_keep_finite_derivatives():
     assert [point.velocity for point in after.curves[0].points] == [(1.0, 0.0)] * 3
 
 
-def test_a_too_large_derivative_is_refused():
+def test_a_derivative_beyond_the_limits_is_refused():
     points = (Point(0.0, 0.0, velocity=(9e11, 0.0)), Point(1e-6, 0.0), Point(2e-6, 0.0))
     before = Document((Curve("Tiny", HERMITE, BY_DISTANCE[0], points),))
     with pytest.raises(EditError, match="derivative"):

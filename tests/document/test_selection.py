@@ -25,7 +25,7 @@ BEFORE = points((0, 0), (1, 1), (2, 0), (3, 1))
         ((), set()),
     ],
 )
-def test_points_are_followed_by_their_positions(after, kept):
+def test_the_selection_follows_points_by_their_positions(after, kept):
     assert followed_points({1, 3}, BEFORE, after) == kept
 
 

@@ -183,7 +183,7 @@ def test_a_straight_segment_stays_straight_when_its_end_moves(kind, closed, move
         assert has_parallel_velocities(p)
 
 
-def test_a_tied_handle_beside_a_straight_segment_stays_along_it():
+def test_a_tied_handle_beside_a_straight_segment_stays_along_the_segment():
     before = with_line()
     assert is_straight_beside(before.curves[0], 2, ahead=True)
     line = before.curves[0].points[2].velocity_after
@@ -200,7 +200,7 @@ def test_a_tied_handle_beside_a_straight_segment_stays_along_it():
     )
 
 
-def test_a_handle_dragged_out_of_a_straight_segment_bends_it():
+def test_a_handle_dragged_out_of_a_straight_segment_bends_the_segment():
     after = point_edits.set_velocity(with_line(), 0, 2, (1.0, 5.0), ahead=True).curves[0]
     assert not is_straight(after, 2)
     assert has_parallel_velocities(after.points[2])
@@ -230,7 +230,7 @@ def test_two_straight_segments_in_different_directions_end_a_tie():
     assert not after.points[2].tied
 
 
-def test_points_moved_together_keep_the_straight_segment_between_them():
+def test_points_moved_together_keep_the_straight_segment_between_the_points():
     before = with_line(ties=())
     after = point_edits.move_points(before, 0, [2, 3], (2.0, 1.0))
     assert is_straight(after.curves[0], 2)

@@ -128,7 +128,7 @@ def test_code_is_the_curve_within_its_deviation(document, written, ending):
     assert away.max() > done.deviation / 20 or not is_own(document)
 
 
-def test_coefficients_are_the_curve_within_their_deviation(document, written):
+def test_coefficients_are_the_curve_within_the_stated_deviation(document, written):
     path, done = written(".coefficients.json")
     content = json.loads(path.read_text())
     (curve,) = content["curves"]
@@ -143,7 +143,7 @@ def test_coefficients_are_the_curve_within_their_deviation(document, written):
 
 
 @each_row("ending", [".path.txt", ".pgfplots.tex", ".tikz"])
-def test_drawn_cubics_are_the_curve_within_their_deviation(document, written, ending):
+def test_drawn_cubics_are_the_curve_within_the_stated_deviation(document, written, ending):
     path, done = written(ending)
     text = path.read_text()
     if ending == ".path.txt":
@@ -231,7 +231,7 @@ def test_a_picture_and_a_film_show_a_curve_of_another_family(document, written, 
         assert frames.n_frames >= 4
 
 
-def test_facts_are_those_of_the_curve(document):
+def test_facts_match_the_curve(document):
     (facts,) = facts_of(document)
     line = dense(document, 20001)
     assert facts.degree == view_of(document.curves[0]).curve.degree
@@ -244,7 +244,7 @@ def test_facts_are_those_of_the_curve(document):
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.MANUAL])
-def test_other_rules_are_written_too(kind, tmp_path):
+def test_curves_with_other_parameter_rules_are_written(kind, tmp_path):
     for name in OWN:
         document = Document((curve_of(name, kind),))
         path = tmp_path / "curve.py"

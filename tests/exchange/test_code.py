@@ -77,7 +77,7 @@ def test_many_chebyshev_points(count):
     assert distance(document, python_code(document).text, step=count // 60) < 1e-12
 
 
-def test_the_scipy_code_is_as_far_away_as_it_says(kind):
+def test_the_scipy_code_is_within_its_stated_deviation(kind):
     written = scipy_code(kind)
     size = np.abs(view_of(kind.curves[0]).curve.points).max()
     assert distance(kind, written.text) <= 8 * written.deviation / size + 1e-14
@@ -95,7 +95,7 @@ def test_scipy_loses_digits_on_uniform_parameters_and_the_code_says_so():
     assert distance(document, written.text) > 1e-13
 
 
-def test_several_curves_get_identifiers_of_their_own(gallery):
+def test_several_curves_get_distinct_identifiers(gallery):
     names = identifiers_of(curves_of(gallery))
     assert names[-2:] == ["ring", "ring_2"]
     assert len(set(names)) == len(names)

@@ -123,7 +123,7 @@ def test_a_dot_is_painted_as_large_as_its_caps(cap, area):
         assert (x, y) == pytest.approx((broad / 2, high / 2), abs=0.1)
 
 
-def test_dots_beside_a_line_are_painted_where_they_are():
+def test_dots_beside_a_line_are_painted_at_their_positions():
     document = read(path("M4 4h16M12 12h0M18 18z")).document
     ink, _, (high, broad) = ink_in(document, width=190)
     # The line with its caps reaches from 2.5 to 21.5, and the dots from 2.5 down to 19.5.

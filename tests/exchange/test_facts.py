@@ -166,7 +166,7 @@ def test_the_facts_of_many_small_curves_take_few_calls_each():
     assert calls_of(lambda: facts_of(curves)) < 2200 * 60
 
 
-def test_the_facts_of_many_curves_report_their_progress():
+def test_the_facts_of_many_curves_report_progress():
     told = []
     facts_of(many(5), lambda share, _word: told.append(share))
     assert told == [0.0, 0.2, 0.4, 0.6, 0.8, 1.0]

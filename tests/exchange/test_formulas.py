@@ -193,7 +193,7 @@ def test_more_digits_come_closer(sketch):
     assert deviations[-1] < (1e-14 if is_exact else 1e-4)
 
 
-def test_the_rounding_of_a_formula_is_bounded_where_it_says_at_most():
+def test_the_rounding_of_a_formula_is_called_a_bound_only_where_proven():
     """Largest deviations were sampled: 4.19e-8 was said and 5.08e-8 measured. Now that one says about."""
     points = np.random.default_rng(4).standard_normal((5, 2)).tolist()
     # Rounded t of chord lengths move the pieces, and those of one polynomial are data.
@@ -318,7 +318,7 @@ def has_tex():
 
 
 @pytest.mark.skipif(not has_tex(), reason="no TeX here, or no pgfplots")
-def test_tex_typesets_it(gallery, tmp_path):
+def test_tex_typesets_formulas_and_pictures(gallery, tmp_path):
     parts = "\n".join(write(gallery).text for write in (latex_formula, tikz_picture, pgfplots_axis))
     packages = "\\usepackage[utf8]{inputenc}\\usepackage{amsmath,pgfplots}\n"
     head = f"\\documentclass{{article}}{packages}\\begin{{document}}\n"

@@ -94,7 +94,7 @@ def test_size_and_position_do_not_matter(offset, scale, tmp_path):
     assert np.abs(pictures[0] - pictures[1]).max() <= 2
 
 
-def test_a_png_says_how_accurate_it_is(sketch, tmp_path):
+def test_a_png_states_its_accuracy(sketch, tmp_path):
     export(sketch, tmp_path / "a.png", Options(width=50))
     assert QImage(str(tmp_path / "a.png")).text("Description").startswith("Largest deviation")
 
@@ -112,7 +112,7 @@ def test_a_path_of_very_many_pieces_is_drawn_to_its_end(tmp_path):
     assert (ink[:, 20:180].max(axis=0) > 0.1).all()
 
 
-def test_a_pdf_has_one_page_of_the_right_shape_and_no_picture_in_it(example, tmp_path):
+def test_a_pdf_is_one_page_in_proportion_without_a_raster_picture(example, tmp_path):
     for width in (None, 300):
         path = tmp_path / "a.PDF"
         export(example, path, Options(width=width))

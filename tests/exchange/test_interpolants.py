@@ -122,7 +122,7 @@ def test_other_families_are_written_as_cubics_within_a_deviation(document_of, in
 
 
 @pytest.mark.parametrize("interpolants", [*RIGHT, *OTHERWISE])
-def test_coefficients_are_those_of_the_curve(document_of, interpolants, tmp_path):
+def test_coefficients_match_the_curve(document_of, interpolants, tmp_path):
     document, path = document_of(interpolants), tmp_path / "curve.coefficients.json"
     done = export(document, path, Options())
     (written,) = json.loads(path.read_text())["curves"]

@@ -40,7 +40,7 @@ def painted(*curves):
     return np.frombuffer(image.constBits(), np.uint8).reshape(100, 100, 4).copy()
 
 
-def test_a_transparent_stroke_lets_the_fill_be_seen():
+def test_a_fill_is_visible_through_a_transparent_stroke():
     style = Style(stroke="#ff0000", width=2.0, stroke_opacity=0.5, fill="#0000ff", fill_opacity=0.25)
     seen = painted(line(SQUARE, style, closed=True))
     # The outer half of the stroke, and the inside.

@@ -56,7 +56,7 @@ def random_rows(seed, count=6):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_a_pathweaver_path_is_read_as_pathweaver_draws_it_and_written_unchanged(seed, tmp_path):
+def test_a_pathweaver_path_is_read_as_in_pathweaver_and_written_unchanged(seed, tmp_path):
     rows, path = random_rows(seed), tmp_path / "a.csv"
     path.write_text(text_of(rows))
     found = import_file(path)

@@ -152,7 +152,7 @@ def test_a_stopped_drawing_does_not_affect_the_next_one(children):
     assert all(each.returncode is not None for each in children)
 
 
-def test_a_process_whose_parent_is_gone_leaves_no_folder(tmp_path):
+def test_a_process_without_its_parent_leaves_no_folder(tmp_path):
     """The parent was killed: it cannot remove what it wrote for the child."""
     folder = tmp_path / "messages"
     folder.mkdir()

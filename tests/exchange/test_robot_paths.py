@@ -114,7 +114,7 @@ def test_paths_of_2023_have_anchor_points_and_markers():
         ("waypoints", "ways", "Waypoints is missing."),
     ],
 )
-def test_invalid_pathweaver_paths_are_refused_with_their_position(old, new, sentence):
+def test_invalid_pathplanner_paths_are_refused_with_their_position(old, new, sentence):
     text = path_of([[[0, 0], [1, 0], [2, 1], [3, 1]]]).decode()
     assert old in text
     with pytest.raises(ExchangeError) as refusal:
@@ -144,7 +144,7 @@ def traj(samples, **more):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_swerve_drive_moves_as_choreolib_interpolates_it(seed, tmp_path):
+def test_a_swerve_drive_moves_as_in_choreolib(seed, tmp_path):
     """x + v τ + a τ² / 2 from each sample on: a cubic with these ends is that parabola."""
     random = np.random.default_rng(seed)
     samples = swerve(random)

@@ -171,7 +171,7 @@ def test_a_thinned_polyline_stays_within_the_tolerance(tolerance):
     assert len(kept.rows) < 30 * tolerance**-0.5
 
 
-def test_a_picture_with_everything_in_it_reads_back_as_its_curves(document):
+def test_a_picture_with_all_decorations_reads_back_as_its_curves(document):
     plain = svg_of(document).text
     full = svg_of(document, Options(points=True, handles=True, grid=True, basis=0)).text
     for name in ("grid", "handles", "basis", "points"):

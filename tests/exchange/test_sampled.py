@@ -56,7 +56,7 @@ def test_equal_arc_lengths(kind):
 
 
 @each_row("tolerance", [1e-1, 1e-2, 1e-3])
-def test_samples_by_tolerance_stay_within_it(kind, tolerance):
+def test_samples_by_tolerance_stay_within_the_tolerance(kind, tolerance):
     _, values, deviation = table(kind, spacing=Spacing.TOLERANCE, tolerance=tolerance)
     assert deviation <= tolerance
     curve = core(kind)
@@ -192,7 +192,7 @@ def farthest(curve, t, count=200):
     return np.linalg.norm(points - start - share[..., None] * along, axis=2).max()
 
 
-def test_rows_whose_curvature_rounding_decides_are_counted():
+def test_rows_with_a_curvature_decided_by_rounding_are_counted():
     """Between points 1e-9 apart 1.5 was written for a curvature of -1.5."""
     chords = Parametrization(ParametrizationKind.CHORD_LENGTH)
     for gap, is_told in ((1e-3, False), (1e-9, True)):

@@ -115,7 +115,7 @@ def test_a_cubic_hermite_curve_is_written_bit_for_bit():
         (-0.0, "0"),
     ],
 )
-def test_numbers_have_all_digits_but_those_that_rounding_left(value, text):
+def test_numbers_have_all_reliable_digits(value, text):
     assert number(value) == text
     assert float(text) == pytest.approx(value, rel=2e-15, abs=0)
 
@@ -153,7 +153,7 @@ def test_the_nominal_size_keeps_the_shape(sketch):
     assert root.get("width") == "300"
 
 
-def test_points_are_discs_in_a_group_of_their_own(sketch):
+def test_points_are_discs_in_a_separate_group(sketch):
     assert "circle" not in svg_of(sketch).text
     root = ET.fromstring(svg_of(sketch, Options(points=True)).data)
     (group,) = [each for each in root.iter(f"{SVG}g") if each.get("id") == "points"]
@@ -182,7 +182,7 @@ def test_curves_that_cannot_be_drawn_are_mentioned(half_drawn):
     assert root.find(f"{SVG}desc") is None
 
 
-def test_the_colours_are_those_of_the_window():
+def test_the_colours_match_the_window():
     for style, window in ((LIGHT, theme.LIGHT), (DARK, theme.DARK)):
         assert (style.ink, style.paper) == (window.ink.name(), window.paper.name())
     assert (INK.ink, INK.paper) == (LIGHT.ink, None)

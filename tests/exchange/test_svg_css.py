@@ -77,7 +77,7 @@ def test_a_file_of_a_size_in_units_of_its_font():
         assert second.points[-1].position == pytest.approx((50 * scale, -float(size) * scale))
 
 
-def test_strokes_in_units_of_a_font_are_those_of_the_element_that_declares_them():
+def test_strokes_in_font_units_use_the_font_of_the_declaring_element():
     body = (
         '<g font-size="20" stroke="red" style="stroke-width:.1em; stroke-dasharray:1em,2ex 4;'
         'stroke-dashoffset:1rem">'
@@ -191,7 +191,7 @@ def test_a_size_of_the_file_by_css(style, width):
     assert curve.points[-1].x == pytest.approx(width)
 
 
-def test_a_clip_by_css_is_the_box_that_it_draws():
+def test_a_clip_by_css_is_applied_only_where_it_contains_the_shape():
     style = "<style>#c rect{{x:0;y:0;width:{0}px;height:{0}px}}</style>"
     clip = style + "<clipPath id='c'><rect width='1'/></clipPath>"
     for size, said in ((9, ()), (8, ("1 clip path not applied: a.",))):

@@ -109,7 +109,7 @@ def test_the_flags_of_an_arc(large, sweep):
     assert length == pytest.approx(math.pi * (1.5 if large else 0.5), rel=1e-3)
 
 
-def test_an_ellipse_that_is_too_small_grows_and_one_without_radius_is_a_line():
+def test_an_ellipse_too_small_grows_and_an_arc_without_radius_is_a_line():
     (curve,) = curves('<path d="M0 0 A1 2 30 0 1 10 0"/>')
     assert np.abs(view_of(curve).curve.evaluate(1.0) * [1, -1] - [10, 0]).max() < 1e-12
     (line,) = curves('<path d="M0 0 A0 2 30 0 1 9 0"/>')
@@ -171,7 +171,7 @@ def test_a_use_is_drawn_and_definitions_are_not():
     assert [(c.points[0].x, -c.points[0].y) for c in found] == [(5, 0), (0, 2), (0, 0)]
 
 
-def test_copies_by_use_have_names_of_their_own():
+def test_copies_by_use_get_names_from_label_id_or_content():
     """As Inkscape calls them: by label or id, or else after what they show."""
     body = (
         '<path id="a" d="M0 0L1 0"/><g id="b"><path id="c" d="M0 0L1 1"/><path id="d" d="M0 0L2 1"/></g>'
@@ -266,7 +266,7 @@ def test_handles_on_one_line_are_tied(ahead, kind):
         assert result.deviation <= 0.008001 * 4 / 9
 
 
-def test_the_handle_beside_a_straight_piece_is_tied_to_it():
+def test_the_handle_beside_a_straight_piece_is_tied_to_the_piece():
     (curve,) = curves('<path d="M0 0L10 0C14 0 20 5 20 10L20 20C20 25 10 20 0 0Z"/>')
     assert [kind_at(view_of(curve), index).name for index in range(1, 4)] == ["point-smooth"] * 3
     assert [is_straight(curve, segment) for segment in range(4)] == [True, False, True, False]
@@ -391,7 +391,7 @@ def test_invalid_values_are_ignored(body, same, remark):
     assert one.remarks[0].endswith(f": {remark}.")
 
 
-def test_a_curve_with_too_many_pieces_leaves_the_others(monkeypatch):
+def test_a_curve_of_too_many_pieces_is_left_out_and_the_others_stay(monkeypatch):
     monkeypatch.setattr("app.exchange.cubics_in.MAX_PIECES", 3)
     found = read_svg(svg(P.format("M0 0h1v1h1v1M5 5h1v1h1M9 9h1v1h1v1")))
     assert [curve.name for curve in found.document.curves] == ["Path 2 (2)"]

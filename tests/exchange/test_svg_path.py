@@ -59,7 +59,7 @@ def path_data(draw):
 
 
 @given(path_data())
-def test_path_data_are_drawn_as_fonttools_draws_them(data):
+def test_path_data_are_drawn_as_in_fonttools(data):
     found = read_path_data(data)
     assert found.error == ""
     assert_drawn(found.subpaths, data)
@@ -118,7 +118,7 @@ def test_data_are_drawn_up_to_the_first_error(data, place, drawn):
         ("M5 5L20 5 20 20L35", "M5 5L20 5 20 20"),
     ],
 )
-def test_data_that_end_too_soon_are_drawn_so_far(data, drawn):
+def test_path_data_with_a_missing_end_are_drawn_up_to_the_end(data, drawn):
     found = read_path_data(data)
     assert found.error == "at the end"
     assert_drawn(found.subpaths, drawn)

@@ -171,7 +171,7 @@ def test_compound_paths_are_one_shape():
     assert [curve.style.fill_rule.value for curve in found] == ["evenodd", "evenodd", "nonzero", "nonzero"]
 
 
-def test_groups_and_names_in_the_dialects_of_their_programs():
+def test_groups_and_names_are_read_in_the_dialects_of_other_programs():
     body = (
         '<g inkscape:label="Layer &lt;1>" inkscape:groupmode="layer" id="g1">'
         f'<g id="Badge_x0020_2"><path id="p" inkscape:label="Leaf" d="{LINE}"/></g>'
@@ -350,7 +350,7 @@ def test_a_shape_is_one_path_and_groups_are_groups():
     assert free in list(root)
 
 
-def test_ids_are_their_own_and_names_are_labels():
+def test_ids_are_unique_and_names_are_labels():
     document = drawn(
         square(1.0, "1st leaf"), square(2.0, "paper"), square(3.0, "Ünïcode"), square(4.0, "paper")
     )

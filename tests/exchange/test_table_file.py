@@ -50,7 +50,7 @@ def test_many_layouts_hold_the_same_numbers(text):
     assert [(n.t, n.x, n.y) for n in document.curves[0].points] == [tuple(row) for row in ROWS]
 
 
-def test_utf_16_as_spreadsheets_write_it():
+def test_utf_16_tables_of_spreadsheets_are_read():
     text = "t\tx\ty\r\n0\t1,5\t-2\r\n1\t2,25\t3\r\n2,5\t0,001\t400000\r\n"
     assert read_table(text.encode("utf-16")).values.tolist() == ROWS
 
@@ -145,7 +145,7 @@ def test_a_written_table_gives_the_quintic_again():
     assert np.abs(back.evaluate(t) - core.evaluate(t)).max() < 1e-3
 
 
-def test_empty_cells_matter_only_where_they_are_used():
+def test_empty_cells_matter_only_in_used_columns():
     # The curvature of a point at rest is empty in our own tables.
     curve = make_curve([(0, 0), (1, 1), (2, 0)], family=HERMITE)
     first = Point(0.0, 0.0, velocity=(0.0, 0.0))

@@ -203,7 +203,7 @@ def test_files_that_are_no_table_are_refused(name, content, sentence, tmp_path):
         ("max", ""), ("day", ""), ("exact", ""), ("Column 1", ""), ("text", ""), ("timestamp", ""), ("", ""),
     ],
 )  # fmt: skip
-def test_columns_are_known_by_their_names(title, role):
+def test_columns_are_recognised_by_their_names(title, role):
     assert role_of(title) == role
 
 
@@ -240,7 +240,7 @@ def test_columns_are_selected_by_title_and_by_number(tmp_path):
             read(tmp_path, "a.csv", text, columns=columns)
 
 
-def test_one_command_may_choose_the_columns_that_it_reads_and_those_that_it_writes(tmp_path):
+def test_a_command_can_choose_columns_to_read_and_columns_to_write(tmp_path):
     path, out = tmp_path / "a.csv", tmp_path / "b.csv"
     path.write_text("p,q,r\n0,1,2\n1,3,4\n", encoding="utf-8")
     words = ["--columns", "x=q,y=r", "--columns", "t,x", "--samples", "2"]

@@ -104,7 +104,7 @@ def test_which_comment_holds_titles(text, x, tmp_path):
     assert read(tmp_path, text)[0][0][1] == x
 
 
-def test_titles_that_name_no_coordinate_can_be_chosen_by_name(tmp_path):
+def test_columns_with_other_titles_can_be_chosen_by_name(tmp_path):
     text = "# width, height, depth\n1,2,3\n4,5,6\n"
     assert read(tmp_path, text, columns="x=depth,y=width")[0] == [(None, 3.0, 1.0), (None, 6.0, 4.0)]
 

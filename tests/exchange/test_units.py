@@ -178,7 +178,7 @@ def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
         export(SEVENTY, tikz, Options(unit="km"))
 
 
-def test_basis_functions_are_those_that_the_panel_shows():
+def test_the_basis_functions_in_a_picture_are_those_of_the_panel():
     """Always the family's were drawn, also where the panel showed what each point does."""
     curve = make_curve(((0.0, 0.0), (1.0, 2.0), (3.0, 1.0), (4.0, 3.0)), family=HERMITE)
     document = Document((curve,))
@@ -207,7 +207,7 @@ def picture_box(document, **options):
     return [float(text) for text in root.get("viewBox").split()]
 
 
-def test_at_true_size_a_picture_takes_its_curves_with_their_strokes():
+def test_at_true_size_a_picture_has_the_size_of_the_curves_with_their_strokes():
     """A logo of 70 mm became a picture of 78.4 mm."""
     style = Style(width=2.0)
     curves = tuple(replace(curve, style=style) for curve in SEVENTY.curves)
@@ -241,7 +241,7 @@ def test_a_line_of_the_usual_width_lies_inside():
     assert (left, left + width) == pytest.approx((low[0] - stroke / 2, high[0] + stroke / 2))
 
 
-def test_a_level_line_has_room_beside_it():
+def test_the_picture_of_a_level_line_has_a_minimum_height():
     _left, _top, width, height = picture_box(BAR)
     assert (width, height) == pytest.approx((70.21, 1.404), rel=1e-3)
 

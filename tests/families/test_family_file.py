@@ -207,7 +207,7 @@ def test_a_curve_may_pass_beside_its_points(write):
     assert curve.evaluate(0.5)[0] < 1.0
 
 
-def test_functions_that_are_not_cardinal_draw_and_miss_their_points(write):
+def test_a_family_with_functions_that_are_not_cardinal_is_drawn_beside_its_points(write):
     """Such a file was refused; what is wrong with it is measured instead."""
     text = GAUSSIAN.replace("parameters))\n", "parameters)) * 1.5\n")
     (family,) = families_in(write(text))
@@ -365,7 +365,7 @@ def registry():
     return type(FAMILIES)([HERMITE])
 
 
-def test_a_file_that_changed_changes_its_family_where_documents_have_it(write, registry):
+def test_a_changed_file_changes_its_family_in_open_documents(write, registry):
     path, point = write(GAUSSIAN), np.array([[[0.0, 0.0]], [[1.0, 2.0]], [[3.0, 1.0]]])
     known = registry.named("my_gaussian")
     assert known.is_missing
@@ -503,7 +503,7 @@ def test_the_file_of_the_readme_is_a_family(write):
     assert family.name == "gaussian"
 
 
-def test_the_families_of_the_core_are_found_in_its_folder():
+def test_the_folder_of_the_core_lists_exactly_its_families():
     modules = [import_module(f"curvecore.families.{each.name}") for each in iter_modules(families.__path__)]
     found = {each.name for module in modules for each in families_of_module(module)}
     assert found == {family.name for family in FAMILIES} >= {"lagrange", "hermite", "quintic_hermite"}

@@ -206,7 +206,7 @@ def test_facts_have_all_settings(document):
     }
 
 
-def test_chosen_settings_are_values():
+def test_settings_are_compared_by_value():
     chosen = FamilySettingValues({"amount": 5, "side": "left"})
     assert chosen == FamilySettingValues([("side", "left"), ("amount", 5)])
     assert hash(chosen) == hash(FamilySettingValues([("side", "left"), ("amount", 5)]))
@@ -300,7 +300,7 @@ def test_files_are_strict_about_other_families(document, text, words):
     assert words in str(problem.value)
 
 
-def test_settings_of_a_missing_family_are_kept(document):
+def test_settings_of_a_missing_family_are_saved(document):
     away = rule_edits.set_family(rule_edits.set_family_setting(document, 0, "amount", 5), 0, LAGRANGE)
     text = encode(away).replace(b"tests_swaying", b"not_here")
     assert b'"other_settings": [["not_here", {"amount": 5}]]' in text

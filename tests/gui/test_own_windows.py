@@ -46,7 +46,7 @@ def open_by_dialog(editor, path, monkeypatch):
     editor.wait_for_work()
 
 
-def test_new_replaces_what_nobody_touched_and_leaves_all_else_in_its_window(new_editor, windows):
+def test_new_replaces_an_untouched_document_and_opens_another_window_beside_changes(new_editor, windows):
     editor = new_editor
     editor.window.resize(700, 600)
     editor.key(Qt.Key.Key_N, CTRL)
@@ -136,7 +136,7 @@ def test_a_drawing_of_another_program_gets_its_own_window(new_editor, windows, t
     assert editor.session.document is before
 
 
-def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(new_editor, qapp):
+def test_a_second_window_has_an_empty_document_and_is_managed_like_the_first(new_editor, qapp):
     editor = new_editor
     lifecycle, before = Lifecycle(qapp, [editor.window]), set(qapp.topLevelWidgets())
     lifecycle.start()
@@ -157,7 +157,7 @@ def test_a_second_window_has_an_empty_document_and_is_kept_as_the_first(new_edit
         lifecycle.stop()
 
 
-def test_close_closes_its_window_and_quit_all_of_them_unless_one_is_kept(qtbot, qapp, monkeypatch):
+def test_close_closes_its_window_and_quit_closes_all_windows_unless_cancelled(qtbot, qapp, monkeypatch):
     first, second = Editor(qtbot), Editor(qtbot)
     answers, asked = [QMessageBox.StandardButton.Cancel], []
 

@@ -61,7 +61,7 @@ def panels(editor):
 
 
 @pytest.mark.parametrize("panel", ["styleDock", "transformDock"])
-def test_nothing_moves_when_other_curves_are_chosen(panels, panel):
+def test_another_selection_moves_no_field_of_a_panel(panels, panel):
     """A rectangle once brought a scroll bar, and all fields of Transform went 14 pixels to the left."""
     panels.window.resize(1200, 700)
     before = places(panels, panel)
@@ -95,7 +95,7 @@ def test_neither_a_step_nor_a_tool_lays_the_window_out_anew(arch):
     assert (window.count, toolbar.count) == (0, 0)
 
 
-def test_scrolled_content_asks_for_room_only_where_it_needs_other_room(qtbot):
+def test_scrolled_content_requests_a_new_layout_only_for_another_size(qtbot):
     """Each change in a panel had the whole window laid out anew."""
     holder = QWidget()
     qtbot.addWidget(holder)

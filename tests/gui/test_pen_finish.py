@@ -227,7 +227,7 @@ def test_a_key_turns_the_velocity_drawn_out_in_steps(pen, keys):
     assert direction(pen, 3) == pytest.approx(30, abs=1e-9)
 
 
-def test_a_click_with_ctrl_puts_the_point_at_a_step_seen_from_the_last_one(pen):
+def test_a_click_with_ctrl_puts_the_point_at_an_angle_step_from_the_last_point(pen):
     pen.trigger("toggleSnap")
     (x, y), count = pen.point(2), len(pen.curve.points)
     to = (x + 1.0, y + 0.6)
@@ -251,7 +251,7 @@ def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
     assert pen.session.document is document
 
 
-def test_the_key_of_snapping_is_told_where_a_drag_moves_the_point(pen):
+def test_the_hint_names_the_snap_key_where_a_drag_moves_the_point(pen):
     pen.choose_family(LAGRANGE)
     pen.press(at(pen, 300, 150))
     spacing = pen.window.canvas.tools.canvas.grid_spacing()

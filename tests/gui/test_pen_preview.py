@@ -126,7 +126,7 @@ def test_none_where_a_press_begins_another_curve(hermite):
     assert ahead(hermite) is None
 
 
-def test_on_the_curve_the_spot_is_shown_instead(hermite):
+def test_on_the_curve_the_insertion_spot_replaces_the_preview(hermite):
     x, y = map(float, hermite.session.active_view.curve.evaluate(0.3))
     hermite.hover((x + hermite.pixel, y + 2 * hermite.pixel))
     spot = hermite.window.canvas.marks.spot

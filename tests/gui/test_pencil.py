@@ -151,7 +151,7 @@ def test_escape_leaves_no_trace(editor):
     assert editor.status == "Cancelled."
 
 
-def test_how_near_is_chosen_from_the_menu_and_remembered(editor):
+def test_the_smoothness_of_the_pencil_is_selected_in_the_menu_and_remembered(editor):
     draw(editor, PLACES["wobbling"])
     usual = len(editor.session.active_curve.points)
     editor.trigger("pencilVerySmooth")

@@ -134,7 +134,7 @@ def test_every_label_of_the_sources_is_one_of_ours():
     assert takers == ["labels.py"]
 
 
-def test_names_and_messages_are_shown_as_they_are(planted):
+def test_names_and_messages_are_displayed_as_plain_text(planted):
     window, session = planted.window, planted.session
     for name in ("curvesDock", "pointsDock", "imageDock", "historyDock", "styleDock", "transformDock"):
         planted.show_dock(name)
@@ -164,7 +164,7 @@ def test_a_step_is_called_in_the_menu_as_in_the_history(planted):
     check("tip of Label imageProblem")
 
 
-def test_what_was_not_saved_is_named_as_it_is(planted, tmp_path):
+def test_the_name_of_unsaved_work_is_displayed_as_plain_text(planted, tmp_path):
     offer = UnsavedWork(NAME, NAME, str(tmp_path / NAME), planted.session.document)
     bar = RecoveryBar(planted.window.canvas)
     bar.render([offer], NAME)
@@ -173,7 +173,7 @@ def test_what_was_not_saved_is_named_as_it_is(planted, tmp_path):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_the_dialogs_of_an_import_show_what_the_file_says(planted, tmp_path):
+def test_the_import_dialogs_display_text_of_the_file_as_plain_text(planted, tmp_path):
     """A remark that began with "<style>" used to be invisible: the label took it for a style sheet."""
     drawing = tmp_path / f"{FILE}.svg"
     drawing.write_text(

@@ -99,7 +99,7 @@ def test_the_buttons_of_the_header_switch_plots(editor, qtbot):
     assert not editor.action("plotCurvature").isChecked()
 
 
-def test_a_plot_follows_a_drag_and_escape_restores_it(editor):
+def test_a_plot_follows_a_drag_and_escape_restores_the_plot(editor):
     editor.trigger("plotSpeed")
     before = line(editor).values
     x, y = editor.point(1)
@@ -232,7 +232,7 @@ def test_escape_restores_the_scrub_line(editor):
     assert editor.session.scrub.t == before
 
 
-def test_an_undo_in_the_middle_of_a_scrub_ends_it(editor):
+def test_an_undo_during_a_scrub_ends_the_scrub(editor):
     editor.drag_point(1, to=(2.4, 4.2))
     editor.trigger("plotSpeed")
     plots = canvas(editor)
@@ -315,7 +315,7 @@ def test_all_plots_fit_a_small_window(qtbot):
     assert canvas(editor).getViewBox().rect().height() > 150
 
 
-def test_a_polynomial_of_many_points_is_plotted_once_it_rests(editor):
+def test_a_polynomial_of_many_points_is_plotted_after_the_drag(editor):
     document = editor.session.document
     from app.document.model import Curve, Document, Parametrization, Point
 
@@ -384,7 +384,7 @@ def test_the_plots_zoom_while_the_basis_functions_are_hidden(editor):
     assert editor.window.basis_panel.camera.t_range == pytest.approx(plots.camera.t_range)
 
 
-def test_the_scale_stays_while_t_is_zoomed_and_fits_when_it_rests(editor):
+def test_the_scale_stays_while_t_is_zoomed_and_fits_afterwards(editor):
     editor.trigger("plotCurvature")
     plots, title = canvas(editor), curvature.CURVATURE.title
     before = plots.scale_of(title)

@@ -170,7 +170,7 @@ def test_the_model_has_the_exact_numbers_of_the_view(septic):
         assert numbers == [view.parameters[row], *view.curve.jets[row].ravel()]
 
 
-def test_a_panel_that_was_never_shown_has_the_numbers(qtbot):
+def test_a_hidden_panel_has_the_numbers(qtbot):
     session = Session()
     panel = PointTable()
     qtbot.addWidget(panel)
@@ -775,7 +775,7 @@ def test_a_cancelled_drag_leaves_the_old_numbers(qtbot):
     until(lambda: table.value(3, X) == 1.25)
 
 
-def test_a_hidden_table_is_not_updated_until_it_is_shown(qtbot):
+def test_a_hidden_table_is_updated_when_it_becomes_visible(qtbot):
     table = Table(qtbot)
     table.panel.hide()
     changes = QSignalSpy(table.model.dataChanged)

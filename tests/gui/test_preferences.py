@@ -98,7 +98,7 @@ def test_recent_files_are_ten_at_most_and_each_once(store, tmp_path):
     assert preferences.recent_files == [paths[i] for i in (5, 11, 10, 9, 8, 7, 6, 4, 3, 2)]
 
 
-def test_missing_recent_files_are_not_shown_but_come_back_with_their_drive(store, tmp_path):
+def test_missing_recent_files_are_not_listed_until_their_drive_is_back(store, tmp_path):
     one, two = files(tmp_path, 2)
     preferences = Preferences(store)
     preferences.add_recent_file(one)

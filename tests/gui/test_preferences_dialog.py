@@ -169,7 +169,7 @@ class _WithMore(Preferences):
     align_to = Choice("tests/align", Reference.EACH_OTHER, "Align to", "A state of the window")
 
 
-def test_a_declared_setting_is_shown_applied_at_once_and_saved(qtbot, store):
+def test_a_declared_setting_is_displayed_applied_at_once_and_saved(qtbot, store):
     """The windows of one more person, for the dialog reads the class of the preferences."""
     preferences = _WithMore(store)
     editor = Editor(qtbot, preferences=preferences)

@@ -177,7 +177,7 @@ def test_fading_is_live_one_step_and_cancellable(traced):
     assert traced.session.undo_stack.undoText() == "Fade image to 20 %"
 
 
-def test_the_image_is_not_hit_unless_it_is_moved(traced):
+def test_the_image_is_not_hit_outside_of_move_mode(traced):
     image = image_of(traced)
     traced.drag(middle(image), (middle(image)[0] + 1, middle(image)[1]))
     assert image_of(traced) == image
@@ -379,7 +379,7 @@ def test_saving_elsewhere_keeps_the_picture(traced, tmp_path):
     assert not traced.session.files.is_modified
 
 
-def test_a_missing_file_is_explained_and_can_be_found_again(traced, tmp_path):
+def test_a_missing_image_file_is_explained_and_can_be_located(traced, tmp_path):
     path = tmp_path / "a.curve.json"
     traced.session.save(path)
     (tmp_path / "red.png").unlink()
@@ -436,12 +436,12 @@ def png_header(width, height):
     )
 
 
-def test_a_large_picture_is_scaled_down_when_it_is_read(tmp_path):
+def test_a_large_picture_is_scaled_down_on_reading(tmp_path):
     image = read_image(str(picture(tmp_path / "wide.png", 5000, 50)))
     assert (image.width(), image.height()) == (4096, 41)
 
 
-def test_a_huge_picture_is_refused_before_it_is_decoded(editor, tmp_path):
+def test_a_huge_picture_is_refused_before_decoding(editor, tmp_path):
     path = tmp_path / "huge.png"
     path.write_bytes(png_header(50_000, 40_000))
     document = editor.session.document
@@ -486,7 +486,7 @@ def test_the_content_decides_not_the_name(tmp_path):
     assert read_image(str(tmp_path / "named.png")).width() == 60
 
 
-def test_a_file_is_read_once_however_often_it_is_moved(traced, monkeypatch):
+def test_moving_the_image_does_not_read_its_file_again(traced, monkeypatch):
     monkeypatch.setattr(image_layer, "read", lambda _path: pytest.fail("read again"))
     traced.trigger("moveImage")
     traced.drag(middle(image_of(traced)), (1, 1))
@@ -539,7 +539,7 @@ def greys_across(editor, place, reach=5):
 
 
 @pytest.mark.parametrize("mode", [ThemeMode.LIGHT, ThemeMode.DARK])
-def test_a_curve_that_is_not_edited_is_seen_on_a_grey_picture(editor, tmp_path, mode):
+def test_an_inactive_curve_is_visible_on_a_grey_picture(editor, tmp_path, mode):
     editor.window.store.change(theme_mode=mode)
     level = make_curve([(0.0, 1.0), (4.0, 1.0)], name="Level")
     slope = make_curve([(0.0, 0.0), (4.0, 3.0)], name="Slope")

@@ -33,9 +33,7 @@ def test_nothing_of_ours_has_the_name_of_another_format(editor, save_as, tmp_pat
     assert [each.name for each in tmp_path.glob("[!.]*")] == ["logo v1.2.curve.json"]
 
 
-def test_a_document_under_the_name_of_an_svg_opens_as_what_it_is_and_is_saved_elsewhere(
-    editor, save_as, tmp_path
-):
+def test_a_document_named_svg_opens_as_a_document_and_is_saved_elsewhere(editor, save_as, tmp_path):
     path = tmp_path / "icons.svg"
     editor.session.save(path)
     held, document = path.read_bytes(), editor.session.document

@@ -246,7 +246,7 @@ def test_the_choice_ends_with_the_document(five):
 # Commands
 
 
-def test_all_selected_curves_are_hidden_and_shown_in_one_step(five):
+def test_all_selected_curves_are_hidden_and_unhidden_in_one_step(five):
     choose(five, "BDE")
     five.trigger("curveVisible")
     assert [curve.visible for curve in five.session.document.curves] == [True, False, True, False, False]
@@ -754,7 +754,7 @@ def fine_lines(editor, count):
     return editor
 
 
-def test_many_selected_curves_keep_their_colours_and_boxes_mark_them(editor):
+def test_many_selected_curves_keep_their_colours_and_have_boxes(editor):
     """More than twelve fine lines had a line in the colour of choice in place of their own."""
     fine_lines(editor, 14)
     canvas = editor.window.canvas

@@ -40,7 +40,7 @@ print("alive")
 """
 
 
-def test_their_steps_go_once():
+def test_undo_steps_of_a_deleted_session_are_deleted_once():
     """In an unlucky order the collector deleted the steps, and the stack deleted them again."""
     done = subprocess.run([sys.executable, "-c", CODE], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

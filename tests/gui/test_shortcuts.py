@@ -97,7 +97,7 @@ def test_a_conflict_is_named_and_waits_for_an_answer(editor, keys):
     assert editor.action("redo").shortcuts() == [QKeySequence("Ctrl+Shift+Z")]
 
 
-def test_escape_leaves_the_keys_as_they_are(editor, keys):
+def test_escape_leaves_the_recorded_keys_unchanged(editor, keys):
     record(keys, "fitView", Qt.Key.Key_Escape)
     assert editor.action("fitView").shortcuts() == [QKeySequence("F")]
     assert keys.window().isVisible()
@@ -219,7 +219,7 @@ def test_no_two_actions_come_with_the_same_key(editor):
             assert keymap.owner_of(key) == name
 
 
-def test_the_sheet_filters_events_only_while_it_is_visible(editor):
+def test_the_sheet_filters_events_only_while_visible(editor):
     """Hidden by anything but its own close, it went on listening to every event of the program."""
     listens = ShortcutSheet.eventFilter.__wrapped__.__code__
 

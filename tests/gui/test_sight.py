@@ -179,7 +179,7 @@ def test_folding_the_side_panel_does_not_restore_the_dock_of_a_removed_image(arc
     assert arch.window.context.docks["imageDock"].isHidden()
 
 
-def test_a_locked_curve_has_no_box_to_scale_it_by(arch):
+def test_a_locked_curve_has_no_scale_box(arch):
     arch.select([0, 1, 2])
     assert arch.window.canvas.marks.box is not None
     arch.trigger("curveLocked")

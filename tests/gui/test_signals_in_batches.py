@@ -41,14 +41,14 @@ def begin_another(session):
 
 
 @pytest.mark.parametrize("do", [delete_points, delete_curve, drop_a_drag, begin_another])
-def test_all_is_shown_once(editor, shown, do):
+def test_a_batch_of_changes_updates_actions_and_panels_once(editor, shown, do):
     do(editor.session)
     actions, panels = shown
     assert len(actions) == 1
     assert [view.source for _commands, view in panels] == [editor.session.active_curve]
 
 
-def test_a_group_is_shown_together_with_its_choice(editor, shown):
+def test_a_change_of_document_and_selection_updates_the_views_once(editor, shown):
     """Of thousands of curves all was drawn, listed and enabled twice, for 170 ms."""
     session = editor.session
     session.commit(Document((SQUARE, LINE, SQUARE)), "Begin", active=0)
@@ -71,7 +71,7 @@ def test_the_parts_of_the_window_show_the_state_after_the_batch(editor, shown):
     assert len(shown[0]) <= 3, "undo is told of by the session and by the history"
 
 
-def test_an_action_is_shown_once(editor, shown):
+def test_an_action_updates_actions_and_panels_once(editor, shown):
     editor.window.actions_by_name["deleteSelection"].trigger()
     actions, panels = shown
     assert len(editor.session.active_curve.points) == 2

@@ -34,7 +34,7 @@ def drawing(editor):
     return draw
 
 
-def test_many_points_become_few_and_the_curve_stays_where_it_was(drawing):
+def test_simplifying_keeps_the_shape_with_few_points(drawing):
     editor = drawing(ellipse(120))
     editor.trigger("simplify")
     editor.wait_for_work()
@@ -65,7 +65,7 @@ def test_corners_and_straight_lines_stay_to_the_last_digit(drawing):
     assert low[0] == pytest.approx(-3.0, abs=0.002 * 33.0)
 
 
-def test_what_has_no_point_too_many_is_left_and_that_is_said(drawing):
+def test_curves_without_a_removable_point_stay_and_the_status_reports_the_reason(drawing):
     editor = drawing("M0 0H30V20H0Z")
     before = editor.session.document
     editor.trigger("simplify")

@@ -122,7 +122,7 @@ def _blueness(colour):
     return colour.blue() - colour.red()
 
 
-def test_one_line_of_the_grid_is_shown_as_a_line(snapping):
+def test_snapping_to_one_grid_line_marks_the_line(snapping):
     snapping.trigger("addTool")
     place = (5.5, 1.73)
     snapping.hover(place)

@@ -55,7 +55,7 @@ def test_scale_and_position_stay_when_panels_are_resized(editor, change, is_fitt
     assert (after[2] - before[2]).manhattanLength() <= 1
 
 
-def test_a_panel_that_is_hidden_and_shown_again_does_not_move_the_view(editor):
+def test_hiding_and_reopening_a_panel_does_not_move_the_view(editor):
     editor.trigger("zoomIn")
     before = editor.window.canvas.pixel_map.box
     for name in ("toggleBasis", "toggleSidePanel") * 2:

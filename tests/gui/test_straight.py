@@ -134,7 +134,7 @@ def test_points_that_are_no_neighbours_are_refused(drawn):
         assert bow.status.startswith("Select two neighbouring points"), family
 
 
-def test_the_action_can_be_found_by_its_name(drawn):
+def test_the_palette_finds_the_straight_segment_action(drawn):
     for family in WITH_VELOCITIES:
         bow = drawn(family)
         bow.select([0, 1])

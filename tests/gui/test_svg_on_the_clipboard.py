@@ -218,7 +218,7 @@ def test_without_a_pointer_curves_are_pasted_in_the_middle_of_the_view(three):
     assert middle(pasted(three)) == pytest.approx(((left + right) / 2, (bottom + top) / 2), abs=three.pixel)
 
 
-def test_from_the_context_menu_curves_are_pasted_where_it_was_opened(three):
+def test_the_context_menu_pastes_curves_at_the_position_of_its_opening(three):
     three.paste_text(LEAF)
     three.open_menu((0.5, 7.0)).close()
     three.leave()
@@ -270,7 +270,7 @@ def test_svg_is_pasted_in_true_size_and_path_data_unchanged(editor, text, width)
     assert editor.curve.points[-1].x - editor.curve.points[0].x == pytest.approx(width)
 
 
-def test_pasted_curves_outside_the_view_leave_it_and_a_key_shows_them(editor):
+def test_pasted_curves_outside_the_view_do_not_move_the_view_and_the_offered_key_does(editor):
     """A big thing pasted into a small view zoomed out."""
     editor.settle()
     before = editor.window.canvas.camera.pixel_map
@@ -335,7 +335,7 @@ def test_copied_points_are_svg_and_numbers_as_text(three):
     assert len(curve.points) == 4
 
 
-def test_the_svg_is_made_when_it_is_asked_for(three, monkeypatch):
+def test_the_svg_on_the_clipboard_is_created_on_request(three, monkeypatch):
     made = []
     monkeypatch.setattr(exchange, "svg_for_clipboard", lambda *_: made.append(1))
     three.key(Qt.Key.Key_C, CTRL)

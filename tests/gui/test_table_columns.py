@@ -97,7 +97,7 @@ def paste(table, text):
     QTest.keyClick(table, Key.Key_V, CTRL)
 
 
-def test_added_columns_are_shown(editor, table):
+def test_added_columns_are_displayed(editor, table):
     names = [table.model().headerData(column, Qt.Orientation.Horizontal) for column in range(R + 1)]
     assert names == names_of(0)
     tip = table.model().headerData(R, Qt.Orientation.Horizontal, Role.ToolTipRole)
@@ -209,7 +209,7 @@ def curvatures_inside(view):
 
 
 @pytest.mark.parametrize("get", [curvatures, curvatures_inside])
-def test_a_paste_skips_computed_columns_and_reports_them(monkeypatch, editor, table, get):
+def test_a_paste_skips_computed_columns_and_reports_the_skipped_columns(monkeypatch, editor, table, get):
     """A whole table copied and pasted onto itself was refused: kappa is computed, or row 1 of it is empty."""
     monkeypatch.setattr(columns, "COLUMNS", (*BUILT_IN, replace(CURVATURE, get=get), DISTANCE))
     editor.session.change("Again", lambda document: point_edits.set_position(document, 0, 0, (6.0, 2.5)))

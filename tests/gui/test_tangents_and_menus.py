@@ -581,7 +581,7 @@ def test_decimal_commas_of_the_locale_are_read(wave):
     assert wave.point(4) == (4.5, 0.25)
 
 
-def test_three_columns_bring_their_parameters(wave):
+def test_a_paste_of_three_columns_sets_the_parameters(wave):
     wave.paste_text("t x y\n1.5 4 0\n2 5 1")
     wave.key(Qt.Key.Key_V, CTRL)
     assert wave.curve.is_manual

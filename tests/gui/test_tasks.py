@@ -255,7 +255,7 @@ def test_garbage_is_collected_in_the_windows_thread_while_work_runs(quick_keeper
     until(no_task_runs)
 
 
-def test_the_oldest_generation_is_not_collected_too_often_while_work_runs(quick_keeper):
+def test_garbage_collection_of_the_oldest_generation_is_limited_during_a_task(quick_keeper):
     """A twentieth of a second it took at the beginning of nearly every task, and the window stood still."""
     collected, release = [], threading.Event()
 

@@ -91,7 +91,7 @@ def contrast(one, other):
     return (light + 0.05) / (dark + 0.05)
 
 
-def test_the_contrast_formula_of_this_file():
+def test_the_contrast_formula_matches_known_contrasts():
     assert contrast("black", "white") == pytest.approx(21.0)
     # Hand check from the WCAG literature: #767676 is the lightest grey that passes 4.5 on white.
     assert contrast("#767676", "white") == pytest.approx(4.54, abs=0.005)

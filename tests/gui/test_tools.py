@@ -108,7 +108,7 @@ def ink(editor):
     return min(abs(each.red() - accent.red()) + abs(each.blue() - accent.blue()) for each in near)
 
 
-def test_a_tool_is_found_in_menu_palette_and_by_its_key(raising):
+def test_a_tool_is_in_the_menu_and_the_palette_and_has_a_key(raising):
     assert raising.action("raiseTool").isChecked()
     assert raising.window.findChild(QLabel, "hint").text() == RAISE.hint
     assert raising.find_command("raise po")[0] == "Raise Points"
@@ -126,7 +126,7 @@ def test_the_sheet_of_keys_and_mouse_begins_with_the_tool_in_use(raising):
     assert any("select both ends" in each for each in words[words.index("<b>Otherwise</b>") :])
 
 
-def test_hint_and_cursor_of_a_tool_are_shown(raising):
+def test_hint_and_cursor_of_a_tool_are_displayed(raising):
     raising.hover(HEAD)
     assert raising.window.findChild(QLabel, "hint").text() == HINT
     assert raising.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeVerCursor
@@ -151,7 +151,7 @@ def test_a_drag_is_one_step_and_its_marks_are_drawn(raising):
 
 
 @pytest.mark.parametrize("way_out", ["escape", "right button"])
-def test_a_drag_can_be_taken_back(raising, way_out):
+def test_a_drag_of_a_tool_can_be_cancelled(raising, way_out):
     session, canvas = raising.session, raising.window.canvas
     before, steps = session.document, session.undo_stack.count()
     raising.press(FOOT)

@@ -74,7 +74,7 @@ def negative(editor, request):
     return editor
 
 
-def test_painted_text_is_found_by_this_test(negative):
+def test_the_axes_paint_negative_numbers(negative):
     """That the axes paint numbers, and that these are what the test reads."""
     assert any(text.startswith("−") for text in painted(negative.window.canvas))
     assert any(text.startswith("−") for text in painted(negative.window.basis_panel))

@@ -36,7 +36,7 @@ def test_a_click_uses_uniform_parameters(editor):
         assert editor.message == "", family
 
 
-def test_it_goes_with_the_problem(editor):
+def test_the_offered_rule_disappears_with_the_problem(editor):
     editor.session.commit(Document((make_curve(TWICE),)), "Begin")
     editor.settle()
     editor.drag_point(1, to=(2, 3))

@@ -82,7 +82,7 @@ def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
     )
 
 
-def test_what_a_program_commits_becomes_plain(odd_values):
+def test_numpy_values_of_a_program_become_plain_numbers(odd_values):
     session = Session()
     session.new()
     points = tuple(Point(*row) for row in np.array([[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]))
@@ -99,7 +99,7 @@ def test_what_a_program_commits_becomes_plain(odd_values):
 # What exists
 
 
-def test_a_point_beyond_what_a_file_can_hold_is_not_selected(at_the_edge):
+def test_a_point_added_beyond_the_limits_is_refused_and_not_selected(at_the_edge):
     """It was: {3} of three points, and the next hover raised IndexError."""
     editor, before = at_the_edge, at_the_edge.session.document
     editor.click((EDGE + 1e8, 0.0))
@@ -110,7 +110,7 @@ def test_a_point_beyond_what_a_file_can_hold_is_not_selected(at_the_edge):
     assert_exists(editor.session)
 
 
-def test_a_point_dragged_in_from_beyond_is_selected_when_it_is_there(at_the_edge):
+def test_a_point_dragged_into_the_limits_is_selected_once_added(at_the_edge):
     editor = at_the_edge
     editor.press((EDGE + 1e8, 0.0))
     assert editor.session.selection == {1}
@@ -121,7 +121,7 @@ def test_a_point_dragged_in_from_beyond_is_selected_when_it_is_there(at_the_edge
     assert editor.session.selection == {3}
 
 
-def test_a_curve_begun_beyond_what_a_file_can_hold_leaves_the_one_that_is_edited(at_the_edge):
+def test_a_curve_begun_beyond_the_limits_is_refused_and_the_edited_curve_stays(at_the_edge):
     editor = at_the_edge
     editor.key(Qt.Key.Key_Return)
     before = named(editor.session)
@@ -150,7 +150,7 @@ class Append(Drag, kw_only=True):
         self.done.append(True)
 
 
-def test_a_gesture_that_is_refused_at_its_end_leaves_the_selection_and_offers_nothing():
+def test_a_gesture_refused_at_its_end_leaves_the_selection_and_offers_nothing():
     """What is said when it is done was said of what was refused, and the new point stayed selected."""
     session, done = Session(), []
     session.selected.set_points([1, 2])
@@ -165,7 +165,7 @@ def test_a_gesture_that_is_refused_at_its_end_leaves_the_selection_and_offers_no
     assert session.selection == {1, 2}
 
 
-def test_what_is_refused_by_the_lock_says_so_in_the_table(editor):
+def test_a_paste_into_the_table_of_a_locked_curve_is_refused_with_a_message(editor):
     """The table said "Pasted 2 points." of what was refused, and selected rows that are not there."""
     editor.trigger("curveLocked")
     editor.select([4])
@@ -180,7 +180,7 @@ def test_what_is_refused_by_the_lock_says_so_in_the_table(editor):
     assert_exists(editor.session)
 
 
-def test_selection_hover_chosen_and_scrub_name_only_what_exists():
+def test_selection_hover_and_scrub_refer_only_to_existing_objects():
     session = Session()
     session.commit(
         Document((make_curve([(0, 0), (1, 1), (2, 0)]), make_curve([(0, 0), (1, 1)], name="Other"))), "Begin"
@@ -208,7 +208,7 @@ def test_selection_hover_chosen_and_scrub_name_only_what_exists():
     assert_exists(session)
 
 
-def test_the_scrub_line_stands_where_it_was_put_as_far_as_the_curve_goes():
+def test_the_scrub_line_keeps_its_parameter_within_the_interval():
     """A preview of a shorter interval left it at 3 of [0, 2]."""
     session = Session()
     session.commit(rule_edits.set_interval(session.document, 0, 0.0, 5.0), "To 5")

@@ -67,7 +67,7 @@ def test_a_sharp_corner_is_closed():
 
 @pytest.mark.parametrize("width", [1.5, 3.0, 8.0])
 @pytest.mark.parametrize("points", [wave(40), wave(150), circle(12), circle(80), ZIGZAG])
-def test_round_ends_and_corners_look_like_those_of_qt(points, width):
+def test_round_ends_and_corners_match_those_of_qt(points, width):
     """Neither lacks any ink, nor does any lie where Qt has none."""
     ours, joined = ours_and_qt(points, width, rounded=True)
     assert np.abs(ours - joined)[joined > 0].mean() < 0.06

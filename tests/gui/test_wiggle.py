@@ -130,7 +130,7 @@ def test_the_menu_of_the_curve_explains_the_t_under_the_pointer(runge):
     assert runge.action("selectTool").isChecked()
 
 
-def test_hovering_a_cure_previews_it_and_changes_nothing(runge):
+def test_hovering_a_cure_previews_the_cure_and_changes_nothing(runge):
     runge.trigger("explainWiggle")
     settled(runge)
     document, steps = runge.session.document, runge.session.undo_stack.count()

@@ -337,7 +337,7 @@ def test_the_side_panel_folds_away_with_one_key(editor):
     assert editor.window.context.docks.side[0].isVisible()
 
 
-def test_the_side_panel_comes_back_as_it_was_divided(editor):
+def test_the_side_panel_reopens_with_its_previous_division(editor):
     points, curve, *_, history = editor.window.context.docks.side
     editor.window.resizeDocks([points, curve], [300, 360], Qt.Orientation.Vertical)
     history.raise_()
@@ -372,7 +372,7 @@ def test_nothing_is_cut_off_in_a_small_window(qtbot):
         assert button.isVisible()
 
 
-def test_every_action_and_widget_can_be_found_and_heard(editor):
+def test_every_action_and_widget_has_a_name_and_a_tip(editor):
     for action in editor.window.findChildren(QAction):
         if action.objectName() and action.text() and not action.isSeparator():
             assert action.toolTip(), action.objectName()
@@ -428,7 +428,7 @@ def test_escape_puts_help_away_and_nothing_else(editor, focus):
     assert editor.session.selection == frozenset()
 
 
-def test_a_click_beside_help_closes_it_and_works(editor):
+def test_a_click_beside_help_closes_help_and_acts_on_the_window(editor):
     sheet = open_sheet(editor)
     QTest.mouseClick(sheet, Qt.MouseButton.LeftButton, pos=QPoint(20, 12))
     assert sheet.isVisible()
@@ -440,7 +440,7 @@ def test_a_click_beside_help_closes_it_and_works(editor):
     assert not sheet.isVisible()
 
 
-def test_help_begins_with_what_applies_now(editor):
+def test_help_begins_with_the_keys_of_the_active_tool(editor):
     words = words_of(open_sheet(editor))
     assert words[1] == "<b>Now: selecting</b>"
     assert "add a point, when adding points" in words

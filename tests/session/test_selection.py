@@ -35,7 +35,7 @@ def test_points_that_do_not_exist_are_not_selected(asked, count):
 
 
 @given(indices, st.integers(0, 4), st.integers(1, 5))
-def test_the_active_curve_is_one_of_those_selected(asked, active, count):
+def test_the_active_curve_is_among_the_selected_curves(asked, active, count):
     active = min(active, count - 1)
     session = session_with(*(make_curve([(0.0, 0.0), (1.0, 1.0)], name=str(n)) for n in range(count)))
     session.selected.set_curves(asked, active)
@@ -73,7 +73,7 @@ def test_no_point_is_hovered_that_does_not_exist(index, count):
     assert told == ([index] if 0 <= index < count else [])
 
 
-def test_selected_curves_are_followed_to_their_new_places():
+def test_the_selection_follows_curves_to_their_new_indices():
     session, told = session_with(A, B, C), []
     session.selected.set_curves({0, 2}, 2)
     session.selected_curves_changed.connect(told.append)
@@ -85,7 +85,7 @@ def test_selected_curves_are_followed_to_their_new_places():
     assert told == [{0, 1}, {0}]
 
 
-def test_selected_points_are_followed_to_their_new_indices():
+def test_the_selection_follows_points_to_their_new_indices():
     def selected_after(points):
         session = session_with(A)
         session.selected.set_points([1])
@@ -96,7 +96,7 @@ def test_selected_points_are_followed_to_their_new_indices():
     assert selected_after([(9.0, 9.0), (5.0, 5.0)]) == {1}
 
 
-def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_some():
+def test_points_are_selected_only_in_edited_curves_and_the_active_curve_has_some():
     shape = [replace(curve, shape="S") for curve in (A, B)]
     session, told = session_with(*shape, C), []
     session.selection_changed.connect(told.append)
@@ -115,7 +115,7 @@ def test_points_of_several_curves_are_of_those_edited_and_the_active_one_has_som
     assert (session.active_index, selected.group.parts) == (1, ())
 
 
-def test_selected_points_go_along_with_their_curves():
+def test_selected_points_follow_their_curves():
     session = session_with(C, replace(A, shape="S"), replace(B, shape="S"), active=1)
     session.selected.set_group(all_points(session.document, session.selected.active_curves))
     c, a, b = session.document.curves

@@ -345,7 +345,7 @@ def test_a_changed_group_gets_the_permissions_of_everybody(as_nobody):
 
 
 @pytest.mark.skipif(not hasattr(os, "setxattr"), reason="attributes of Linux")
-def test_extended_attributes_are_kept(path):
+def test_extended_attributes_survive_a_save(path):
     try:
         os.setxattr(path, "user.tag", b"draft")
     except OSError as problem:

@@ -76,7 +76,7 @@ def test_large_content_is_written_completely(target):
 
 @posix_only
 @pytest.mark.parametrize("mode", [0o600, 0o640, 0o664, 0o755])
-def test_permissions_of_the_old_file_are_kept(target, mode):
+def test_permissions_of_the_old_file_survive_a_write(target, mode):
     target.chmod(mode)
     write(target, b"new")
     assert stat.S_IMODE(target.stat().st_mode) == mode
@@ -219,7 +219,7 @@ def test_a_missing_folder_is_named(tmp_path):
         write(tmp_path / "a" / "b", b"")
 
 
-def test_a_name_that_is_too_long_is_refused(tmp_path):
+def test_a_name_beyond_the_length_limit_is_refused(tmp_path):
     with pytest.raises(StorageError, match="is too long"):
         write(tmp_path / ("n" * 300), b"")
     assert list(tmp_path.iterdir()) == []

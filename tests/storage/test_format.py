@@ -169,7 +169,7 @@ def test_derivatives_match_the_fields_of_points_and_curves(each):
         (Point(10**5000, 0.0), "curves[0].points[0].x must lie between -1e12 and 1e12, not a larger one"),
     ],
 )
-def test_encode_refuses_what_decode_would_not_read(point, message):
+def test_encode_refuses_documents_that_decode_refuses(point, message):
     document = Document((Curve("", LAGRANGE, Parametrization(), (point,)),))
     with pytest.raises(FormatError) as refusal:
         encode(document)

@@ -173,7 +173,7 @@ def test_the_system_lock_shows_whether_an_owner_in_a_container_runs(target):
     assert not lock_path(target).exists()
 
 
-def test_an_unknown_process_is_not_taken_for_dead(target, monkeypatch):
+def test_an_unknown_process_is_not_considered_dead(target, monkeypatch):
     """As on Windows: the person decides."""
     dead = ended_process()
     monkeypatch.setattr(system, "_started", lambda _pid: "")
@@ -335,7 +335,7 @@ def test_without_system_locks_a_lock_is_still_exclusive(target, monkeypatch):
 
 
 @posix_only
-def test_a_new_lock_stays_when_another_process_found_the_old_one_stale(target):
+def test_a_new_lock_stays_when_another_process_judges_the_old_lock_stale(target):
     """Two judge the same lock stale; what the slower one removes is the quicker one's new lock."""
     stale = leave_lock(target, ended_process())
     quick = acquire(lock_path(target))

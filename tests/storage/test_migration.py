@@ -117,7 +117,7 @@ def test_a_rectangle_keeps_its_points():
 
 @each_row("version", [1, 2])
 @each_row("number", ["1" * 5000, "-1e999"])
-def test_a_too_large_number_is_refused_with_its_field(version, number):
+def test_a_number_beyond_the_limits_is_refused_with_its_field(version, number):
     """It was “[...][0][...][0][...]”: msgspec has no names where it reads without types."""
     data = older().replace(b'"version": 2', b'"version": %d' % version)
     data = re.sub(rb'"x": [^,}]+', b'"x": ' + number.encode(), data, count=1)
@@ -165,7 +165,7 @@ def test_a_field_can_be_counted_by_several_nouns_and_mended(with_rows):
     assert [each.style.fill_opacity for each in found.document.curves] == [0.5] * 3
 
 
-def test_curves_are_dropped_by_the_kind_of_their_form(with_rows):
+def test_curves_of_a_dropped_form_are_counted_by_kind(with_rows):
     with_rows(forms={"note": "note"})
     found = decode_counting(older(curve("a", form={"kind": "note"}), curve("b")))
     assert found.left_out.words == ("1 note",)
@@ -190,7 +190,7 @@ def test_invalid_values_in_an_old_file_are_refused_with_their_field(values, comp
         decode(older(**values))
 
 
-def test_an_open_file_counts_dropped_features_until_it_is_saved(path):
+def test_an_open_file_counts_dropped_features_until_saved(path):
     opened = OpenFile.open(path)
     assert opened.file.left_out.words == ("2 texts", "1 picture")
     OpenFile.saved(path, opened.document, opened.file)
@@ -294,7 +294,7 @@ def test_invisible_dropped_features_are_not_counted():
     ).left_out
 
 
-def test_opacities_of_curves_and_groups_become_those_of_stroke_and_fill():
+def test_opacities_of_curves_and_groups_become_opacities_of_stroke_and_fill():
     looks = [{"name": "Outer", "opacity": 0.5}, {"name": "Inner"}]
     styles = {"opacity": 0.5, "fill_opacity": 0.25}, {}
     found = decode_counting(styled(*styles, groups=["Outer", "Inner"], group_looks=looks))

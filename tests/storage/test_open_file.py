@@ -194,7 +194,7 @@ def test_saving_works_after_the_owner_has_closed(path, file):
     second.close()
 
 
-def test_a_reader_never_overwrites_what_the_owner_saved(path, file):
+def test_a_reader_never_overwrites_the_owners_changes(path, file):
     second = OpenFile.open(path).file
     OpenFile.saved(path, THEIRS, file)
     file.close()

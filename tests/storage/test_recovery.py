@@ -44,7 +44,7 @@ def test_a_snapshot_returns_the_document_bit_for_bit(tmp_path):
     assert snapshot.origin == SnapshotOrigin()
 
 
-def test_titles_are_restored_and_older_snapshots_have_none(tmp_path):
+def test_titles_are_restored_and_older_snapshots_have_no_title(tmp_path):
     named = SnapshotOrigin(title=os.fsdecode(b"no\xfftext"), file_stem="icon")
     file = left_behind(tmp_path, origin=named)
     (snapshot,) = list_snapshots(tmp_path).snapshots
@@ -58,7 +58,7 @@ def test_titles_are_restored_and_older_snapshots_have_none(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["a b, ü.curve.json", os.fsdecode(b"no\xfftext.curve.json")])
-def test_a_snapshot_knows_its_file_and_whether_it_changed(tmp_path, name):
+def test_a_snapshot_knows_its_file_and_whether_the_file_changed(tmp_path, name):
     path = tmp_path / name
     left_behind(tmp_path / "unsaved", origin=SnapshotOrigin(path, save(path, OTHER)))
     found = list_snapshots(tmp_path / "unsaved")

@@ -25,7 +25,7 @@ def files(folder):
     return sorted(folder.glob("*.snapshot.json"))
 
 
-def test_the_snapshot_of_a_left_document_is_deleted_when_it_is_open_again(session, tmp_path):
+def test_the_snapshot_of_a_document_is_deleted_when_the_document_opens_again(session, tmp_path):
     kept = SetAside(session, tmp_path)
     session.files.open_copy(LESSONS[0])
     assert session.undo_stack.count() == 0

@@ -122,7 +122,7 @@ def test_the_curve_is_the_sum_of_the_functions_of_the_file(own, kind):
 
 
 @each_row("name", EVERY)
-def test_the_polyline_is_as_near_as_it_says(name):
+def test_the_polyline_is_within_its_stated_deviation(name):
     view = view_of(curve_of(name))
     everywhere = np.array([-100.0, -100.0, 100.0, 100.0])
     for tolerance in (0.1, 1e-3, 1e-5):
@@ -132,7 +132,7 @@ def test_the_polyline_is_as_near_as_it_says(name):
 
 
 @each_row("kind", [ParametrizationKind.UNIFORM, ParametrizationKind.CHORD_LENGTH])
-def test_a_drag_draws_what_a_new_view_would_draw(name, kind):
+def test_a_drag_draws_the_same_curve_as_a_new_view(name, kind):
     before = view_of(curve_of(name, kind))
     before.flattened(1e-3)
     for step in range(1, 40, 3):
@@ -398,7 +398,7 @@ def test_the_reversed_curve_is_the_same_or_the_change_is_reported(name):
 
 
 @each_row("name", EVERY)
-def test_every_overlay_draws_this_curve(name):
+def test_every_overlay_draws_a_curve_of_any_family(name):
     view = view_of(curve_of(name))
     everything = AnalysisSettings(
         overlays=frozenset(OVERLAYS),
@@ -422,7 +422,7 @@ def test_every_overlay_draws_this_curve(name):
 
 
 @each_row("name", EVERY)
-def test_every_plot_is_of_this_curve(name):
+def test_every_plot_plots_a_curve_of_any_family(name):
     view = view_of(curve_of(name))
     start, end = view.curve.domain
     shown = plots_of(view, frozenset(PLOTS), (start, end), 600, view.growth)
@@ -484,7 +484,7 @@ def test_the_nearest_point_and_the_length_are_those_of_the_curve(name):
 
 
 @each_row("name", EVERY)
-def test_the_legend_mutes_what_is_not_drawn(name):
+def test_the_legend_mutes_overlays_that_are_not_drawn(name):
     """The Bézier polygon of a family without one used to have a line like any other."""
     view = view_of(curve_of(name))
     settings = AnalysisSettings(overlays=frozenset([BEZIER]))
@@ -521,7 +521,7 @@ def test_the_certificate_counts_the_joints(name):
 
 
 @each_row("name", EVERY)
-def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
+def test_the_laboratory_computes_a_curve_of_any_family_or_reports_the_reason(name):
     view = view_of(curve_of(name))
     for rounding in RoundedPart:
         settings = LaboratorySettings(
@@ -545,7 +545,7 @@ def test_the_laboratory_computes_this_curve_or_says_that_it_cannot(name):
 
 
 @each_row("name", EVERY)
-def test_remarks_and_facts_hold_for_this_curve(name):
+def test_remarks_and_facts_hold_for_a_curve_of_any_family(name):
     view = view_of(curve_of(name))
     cost_of(view)
     explanation = explain(view, 2.2)
@@ -564,7 +564,7 @@ def test_remarks_and_facts_hold_for_this_curve(name):
 
 
 @each_row("name", EVERY)
-def test_every_goal_of_a_lesson_can_be_measured_on_this_curve(name):
+def test_every_goal_of_a_lesson_can_be_measured_on_a_curve_of_any_family(name):
     view = view_of(curve_of(name))
     for measure in MEASURES:
         assert "now" in result_of(parse_goal(f"{measure} < 1"), view).text
@@ -575,7 +575,7 @@ def test_every_goal_of_a_lesson_can_be_measured_on_this_curve(name):
 
 
 @each_row("unchanged", [*OWN, "tests_natural_spline"])
-def test_too_many_points_are_refused_with_a_sentence_and_not_computed(unchanged):
+def test_a_curve_of_too_many_points_is_refused_with_a_sentence_and_not_computed(unchanged):
     """A class in the core that overrides nothing had no limit: 5000 points took 23 s and 1 GB."""
     points = np.column_stack([np.arange(2001.0), np.sin(np.arange(2001.0))])
     view = view_of(make_curve(points.tolist(), family=FAMILIES.named(unchanged)))
@@ -584,7 +584,7 @@ def test_too_many_points_are_refused_with_a_sentence_and_not_computed(unchanged)
 
 
 @each_row("name", EVERY)
-def test_a_family_declares_the_optional_methods_that_it_has(name):
+def test_a_family_declares_its_optional_methods(name):
     """`most_points` is None only where the class has something of its own to draw many points with."""
     kind = type(view_of(curve_of(name)).curve)
     if kind.most_points is None:

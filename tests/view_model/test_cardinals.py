@@ -228,7 +228,7 @@ def test_a_moved_parameter_changes_the_estimates(family, closed, changes):
             assert moves[:, knot] == pytest.approx((far - near) / 2e-6, abs=2e-5 * np.abs(moves).max())
 
 
-def test_random_errors_stay_in_the_band_and_nearly_fill_it():
+def test_random_errors_stay_in_the_band_and_nearly_fill_the_band():
     """Velocities were as they are without errors, in the band and in the random curves."""
     view = view_of(seven())
     epsilon, delta = 1e-3, 1e-4
@@ -387,7 +387,7 @@ def test_a_function_that_is_negative_for_a_short_way_counts():
     assert growth_of_points(view) == pytest.approx(1 - 2 * least, rel=1e-12)
 
 
-def test_a_warning_of_a_hermite_curve_gives_advice_for_one():
+def test_a_warning_of_a_hermite_curve_gives_advice_for_hermite_curves():
     """Nothing was said of it, Λ being 1."""
     curve = with_points(frozen(seven()), p4={"t": view_of(seven()).parameters[3] + 1e-3})
     view = view_of(curve)

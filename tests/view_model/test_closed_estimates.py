@@ -24,7 +24,7 @@ def velocities(rule):
     return view.curve, view.curve.jets[:, 1]
 
 
-def test_slopes_across_the_end_are_those_of_the_times_themselves():
+def test_slopes_across_the_end_are_as_exact_as_the_parameters():
     """The mean of the slopes at the first point was off by 1.8e-7: t behind the end was rounded."""
     _, found = velocities(VelocityRule.FINITE_DIFFERENCE)
     t = [Fraction(each) for each in (*TIMES, END)]

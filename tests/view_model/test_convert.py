@@ -191,7 +191,7 @@ def test_the_outlook_takes_no_work(monkeypatch):
     assert sum(not each.refusal for each in told) == 1
 
 
-def test_closed_curves_stay_closed_where_they_can():
+def test_closed_curves_stay_closed_in_families_that_can_close():
     before = view(FAMILIES.named("hermite"), closed=True)
     quintic = converted(before, FAMILIES.named("quintic_hermite")).curve
     assert quintic.is_closed

@@ -189,14 +189,14 @@ def test_a_wrong_lesson_is_refused_with_its_step(text, place):
         parse_lesson(text, "some", Path("some.curve.json"))
 
 
-def test_a_lesson_is_found_by_name_and_by_number():
+def test_a_lesson_is_looked_up_by_name_and_by_number():
     assert find_lesson("chord_length") == find_lesson("3") == find_lesson("03_chord_length")
     with pytest.raises(LessonError, match="basis_functions"):
         find_lesson("calculus")
 
 
 @each_row("name", lesson_names())
-def test_the_document_of_a_lesson_is_as_the_program_saves_it(name):
+def test_the_document_of_a_lesson_is_in_the_form_of_a_saved_file(name):
     path = load_lesson(name).document
     assert encode(load(path)) == path.read_bytes()
 

@@ -158,7 +158,7 @@ def test_polygons():
     assert points_of(picture, bezier.CONTROL_POINT).shape == (6, 2)
 
 
-def test_the_bezier_polygon_of_a_parabola_and_of_too_much():
+def test_the_bezier_polygon_of_a_parabola_is_drawn_and_a_high_degree_refused():
     picture = settled_picture(view_of(PARABOLA), settings_of(bezier.BEZIER))
     assert points_of(picture, bezier.CONTROL_POINT) == pytest.approx(np.array([(0, -1)]))
     for n in (32, 40):
@@ -237,7 +237,7 @@ def test_the_area_is_the_union_of_all_discs(kind, epsilon):
     assert ((gaps < 0.1 * radii.max()) | (windings(area, places) == 0)).all()
 
 
-def test_too_large_errors_of_parameters_are_explained():
+def test_errors_of_parameters_beyond_the_limit_are_explained():
     settings = settings_of(disturbed.ENSEMBLE, values={POINT_ERROR: 0.01, PARAMETER_ERROR: 0.2})
     picture = settled_picture(view_of(wave(6)), settings)
     assert not picture.figures
@@ -307,7 +307,7 @@ def test_a_curve_that_is_not_current_shows_nothing():
     assert not settling(broken, everything)
 
 
-def test_overlays_too_slow_for_a_frame_settle():
+def test_slow_overlays_are_drawn_after_the_drag():
     """Derivatives of a polynomial through 100 points take 26 ms."""
     settings = settings_of(comb.COMB)
     assert settling(view_of(wave(20)), settings) == frozenset()

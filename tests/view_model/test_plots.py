@@ -33,7 +33,7 @@ def plots(view, *kinds, t_range=None, columns=800):
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-def test_the_derivatives_plotted_are_those_of_the_curve(family):
+def test_the_plotted_derivatives_are_those_of_the_curve(family):
     view = wave(9, family)
     for kind, order in ((lengths.SPEED, 1), (lengths.ACCELERATION, 2), (lengths.JERK, 3), (lengths.SNAP, 4)):
         (plot,) = plots(view, kind)
@@ -102,7 +102,7 @@ def test_the_lebesgue_function_is_one_at_the_parameters_and_reaches_its_constant
     assert at_parameters == pytest.approx(np.ones(11), abs=1e-9)
 
 
-def test_errors_of_points_do_not_grow_where_no_derivative_follows_them():
+def test_errors_of_points_do_not_grow_without_estimated_derivatives():
     """It was said of curves with estimated velocities, too."""
     view = wave(6, QUINTIC_HERMITE)
     (plot,) = plots(view, lebesgue.LEBESGUE)

@@ -321,7 +321,7 @@ def test_curves_that_meet_at_an_angle_make_a_corner(family):
 @each_row("family", WITH_VELOCITIES)
 @each_row("apart", [0.0, 2.0])
 @each_row("cornered", ["first", "second", "both"])
-def test_ends_that_were_corners_join_with_their_drawn_sides(family, apart, cornered):
+def test_former_corners_at_joined_ends_keep_their_drawn_sides(family, apart, cornered):
     """A start that carries both sides of a corner has the one after it; the other went in: off by 1.9."""
     corner = {
         "corner": True,
@@ -349,7 +349,7 @@ def test_ends_that_were_corners_join_with_their_drawn_sides(family, apart, corne
     assert is_straight(made.curve, last) is bool(apart)
 
 
-def test_a_change_beyond_rounding_is_not_reported_as_kept():
+def test_a_change_beyond_rounding_is_not_reported_as_shape_kept():
     curve = view().source
     assert Reshaped(curve, 1e-12).sentence == "Shape kept, largest change 1e−12."
     assert Reshaped(curve, 1.9).sentence == "Shape changed by up to 1.9."

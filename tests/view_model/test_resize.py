@@ -166,7 +166,7 @@ def test_the_centre_of_a_rotation_stays_to_the_last_bit():
     assert pivot.position == place
 
 
-def test_points_edited_one_by_one_keep_the_pivot_and_another_selection_has_none():
+def test_points_edited_one_by_one_keep_the_pivot_and_another_selection_has_no_pivot():
     document = document_of(FAMILIES.named("hermite"))
     pivot = Pivot((5.0, -3.0), anchored(views_of(document), points_of(0, range(5))))
     edited = move_group(document, points_of(0, {2}), (0.3, 1.0))
