@@ -93,7 +93,7 @@ def test_info_prints_the_facts(capsys):
     assert rows["domain"] == "0 to 1"
     assert rows["length"].startswith("about 23.0")
     assert rows["box"].startswith("about x 0.35 to 5.99")
-    assert rows["Λ (Lebesgue)"] == "1.68 (were the estimated derivatives to stay: 1)"
+    assert rows["Λ (Lebesgue)"] == "1.68 (with fixed estimated derivatives: 1)"
     assert "warning" not in rows
 
 
@@ -111,15 +111,15 @@ def test_info_says_that_the_error_growth_of_a_nonlinear_rule_holds_at_the_given_
     assert main(["info", str(path)]) == 0
     rows = [line[19:] for line in capsys.readouterr().out.splitlines() if "Λ" in line]
     assert rows == [
-        "9.16 at these points (were the estimated derivatives to stay: 1)",
-        "beyond all numbers at these points",
+        "9.16 at these points (with fixed estimated derivatives: 1)",
+        "too large to represent at these points",
     ]
     assert main(["info", str(path), "--json"]) == 0
     first, second = json.loads(capsys.readouterr().out)["curves"]
     assert first["lebesgue_constant"]["points"] == pytest.approx(9.162, abs=1e-3)
     assert second["lebesgue_constant"] == {"data": 1.0, "points": None}
     assert [each["lebesgue_constant_holds"] for each in (first, second)] == ["at these points"] * 2
-    assert "beyond all bounds along the curve (Lebesgue constant at these points)" in second["warnings"][0]
+    assert "without bound along the curve (Lebesgue constant at these points)" in second["warnings"][0]
 
 
 def test_info_as_json(capsys):
@@ -143,7 +143,7 @@ def test_info_as_json(capsys):
 @pytest.mark.parametrize(
     ("style", "words"),
     [
-        (Style(), "stroke in ink, the usual width"),
+        (Style(), "stroke in ink, the default width"),
         (Style("#d55e00", 2.0, fill="#ffcc88"), "stroke #d55e00, 2 mm; fill #ffcc88"),
         (Style("none", fill="#ffcc88", fill_opacity=0.5), "fill #ffcc88, 50% opaque"),
         (Style("none"), "none"),
@@ -258,11 +258,11 @@ def test_info_of_many_points_has_the_length_and_the_constant_or_says_why_not(tmp
     # The products of 39 factors (t - t_j) / (t_i - t_j) reach some (10²⁴)³⁹.
     assert wild["length"] is None
     assert wild["lebesgue_constant"] == {"data": None, "points": None}
-    assert wild["missing"] == dict.fromkeys(("length", "lebesgue_constant"), "beyond all numbers")
+    assert wild["missing"] == dict.fromkeys(("length", "lebesgue_constant"), "too large to represent")
     assert main(["info", str(path_of_wild)]) == 0
     rows = capsys.readouterr().out.splitlines()
     said = [row.split("  ")[-1].strip() for row in rows if "length   " in row or "Λ (" in row]
-    assert said == ["beyond all numbers"] * 2
+    assert said == ["too large to represent"] * 2
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ To add an action: decorate a method of a command set in the feature that the act
 
     @action("newSeed", "New Seed", OVERLAYS_ERRORS, icon="seed", needs=CURVE_THROUGH_TWO)
     def _new_seed(self) -> None:
-        """Draw other random errors."""
+        """Draw new random errors."""
 
 The first line of the docstring is the tooltip. The section (``menus``) decides the menu; `@also` adds
 places in bars. `needs=` is a `Need`: words and a predicate of the `ActionState`; a fact that no field has

@@ -4,7 +4,7 @@ A decorator on the method of a command set says everything about an action::
 
     @action("newSeed", "New Seed", OVERLAYS_ERRORS, icon="seed")
     def _new_seed(self) -> None:
-        '''Draw other random errors.'''
+        '''Draw new random errors.'''
 
     @action_for_each(OVERLAYS, lambda overlay: Action(f"overlay{overlay.title}", …))
     def _switch(self, overlay: Overlay) -> None:

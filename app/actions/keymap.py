@@ -11,11 +11,11 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 RESERVED = {
-    Qt.Key.Key_Escape: "cancels what is going on, or steps back",
-    Qt.Key.Key_Tab: "goes to the next point or field",
-    Qt.Key.Key_Backtab: "goes to the previous point or field",
+    Qt.Key.Key_Escape: "cancels the current operation, or steps back",
+    Qt.Key.Key_Tab: "moves to the next point or field",
+    Qt.Key.Key_Backtab: "moves to the previous point or field",
     Qt.Key.Key_Space: "pans with the mouse while held",
-    Qt.Key.Key_E: "moves the following ticks of the t-rail along while held",
+    Qt.Key.Key_E: "also moves the following ticks of the t-rail while held",
     Qt.Key.Key_Left: "moves the selection",
     Qt.Key.Key_Right: "moves the selection",
     Qt.Key.Key_Up: "moves the selection",

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _EDGES = ("left", "bottom", "right", "top")
 """Edges of the box of a curve."""
 
-_BEYOND = "beyond all numbers"
+_BEYOND = "too large to represent"
 
 
 def facts_as_json(facts: CurveFacts) -> dict[str, Any]:
@@ -122,7 +122,7 @@ def _lebesgue_text(growth: LebesgueConstants) -> str:
         return points
     if growth.data == growth.points:
         return points
-    return f"{points} (were the estimated derivatives to stay: {growth.data:.3g})"
+    return f"{points} (with fixed estimated derivatives: {growth.data:.3g})"
 
 
 def _length_text(value: float, bound: float) -> str:
@@ -152,7 +152,7 @@ def _style_text(style: Style, unit: str) -> str:
         paint = style.fill or "in ink"
         parts.append(f"fill {paint}{_opacity_text(style.fill_opacity)}")
     if style.has_stroke:
-        width = "the usual width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
+        width = "the default width" if style.width is None else f"{style.width:.6g} {one_line(unit)}".rstrip()
         dashes = f", dashes {' '.join(f'{length:g}' for length in style.dash)}" if style.dash else ""
         paint = style.stroke or "in ink"
         parts.insert(0, f"stroke {paint}{_opacity_text(style.stroke_opacity)}, {width}{dashes}")

@@ -129,7 +129,7 @@ def add_motion_options(render: argparse.ArgumentParser) -> None:
         "A dot that moves along the first curve: OUT is a .gif, .apng or .mp4, or a .png with --motion.",
     ).add_argument
     add("--motion", choices=("once", "loop", "ping-pong"), help="the motion at the end (default: loop)")
-    add("--pace", choices=("t", "length"), default="t", help="what grows evenly in time (default: t)")
+    add("--pace", choices=("t", "length"), default="t", help="quantity that grows uniformly (default: t)")
     add("--fps", type=whole_number, default=25, metavar="N", help="frames per second (default: 25)")
     add(
         "--seconds",
@@ -159,13 +159,13 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         "files",
         nargs="+",
         metavar="IN OUT",
-        help=f"the file to read, whose name ends in {read}, and the file to write; with --to, all are read",
+        help=f"the file to read, whose name ends in {read}, and the file to write; with --to, files to read",
     )
     add("-o", "--output", metavar="FOLDER", help="with --to: the folder of the files; created if needed")
     add(
         "--to",
         metavar="ENDING",
-        help=f"write a file for each one that is read; ends in {written}",
+        help=f"write a file for each file that is read, with this ending: {written}",
     )
     add(
         "-j",
@@ -244,7 +244,7 @@ def _typed(option: Option[Any]) -> dict[str, Any]:
                 "default": option.default,
                 "metavar": "X",
             }
-    raise NotImplementedError(f"{type(option).__name__} is no argument of the command line")
+    raise NotImplementedError(f"{type(option).__name__} is not an argument of the command line")
 
 
 def _parser_within_limits(
@@ -357,12 +357,12 @@ def _add_fit_options(convert: argparse.ArgumentParser) -> None:
         "--fit-tolerance",
         type=positive_number,
         metavar="X",
-        help="as few points for each curve as stay within X of the one that was read",
+        help="the fewest points for each curve that stay within X of the original",
     )
     group.add_argument(
         "--keep-times",
         action="store_true",
-        help="with these: every position keeps its t, as in a motion; otherwise only the shape counts",
+        help="with --fit or --fit-tolerance: keep the t of every position, as in motion, not only the shape",
     )
 
 

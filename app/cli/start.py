@@ -25,7 +25,7 @@ _YOUNG = 10_000
 """New values after which garbage is sought among them. Thousands of curves make tens of thousands at every
 move of a drag: sought as often as Python does, all there is was gone through at every third, for 30 ms."""
 
-_WITHOUT = "“curvebench render” and “curvebench info” need none."
+_WITHOUT = "“curvebench render” and “curvebench info” need no display."
 
 
 def edit(files: Sequence[str], lesson: str = "") -> int:

@@ -16,7 +16,7 @@ import msgspec
 
 from .words import NamedEnum
 
-_SMALL_MOVES, _AT_THESE_POINTS = "of small moves, the mean of x and y", "at these points"
+_SMALL_MOVES, _AT_THESE_POINTS = "of small moves, averaged over x and y", "at these points"
 
 
 class EstimateRule(NamedEnum):
@@ -85,18 +85,18 @@ class VelocityRule(EstimateRule):
     CATMULL_ROM = (
         "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule",
         "catmull_rom_velocities",
-        "The velocity of a spline over separate knots, spaced by distances to the power of α",
-        ("points", "parameters", "alpha"), "catmull_rom_changes", "of points whose knots stay",
+        "The velocity of a Catmull–Rom spline with knots spaced by distances to the power of α",
+        ("points", "parameters", "alpha"), "catmull_rom_changes", "for fixed knots",
     )  # fmt: skip
     MONOTONE = (
         "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
         "monotone_velocities",
-        "Velocities with which x and y rise and fall where the points do, without overshoot",
+        "Velocities that keep x and y monotone where the points are, without overshoot",
         ("points", "parameters"), "monotone_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
     AKIMA = (
         "akima", "Akima", "estimated by Akima's rule", "akima_velocities",
-        "The mean of both slopes, weighted towards the straighter side: an outlier bends little",
+        "The mean of both slopes, weighted towards the straighter side: outliers have little effect",
         ("points", "parameters"), "akima_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
 
@@ -118,7 +118,7 @@ class JerkRule(EstimateRule):
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_jerks", "The jerks of the natural C² spline, the mean of both sides of a point",
+        "natural_spline_jerks", "The jerks of the natural C² spline, averaged over both sides of a point",
     )  # fmt: skip
     ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", "Zero jerk", ("points",)
 

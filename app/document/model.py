@@ -53,7 +53,7 @@ class ParametrizationKind(NamedEnum):
         self.takes, self.spaced, self.alpha = takes, spaced, alpha
 
     UNIFORM = "uniform", "Uniform", ("count",), "evenly spaced", 0.0
-    CHORD_LENGTH = "chord_length", "Chord length", ("points",), "spaced as the points are", 1.0
+    CHORD_LENGTH = "chord_length", "Chord length", ("points",), "spaced by the distances between points", 1.0
     CENTRIPETAL = (
         "centripetal", "Centripetal", ("points",), "spaced by the square roots of the distances", 0.5
     )  # fmt: skip

@@ -69,7 +69,7 @@ def _with_guide(document: Document, index: int, *other: Guide) -> Document:
 
 def _guide(document: Document, index: int) -> Guide:
     if not 0 <= index < len(document.guides):
-        raise EditError("This guide does not exist any more.")
+        raise EditError("This guide no longer exists.")
     return document.guides[index]
 
 

@@ -20,7 +20,7 @@ def straight_refusal(family: Family) -> str:
     reason = (
         "is one polynomial and has no segments"
         if family.curve_class.is_one_polynomial
-        else "has no velocities at its points to make a segment straight with"
+        else "has no velocities at its points, which a straight segment needs"
     )
     return f"{family.subject} {reason}. Choose {titles_with_derivatives()}."
 
@@ -53,7 +53,7 @@ def straighten(
     if reason := straight_refusal(old.family):
         raise EditError(reason)
     if any(not 0 <= segment < len(parameters) - 1 for segment in segments):
-        raise EditError("This segment does not exist any more.")
+        raise EditError("This segment no longer exists.")
     points = list(old.points)
     for index in corners_of(old, segments):
         points[index] = _as_corner(old, index, segments)

@@ -52,7 +52,7 @@ FAMILY = HERMITE
 SINGLE_POINT = Loss("single point")
 
 _TOO_LARGE = Loss("curve", f"with coordinates or velocities outside −1e12 to 1e12 {LEFT_OUT}")
-_TOO_DIFFERENT = Loss("curve", f"with pieces of too unequal lengths {LEFT_OUT}")
+_TOO_DIFFERENT = Loss("curve", f"with pieces of very different lengths {LEFT_OUT}")
 _TOO_MANY = Loss("curve", f"of more than {MAX_PIECES} pieces {LEFT_OUT}")
 
 _MANUAL = Parametrization(ParametrizationKind.MANUAL)

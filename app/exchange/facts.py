@@ -277,6 +277,6 @@ def _amplification(constants: LebesgueConstants) -> tuple[str, ...]:
     """Return a warning if small errors in the points grow along the curve."""
     if constants.points < AMPLIFICATION_WORTH_A_WORD:
         return ()
-    times = f"up to {constants.points:.2g}-fold" if constants.points < LARGEST else "beyond all bounds"
+    times = f"up to {constants.points:.2g}-fold" if constants.points < LARGEST else "without bound"
     constant = " ".join(filter(None, ("Lebesgue constant", constants.holds)))
     return (f"Errors in the points grow {times} along the curve ({constant}).",)

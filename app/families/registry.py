@@ -83,7 +83,7 @@ class Families(Sequence[Family]):
             If there is one of that name, or the name is no short identifier.
         """
         if not may_be_name(family.name):
-            raise ValueError(f"“{family.name}” is no valid name of a family; quintic_hermite is one")
+            raise ValueError(f"“{family.name}” is not a valid name of a family, such as quintic_hermite")
         if family in self:
             raise ValueError(f"a family named “{family.name}” already exists")
         known = self._known.setdefault(family.name, family)

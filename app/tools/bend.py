@@ -93,7 +93,7 @@ def _effect(view: CurveView, pointer: Pointer) -> str:
 
 
 def _keys(view: CurveView) -> str:
-    return "Alt: points come along · Ctrl: points alone" if has_handles(view) else ""
+    return "Alt: move the points as well · Ctrl: move only the points" if has_handles(view) else ""
 
 
 # Clicks

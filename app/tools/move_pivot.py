@@ -21,7 +21,7 @@ _REACH = 7.0
 
 PIVOT_HINT = Hint(
     "Drag the pivot, about which the selection is rotated, scaled and mirrored · "
-    "Shift+click: back to the middle",
+    "Shift+click: reset it to the middle",
     cursor=Cursor.MOVE,
 )
 

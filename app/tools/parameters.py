@@ -302,7 +302,7 @@ def _drag(
 
 
 def _idle_words(point: int) -> str:
-    return f"Hollow tick: t of point {point} does not affect the curve, those of filled ticks do"
+    return f"Hollow tick: t of point {point} does not affect the curve; the t of filled ticks does"
 
 
 def _turns_manual(curve: Curve) -> str:
@@ -318,11 +318,11 @@ def _tick_hint(hit: Hit, pointer: Pointer, view: CurveView, selection: frozenset
     what = f"t of {len(selection)} points" if is_one_of_several else f"t of point {index}"
     if not (family.interpolates or is_one_of_several or view.curve is None):
         if view.is_current and view.curve.idle_parameters[hit.knot]:
-            text = f"{_idle_words(index)} · E: all ticks on the side you move to move along"
+            text = f"{_idle_words(index)} · E: also move all ticks in that direction"
             return Hint(text, cursor=Cursor.WIDER if pointer.ripple else None)
         what = f"{what}, a knot of the curve" if 0 < index < len(view.points) - 1 else what
     drag = f"Drag to change {what}{_turns_manual(view.source)}"
-    keys = "E: all ticks on the side you move to move along · Shift+click selects more · Double-click types t"
+    keys = "E: also move all ticks in that direction · Shift+click selects more · Double-click types t"
     return Hint(f"{drag} · {keys}", cursor=Cursor.WIDER)
 
 

@@ -91,7 +91,7 @@ class MoveImageTool(Tool):
         """Return the hint."""
         hit = event.hit
         if hit is None:
-            return Hint("Moving the image · Drag it, or one of its corners to scale it · Escape goes back")
+            return Hint("Drag the image to move it, a corner to scale it · Escape returns to the points")
         if hit.part is Part.IMAGE_CORNER:
             return Hint("Drag to scale the image; the opposite corner stays · Escape cancels", grab=True)
         return Hint("Drag to move the image · Shift: along one axis · Arrows: by a step", grab=True)
@@ -100,5 +100,5 @@ class MoveImageTool(Tool):
 MOVE_IMAGE = ToolRecord(
     name="move_image",
     make=MoveImageTool,
-    hint="Drag the image to move it, a corner to scale it; Escape goes back to the points.",
+    hint="Drag the image to move it, a corner to scale it; Escape returns to the points.",
 )

@@ -40,7 +40,7 @@ class SnapKind(NamedEnum):
     POINTS = "points", "Other points"
     CURVES = "curves", "Other curves"
     MIDDLES = "middles", "Midpoints of segments"
-    LEVEL = "level", "Align with neighbours"
+    LEVEL = "level", "Alignment with neighbours"
 
 
 class Snapping(msgspec.Struct, frozen=True):

@@ -328,7 +328,7 @@ _NEAR = 0.25
 class BendWith(Enum):
     """The data that a bend changes, in words."""
 
-    ALL = "the points come along"
+    ALL = "the points move as well"
     POINTS = "only the points move"
     DERIVATIVES = "the points stay"
 

@@ -67,7 +67,7 @@ class PreferencesDialog(FittedDialog):
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         close = buttons.button(QDialogButtonBox.StandardButton.Close)
-        tip = "Close; changes are in effect already (Esc)"
+        tip = "Close; changes are already in effect (Esc)"
         named(close, "closePreferences", "Close the preferences", tip)
         # Enter confirms input in a field; it must not press this button.
         close.setAutoDefault(False)
@@ -128,7 +128,7 @@ class ShortcutEditor(SafeOverrides, QWidget):
         self.note = Label(name="shortcutNote", wordWrap=True)
         self._caption = Label()
         self.take = push_button("takeKeys", "Reassign", "Assign these keys to this action instead")
-        self.keep = push_button("keepKeys", "Cancel", "Leave these keys with the other action")
+        self.keep = push_button("keepKeys", "Cancel", "Keep these keys for the other action")
         self.clear = push_button("clearKeys", "Remove Keys", "Remove the keys of this action")
         self.reset = push_button("resetKeys", "Reset", "Restore the default keys of this action")
         self.reset_all = push_button("resetAllKeys", "Reset All", "Restore the default keys of all actions")

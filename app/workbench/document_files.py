@@ -300,7 +300,7 @@ class DocumentFiles:
         reason = why_not_saved_as(path.name)
         if path != Path(name) and path.exists():
             # The dialog has asked only about the name without the suffix.
-            reason = f"“{path.name}” exists already. To replace it, select it in the list of files."
+            reason = f"“{path.name}” already exists. To replace it, select it in the list of files."
         if not reason:
             return path
         self.refused(path, f"{path.name} was not saved. {reason}", StorageError(reason))

@@ -1,4 +1,4 @@
-"""Barycentric rational interpolation: quotients without poles, and without swings at uniform parameters.
+"""Barycentric rational interpolation: quotients without poles, and without oscillation at uniform parameters.
 
 The functions of Floater and Hormann are each accurate relative to themselves wherever the parameters lie.
 With delta_j = t - t_j the curve blends the polynomials q_i through d + 1 neighbouring points [1]_:
@@ -62,7 +62,7 @@ _NO_EXPONENT = np.zeros(1, dtype=np.int64)
 
 
 class FloaterHormannCurve(ParametricCurve):
-    """Smooth blend of polynomials through neighbouring points; calm at uniform parameters.
+    """Smooth blend of polynomials through neighbouring points; free of oscillation at uniform parameters.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class FloaterHormannCurve(ParametricCurve):
             "degree",
             "blended degree",
             3,
-            "Degree of the polynomials through neighbouring points that are blended",
+            "Degree of the local polynomials that are blended",
             limits=(0, 10),
         ),
     )

@@ -432,9 +432,9 @@ def test_discard_deletes_and_later_keeps(editor):
     leave_behind()
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert bar(editor).text == "2 documents with unsaved work from the last run:"
+    assert bar(editor).text == "2 documents with unsaved work from the last session:"
     press(editor, "discardWork0")
-    assert bar(editor).text == "A document with unsaved work from the last run:"
+    assert bar(editor).text == "A document with unsaved work from the last session:"
     press(editor, "laterWork0")
     assert not bar(editor).isVisible()
     assert len(files()) == 1
@@ -479,7 +479,7 @@ def test_restoring_beside_unsaved_work_opens_another_window(kept):
     (other,) = kept.opened
     assert other.session.document == SKETCH
     assert other.session.files.is_modified
-    assert bar(kept).text == "A document with unsaved work from the last run:"
+    assert bar(kept).text == "A document with unsaved work from the last session:"
     until(lambda: len(files()) == 3)  # here, there, and the one not decided
 
 

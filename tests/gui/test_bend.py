@@ -119,11 +119,11 @@ def test_the_status_line_says_before_the_press_whether_the_points_stay(arch):
             moved = f"the {family.point}s move"
             assert line.hint == f"Drag to bend; this family has no handles: {moved} · {clicks}", family
             continue
-        keys = "Alt: points come along · Ctrl: points alone"
+        keys = "Alt: move the points as well · Ctrl: move only the points"
         assert line.hint == f"Drag to bend; the points stay · {keys} · {clicks}", family
         # While a key is held, what it does.
         arch.move(place, held=False, keys=ALT)
-        assert line.hint == "Drag to bend; the points come along", family
+        assert line.hint == "Drag to bend; the points move as well", family
         arch.move(place, held=False, keys=CTRL)
         assert line.hint == "Drag to bend; only the points move", family
 
@@ -138,18 +138,18 @@ def test_a_key_counts_before_and_during_a_bend_and_changes_the_hint(arch):
     canvas.setFocus()
     QTest.keyPress(canvas, Qt.Key.Key_Alt)
     arch.settle()
-    assert line.hint == "Drag to bend; the points come along"
+    assert line.hint == "Drag to bend; the points move as well"
     QTest.keyRelease(canvas, Qt.Key.Key_Alt)
     arch.settle()
     assert line.hint.startswith("Drag to bend; the points stay")
     arch.press(place)
     arch.move((2, 3))
     assert arch.status.startswith("Bend at t = 0.")
-    assert ": the points stay · Alt: points come along · Ctrl: points alone" in arch.status
+    assert ": the points stay · Alt: move the points as well · Ctrl: move only the points" in arch.status
     assert [point.position for point in arch.curve.points] == list(POINTS)
     QTest.keyPress(canvas, Qt.Key.Key_Alt)
     arch.settle()
-    assert ": the points come along" in arch.status
+    assert ": the points move as well" in arch.status
     assert [point.position for point in arch.curve.points] != list(POINTS)
     QTest.keyRelease(canvas, Qt.Key.Key_Alt)
     arch.settle()

@@ -18,7 +18,7 @@ from app.view_model.basis import growth_of_points
 from tests.waiting import until
 
 POINTS = ((0.0, 0.0), (1.0, 2.0), (2.5, 1.0), (4.0, 3.0), (5.0, 0.5), (6.0, 2.0))
-SMALL = "of small moves, the mean of x and y"
+SMALL = "of small moves, averaged over x and y"
 
 
 @pytest.fixture

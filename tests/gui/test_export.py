@@ -402,7 +402,7 @@ def test_a_file_under_a_completed_name_is_not_replaced(editor, dialog, tmp_path,
     (tmp_path / "p.points.csv").write_text("mine", encoding="utf-8")
     export(editor, dialog, tmp_path / "p.csv", monkeypatch)
     assert (tmp_path / "p.points.csv").read_text(encoding="utf-8") == "mine"
-    assert "p.points.csv was not written. The file exists already" in editor.message
+    assert "p.points.csv was not written. The file already exists" in editor.message
 
 
 def measured(editor, unit="cm", **more):

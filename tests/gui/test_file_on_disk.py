@@ -500,7 +500,7 @@ def test_a_second_window_opens_read_only(saved, path, qtbot):
     second = second_window(qtbot, path)
     assert second.session.files.is_read_only
     assert second.window.windowTitle() == "drawing.curve.json[*] (read-only) – Curvebench"
-    assert second.file_bar.text.startswith("You have “drawing.curve.json” open in another window since ")
+    assert second.file_bar.text.startswith("You have had “drawing.curve.json” open in another window since ")
     assert second.file_bar.text.endswith("; it is read-only here.")
     assert saved.window.windowTitle() == "drawing.curve.json[*] – Curvebench"
     assert saved.file_bar.text == ""
@@ -510,7 +510,7 @@ def test_the_owner_is_named(editor, path):
     save(path, THEIRS)
     foreign_lock(path)
     editor.window.open_file(path)
-    assert editor.file_bar.text.startswith("Ada has “drawing.curve.json” open on engine since ")
+    assert editor.file_bar.text.startswith("Ada has had “drawing.curve.json” open on engine since ")
     assert offered(editor) == ["takeOver", "saveDocumentAs"]
 
 
@@ -691,7 +691,7 @@ def test_an_impossible_lock_is_reported_once(editor, path, monkeypatch):
 def test_a_lock_file_with_odd_values_makes_a_readable_notice():
     owner = Owner("", "", "m", 7, "x", 1e300, "mark")
     text = lock_notice("a", Ownership.OPENED_ELSEWHERE, owner).text
-    assert text.startswith("Another user has “a” open since an unknown time; it is read-only here.")
+    assert text.startswith("Another user has had “a” open since an unknown time; it is read-only here.")
 
 
 # Saving that fails
@@ -783,7 +783,7 @@ def test_an_older_version_is_reported_and_backed_up(editor, path, monkeypatch):
     editor.window.open_file(path)
     assert editor.session.document == THEIRS
     assert editor.status == (
-        "drawing.curve.json is of an older version. The first save keeps a backup of the old file."
+        "drawing.curve.json was saved by an older version. The first save keeps a backup of it."
     )
     editor.session.commit(move_points(editor.session.document, 0, [0], (1.0, 0.0)), "Move")
     editor.trigger("saveDocument")
@@ -847,7 +847,7 @@ def test_save_as_does_not_replace_the_file_with_the_added_suffix(saved, path, tm
     save(tmp_path / "there.curve.json", THEIRS)
     answer_dialog(saved, tmp_path / "there")
     saved.trigger("saveDocumentAs")
-    assert "“there.curve.json” exists already." in saved.file_bar.text
+    assert "“there.curve.json” already exists." in saved.file_bar.text
     assert load(tmp_path / "there.curve.json") == THEIRS
     assert saved.session.files.is_modified
 

@@ -159,7 +159,7 @@ MEASURED = (
 @pytest.mark.parametrize(
     ("unit", "said"),
     [
-        ("", "Its unit mm stays behind."),
+        ("", "Its unit mm is left out."),
         ("in", "Lengths are converted from mm to in."),
     ],
 )

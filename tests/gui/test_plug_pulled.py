@@ -181,7 +181,7 @@ def test_a_kill_while_dragging_loses_only_work_since_the_last_snapshot(tmp_path)
     told, errors = start(LOOK).communicate()
     assert errors.replace(CHATTER, "") == ""
     offered, restored, place, windows = told.splitlines()
-    assert offered == "offered True 2 documents with unsaved work from the last run:"
+    assert offered == "offered True 2 documents with unsaved work from the last session:"
     assert encode(decode(restored.split(" ", 2)[2].encode())) == encode(snapshot.document)
     assert place == f"path {path} True"
     assert sorted(windows.split()[1:]) == ["2", "4"], "the second one in a window of its own"

@@ -64,7 +64,7 @@ SO_ALREADY = [
     (Qt.Key.Key_PageUp, CTRL | SHIFT, "The curve is already at the top."),
     (Qt.Key.Key_Home, CTRL | SHIFT, "The curve is already at the top."),
     (Qt.Key.Key_End, CTRL | SHIFT, "The curve is already at the bottom."),
-    (Qt.Key.Key_4, ALT, "The segment is straight already."),
+    (Qt.Key.Key_4, ALT, "The segment is already straight."),
 ]
 
 

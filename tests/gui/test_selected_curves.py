@@ -657,7 +657,7 @@ def test_data_of_older_versions_on_the_clipboard_are_reported(five):
     assert "Old" in [curve.name for curve in five.session.document.curves]
     assert (
         five.message
-        == "What was copied was made with a version that had more features: 2 texts were left out."
+        == "The clipboard content was made with a version that had more features: 2 texts were left out."
     )
 
 

@@ -176,7 +176,7 @@ def test_a_saved_key_wins_over_a_newer_default_key(qtbot, tmp_path):
         (
             "Count",
             "E",
-            "“Count” cannot have its default key: E moves the following ticks",
+            "“Count” cannot have its default key: E also moves the following ticks",
         ),
     ],
 )

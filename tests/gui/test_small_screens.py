@@ -81,7 +81,7 @@ def dialogs(window):
     yield MotionDialog(window)
     yield CrashDialog(window, "Traceback\n" * 40, is_safe=False)
     many = tuple(f"Element {number} holds text, which has no curves to take." for number in range(30))
-    rest = "Its page, its unit mm and 2 guides stay behind."
+    rest = "Its page, its unit mm and 2 guides are left out."
     yield ImportDrawingDialog(
         Verb.OPEN, "drawing.svg", ImportResult(LINE, 0.0, many), lambda _anew: rest, window
     )

@@ -73,7 +73,7 @@ def test_two_neighbours_and_the_key(drawn):
             "The estimated derivatives of points 0, 3 and 4 were fixed to keep the shape."
         )
         bow.trigger("straightSegment")
-        assert bow.status == "The segment is straight already.", family
+        assert bow.status == "The segment is already straight.", family
         assert bow.session.undo_stack.count() == steps + 1, family
         bow.trigger("undo")
         assert bow.session.document.curves[0] == before.source, family

@@ -141,7 +141,7 @@ def test_a_hidden_velocity_is_pulled_out(wave):
     document = wave.session.document
     wave.trigger("pullVelocity")
     assert wave.session.document is document
-    assert wave.status == "The velocity is pulled out already. Drag a square handle."
+    assert wave.status == "The velocity is already pulled out. Drag a square handle."
     wave.trigger("undo")
     assert wave.curve.points[1].velocity == (0, 0)
 

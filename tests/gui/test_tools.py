@@ -122,7 +122,7 @@ def test_the_sheet_of_keys_and_mouse_begins_with_the_tool_in_use(raising):
     sheet = raising.window.findChild(QWidget, "shortcutSheet")
     words = [label.text() for label in sheet.findChildren(QLabel)]
     assert words[1:4] == ["<b>Now: raising points</b>", "Drag upwards", "put a point above"]
-    assert words.index("back to selecting") < words.index("<b>Otherwise</b>")
+    assert words.index("return to Select") < words.index("<b>Otherwise</b>")
     assert any("select both ends" in each for each in words[words.index("<b>Otherwise</b>") :])
 
 

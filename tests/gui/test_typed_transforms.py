@@ -331,7 +331,7 @@ def test_the_keys_are_in_the_hint_and_on_the_sheet(arch):
     assert "Tab" in arch.action("scaleSelection").toolTip()
     arch.trigger("showShortcuts")
     sheet = arch.window.findChild(QWidget, "shortcutSheet")
-    assert any("Tab (or ;) goes from x to y" in label.text() for label in sheet.findChildren(QLabel))
+    assert any("Tab (or ;) moves from x to y" in label.text() for label in sheet.findChildren(QLabel))
 
 
 def test_the_status_line_says_that_the_image_is_being_moved(arch, tmp_path):
@@ -340,5 +340,5 @@ def test_the_status_line_says_that_the_image_is_being_moved(arch, tmp_path):
     arch.window.commands[ImageCommands].trace(tmp_path / "shot.png")
     arch.trigger("moveImage")
     arch.key(Key.Key_G)
-    assert arch.status == "Move Image is in use. Press Escape to go back to the points."
+    assert arch.status == "Move Image is in use. Press Escape to return to the points."
     assert not arch.window.canvas.is_dragging

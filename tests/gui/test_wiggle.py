@@ -95,7 +95,7 @@ def test_the_tool_explains_the_widest_swing_at_once(runge):
     _, y = view.curve.evaluate(runge.session.scrub.t)
     assert abs(y) > 3  # twice as high as any point
     words = panel(runge).words.text()
-    assert "swings out by" in words
+    assert "overshoots by" in words
     assert "points away" in words
     weights = view.curve.basis(np.array([runge.session.scrub.t]))[0, :, 0]
     strongest = panel(runge).bars.pulls[0]
@@ -114,7 +114,7 @@ def test_a_click_with_the_tool_explains_another_t_and_escape_leaves_the_tool(run
     assert runge.session.scrub.t == pytest.approx(t, abs=0.01)
     assert "Between points 4 and 5" in panel(runge).words.text()
     runge.click(runge.window.canvas.to_plane(QPoint(60, 60)))
-    assert runge.status == "Click the curve where it swings out."
+    assert runge.status == "Click the curve where it oscillates."
     runge.escape()
     assert runge.action("selectTool").isChecked()
     assert runge.session.document is document
@@ -178,7 +178,7 @@ def test_a_click_applies_a_cure_as_one_step_with_the_promised_effect(runge):
         assert not ghosts(runge)
         if button(runge, key).isVisible():
             left.append(key)
-            assert text(runge, "swingNow") == f"Swing {promised} →"
+            assert text(runge, "swingNow") == f"Overshoot {promised} →"
             assert text(runge, f"swing_{key}") == "in use"
             assert not button(runge, key).isEnabled()
         else:
@@ -257,7 +257,7 @@ def explain(editor, points, family, t):
 
 def test_a_calm_segment_has_no_cures(editor):
     explain(editor, [(0.5 * i, float(np.sin(0.5 * i))) for i in range(12)], "lagrange", 0.5)
-    assert "the curve is calm" in panel(editor).words.text()
+    assert "the curve stays within about" in panel(editor).words.text()
     assert text(editor, "nothingToCure").startswith("Nothing to cure here: the curve stays within 0.0")
     for key, *_ in CURES:
         assert not button(editor, key).isVisible()

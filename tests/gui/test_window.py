@@ -453,7 +453,7 @@ def test_help_begins_with_the_keys_of_the_active_tool(editor):
         "Click",
         "add a point",
         "Press and drag",
-        "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: ahead alone",
+        "add a point and set its velocity; Ctrl or Shift: 15° steps, Alt: only the handle ahead",
     ]
     assert words.index("<b>Otherwise</b>") < words.index("<b>File</b>") < words.index("<b>View</b>")
 

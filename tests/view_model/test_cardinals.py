@@ -107,7 +107,7 @@ def test_a_small_move_changes_the_curve_by_its_function_where_a_rule_is_not_line
         curve = with_points(curve, **{f"p{i}": {"x": x, "y": y} for i, (x, y) in enumerate(places)})
         curve = with_points(frozen(curve), **changes)
         view = view_of(curve)
-        assert view.linearised == "of small moves, the mean of x and y"
+        assert view.linearised == "of small moves, averaged over x and y"
         t = np.linspace(*view.curve.domain, 101)
         moves = np.repeat(rng.uniform(-1.0, 1.0, (7, 1)), 2, axis=1)
         ahead, back = (moved(curve, step * moves).curve.evaluate(t) for step in (1e-6, -1e-6))

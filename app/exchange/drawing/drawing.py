@@ -259,7 +259,7 @@ def refuse_out_of_range(curve: Curve, samples: FloatArray) -> None:
     """Raise ExchangeError for samples of a curve, (m, 2), that no picture can hold."""
     if not np.isfinite(samples).all() or np.abs(samples).max() > LARGEST:
         raise ExchangeError(
-            f"“{curve.display_name}” swings beyond {LARGEST:g} between its points, too far for a picture. "
+            f"“{curve.display_name}” oscillates beyond {LARGEST:g} between points, too far for a picture. "
             "Try Chebyshev parameters or a Hermite curve."
         )
 

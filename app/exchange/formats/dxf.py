@@ -65,7 +65,7 @@ _LONGEST_LAYER = 200
 CUBIC = Check(
     name="cubic",
     title="No splines above degree 3",
-    tip="Write cubic pieces within the tolerance, as some programs draw no splines of higher degree",
+    tip="Write cubic pieces within the tolerance, for programs that draw no splines of higher degree",
     help="DXF: no splines above degree 3, for programs that draw none, such as LibreCAD",
     default=False,
 )

@@ -144,7 +144,7 @@ def _rectangle(
 
 def _complete(read: ReadPath) -> list[Subpath]:
     if read.error:
-        raise ExchangeError("It is beyond all numbers.")
+        raise ExchangeError("It is too large.")
     return read.subpaths
 
 
@@ -316,7 +316,7 @@ class _Reader(SVGLexicalParser):  # type: ignore[misc]  # that package has no ty
         if number is None:
             raise ValueError
         if not math.isfinite(number):
-            raise ExchangeError("A number is beyond all numbers.")
+            raise ExchangeError("A number is too large.")
         return float(number)
 
     def _flag(self) -> bool:

@@ -137,7 +137,7 @@ def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[
 
 def accuracy_of(drawing: Drawing) -> str:
     """Return a sentence with the largest deviation of the drawing from the true curves."""
-    losses = "" if drawing.deviation <= drawing.tolerance else ", which was out of reach"
+    losses = "" if drawing.deviation <= drawing.tolerance else ", which was not reached"
     return (
         f"{MARK}: {deviation_text(drawing.deviation, drawing.is_bound)} "
         f"(tolerance {drawing.tolerance:g}{losses}), in the unit of the document."

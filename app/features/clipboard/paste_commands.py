@@ -213,7 +213,7 @@ class PasteCommands:
 
 
 def _import_result(decoded: Decoded, _report: Report) -> ImportResult:
-    remarks = (decoded.left_out.message_about("What was copied"),) if decoded.left_out else ()
+    remarks = (decoded.left_out.message_about("The clipboard content"),) if decoded.left_out else ()
     return exchange.cubics_in.ImportResult(decoded.document, remarks=remarks)
 
 

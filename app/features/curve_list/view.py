@@ -69,7 +69,7 @@ class CurveListView(ClaimsKeys, QListView):
         tip = (
             "The front curve is at the top. Click to select a curve, or to edit it while another one is"
             " edited; right-click › Edit Curve shows its points. Double-click to rename, drag to reorder;"
-            " Ctrl or Shift+click selects several. Left and Right fold shapes and groups"
+            " Ctrl or Shift+click selects several. Left and Right fold and unfold shapes and groups"
         )
         named(self, "curveList", "Curves", tip)
         self._delegate = RowDelegate(self, model, self.parts)

@@ -55,7 +55,7 @@ class CurveCommands:
     @action("newCurve", "New Curve", CURVE_NEW, "Ctrl+Shift+N", "plus")
     @also(CANVAS_MENU(22), CURVE_LIST_BUTTONS(10))
     def _new(self) -> None:
-        """Add a curve and draw it with the pen."""
+        """Add a curve and draw it with the Add Points tool."""
         session, index = self._session, len(self._session.document.curves)
         fresh = curve_edits.new_curve_like(session.document, session.model, Parametrization())
         if session.change(
@@ -229,7 +229,7 @@ class CurveCommands:
     )
     @also(CURVE_MENU(10), CURVE_LIST_MENU(34), CURVE_LIST_BUTTONS(16))
     def _toggle_closed(self) -> None:
-        """Close the curve smoothly, or open it, with all curves of its shape or selection."""
+        """Close the curve smoothly, or open it, together with its shape or the selection."""
         session, views = self._session, self._session.views
         closed, indices = not session.active_curve.is_closed, self._several_whole or [session.active_index]
         what = whole_curves(session.document, indices)

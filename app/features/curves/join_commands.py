@@ -87,7 +87,7 @@ class JoinCommands:
     )
     @also(POINT_MENU(23))
     def _merge(self) -> None:
-        """Merge two selected ends into one point halfway between them; their handles move along."""
+        """Merge two selected ends into one point halfway between them; their handles move with them."""
         session = self._session
         link = link_of(session.views, session.selected.group)
         if link is not None:

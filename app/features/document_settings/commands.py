@@ -83,7 +83,7 @@ class DocumentSettingsCommands:
         keywords="properties unit millimetres inches grid spacing new setup",
     )
     def _show(self) -> None:
-        """Set unit and grid of this document and of new ones."""
+        """Set the unit and the grid of this document and of new documents."""
         self._dock.bring_up()
 
 

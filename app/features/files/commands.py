@@ -25,7 +25,7 @@ class DocumentCommands:
     @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
     @also(TOOLBAR(10))
     def _new(self) -> None:
-        """Start an empty document with the pen tool."""
+        """Start an empty document with the Add Points tool."""
         if self._context.files.elsewhere("newDocument") is not None:
             return
         self._context.files.new()

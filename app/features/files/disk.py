@@ -100,7 +100,7 @@ class DiskCommands(QObject):
             return
         if file.is_older and not file.left_out:
             self._context.status_line.say(
-                f"{file.path.name} is of an older version. The first save keeps a backup of the old file."
+                f"{file.path.name} was saved by an older version. The first save keeps a backup of it."
             )
         elif file.lock_problem and file.owner is None:
             self._context.status_line.say(
@@ -243,7 +243,7 @@ class DiskCommands(QObject):
         ),
     )
     def _reload(self) -> None:
-        """Replace the document by the present content of the file; Undo restores it."""
+        """Replace the document with the current content of the file; Undo restores it."""
         if self._file is None:
             return
         name = self._file.path.name
@@ -283,7 +283,7 @@ class DiskCommands(QObject):
         checked=lambda state: state.window.compares_with_file,
     )
     def _compare(self) -> None:
-        """Show the present content of the file as a dashed ghost behind the curves."""
+        """Show the current content of the file as a dashed ghost behind the curves."""
         if self._context.store.state.compares_with_file:
             self._hide_ghost()
         else:
@@ -313,7 +313,7 @@ class DiskCommands(QObject):
         needs=Need("", lambda state: state.window.file.may_overwrite),
     )
     def _overwrite(self) -> None:
-        """Replace the changed file by the document in this window."""
+        """Replace the changed file with the document in this window."""
         self._context.files.overwrite()
 
     @action(
@@ -346,7 +346,7 @@ class DiskCommands(QObject):
         needs=Need("", lambda state: state.window.file.is_asked),
     )
     def _edit_anyway(self) -> None:
-        """Take over the document although it may be edited elsewhere."""
+        """Take over the document even if it is being edited elsewhere."""
         if self._file is None:
             return
         self._file.take_over()
@@ -412,7 +412,7 @@ def lock_notice(name: str, standing: Ownership, owner: Owner | None) -> Notice |
         text = f"{who} {have} taken over “{name}”{_where(owner)}. Save your changes under another name."
         return Notice(text, ("saveDocumentAs", "takeOver"))
     old = " It may have been left open by mistake." if owner.may_have_forgotten else ""
-    since = f"{who} {have} “{name}” open{_where(owner)} since {_moment(owner.since)}"
+    since = f"{who} {have} had “{name}” open{_where(owner)} since {_moment(owner.since)}"
     text = f"{since}; it is read-only here.{old}"
     return Notice(text, ("takeOver", "saveDocumentAs"), warns=False)
 

@@ -247,7 +247,7 @@ class FitCommands(QObject):
             text += f" Only “{view.source.display_name}” is fitted; Simplify changes its whole shape."
         is_short = options.tolerance is not None and result.deviation > options.tolerance
         if is_short and not result.is_scattered:
-            text += f" No {options.family.title} curve was found that is closer."
+            text += f" No closer {options.family.title} curve was found."
         if is_of_points_alone(view) and not result.is_scattered:
             text += " Measured at the points, not between them."
         return text

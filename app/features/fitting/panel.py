@@ -61,17 +61,17 @@ class FitPanel(SafeOverrides, QScrollArea):
         self.family = choice_box("fitFamily", "Family", "Family of the curve with fewer points", titles)
         goals = [goal.label for goal in FitGoal]
         self.goal = choice_box("fitGoal", "Goal", "Largest distance, or number of points", goals)
-        tip = "Largest distance from the present curve"
+        tip = "Largest distance from the current curve"
         self.tolerance = RangedDoubleSpinBox("fitTolerance", "Largest distance", tip, (1e-6, 1e9))
         self.tolerance.setDecimals(_DIGITS)
         self.tolerance.setStepType(RangedDoubleSpinBox.StepType.AdaptiveDecimalStepType)
         self.count = RangedSpinBox("fitCount", "Points", "Number of points of the new curve", _COUNTS)
-        words = "Keep the t of every position, as for a motion; otherwise only the shape counts"
+        words = "Keep the t of every position, as for a motion; otherwise keep only the shape"
         self.keeps_times = check_box("fitTimes", "Keep the times", words)
         self.result = Label(name="fitResult", wordWrap=True)
         self.progress = ThinProgress("fitProgress", "Progress of the fit")
         self.apply_button = push_button(
-            "applyFit", "Replace the Curve", "Replace the curve by the fit, as one step of the history"
+            "applyFit", "Replace the Curve", "Replace the curve with the fit, as one step of the history"
         )
         self.cancel_button = push_button("cancelFit", "Cancel", "Keep the curve unchanged (Esc)")
         self._lay_out()

@@ -28,7 +28,7 @@ class HelpCommands:
 
     @action("manual", "Manual", HELP_ALL, icon="manual")
     def _show_manual(self) -> None:
-        """Read about everything in the program, one page a subject."""
+        """Read the manual: one page for each subject."""
         if self._manual is None:
             self._manual = help_feature.manual.ManualWindow(self._context.window)
         self._manual.bring_up()

@@ -72,7 +72,7 @@ class SheetState(msgspec.Struct, frozen=True):
         """Return the gestures that apply now, and the others, each with the condition that it lacks."""
         gestures = [*self.tool.gestures, *_WITH_ANY_TOOL]
         if self.tool is not SELECT:
-            gestures.append(GestureRow("Escape", "back to selecting"))
+            gestures.append(GestureRow("Escape", "return to Select"))
         now = [(gesture.keys, gesture.what) for gesture in gestures if not self.missing(gesture)]
         others = {gesture: missing for gesture in gestures if (missing := self.missing(gesture))}
         for tool in TOOLS:
@@ -89,7 +89,7 @@ _WITH_ANY_TOOL = (
     GestureRow(
         "Moving, scaling, rotating",
         "G, S, R: the selection, or else all points. X or Y keeps to an axis, digits type the amount "
-        "(1/3, 2mm), Tab (or ;) goes from x to y, Enter finishes",
+        "(1/3, 2mm), Tab (or ;) moves from x to y, Enter finishes",
     ),
     GestureRow(
         "Arrow keys",
@@ -109,7 +109,7 @@ _WITH_ANY_TOOL = (
     GestureRow("Ctrl+click, Shift+click, Ctrl+A", "in the list of curves: select several"),
     GestureRow("F2, Del", "in the list of curves: rename, delete"),
     GestureRow("Right button, Menu key", "open a menu"),
-    GestureRow("Drop a file", "open a document, import a file, or put a picture behind the curves"),
+    GestureRow("Drop a file", "open a document, import a file, or show a picture behind the curves"),
     GestureRow("Wheel, pinch, Ctrl+two fingers", "zoom at the pointer"),
     GestureRow("Middle button, Space+drag, two fingers", "pan; Shift+wheel: sideways"),
 )
@@ -173,7 +173,7 @@ class ShortcutSheet(OverlayFrame):
             (title, [row for row in rows if all(word in " ".join(row).casefold() for word in words)])
             for title, rows in self._sections
         ]
-        nothing = [("No match. The command palette knows synonyms as well.", (("", ""),))]
+        nothing = [("No match. The command palette also finds synonyms.", (("", ""),))]
         self._area.setWidget(_grid(matches if any(rows for _, rows in matches) else nothing))
         self.place()
 

@@ -110,7 +110,7 @@ class HistoryCommands:
         needs=Need("work that was replaced by a lesson or an example", lambda state: state.can_go_back),
     )
     def _go_back(self) -> None:
-        """Go back to the document that was open before this lesson or example; Redo returns here."""
+        """Reopen the document that was open before this lesson or example; Redo returns here."""
         files, stack = self._session.files, self._session.undo_stack
         here = files.origin
         while files.origin is here and here.before is not None and stack.canUndo():
@@ -185,7 +185,7 @@ class HistoryPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("historyPanel")
         self.view = QUndoView(steps, self)
-        named(self.view, "historyView", "History", "Click a step to go back or forward to it (↑ ↓)")
+        named(self.view, "historyView", "History", "Click a step to return to it (↑ ↓)")
         self.view.setFrameShape(QUndoView.Shape.NoFrame)
         self.view.setUniformItemSizes(True)
         self._delegate = _StepDelegate(self.view)

@@ -99,7 +99,7 @@ class ExportCommands:
         path = with_ending(Path(name), choice.ending)
         if path != Path(name) and path.exists():
             # The file dialog asked about the typed name only, not about the one with an ending.
-            there = StorageError("The file exists already. Select it in the list to replace it.")
+            there = StorageError("The file already exists. Select it in the list to replace it.")
             self._work.refuse(path, "written", there)
             return
         session.files.note_export(exchange.export_choice.export_record(choice, path.name, last))

@@ -105,8 +105,8 @@ class ImportTableDialog(WorkDialog):
         self.separator_box = choice_box(
             "tableSeparator", "Separator", "Character between two cells", _SEPARATORS.values()
         )
-        self.comma_check = check_box("tableComma", "Decimal comma", "Numbers are written like 0,5")
-        self.header_check = check_box("tableHeader", "First row has titles", "The first row is not a point")
+        self.comma_check = check_box("tableComma", "Decimal comma", "Read numbers such as 0,5")
+        self.header_check = check_box("tableHeader", "First row has titles", "Read the first row as titles")
         self.preview = TablePreview((IGNORE, *ROLES, *AFTER, *WORDS))
         self.remark = Label(name="tableSaid", wordWrap=True)
 
@@ -496,7 +496,7 @@ class RoleHeader(SafeOverrides, QHeaderView):
         return tuple(self._roles[box.currentIndex()] for box in self.boxes)
 
     def _box(self, column: int) -> QComboBox:
-        tip = "Role of this column; each role but “ignore” is used at most once"
+        tip = "Role of this column; each role except “ignore” can be used once"
         box = choice_box(f"columnRole{column}", f"Role of column {column + 1}", tip, self._roles)
         box.setParent(self)
         box.activated.connect(lambda _index, box=box: self._choose(box))

@@ -47,9 +47,9 @@ def rest_message(document: Document, new: Document) -> str:
     if sized.unit != new.unit:
         sentences.append(f"Lengths are converted from {new.unit} to {sized.unit}.")
     if rest := ignored_on_import(document, sized):
-        verb = "stays" if len(rest) == 1 and not rest[0].endswith("guides") else "stay"
+        verb = "is" if len(rest) == 1 and not rest[0].endswith("guides") else "are"
         words = names_of(rest)
-        sentences.append(f"{words[0].upper()}{words[1:]} {verb} behind.")
+        sentences.append(f"{words[0].upper()}{words[1:]} {verb} left out.")
     return " ".join(sentences)
 
 

@@ -49,7 +49,7 @@ class Verb(Enum):
 
 def into_box(verb: Verb) -> QComboBox:
     """Return the box for the target of the curves; for files that are opened, a new document."""
-    box = choice_box("importInto", "Into", "Document that gets the curves", INTO)
+    box = choice_box("importInto", "Into", "Document that receives the curves", INTO)
     if verb is Verb.OPEN:
         box.setCurrentText(A_NEW_DOCUMENT)
     return box

@@ -138,7 +138,7 @@ def _step(page: str, label: str, measures: Measures | None, conditions: Conditio
         except GoalError as problem:
             raise LessonError(f"{label}: {problem}") from None
         if not curve or not goal.conditions:
-            raise LessonError(f"{label}: a goal needs “curve”, and “keep” with what must stay as it is")
+            raise LessonError(f"{label}: a goal needs “curve”, and “keep” with the fixed properties")
     show = tuple(word for word in re.split(r"[,\s]+", fields.get("show", "")) if word)
     text = _COMMENT.sub("", body).strip()
     return Step(title.strip(), text, curve, show, _settings(fields.get("set", ""), label), goal)

@@ -61,7 +61,7 @@ class LessonPanel(QWidget):
         self.again_button = _button(
             "lessonAgain", "Start Again", "Start this lesson again; Undo restores your work"
         )
-        self.back_button = _button("lessonBack", "Back", "Go to the step before")
+        self.back_button = _button("lessonBack", "Back", "Go to the previous step")
         self.next_button = _button("lessonNext", "Next", "Go to the next step")
         self._title = Label(name="lessonTitle", wordWrap=True, is_html=True)
         self._position = Label(name="lessonPlace")

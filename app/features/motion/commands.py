@@ -42,11 +42,11 @@ _REPEATS = (
     _Choice(Repeat.PING_PONG, "Ping-Pong", "Run back and forth", "Ping-Pong Motion"),
 )
 _PACES = (
-    _Choice(Pace.PARAMETER, "By t", "Let t grow evenly: the speed of the dot is |c′|", "Motion by t"),
+    _Choice(Pace.PARAMETER, "By t", "Increase t uniformly: the speed of the dot is |c′|", "Motion by t"),
     _Choice(
         Pace.LENGTH,
         "By Arc Length",
-        "Let the arc length grow evenly: the dot has a constant speed",
+        "Increase the arc length uniformly: the dot has a constant speed",
         "Motion by Arc Length",
     ),
 )
@@ -145,7 +145,7 @@ class MotionCommands:
             family.action_name.replace("family", "motionWith"),
             f"Compare with {family.label}",
             MOTION_COMPARE,
-            tip=f"Run a dot on {family.a_curve} through these points side by side",
+            tip=f"Also run a dot on {family.a_curve} through the same points",
             full_name=f"Compare Motion with {family.label}",
             needs=CURVE_THROUGH_TWO,
             checked=lambda state: family in state.window.motion.compared,
@@ -164,7 +164,7 @@ class MotionCommands:
         checked=lambda state: frozenset(timed_families()) <= state.window.motion.compared,
     )
     def _compare(self) -> None:
-        """Run dots on curves of all families through these points side by side."""
+        """Also run dots on curves of all families through the same points."""
         self.stage.player.compare(frozenset(timed_families()))
 
     @action("exportMotion", "Export Motion…", MOTION_MORE, icon="film", needs=CURVE_THROUGH_TWO)

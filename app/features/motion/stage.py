@@ -63,7 +63,7 @@ class MotionBar(FollowsTheme, QWidget):
             "motionRepeat", "At the end of the curve", [action_name("motion", value) for value in Repeat]
         )
         self._pace = self._action_box(
-            "motionPace", "Quantity that grows evenly", [action_name("motionBy", value) for value in Pace]
+            "motionPace", "Quantity that grows uniformly", [action_name("motionBy", value) for value in Pace]
         )
         self._readout, self._words = ElidedLabel(), ElidedLabel()
         self._readout.setObjectName("motionReadout")

@@ -196,7 +196,7 @@ class OverlayCommands:
         full_name="New Seed of Disturbed Curves",
     )
     def _new_seed(self) -> None:
-        """Draw other random errors."""
+        """Draw new random errors."""
         analysis = self._context.analysis
         analysis.set_value(SEED, analysis.settings.value(SEED) + 1)
         analysis.show(ENSEMBLE, True)

@@ -47,7 +47,7 @@ class OwnFamilyCommands(QObject):
 
     @action("familyTemplate", "Family Template…", FILE_FAMILY)
     def _write_template(self) -> None:
-        """Write a Python file that defines a curve family, to change in any editor."""
+        """Save a Python template of a curve family, to edit in any text editor."""
         start = self._context.preferences.last_folder / _NEW_NAME
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Family Template", str(start), _PYTHON)
         if not name:
@@ -104,7 +104,7 @@ class OwnFamilyCommands(QObject):
         needs=Need("", lambda state: state.window.runs_family_file, "No family file is running."),
     )
     def _stop(self) -> None:
-        """Stop the family file that is running; nothing changes."""
+        """Stop the running family file; the document does not change."""
         self._files.stop()
 
     def _use(self, path: Path) -> None:

@@ -130,7 +130,7 @@ class TangentCommands:
             "Pull out velocity of",
             lambda view, points: with_velocities_pulled(view, points, _CLEAR_OF_DISC * pixel),
             group,
-            f"{subject} pulled out already. Drag a square handle.",
+            f"{subject} already pulled out. Drag a square handle.",
         )
 
     def _report(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
@@ -160,7 +160,7 @@ class TangentCommands:
         """Make segments straight; the index of a segment is that of its first point."""
         before = self._session.document.curves
         text = _segments_text(before, segments)
-        if not self._change(text, with_straight_segments, segments, "The segment is straight already."):
+        if not self._change(text, with_straight_segments, segments, "The segment is already straight."):
             return
         after, corners, ends = self._session.document.curves, [], []
         for curve, indices in segments.parts:
@@ -235,7 +235,7 @@ class PointCommands:
     )
     @also(CANVAS_MENU(11))
     def _select_all(self) -> None:
-        """Select all points of the edited curves; while none is edited, all visible, unlocked curves."""
+        """Select all points of the edited curves, or all visible, unlocked curves if none is edited."""
         session, selected = self._session, self._session.selected
         if selected.is_editing:
             selected.set_group(all_points(session.document, selected.active_curves))
@@ -257,7 +257,7 @@ class PointCommands:
     )
     @also(CANVAS_MENU(14))
     def _invert(self) -> None:
-        """Select the other points of the edited curves; while none is edited, the other visible curves."""
+        """Select the other points of the edited curves, or the other visible curves if none is edited."""
         session, selected = self._session, self._session.selected
         curves = session.document.curves
         if selected.is_editing:

@@ -87,7 +87,7 @@ class RecoveryBar(OverlayFrame):
         """
         self._unsaved = tuple(unsaved)
         number = "A document" if len(unsaved) == 1 else count_of(len(unsaved), "document")
-        self._title.setText(f"{number} with unsaved work from the last run:")
+        self._title.setText(f"{number} with unsaved work from the last session:")
         self._title.setVisible(bool(unsaved))
         self._note.setText(note)
         self._note.setVisible(bool(note))

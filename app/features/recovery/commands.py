@@ -42,7 +42,7 @@ class RecoveryCommands:
 
     @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
     def _offer_again(self) -> None:
-        """Offer unsaved work of earlier runs."""
+        """Show unsaved work from earlier sessions."""
         self.offer_unsaved_work()
         if not self._listing.snapshots and not self._listing.damaged:
             self._context.session.say("There is no unsaved work.")

@@ -183,7 +183,7 @@ class SnapCommands:
             f"snapTo{kind.value.capitalize()}",
             kind.label,
             VIEW_SNAP_TO,
-            tip=f"Turn snapping to this target on or off: {kind.label.lower()}",
+            tip=f"Turn snapping to {kind.label.lower()} on or off",
             full_name=f"Snap To: {kind.label}",
             checked=lambda state: kind in state.window.snapping.kinds,
             keywords="magnet",
@@ -196,7 +196,7 @@ class SnapCommands:
         kinds = store.state.snapping.kinds ^ {kind}
         store.change(snap_kinds=kinds)
         is_on, what = kind in kinds, kind.label.lower()
-        does = f"Snapping to this target is {'on' if is_on else 'off'}: {what}."
+        does = f"Snapping to {what} is {'on' if is_on else 'off'}."
         self._context.session.say(does if store.state.snapping.on else f"{does} Press % to turn snapping on.")
 
 

@@ -73,7 +73,7 @@ class StylePanel(FieldForm):
         self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
         self.fill = PaintField("fillPaint", "Fill")
         self.stroke = PaintField("strokePaint", "Stroke")
-        self._rule = ChoiceRow("fillRule", "Fill rule", "Regions filled where curves cross", FillRule)
+        self._rule = ChoiceRow("fillRule", "Fill rule", "Regions to fill where curves cross", FillRule)
         self._cap = ChoiceRow("lineCap", "Line ends", "Shape of the ends of lines and dashes", LineCap)
         self._join = ChoiceRow("lineJoin", "Line corners", "Shape of the corners of lines", LineJoin)
         self._make_numbers()

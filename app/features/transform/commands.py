@@ -118,7 +118,7 @@ class SelectionCommands:
     )
     def _begin(self, transform: _Transform) -> None:
         if self._context.store.state.moves_image:
-            self._session.refuse("Move Image is in use. Press Escape to go back to the points.")
+            self._session.refuse("Move Image is in use. Press Escape to return to the points.")
         else:
             self._context.central.canvas.begin_transform(transform.kind)
 

@@ -44,7 +44,7 @@ class TransformValues(msgspec.Struct, frozen=True):
     pivot_position
         The pivot position; None for another pivot.
     angle
-        Rotation since it was selected, in degrees.
+        Rotation since the selection, in degrees.
     unit
         That of the document.
     problem
@@ -99,11 +99,11 @@ class TransformPanel(FieldForm):
         self._turn_by, self._skew_by = 90.0, 15.0
         self.what = Label(name="transformWhat")
         self.chooser = PivotChooser()
-        self.x_edit = self._length("X", "x of the pivot position, from which sizes grow", 0)
-        self.y_edit = self._length("Y", "y of the pivot position, from which sizes grow", 1)
+        self.x_edit = self._length("X", "x of the pivot, about which the selection is resized", 0)
+        self.y_edit = self._length("Y", "y of the pivot, about which the selection is resized", 1)
         self.width_edit = self._length("Width", "Width", 2)
         self.height_edit = self._length("Height", "Height", 3)
-        self.angle_edit = _angle("transformAngle", "Angle", "Rotation since it was selected, in degrees")
+        self.angle_edit = _angle("transformAngle", "Angle", "Rotation since the selection, in degrees")
         self.turn_edit = _angle("transformTurn", "Rotate by", _ROTATE_TIP)
         self.turn_button = tool_button(
             "transformTurnButton", "Rotate", "Rotate by this angle about the pivot", icon_size=ICON

@@ -136,7 +136,7 @@ class ZoomCommands:
     )
     @also(ZOOM_MENU(30))
     def _go_back(self) -> None:
-        """Go back to the view before the last zoom or pan."""
+        """Return to the view before the last zoom or pan."""
         if not self._past.go_back():
             self._context.session.refuse("There is no previous view.")
 

@@ -40,20 +40,20 @@ class ExplainTool(Tool):
         if hit is not None and hit.part is Part.CURVE:
             event.session.scrub.set(hit.t)
         else:
-            event.session.refuse("Click the curve where it swings out.")
+            event.session.refuse("Click the curve where it oscillates.")
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint for a click on the curve."""
-        text = "Click the curve where it swings out · V goes back to Select"
+        text = "Click the curve where it oscillates · V returns to Select"
         return Hint(text, grab=event.hit is not None)
 
 
 EXPLAIN = ToolRecord(
     name="explain",
     make=ExplainTool,
-    hint="Click the curve where it swings out; V goes back to Select.",
+    hint="Click the curve where it oscillates; V returns to Select.",
     doing="explaining",
-    gestures=(GestureRow("Click the curve", "explain why it swings out there"),),
+    gestures=(GestureRow("Click the curve", "explain why it oscillates there"),),
 )
 
 
@@ -103,7 +103,7 @@ class WiggleCommands(QObject):
         group="tool",
     )
     def _use_tool(self) -> None:
-        """Click the curve where it swings out to see which points pull it, and what would calm it."""
+        """Click the curve where it oscillates to see which points cause it, and possible cures."""
         self._context.central.canvas.choose_tool(EXPLAIN)
         self._context.store.change(tool=EXPLAIN, moves_image=False)
         self._context.status_line.show_hint(EXPLAIN.hint)
@@ -120,7 +120,7 @@ class WiggleCommands(QObject):
         needs=CURVE_THROUGH_TWO,
     )
     def _explain_widest_wiggle(self) -> None:
-        """Explain the curve where it swings out farthest."""
+        """Explain the largest oscillation of the curve."""
         self._keep_scrub()
         self._explain_widest()
         self._open()

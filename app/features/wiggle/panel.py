@@ -89,7 +89,7 @@ def _name(pull: Pull) -> str:
     return f"{DERIVATIVES[pull.order - 1].name if pull.order else 'point'} {pull.point}"
 
 
-_NOWHERE = "Click the curve where it swings out."
+_NOWHERE = "Click the curve where it oscillates."
 
 
 class CureButton(SafeOverrides, QPushButton):
@@ -234,7 +234,7 @@ class WigglePanel(QScrollArea):
                 label.setText(text)
                 label.setEnabled(not busy)
         now = ("", "") if cures is None else (short(cures.overshoot), _finite(cures.lebesgue))
-        texts = ("trying cures…" if busy else "What would calm it", f"Swing {now[0]} →", f"Λ {now[1]} →")
+        texts = ("trying cures…" if busy else "Possible cures", f"Overshoot {now[0]} →", f"Λ {now[1]} →")
         for heading, text in zip(self._headings, texts, strict=True):
             heading.setText(text)
 

@@ -213,7 +213,7 @@ class BoxCurveTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint."""
         event.preview_snap(-1)
-        return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V goes back to Select")
+        return Hint(f"{self._drawn.hint} · {self._drawn.keys} · V returns to Select")
 
 
 def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> ToolRecord:
@@ -222,7 +222,7 @@ def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> 
     return ToolRecord(
         name=drawn.name,
         make=partial(BoxCurveTool, drawn),
-        hint=f"{drawn.hint}; V or Escape goes back to selecting.",
+        hint=f"{drawn.hint}; V or Escape returns to Select.",
         empty_message=f"Drag on the canvas to draw {drawn.phrase}.",
         doing=f"drawing {drawn.plural}",
         gestures=(

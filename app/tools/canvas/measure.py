@@ -77,7 +77,7 @@ class MeasureTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint, and preview the snap."""
         event.preview_snap(-1)
-        return Hint(f"Drag to measure a distance and an angle · {_KEYS} · V goes back to Select")
+        return Hint(f"Drag to measure a distance and an angle · {_KEYS} · V returns to Select")
 
     def dismiss(self, event: ToolEvent) -> bool:
         """Remove the ruler; return whether there was one."""
@@ -94,7 +94,7 @@ class MeasureTool(Tool):
 MEASURE = ToolRecord(
     name="measure",
     make=MeasureTool,
-    hint="Drag to measure; V or Escape goes back to selecting.",
+    hint="Drag to measure; V or Escape returns to Select.",
     doing="measuring",
     gestures=(GestureRow("Drag", "distance and angle; Ctrl or Shift: 15° steps; Escape removes it"),),
     rank=30,

@@ -47,7 +47,7 @@ DETAIL = ChoiceSetting(
     "pencilBox",
     "Pencil",
     Detail.MEDIUM,
-    tip="Largest distance between the curve and the line that was drawn",
+    tip="Set the largest distance between the curve and the drawn line",
     key="pencil/detail",
 )
 
@@ -195,7 +195,7 @@ def _message(result: Fitted, model: Curve, press: Pointer, tolerance: float) -> 
     elif result.is_scattered:
         text += f" {SCATTERED}"
     elif result.deviation > tolerance:
-        text += f" No {family.title} curve was found that is closer; another family may need fewer points."
+        text += f" No closer {family.title} curve was found; another family may need fewer points."
     return text
 
 
@@ -211,18 +211,18 @@ class PencilTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint."""
         detail = event.value(DETAIL).label.lower()
-        return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V goes back to Select")
+        return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V returns to Select")
 
 
 PENCIL = ToolRecord(
     name="pencil",
     make=PencilTool,
-    hint="Drag to draw freehand; V or Escape goes back to selecting.",
+    hint="Drag to draw freehand; V or Escape returns to Select.",
     empty_message="Drag on the canvas to draw freehand; a curve of few points near the line results.",
     doing="drawing freehand",
     gestures=(
-        GestureRow("Drag", "draw a line; a curve of few points near it comes out"),
-        GestureRow("Drag back to the beginning", "the same, closed"),
+        GestureRow("Drag", "draw a line; it becomes a curve of few points"),
+        GestureRow("Drag back to the beginning", "draw a closed curve"),
         GestureRow("Escape", "cancel the line"),
     ),
     rank=25,

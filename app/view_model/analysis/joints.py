@@ -35,7 +35,7 @@ class JointKind(Enum):
     BREAK = "✕"
 
 
-_RESTS = "The curve stands still here and has no direction: there may be a corner or a cusp."
+_RESTS = "The velocity is zero here, so the curve has no direction: there may be a corner or a cusp."
 
 _WORDS = {
     (3, 2): "Smooth: velocity, acceleration, jerk, direction and curvature are continuous.",

@@ -170,9 +170,9 @@ def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ..
 def _swing_words(segment: tuple[int, int, int], swing: float, chord: float) -> str:
     between = f"Between points {segment[1]} and {segment[2]}"
     if swing <= _CALM * chord:
-        return f"{between} the curve is calm: it stays within about {short(swing)} of their straight line."
+        return f"{between} the curve stays within about {short(swing)} of the straight line."
     times = f", {short(swing / chord)} times their distance" if chord > 0 else ""
-    return f"{between} the curve swings out by {short(swing)}{times}."
+    return f"{between} the curve overshoots by {short(swing)}{times}."
 
 
 def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, int, int]) -> str:
