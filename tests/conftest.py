@@ -7,7 +7,7 @@ How a test passes on any machine, however busy:
   the test gives it an interval. A test that hangs for ten minutes ends its process with a traceback
   (``time_limit``; the marker `time_limit(seconds)` sets another limit).
 - It leaves nothing behind: a timer, thread, process, window, handler or environment variable fails it by
-  name (``left_over``). A lock needs its `release`: garbage is collected between tests only.
+  name (``leak_check``). A lock needs its `release`: garbage is collected between tests only.
 - Products of matrices are compared within their bound, pixels in heights of the font, system errors with
   `os.strerror`. Language, time zone and installed programs may differ.
 - A GUI test uses the fixture `editor`, whose window is reset and used again; a new window takes longer than
@@ -67,7 +67,13 @@ for _wait in (QtBot.waitActive, QtBot.waitExposed, QtBot.waitSignal, QtBot.waitU
     _wait.__kwdefaults__["timeout"] = LIMIT_MS
 
 # In this order: each finds the homes of the tests in the environment.
-pytest_plugins = ["tests.homes", "tests.time_limit", "tests.left_over", "tests.worker_reports", "tests.order"]
+pytest_plugins = [
+    "tests.homes",
+    "tests.time_limit",
+    "tests.leak_check",
+    "tests.worker_reports",
+    "tests.order",
+]
 
 settings.register_profile(
     "curvebench",

@@ -1,4 +1,4 @@
-"""The editor fixture, over a window that is used again: see kept_window.py."""
+"""The editor fixture, over a window that is used again: see shared_window.py."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import pytest
 # What several of these tests share lies beside them.
 sys.path.insert(0, str(Path(__file__).parent))
 
-from kept_window import KeptEditor
 from PySide6.QtCore import QLocale
 from PySide6.QtGui import QFontMetrics
+from shared_window import SharedEditor
 from shiboken6 import delete
 
 from app.document import rule_edits
@@ -26,12 +26,12 @@ from app.workbench import status_line
 # On a busy machine a sentence of the status line would have stood long enough after one event or two.
 status_line._SAID_MS, status_line._READ_MS = 600_000, 300_000
 
-_kept = KeptEditor()
+_shared = SharedEditor()
 
 
 def pytest_configure(config):
     """Let the kept window hear of tests in other folders, too."""
-    config.pluginmanager.register(_kept)
+    config.pluginmanager.register(_shared)
     # Windows that are kept for a module are built outside of `_decimal_points`.
     QLocale.setDefault(QLocale.c())
 
@@ -56,8 +56,8 @@ def _a_font(qapp):
 
 @pytest.fixture
 def editor(qtbot, record_property):
-    yield _kept.get(qtbot)
-    if places := _kept.take_back():
+    yield _shared.get(qtbot)
+    if places := _shared.take_back():
         # tests/conftest.py tells how many there were: to build the next one takes longer than most tests.
         record_property("thrown_away", places[0])
 
@@ -132,15 +132,15 @@ def garbage_collected_in_loop(qapp, monkeypatch, only_new_garbage):
 
 
 @pytest.fixture(scope="session")
-def kept_editor():
+def shared_editor():
     """Return what keeps the window of the editor fixture."""
-    return _kept
+    return _shared
 
 
 @pytest.fixture(scope="module")
-def own_families_in_windows(kept_editor, own_families):
+def own_families_in_windows(shared_editor, own_families):
     """Have windows that offer the families that only the tests have; the one that is kept has fewer."""
-    with kept_editor.another("families of files"):
+    with shared_editor.another("families of files"):
         yield own_families
 
 

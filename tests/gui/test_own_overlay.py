@@ -85,13 +85,13 @@ DISTANCE = Plot(
 
 
 @pytest.fixture(scope="module", autouse=True)
-def _own_records(kept_editor):
+def _own_records(shared_editor):
     """Have windows that offer these; the one that is kept has fewer."""
     with (
         OVERLAYS.with_record(PLATES),
         OVERLAYS.with_record(MIDDLES),
         PLOTS.with_record(DISTANCE),
-        kept_editor.another("overlays and a plot of these tests"),
+        shared_editor.another("overlays and a plot of these tests"),
     ):
         yield
     assert PLATES not in OVERLAYS

@@ -359,7 +359,7 @@ def test_closing_ends_work_that_never_reports_within_its_patience(qapp, monkeypa
 
 
 def test_a_task_ended_from_outside_is_removed(qapp, monkeypatch):
-    """It sends no signal: a timer tells the thread of the window, for which `tests/left_over.py` waits."""
+    """It sends no signal: a timer tells the thread of the window, for which `tests/leak_check.py` waits."""
     monkeypatch.setattr(task, "_GRACE_S", 0.02)
     begun = threading.Event()
 

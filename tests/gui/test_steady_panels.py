@@ -1,4 +1,4 @@
-"""Panels hold still under the pointer: what is chosen changes what they show, not where it stands."""
+"""Fields of a panel stay in place when the selection changes their content."""
 
 from __future__ import annotations
 

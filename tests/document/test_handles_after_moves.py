@@ -1,4 +1,4 @@
-"""Moving points leaves the handles of all others where they are, whatever rule spaces the parameters."""
+"""Handles of other points keep their positions when points move, under every parameter rule."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables as other programs write them: what their columns are, and what is in them but is no point."""
+"""Tables as other programs write them: roles of their columns, and rows that are no points."""
 
 from __future__ import annotations
 

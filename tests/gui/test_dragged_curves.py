@@ -1,4 +1,4 @@
-"""While no curve is edited, what a drag moves is chosen from then on; real events."""
+"""While no curve is edited, a drag selects the moved curves; real events."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Backspace and Delete with the pen in hand take back what it draws, and nothing else; real events."""
+"""Backspace and Delete with the pen remove the points it drew, and nothing else; real events."""
 
 from __future__ import annotations
 

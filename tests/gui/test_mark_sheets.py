@@ -1,4 +1,4 @@
-"""Sheets of marks: what is on one is not drawn again."""
+"""Sheets of marks: a mark that is on a sheet is not drawn again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one looks at: the view that fits, the words over the canvas, readouts, what is lit."""
+"""The fitted view, the first messages over the canvas, readouts and lit tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""While a point moves, the status line says where it is: not only how far it went, or where the hand is."""
+"""Position readout of moving points in the status line and beside the pointer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plates of words that would cover each other stand above one another."""
+"""Labels that would overlap are stacked."""
 
 from __future__ import annotations
 

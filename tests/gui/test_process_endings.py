@@ -1,4 +1,4 @@
-"""The real program in a process of its own, ended in every way a process can end."""
+"""The real program in a separate process, ended in every possible way."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the window says, and for how long: a sentence goes when it is no longer about what is shown."""
+"""Status line, hints and offers: each message lasts as long as the state that it describes."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ from app.workbench.docks import LateDock
 _A_PLOT = "plotCurvature"
 
 
-class KeptEditor:
+class SharedEditor:
     """The editor whose window is used again."""
 
     def __init__(self) -> None:
@@ -74,7 +74,7 @@ class KeptEditor:
     def _build(self, qtbot) -> None:
         self._editor = Editor(_Keeper(qtbot))
         window = self._editor.window
-        # tests/left_over.py looks for windows that are left over.
+        # tests/leak_check.py looks for windows that are left over.
         window.setProperty("isKept", True)
         self._curtain = Curtain(window)
         window.preferences.file._settings.installEventFilter(Unwritten(window))

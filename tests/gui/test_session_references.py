@@ -1,4 +1,4 @@
-"""The session's door: numbers are plain, and what is selected, hovered, chosen or scrubbed exists."""
+"""Plain numbers in the session; selection, hover and scrub line refer only to existing objects."""
 
 from __future__ import annotations
 

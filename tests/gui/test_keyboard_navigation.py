@@ -1,4 +1,4 @@
-"""The keyboard's ways: letters of the menus, F6 from panel to panel, Escape back to the canvas, F11."""
+"""Keyboard navigation: mnemonics of the menus, F6 between panels, Escape to the canvas, F11."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sessions that nobody holds any more, in a process of their own: it must not die of them."""
+"""Deleted sessions, in a separate process: the garbage collector does not crash it."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""The window that tests share: whatever one of them leaves is put away, or is found and ends the sharing."""
+"""The window that tests share: changes of a test are reset, or detected and end the sharing."""
 
 from __future__ import annotations
 
@@ -107,14 +107,14 @@ _WAYS = {
 
 
 @pytest.mark.parametrize("way", list(_WAYS))
-def test_changes_by_a_person_are_reset(editor, kept_editor, way):
+def test_changes_by_a_person_are_reset(editor, shared_editor, way):
     _WAYS[way](editor)
     editor.settle()
-    kept_editor._reset()
-    assert not kept_editor.differences()
+    shared_editor._reset()
+    assert not shared_editor.differences()
 
 
-def test_comparing_the_window_does_not_paint(editor, kept_editor):
+def test_comparing_the_window_does_not_paint(editor, shared_editor):
     """What the drawing keeps of a frame was told of: each test had its window painted once more."""
     editor.window.canvas.camera.show_box((0, 0.1), (0, 0.08))
     editor.settle()
@@ -125,8 +125,8 @@ def test_comparing_the_window_does_not_paint(editor, kept_editor):
     def count():
         paints.append(1)
 
-    kept_editor._reset()
+    shared_editor._reset()
     editor.window.canvas.painted.connect(count)
-    assert not kept_editor.differences()
+    assert not shared_editor.differences()
     editor.window.canvas.painted.disconnect(count)
     assert not paints

@@ -1,4 +1,4 @@
-"""Coincident points: the rules that go by distances offer the one that does not."""
+"""Coincident points: the rules by distance offer the uniform rule."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Writers say how far they are, curve by curve, and end where they are told to stop."""
+"""Writers report their progress curve by curve, and stop on request."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What changes the document during a gesture: it finds the document without the gesture's preview."""
+"""Edits during a gesture act on the committed document, without the preview of the gesture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A curve while a few of its parameters move, against the curve evaluated anew and exact fractions."""
+"""Curve with a few moving parameters, compared with the curve evaluated anew and exact fractions."""
 
 from __future__ import annotations
 

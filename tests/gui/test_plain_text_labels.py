@@ -1,4 +1,4 @@
-"""Names, paths and messages are shown as they are written: no HTML, no shortcut, nothing left out."""
+"""Names, paths and messages are displayed literally: no HTML, no mnemonic, nothing left out."""
 
 from __future__ import annotations
 

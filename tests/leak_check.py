@@ -3,7 +3,7 @@
 Looked at after each test, and cleaned up, so that one failure stays one failure: timers, threads, child
 processes and windows that are new; event loops that end at once, because the application was told to quit;
 and settings of the process that have changed: signal handlers, hooks, the collector, folder, environment,
-locale. The window that is kept for the next test (``gui/kept_window.py``) has the property ``isKept``.
+locale. The window that is kept for the next test (``gui/shared_window.py``) has the property ``isKept``.
 """
 
 from __future__ import annotations
@@ -162,7 +162,7 @@ class Before:
         )
         self.timers = set(_active_timers())
 
-    def left_over(self) -> list[str]:
+    def leaks(self) -> list[str]:
         """Return what is new or has changed, in words, and clean it up."""
         # First of all: what has ended is told by events, and stops timers.
         found = self._threads()
@@ -211,7 +211,7 @@ class Before:
         return [f"process {each.args} of {_processes[each]}" for each in left]
 
     def _timers(self) -> list[str]:
-        left = [each for each in _active_timers() if each not in self.timers and not _is_of_kept_window(each)]
+        left = [each for each in _active_timers() if each not in self.timers and not _is_of_window(each)]
         for each in left:
             each.stop()
         return [f"timer of {each.interval()} ms of {_timers[each]}" for each in left]
@@ -269,7 +269,7 @@ def _active_timers() -> Iterator[object]:
     yield from (each for each in list(_timers) if isValid(each) and each.isActive())
 
 
-def _is_of_kept_window(timer: object) -> bool:
+def _is_of_window(timer: object) -> bool:
     while (above := timer.parent()) is not None:
         timer = above
     return bool(timer.property("isKept"))
@@ -300,9 +300,9 @@ _note_makers(subprocess.Popen, _processes)
 
 
 @pytest.fixture(autouse=True)
-def _nothing_left_over():
+def _no_leaks():
     """Fail a test that leaves something behind."""
     before = Before()
     yield
-    found = before.left_over()
-    assert not found, f"left over: {'; '.join(found)}"
+    leaks = before.leaks()
+    assert not leaks, f"left over: {'; '.join(leaks)}"

@@ -1,4 +1,4 @@
-"""What planted tests leave behind is named, and gone when the next test begins."""
+"""Planted leaks of tests are named, and gone when the next test begins."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ import gc, os, signal, subprocess, sys, threading, time
 import pytest
 from PySide6.QtCore import QEventLoop, QLocale, QObject, QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
-from tests import left_over
+from tests import leak_check
 
-left_over.GRACE_S = 0.1
+leak_check.GRACE_S = 0.1
 kept = []
 ended = threading.Event()
 
@@ -179,7 +179,7 @@ def planted(tmp_path_factory):
     folder = tmp_path_factory.mktemp("planted")
     (folder / "test_planted.py").write_text(PLANTED)
     (folder / "pytest.ini").write_text("[pytest]\nqt_api = pyside6\n")
-    plugins = ("-p", "pytestqt.plugin", "-p", "tests.left_over", "-p", "no:cacheprovider")
+    plugins = ("-p", "pytestqt.plugin", "-p", "tests.leak_check", "-p", "no:cacheprovider")
     options = ("-q", "--tb=short", "--color=no", "-c", str(folder / "pytest.ini"))
     done = subprocess.run(
         [sys.executable, "-m", "pytest", *plugins, *options, str(folder)],
@@ -193,12 +193,12 @@ def planted(tmp_path_factory):
 
 
 @each_row("kind", NAMED)
-def test_a_leftover_is_reported_for_the_test_that_left_the_object(planted, kind):
+def test_a_leak_is_reported_for_its_test(planted, kind):
     parts = re.split(r"^_+ ERROR at teardown of test_(\w+) _+$", planted, flags=re.MULTILINE)
-    told = dict(zip(parts[1::2], parts[2::2], strict=True))
-    assert re.search(f"left over: {NAMED[kind]}", told[kind]), told[kind]
+    reports = dict(zip(parts[1::2], parts[2::2], strict=True))
+    assert re.search(f"left over: {NAMED[kind]}", reports[kind]), reports[kind]
 
 
-def test_nothing_else_is_named_and_each_is_cleaned_up(planted):
+def test_only_leaks_are_reported_and_every_leak_is_cleaned_up(planted):
     count = len(re.findall(r"^def test_", PLANTED, flags=re.MULTILINE))
     assert f"{count} passed, {len(NAMED)} errors" in planted, planted
