@@ -268,8 +268,9 @@ class Selection:
             session.selected_curves_changed.emit(self.curves)
 
     def restore(self, state: SelectionState) -> None:
-        """Restore a selection; its active curve is the active one already."""
-        self._take(state.curves if state.is_editing else state.whole_curves, is_editing=state.is_editing)
+        """Restore a selection, with its active curve."""
+        curves = state.curves if state.is_editing else state.whole_curves
+        self._take(curves, state.active, is_editing=state.is_editing)
         self.set_group(state.points)
 
     def make_active(self, index: int) -> None:

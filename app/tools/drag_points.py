@@ -2,7 +2,7 @@
 
 In order of time: the press decides which points move and what a click selects; every move computes the
 document anew from the press; the release makes one undo step (`Drag.release`); Escape restores document and
-selection (`Drag.cancel`).
+selection (`Toolbox.cancel`).
 """
 
 from __future__ import annotations

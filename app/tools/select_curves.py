@@ -279,11 +279,6 @@ class RubberBand(Gesture, kw_only=True):
     start: Vector
     before: SelectionState
 
-    def cancel(self, event: ToolEvent) -> None:
-        """Restore the selection before."""
-        event.session.selected.restore(self.before)
-        super().cancel(event)
-
     def marks(self, event: ToolEvent) -> Marks:
         """Return the band."""
         return Marks(band=(self.start, event.pointer.position) if self.has_moved else None)

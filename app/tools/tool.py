@@ -205,7 +205,7 @@ class Gesture(msgspec.Struct, kw_only=True):
         """End; the last move has been made."""
 
     def cancel(self, event: ToolEvent) -> None:
-        """Restore the state before the press."""
+        """Restore what the gesture has changed besides document and selection: the toolbox restores these."""
         event.session.say(CANCELLED)
 
     def wants_key(self, key: str) -> bool:
@@ -282,22 +282,17 @@ class Drag(Gesture, kw_only=True):
         event.session.preview(document, selects=self.selects)
 
     def release(self, event: ToolEvent) -> None:
-        """Make the previewed document a step of the history."""
+        """Make the previewed document a step; where the last move was refused, it is the last good one."""
         session = event.session
-        if self.refusal:
-            session.refuse(self.refusal)
         if session.commit(session.document, self.undo_text(event.pointer)):
             self.committed(event)
+        if self.refusal:
+            session.refuse(self.refusal)
 
     def committed(self, event: ToolEvent) -> None:
         """Say the remark, after the step has been made."""
         if self.remark:
             event.session.say(f"{self.remark}.")
-
-    def cancel(self, event: ToolEvent) -> None:
-        """Restore the document and the selection."""
-        event.session.cancel()
-        super().cancel(event)
 
     def status(self, event: ToolEvent) -> str:
         """Return the amount, the remark and the keys; or why nothing changes."""

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from ..document.limits import EditError
 from ..document.model import Vector
+from ..document.selection import SelectionState
 from ..view_model.settings import SettingValues
 from .background import Background
 from .box import SelectionBox
@@ -61,6 +62,7 @@ class Toolbox:
         self._made = {record.name: record.make()}
         self._gesture: Gesture | None = None
         self._is_buttonless = False
+        self._selection_before: SelectionState | None = None
         self._pointer = Pointer((0.0, 0.0), (0.0, 0.0))
 
     @property
@@ -125,6 +127,7 @@ class Toolbox:
         `buttonless`: it follows the pointer with no button down until a click, Enter or Escape.
         """
         self._end()
+        before = self._session.selected.state
         try:
             gesture = make(self._at(pointer))
         except EditError as reason:
@@ -132,7 +135,7 @@ class Toolbox:
             return False
         if gesture is None:
             return False
-        self._gesture, self._is_buttonless = gesture, buttonless
+        self._gesture, self._is_buttonless, self._selection_before = gesture, buttonless, before
         gesture.pressed_at = pointer.pixel
         if gesture.starts_at_press or buttonless:
             gesture.has_moved = True
@@ -160,11 +163,17 @@ class Toolbox:
             gesture.click(self.event)
 
     def cancel(self) -> bool:
-        """Cancel the gesture in flight; return whether there was one."""
-        gesture = self._end()
-        if gesture is not None and gesture.has_moved:
+        """Cancel the gesture in flight, with what its press has selected; return whether there was one."""
+        before, selected, gesture = self._selection_before, self._session.selected, self._end()
+        if gesture is None:
+            return False
+        self._session.cancel()
+        if before is not None and selected.state != before:
+            selected.restore(before)
+            self._session.say(CANCELLED)
+        if gesture.has_moved:
             gesture.cancel(self.event)
-        return gesture is not None
+        return True
 
     def abandon(self) -> None:
         """Drop the gesture in flight as it is: the document was replaced by another change."""
@@ -173,6 +182,7 @@ class Toolbox:
     def _end(self) -> Gesture | None:
         """Return the gesture that was in flight; from now on there is none."""
         gesture, self._gesture, self._is_buttonless = self._gesture, None, False
+        self._selection_before = None
         self.snapping.reset()
         return gesture
 

@@ -173,6 +173,63 @@ def test_another_tool_in_mid_drag_cancels_the_drag(arch):
         arch.trigger("selectTool")
 
 
+# The selection
+
+
+@pytest.mark.parametrize("moved", [0.0, 0.7])
+@pytest.mark.parametrize("tool", ["selectTool", "addTool"])
+def test_escape_restores_the_selection_from_before_the_press_on_a_point(arch, tool, moved):
+    arch.trigger(tool)
+    arch.select([0])
+    document, (x, y) = arch.session.document, arch.point(2)
+    arch.press((x, y))
+    assert arch.session.selection == {2}
+    if moved:
+        arch.move((x + moved, y + moved))
+    arch.escape()
+    assert arch.session.selection == {0}
+    assert arch.status == "Cancelled."
+    arch.release((x + moved, y + moved))
+    assert (arch.session.selection, arch.session.document) == ({0}, document)
+    arch.press((x, y))
+    arch.release((x, y))
+    assert arch.session.selection == {2}
+
+
+@pytest.mark.parametrize("moved", [0.0, 0.7])
+def test_escape_restores_the_active_curve_from_before_a_press_on_another_edited_curve(arch, moved):
+    session = arch.session
+    below = make_curve([(x, y - 2.5) for x, y in POINTS], family=HERMITE)
+    session.commit(Document((*session.document.curves, below)), "Begin")
+    session.selected.select_whole({0, 1})
+    arch.key(Key.Key_Return)
+    other = 1 - session.active_index
+    arch.select([3])
+    before, at = session.selected.state, session.document.curves[other].points[1].position
+    arch.press(at)
+    assert (session.active_index, session.selection) == (other, {1})
+    if moved:
+        arch.move((at[0] - moved, at[1] + moved))
+    arch.escape()
+    assert session.selected.state == before
+    assert arch.status == "Cancelled."
+    arch.release(at)
+    assert session.selected.state == before
+
+
+@pytest.mark.parametrize("moved", [0.0, 0.7])
+def test_escape_restores_the_selection_from_before_alt_and_a_press_on_a_point(arch, moved):
+    arch.select([0])
+    x, y = arch.point(2)
+    arch.press((x, y), keys=Qt.KeyboardModifier.AltModifier)
+    if moved:
+        arch.move((x + moved, y + moved), keys=Qt.KeyboardModifier.AltModifier)
+    arch.escape()
+    assert arch.session.selection == {0}
+    arch.release((x + moved, y + moved))
+    assert arch.session.selection == {0}
+
+
 # Two buttons
 
 

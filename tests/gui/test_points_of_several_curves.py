@@ -287,7 +287,10 @@ def test_handles_of_both_contours_are_visible_and_can_be_dragged(letter):
     letter.key(Key.Key_Escape)
     letter.release((-2.0, -1.5))
     assert letter.session.document is before
-    # Now it is the one of the outer contour that belongs to another curve.
+    # Escape restored the active curve too.
+    assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Outer")
+    # With the other contour active, the handle of the outer one belongs to another curve.
+    letter.session.selected.switch_active(1)
     assert (selected(letter), letter.curve.name) == ({0: {2}, 1: {2}}, "Inner")
     letter.drag((-3.0, -1.5), (-3.5, -2.0))
     after = letter.session.document.curves

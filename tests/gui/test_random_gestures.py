@@ -113,8 +113,9 @@ class Gestures(RuleBasedStateMachine):
             # Whole curves are chosen, or none: no point of them.
             assert selected.whole_curves in (set(), selected.curves)
             assert not selected.points
-            # Tools that begin no curve and find no other ones have a curve that is edited.
-            assert Part.OTHER_CURVE in self.tool.tool.hits or self.tool.record.empty_message
+            # Tools that edit points, begin no curve and find no other ones have a curve that is edited.
+            tool, record = self.tool.tool, self.tool.record
+            assert Part.OTHER_CURVE in tool.hits or record.empty_message or not tool.edits_points
 
     @invariant()
     def the_document_can_be_saved(self):
@@ -212,7 +213,8 @@ class Gestures(RuleBasedStateMachine):
             return grips[number % len(grips)][1]
         return anywhere
 
-    def end(self, tool, ending, pointer):
+    def end(self, tool, ending, pointer, selection):
+        """End a gesture; cancelled, it restores the selection of before its press."""
         # Equal to the value of the list; nudges there and back may have made another object of it.
         before = self.session.committed
         if ending == "release":
@@ -230,7 +232,8 @@ class Gestures(RuleBasedStateMachine):
             tool.release(pointer)
             assert self.session.document is before
         else:
-            assert tool.cancel() or not tool.is_pressed
+            assert not tool.cancel() or self.session.selected.state == selection
+            assert not tool.is_pressed
             assert self.session.document is before
             tool.release(pointer)
             assert self.session.document is before
@@ -245,12 +248,13 @@ class Gestures(RuleBasedStateMachine):
     def drag(self, aim, held, moves, ending):
         at = self.aimed(aim)
         self.tool.hover(self.pointer(at, held))
+        selection = self.session.selected.state
         self.tool.press(self.pointer(at, held))
         for position, modified in moves:
             self.tool.move(self.pointer(position, modified))
             self.tool.status()
             self.tool.marks()
-        self.end(self.tool, ending, self.pointer(*moves[-1]))
+        self.end(self.tool, ending, self.pointer(*moves[-1]), selection)
 
     @rule(aim=aims, held=modifiers, is_double=st.booleans())
     def click(self, aim, held, is_double):
@@ -278,6 +282,7 @@ class Gestures(RuleBasedStateMachine):
 
     @rule(kind=st.sampled_from(list(TransformKind)), at=places, moves=moves, keys=keys, ending=endings)
     def transform(self, kind, at, moves, keys, ending):
+        selection = self.session.selected.state
         if not self.tool.begin(
             lambda event: transform_by_key(event, kind), self.pointer(at), buttonless=True
         ):
@@ -294,7 +299,7 @@ class Gestures(RuleBasedStateMachine):
                 self.tool.cancel()
             self.note()
         else:
-            self.end(self.tool, ending, self.pointer(at))
+            self.end(self.tool, ending, self.pointer(at), selection)
 
     @rule(knot=st.integers(0, 20), to=st.integers(-10, 110), ending=endings)
     def drag_tick(self, knot, to, ending):
@@ -304,10 +309,11 @@ class Gestures(RuleBasedStateMachine):
         knot %= len(view.parameters)
         t = float(view.parameters[knot])
         self.tick = Hit(Part.TICK, view.owner(knot), (t, 0.0), knot=knot)
+        selection = self.session.selected.state
         self.rail.press(Pointer((t, 0.0), (100 * t, 0.0)))
         pointer = Pointer((to / 100, 0.0), (float(to), 0.0))
         self.rail.move(pointer)
-        self.end(self.rail, ending, pointer)
+        self.end(self.rail, ending, pointer, selection)
 
     @rule(
         direction=st.sampled_from(["right", "left", "down"]),

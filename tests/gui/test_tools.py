@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QWidget
 
 from app.document import point_edits
+from app.document.limits import EditError
 from app.document.model import Point
 from app.document.words import NamedEnum
 from app.testing import Editor
@@ -51,6 +52,8 @@ class Raise(Drag, kw_only=True):
         return f"Raised to {pointer.position[1]:.1f}"
 
     def document_at(self, pointer):
+        if pointer.position[1] < 0:
+            raise EditError("The point cannot be below zero.")
         count = len(self.document.curves[self.curve].points)
         return point_edits.insert_points(self.document, self.curve, count, [Point(*self.head(pointer))])
 
@@ -148,6 +151,18 @@ def test_a_drag_is_one_step_and_its_marks_are_drawn(raising):
     assert canvas.marks == Marks()
     raising.trigger("undo")
     assert session.document == before
+
+
+def test_a_drag_whose_last_move_is_refused_ends_with_the_last_good_document_and_the_reason(raising):
+    steps = raising.session.undo_stack.count()
+    raising.press(FOOT)
+    raising.move(HEAD)
+    raising.move((2.5, -0.5))
+    assert raising.status == "The point cannot be below zero."
+    raising.release((2.5, -0.5))
+    assert raising.session.undo_stack.count() == steps + 1
+    assert raising.point(-1) == pytest.approx((FOOT[0], HEAD[1]), abs=raising.pixel)
+    assert raising.status == "The point cannot be below zero."
 
 
 @pytest.mark.parametrize("way_out", ["escape", "right button"])
