@@ -225,7 +225,8 @@ def functions_of(name):
 def test_every_goal_has_a_function_that_reaches_the_goal_and_quotes_the_step(name):
     steps, functions = load_lesson(name).steps, functions_of(name)
     with_goals = {f"reach_goal_{number}" for number, step in enumerate(steps, start=1) if step.goal}
-    assert {key for key in functions if key.startswith("reach_goal_")} == with_goals
+    reaching = {key for key in functions if key.startswith("reach_goal_")}
+    assert reaching == with_goals, f"resources/lessons/{name}/lesson.py needs one function for each goal"
     for key, function in functions.items():
         step = steps[int(key.rpartition("_")[2]) - 1]
         assert function.__doc__.rstrip(".").casefold() in step.text.casefold(), key
@@ -255,6 +256,7 @@ def reach_every_goal(student, qtbot, name):
         assert "Goal" in goal.text(), (name, number)
         assert "Reached" not in goal.text(), (name, number)
         assert "have changed" not in goal.text(), (name, number)
+        assert reach_goal is not None, f"resources/lessons/{name}/lesson.py has no reach_goal_{number}"
         reach_goal(student)
         student.settle()
         assert "Reached" in goal.text(), (name, number, goal.text())

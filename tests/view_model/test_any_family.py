@@ -566,7 +566,7 @@ def test_remarks_and_facts_hold_for_a_curve_of_any_family(name):
 @each_row("name", EVERY)
 def test_every_goal_of_a_lesson_can_be_measured_on_a_curve_of_any_family(name):
     view = view_of(curve_of(name))
-    for measure in MEASURES:
+    for measure in [measure for measure, record in MEASURES.items() if record.words is None]:
         assert "now" in result_of(parse_goal(f"{measure} < 1"), view).text
     everything = parse_goal("points > 3", kept="points, family, rule")
     assert result_of(everything, view, view.source).is_met

@@ -163,6 +163,8 @@ def test_a_single_point_meets_no_goal():
         "lebesgue < many",
         "length < 3",
         "family < hermite",
+        "family = circle",
+        "rule = arc_length",
         "__import__('os') = 1",
         "points < 3; x",
     ],

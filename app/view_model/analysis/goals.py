@@ -1,9 +1,9 @@
 """Goals of lessons, measured on the active curve.
 
 A goal is written as ``measure comparison value``: ``lebesgue < 5``, ``family = quintic_hermite``. It names
-its curve and the conditions under which it counts (`KEPT`), so that nobody makes Λ small by deleting points.
-No part of the text is executed: measures and conditions are names in tables. The Python file of a lesson
-that comes with the program can add to both tables.
+its curve and the conditions under which it counts, so that nobody makes Λ small by deleting points. No part
+of the text is executed: measures and conditions are names in two tables, `MEASURES` and `KEPT`. The Python
+file of a lesson that comes with the program can add to both.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 
 from curvecore import CurveError, chord_length, joint_report
 
-from ...document.model import Curve
+from ...document.model import Curve, ParametrizationKind
 from ...document.words import number
 from ...families import FAMILIES
 from ..basis import growth_of_points
@@ -50,14 +50,14 @@ class Measure(NamedTuple):
     label
         Beginning of the sentence that states the goal.
     value_of
-        Value of a current view: a number, or a word where there is `title_of`.
-    title_of
-        Function that returns the displayed text of a word; None for numbers.
+        Value of a current view: a number, or one of the words.
+    words
+        Returns all values that are words, with their displayed texts; None where the values are numbers.
     """
 
     label: str
     value_of: Callable[[CurveView], float | str]
-    title_of: Callable[[str], str] | None = None
+    words: Callable[[], dict[str, str]] | None = None
 
 
 class Condition(NamedTuple):
@@ -76,7 +76,7 @@ class Condition(NamedTuple):
 
 
 Measures = Mapping[str, tuple[str, Callable[[CurveView], float]]]
-"""Label and function of measures that are numbers, by the name in the text of a goal."""
+"""Label and function of the measures of a lesson, all of them numbers, by the name in the text of a goal."""
 
 Conditions = Mapping[str, tuple[Callable[[CurveView, Curve], bool], str]]
 """Function and clause of conditions, by the name in the text of a goal."""
@@ -134,14 +134,16 @@ def parse_goal(
     if parts is None:
         raise GoalError(f"“{text}” is not a goal; write “measure < value”")
     name, comparison, value = parts.groups()
-    known = _WORDS | {key: Measure(*labelled) for key, labelled in {**MEASURES, **(measures or {})}.items()}
+    known = MEASURES | {key: Measure(*labelled) for key, labelled in (measures or {}).items()}
     if name not in known:
         raise GoalError(f"“{name}” is not a measure; the measures are {', '.join(known)}")
     goal = Goal(known[name], comparison, value, curve, _conditions(kept, {**KEPT, **(conditions or {})}))
-    if goal.measure.title_of is None:
+    if goal.measure.words is None:
         _number(goal)
     elif comparison != "=":
         raise GoalError(f"“{text}”: {name} can only be =")
+    elif value not in (words := goal.measure.words()):
+        raise GoalError(f"“{value}” is not a {name}; write one of {', '.join(words)}")
     return goal
 
 
@@ -167,8 +169,8 @@ def result_of(goal: Goal, view: CurveView, given: Curve | None = None) -> GoalRe
 
 
 def _sentence(goal: Goal) -> str:
-    if goal.measure.title_of is not None:
-        return f"{goal.measure.label} {goal.measure.title_of(goal.value)}"
+    if goal.measure.words is not None:
+        return f"{goal.measure.label} {goal.measure.words().get(goal.value, goal.value)}"
     return f"{goal.measure.label}: {_COMPARISONS[goal.comparison][1]} {goal.value}"
 
 
@@ -241,24 +243,21 @@ KEPT: Conditions = {
 }
 """Conditions by name."""
 
-MEASURES: Measures = {
-    "points": ("Number of points", lambda view: float(len(view.points))),
-    "lebesgue": ("Lebesgue constant Λ", growth_of_points),
-    "overshoot": ("Overshoot in percent", _overshoot),
-    "smoothness": ("Derivatives certified continuous at every joint", _smoothness),
-    "chord_gap": ("Largest distance from the chord-length parameters", _chord_gap),
-}
-"""Measures that are numbers, by name."""
-
-_WORDS = {
+MEASURES = {
     "family": Measure(
         "The family is",
         lambda view: str(view.source.family),
-        lambda name: FAMILIES.named(name).title,
+        lambda: {family.name: family.title for family in FAMILIES},
     ),
-    "parametrization": Measure(
+    "rule": Measure(
         "The rule for the parameters is",
         lambda view: str(view.source.parametrization.kind),
-        lambda name: name.replace("_", " "),
+        lambda: {str(kind): str(kind).replace("_", " ") for kind in ParametrizationKind},
     ),
+    "points": Measure("Number of points", lambda view: float(len(view.points))),
+    "lebesgue": Measure("Lebesgue constant Λ", growth_of_points),
+    "overshoot": Measure("Overshoot in percent", _overshoot),
+    "smoothness": Measure("Derivatives certified continuous at every joint", _smoothness),
+    "chord_gap": Measure("Largest distance from the chord-length parameters", _chord_gap),
 }
+"""Measures by name."""

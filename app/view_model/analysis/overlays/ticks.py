@@ -34,4 +34,5 @@ TICKS = Overlay(
     rank=50,
     draw=ticks,
     settings=(COUNT,),
+    legend=lambda _view, _settings: [(TICK, "Equal steps of t")],
 )
