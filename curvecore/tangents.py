@@ -44,7 +44,7 @@ def in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, Flo
         if not np.isfinite(estimates).all():
             i = int(np.argmin(np.isfinite(estimates).all(axis=1)))
             raise CurveError(
-                f"points around {i} lie too far apart for parameters so close: "
+                f"points around {i} lie too far apart for such close parameters: "
                 "the derivative there exceeds the largest number",
                 (i,),
             )

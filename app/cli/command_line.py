@@ -86,7 +86,7 @@ def common_options() -> argparse.ArgumentParser:
         choices=LEVELS,
         metavar="LEVEL",
         default="",
-        help=f"log what the program does ({', '.join(LEVELS)}), without names and points",
+        help=f"log the actions of the program ({', '.join(LEVELS)}), without names and points",
     )
     parser.add_argument(
         "--families",

@@ -304,7 +304,7 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         "--thin",
         type=positive_number,
         metavar="X",
-        help="keep only the rows of a table that a curve within X of all rows needs",
+        help="keep only as many rows of a table as a curve within X of all rows needs",
     )
     add(
         "--corners",

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
-_BRING_IT_IN = " Bring the place into view first: editor.fit() shows the whole curve, editor.wheel(…) zooms."
+_BRING_IT_IN = " Bring that pixel into view first: editor.fit() shows the whole curve, editor.wheel(…) zooms."
 
 
 class ImpossibleError(RuntimeError):

@@ -132,7 +132,7 @@ class DragHandle(Drag, kw_only=True, dict=True):
     def amount(self, pointer: Pointer) -> str:
         """Return the derivative by its length and direction."""
         label = label_of_handle(self.hit, self.view)
-        broken = ", a corner now" if self._breaks(pointer) else ""
+        broken = ", now a corner" if self._breaks(pointer) else ""
         return f"{label[0].upper()}{label[1:]}: {words.polar(self._derivative_at(pointer))}{broken}"
 
 

@@ -66,7 +66,7 @@ class Reshaped(msgspec.Struct, frozen=True):
         if self.parameters_moved:
             return f"The parameters changed: largest change {number(self.residual, 2)}."
         words = outcome(self.residual, (self.curve,))
-        manual = "The parameters are manual now." if self.left_rule else ""
+        manual = "The parameters are now manual." if self.left_rule else ""
         return " ".join(part for part in (words[0].upper() + words[1:], manual, self.note) if part)
 
 

@@ -248,7 +248,7 @@ class LateDock(Dock):
                 self.widget().setStyleSheet(sheet)
 
 
-_FLOAT_TIP, _DOCK_TIP = "Float as a separate window", "Dock in the window"
+_FLOAT_TIP, _DOCK_TIP = "Float the panel as a separate window", "Dock in the window"
 
 
 class DockTitle(FollowsTheme, QWidget):

@@ -161,7 +161,7 @@ _LEBESGUE_TIP = (
     "Lebesgue constant: the factor by which errors of the points can grow on the curve, "
     "including the velocities and accelerations estimated from them"
 )
-_HOLDS_TIP = "; it holds for small errors in x or y, whichever grow more, and depends on the points"
+_HOLDS_TIP = "; it holds for small errors in x or y, whichever grows more, and depends on the points"
 
 """Milliseconds after which numbers are written that change with every move: nobody reads faster."""
 

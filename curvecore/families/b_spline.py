@@ -17,7 +17,7 @@ from curvecore.parametrization import with_one_more
 
 
 class BSplineCurve(ParametricCurve):
-    """Cubic pieces that join with continuous curvature, each pulled by four control points.
+    """Cubic pieces that join with continuous curvature, each shaped by four control points.
 
     Clamped: the curve begins at the first control point and ends at the last. The knots inside are
     t_2, ..., t_(n-3), as for the interpolating spline without knots next to its ends: n points have n - 4 of

@@ -62,7 +62,7 @@ _CHUNK = 1 << 15  # function values at a time
 
 
 class BezierCurve(ParametricCurve):
-    """One polynomial from the first control point to the last, pulled by the others.
+    """One polynomial from the first control point to the last, shaped by the others.
 
     Of degree n - 1: c(t) = sum over i of B_i(x) p_i with the Bernstein functions
     B_i(x) = C(n - 1, i) x**i (1 - x)**(n - 1 - i), x = (t - t_0) / (t_(n-1) - t_0) [1]_. The parameters

@@ -353,7 +353,7 @@ class CubicSplineCurve(ParametricCurve):
         if not finite.all():
             index = int(np.argmin(finite))
             raise CurveError(
-                f"points around {index} lie too far apart for parameters so close: "
+                f"points around {index} lie too far apart for such close parameters: "
                 "the derivative there exceeds the largest number",
                 (index,),
             )

@@ -92,7 +92,7 @@ def test_a_click_on_the_curve_adds_a_control_point_and_keeps_the_shape(drawn, na
     assert np.abs(shape(editor) - before).max() < 1e-14
     assert "Shape kept" in editor.message + editor.status
     assert editor.curve.is_manual is (name == "b_spline")
-    assert ("The parameters are manual now." in editor.message + editor.status) is (name == "b_spline")
+    assert ("The parameters are now manual." in editor.message + editor.status) is (name == "b_spline")
     (chosen,) = editor.session.selection
     reach = np.abs(curve_of(editor).nodes - t)
     assert reach[chosen] <= reach.min() + 0.02  # the click is a pixel or two beside t

@@ -42,7 +42,7 @@ def test_the_unit_is_a_step_of_the_history_and_the_numbers_stay(editor, panel):
     retype(editor, unit_line(panel), "mm")
     assert (editor.session.document.unit, editor.curve.points) == ("mm", points)
     assert editor.session.undo_stack.undoText() == "Set the unit"
-    assert editor.status == "Lengths are in mm now; the numbers are unchanged."
+    assert editor.status == "Lengths are now in mm; the numbers are unchanged."
     editor.hover((1.5, 0.5))
     assert editor.window.context.status_line.readouts.unit == "mm"
     assert editor.window.canvas.drawing.units.text(editor.window.canvas.pixel_map) == "mm"

@@ -102,7 +102,7 @@ def test_the_closing_segment_is_halved_and_unconnected_ends_are_refused(editor):
     editor.key(Qt.Key.Key_Insert)
     assert len(editor.curve.points) == 6
     assert editor.session.selected.points == {0, 4, 5}
-    assert "The parameters are manual now." in editor.status
+    assert "The parameters are now manual." in editor.status
 
 
 def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor):
@@ -123,7 +123,7 @@ def test_under_a_rule_the_shape_stays_as_the_parameters_become_manual(editor):
         assert drawn(editor) == pytest.approx(before, abs=1e-9), (act, kind)
         assert editor.curve.is_manual, (act, kind)
         assert "shape kept" in editor.status.lower(), (act, kind)
-        assert editor.status.endswith("The parameters are manual now."), (act, kind)
+        assert editor.status.endswith("The parameters are now manual."), (act, kind)
         editor.trigger("undo")
         assert editor.session.document == document, (act, kind)
 

@@ -219,7 +219,7 @@ def test_alt_separates_the_handles_only_while_the_key_is_pressed(bow, kind):
     assert kind_at(bow.session.active_view, 2) is not CORNER
     bow.move(goal, keys=ALT)
     assert kind_at(bow.session.active_view, 2) is CORNER
-    assert "a corner now" in bow.status
+    assert "now a corner" in bow.status
     # The other handle is where it was before the drag.
     assert positions(bow)[0] == pytest.approx(behind)
     bow.move(goal)

@@ -146,7 +146,7 @@ def test_one_more_control_point_keeps_the_shape_under_every_rule(family, count, 
         assert distance(before, after) < ROUNDING
         assert not made.parameters_moved
         assert made.left_rule is (made.curve.is_manual and kind is not ParametrizationKind.MANUAL)
-        assert made.sentence.endswith("The parameters are manual now.") is made.left_rule
+        assert made.sentence.endswith("The parameters are now manual.") is made.left_rule
         if family.name == "bezier":
             assert made.curve.parametrization.kind is kind
         # The one that is called the new one is the nearest to the place on the curve, by its parameter.

@@ -253,7 +253,7 @@ class _Rows:
         """
         left = np.delete(self.rows, rows)
         if len(left) < 2:
-            raise ExchangeError("All points coincide; there is no curve through them.")
+            raise ExchangeError("All points coincide; no curve can pass through them.")
         return replace(self, rows=left)
 
     def vectors(self, field: str, some: slice) -> list[Vector | None]:
@@ -294,7 +294,7 @@ def _points(rows: _Rows, family: Family, report: Report) -> Iterator[Point]:
     """Yield the points of all rows, made of some rows at a time: lists of all would double the memory."""
     x, y, times = rows.column("x"), rows.column("y"), rows.t
     for first in range(0, len(x), _ROWS_AT_ONCE):
-        report(first / len(x), "Making a curve")
+        report(first / len(x), "Creating a curve")
         some = slice(first, first + _ROWS_AT_ONCE)
         nothing: list[Vector | None] = [None] * len(x[some])
         fields = [

@@ -91,7 +91,7 @@ def thin_out(
         raise ExchangeError("The tolerance must be a positive number.")
     t, distinct = _lengths_along(points) if parameters is None else (parameters, np.arange(len(points)))
     if len(distinct) < 2:
-        raise ExchangeError("All points coincide; there is no curve through them.")
+        raise ExchangeError("All points coincide; no curve can pass through them.")
     points = points[distinct]
     indices = _enough_points(points, t, tolerance, thinning is Thinning.CURVE, report)
     return ThinnedPoints(distinct[indices], t[indices], float(_distances(points, t, indices).max()))

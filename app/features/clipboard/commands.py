@@ -102,7 +102,7 @@ class HighlightCommands:
     @action("duplicateSelection", "Duplicate", EDIT_CLIPBOARD, "Ctrl+D", "duplicate", needs=HIGHLIGHTED)
     @also(POINT_MENU(34))
     def _duplicate(self) -> None:
-        """Duplicate the part with the selected points, or else the selected curves."""
+        """Duplicate the segments between the selected points, or else the selected curves."""
         session, what = self._session, highlighted(self._context)
         parts = parts_of(session.views, what.points)
         if all(part in session.document.curves for part in parts):

@@ -205,7 +205,7 @@ class ShapeCommands:
         what = name_or_count(session.document, curves)
         if session.change(f"Break {what} apart", lambda document: break_apart(document, curves)):
             self._choose(curves)
-            session.say(f"{count_of(len(curves), 'curve')}; each has its own fill now.")
+            session.say(f"{count_of(len(curves), 'curve')}; each now has its own fill.")
 
     @action(
         "deleteContour",

@@ -52,9 +52,9 @@ class DocumentSettingsCommands:
             canvas.drawing.units.render(document.unit)
             self._context.status_line.readouts.show_unit(document.unit)
             if before is not None and before[0] != document.unit and self._panel is not None:
-                name = f"are in {document.unit}" if document.unit else "have no unit"
+                name = f"are now in {document.unit}" if document.unit else "now have no unit"
                 note = exchange.units.note_of_unknown(document.unit)
-                self._session.say(f"Lengths {name} now; the numbers are unchanged. {note}".rstrip())
+                self._session.say(f"Lengths {name}; the numbers are unchanged. {note}".rstrip())
         self._render_panel()
 
     def _render_panel(self) -> None:

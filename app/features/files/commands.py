@@ -49,7 +49,7 @@ class DocumentCommands:
     def _clear_recent(self) -> None:
         """Clear the list of recent files; the files are not deleted."""
         self._context.preferences.clear_recent_files()
-        self._context.session.say("The list of recent files is empty now.")
+        self._context.session.say("The list of recent files is now empty.")
 
     @action("saveDocument", "Save", FILE_SAVE, "Ctrl+S", "save")
     @also(TOOLBAR(12))

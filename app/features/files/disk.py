@@ -352,7 +352,7 @@ class DiskCommands(QObject):
         self._file.take_over()
         self._standing, self._refusal = Ownership.OURS, None
         self._session.file_changed.emit()
-        self._session.say(f"You can save {self._file.path.name} in this window now.")
+        self._session.say(f"You can now save {self._file.path.name} in this window.")
         self._check_file()
 
 

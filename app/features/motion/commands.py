@@ -38,7 +38,7 @@ class _Choice(NamedTuple):
 
 _REPEATS = (
     _Choice(Repeat.ONCE, "Once", "Run to the end of the curve and stop", "Play Motion Once"),
-    _Choice(Repeat.LOOP, "Loop", "Start again at the end", "Loop Motion", "loop"),
+    _Choice(Repeat.LOOP, "Loop", "Start again from the beginning", "Loop Motion", "loop"),
     _Choice(Repeat.PING_PONG, "Ping-Pong", "Run back and forth", "Ping-Pong Motion"),
 )
 _PACES = (
@@ -116,7 +116,7 @@ class MotionCommands:
         needs=Need("", lambda state: state.window.motion_visible, "No motion is shown."),
     )
     def _stop(self) -> None:
-        """End the motion (Escape)."""
+        """Stop the motion (Escape)."""
         self.stage.player.stop()
 
     @action("motionSlower", "Slower", MOTION_RUN, "J", "slower", full_name="Slower Motion")

@@ -88,7 +88,7 @@ class OwnFamilyCommands(QObject):
         needs=Need("a family file that was just written or used", lambda state: state.window.offers_family),
     )
     def _use_offered(self) -> None:
-        """Run the template just written, or draw the curve with the family just loaded."""
+        """Use the template that was just saved, or the family that was just loaded."""
         offered = self._files.offered
         if isinstance(offered, Path):
             self._use(offered)

@@ -161,7 +161,7 @@ class RuleCommands:
         document = self._session.document
         name = common_name(document, curves)
         what = f"{count_label(document, curves)} are" if name is None else f"“{name}” is"
-        sentences = [f"{what} {family.title} now."] if len(after) > 1 else []
+        sentences = [f"{what} now {family.title}."] if len(after) > 1 else []
         away = max(map(view_model.convert.needless_change, before, after))
         if away:
             sentences.append(

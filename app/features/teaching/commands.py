@@ -88,9 +88,7 @@ class _Popup(SafeOverrides, QFrame):
             "openLaboratory", "Open the laboratory", "Compute with few digits to see the loss of accuracy"
         )
         self.explain = _link("openExplanation", "Show a cure", "Explain the widest wiggle, and try cures")
-        self.dismiss = _link(
-            "putBadgeAway", "Dismiss", "Hide this warning until there is a new reason for it"
-        )
+        self.dismiss = _link("putBadgeAway", "Dismiss", "Hide this warning until a new cause occurs")
         for button, signal in (
             (self.laboratory, badge.laboratory_wanted),
             (self.explain, badge.explanation_wanted),

@@ -178,7 +178,7 @@ class SelectionCommands:
         keywords="shear slant second click box",
     )
     def _turn_grips(self) -> None:
-        """Switch the grips of the box between scaling and rotating, as a click on a selected curve does."""
+        """Switch the grips of the box between scaling and rotating, like a click on a selected curve."""
         box = self._session.box
         box.set_turns(not box.turns)
 
@@ -203,7 +203,7 @@ class SelectionCommands:
         full_name="Transform Panel: Keep Proportions",
     )
     def _toggle_proportions(self) -> None:
-        """Scale width and height together when one of them is typed."""
+        """Scale width and height together when either is typed."""
 
 
 COMMAND_SETS = (SelectionCommands, AlignCommands, TransformPanelCommands)

@@ -299,7 +299,7 @@ class ViewCommands:
         keywords="labels indices colours plain nodes index",
     )
     def _toggle_numbers(self) -> None:
-        """Show points with numbers and colours, or plain."""
+        """Show points with numbers and colours, or without."""
 
     @switch(
         "side_panel",

@@ -25,7 +25,7 @@ from ..typed_amount import TypedAmount
 
 _SIDES = ("its width", "its height")
 _TOO_LATE = (
-    "Type width and height while you drag; later the Transform panel has fields for them. "
+    "Type width and height while you drag, or later in the Transform panel. "
     "The toolbar changes the family, or V and then the digit."
 )
 

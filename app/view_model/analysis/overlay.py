@@ -125,7 +125,7 @@ POINT_ERROR = ErrorSize(
     "pointError",
     "Error of the points",
     short="ε points",
-    tip="Largest error of every point; velocities and accelerations stay (a number or an expression)",
+    tip="Largest error of every point; velocities and accelerations are kept (a number or an expression)",
     usual=usual_error,
 )
 """In the plane's unit."""
@@ -134,7 +134,7 @@ PARAMETER_ERROR = ErrorSize(
     "parameterError",
     "Error of the parameters",
     short="δ in t",
-    tip="Largest error of every t; the band has its effect to first order (a number or an expression)",
+    tip="Largest error of every t; the band shows its first-order effect (a number or an expression)",
 )
 
 

@@ -143,7 +143,7 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     if not view.source.family.interpolates:
         words = (*_control_words(view, t, pulls), _error_words(lebesgue))
     if view.growth_holds:
-        words = (*words, f"Λ(t) is that of small errors in x or y {view.growth_holds}, whichever grow more.")
+        words = (*words, f"Λ(t) is that of small errors in x or y {view.growth_holds}, whichever grows more.")
     if view.linearised:
         words = (*words, f"The weights are those {view.linearised}.")
     is_calm, adds_up = swing <= _CALM * chord, not view.growth_holds

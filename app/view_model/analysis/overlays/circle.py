@@ -26,7 +26,7 @@ _CORNERS = 240
 NO_SCRUB = "Show the scrub line (T), and move it to the position of the circle."
 AT_REST = "c′ = 0 here: there is no circle."
 NO_BEND = "Straight here: the circle is a line."
-UNCERTAIN = "The curve is so slow here, or its parameters so close, that rounding hides the circle."
+UNCERTAIN = "The curve is too slow here, or its parameters are too close, to compute the circle."
 
 
 def circle(data: OverlayInput) -> Figures:

@@ -16,7 +16,7 @@ def polygon(data: OverlayInput) -> Figures:
 POLYGON = Overlay(
     name="polygon",
     text="Polygon of the Points",
-    tip="Join the points by straight lines",
+    tip="Join the points with straight lines",
     icon="polygon",
     group=Group.POLYGONS,
     rank=80,
