@@ -97,7 +97,7 @@ def test_info_prints_the_facts(capsys):
     assert "warning" not in rows
 
 
-def test_info_says_that_the_error_growth_of_a_nonlinear_rule_holds_at_the_given_points(tmp_path, capsys):
+def test_info_restricts_the_error_growth_of_a_nonlinear_rule_to_the_given_points(tmp_path, capsys):
     """It said 1.69, a mean of x and y. Beside a corner between straight runs there is no bound."""
     worse = [(1, 6), (0, 0), (3, 0), (1, 3), (2, 6), (4, 6), (2, 6)]
     corner = [(0, 0), (1, 1), (2, 2), (3, 1), (4, 0)]
@@ -153,7 +153,7 @@ def test_info_as_json(capsys):
         ),
     ],
 )
-def test_info_tells_the_style_and_the_unit(style, words, tmp_path, capsys):
+def test_info_prints_the_style_and_the_unit(style, words, tmp_path, capsys):
     path = tmp_path / "a.curve.json"
     curve = replace(make_curve(((0.0, 0.0), (1.0, 1.0))), style=style)
     save(path, Document((curve,), unit="mm"))
@@ -182,7 +182,7 @@ def test_render_draws_only_the_named_curves(tmp_path, capsys):
     assert "No curve or group is named “root”; the file contains leaf 1, stem." in capsys.readouterr().err
 
 
-def test_info_tells_shapes_and_groups(tmp_path, capsys):
+def test_info_prints_shapes_and_groups(tmp_path, capsys):
     path = tmp_path / "r.curve.json"
     curves = [make_curve([(0, k), (1, k)], name=name) for k, name in enumerate(("Outer", "Counter", "Leaf"))]
     inside = [replace(curve, shape="R", groups=("Logo", "Letters")) for curve in curves[:2]]
@@ -211,7 +211,7 @@ def test_info_names_degree_and_kind_of_a_rational_curve(tmp_path, capsys, count,
 
 
 @pytest.mark.parametrize(("own", "digits"), [("natural_spline", None), ("gaussian", [9, 8, 6])])
-def test_info_says_where_derivatives_are_differences(own, digits, tmp_path, capsys):
+def test_info_states_which_derivatives_are_differences(own, digits, tmp_path, capsys):
     path, file = tmp_path / "own.curve.json", Path(__file__).parent / f"data/families/{own}.py"
     family = FAMILIES.named(f"tests_{own}")
     save(path, Document((make_curve([(0, 0), (1, 2), (2, 1), (3, 0)], family=family),)))
@@ -238,7 +238,7 @@ def test_info_of_a_sketch_just_begun(tmp_path, capsys):
 MANUAL = Parametrization(ParametrizationKind.MANUAL)
 
 
-def test_info_of_many_points_has_the_length_and_the_constant_or_says_why_not(tmp_path, capsys):
+def test_info_of_many_points_has_the_length_and_the_constant_or_the_reason(tmp_path, capsys):
     """Both were left out above 500 points, without a word."""
     angle = 3.0 - 3.0 * np.cos(np.linspace(0.0, np.pi, 600))
     rule = Parametrization(ParametrizationKind.CHEBYSHEV)
@@ -275,7 +275,7 @@ def test_info_of_many_points_has_the_length_and_the_constant_or_says_why_not(tmp
         (1e9 + 0.25, 1e9 + 0.5, "1000000000.25 to 1000000000.5"),
     ],
 )
-def test_info_tells_the_ends_of_the_domain_apart(tmp_path, capsys, start, end, text):
+def test_info_prints_distinguishable_ends_of_the_domain(tmp_path, capsys, start, end, text):
     """It said "domain 1e+06 to 1e+06"."""
     rule = Parametrization(ParametrizationKind.UNIFORM, start=start, end=end)
     curve = replace(make_curve([(1e6, 0.0), (1e6 + 1.0, 1.0)]), parametrization=rule)
@@ -287,7 +287,7 @@ def test_info_tells_the_ends_of_the_domain_apart(tmp_path, capsys, start, end, t
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_info_of_an_svg_tells_plain_coordinates_above_its_lower_edge(tmp_path, capsys):
+def test_info_of_an_svg_prints_coordinates_above_the_lower_edge(tmp_path, capsys):
     path = tmp_path / "in.svg"
     path.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="50mm" viewBox="0 0 40 50">'
@@ -431,7 +431,7 @@ def test_convert_keeps_unit_and_styles_of_a_drawing(tmp_path, capsys):
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_convert_takes_groups_of_a_drawing_by_name(tmp_path, capsys):
+def test_convert_accepts_groups_of_a_drawing_by_name(tmp_path, capsys):
     """All 167 curves of a plot came in, glyphs and ticks and all, with no choice."""
     line = '<g id="line2d_{0}"><path d="M0 {0}H9"/></g>'
     drawing, out = tmp_path / "a.svg", tmp_path / "a.curve.json"
@@ -483,7 +483,7 @@ ENDS = [
 
 
 @pytest.mark.parametrize("ending", ENDS)
-def test_convert_writes_every_format_and_says_how_exactly(ending, tmp_path, capsys):
+def test_convert_writes_every_format_and_reports_the_deviation(ending, tmp_path, capsys):
     out = tmp_path / f"a{ending}"
     assert main(["convert", LETTER, str(out), "--tolerance", "0.01", "--samples", "9"]) == 0
     said = capsys.readouterr()
@@ -509,7 +509,7 @@ def test_convert_accepts_settings_of_the_family_and_info_prints_the_settings(tmp
     assert "hermite alone, which has no settings" in capsys.readouterr().err
 
 
-def test_convert_and_info_take_real_settings_of_a_family_file(tmp_path, capsys):
+def test_convert_and_info_accept_real_settings_of_a_family_file(tmp_path, capsys):
     table, curve = tmp_path / "bell.csv", tmp_path / "bell.curve.json"
     table.write_text("x,y\n" + "\n".join(f"{x},{1 / (1 + x * x)}" for x in range(-5, 6)))
     file = ["--families", str(Path(__file__).parent / "data" / "families" / "cardinal_spline.py")]
@@ -551,7 +551,7 @@ def test_an_unknown_family_is_refused_with_the_list_of_families(tmp_path, capsys
     assert all(family.name in said for family in FAMILIES)
 
 
-def test_convert_there_and_back(tmp_path, capsys):
+def test_converting_there_and_back_gives_the_same_document(tmp_path, capsys):
     table, thinned, drawing = (tmp_path / name for name in ("a.csv", "b.curve.json", "c.svg"))
     assert main(["convert", LETTER, str(table), "--by", "length", "--samples", "2000"]) == 0
     assert main(["convert", str(table), str(thinned), "--thin", "1e-3"]) == 0
@@ -690,7 +690,7 @@ def test_errors_of_the_system_are_reported(problem, said, monkeypatch, capsys):
     )
 
 
-def test_a_folder_for_passing_files_that_is_gone_is_named(monkeypatch, capsys, tmp_path):
+def test_a_missing_temporary_folder_is_named(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "gone"))
     path = tmp_path / "a.svg"
     path.write_text("<svg/>", encoding="utf-8")
@@ -882,7 +882,7 @@ def test_a_dark_svg_without_paper(tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["png", "svg"])
-def test_a_picture_has_no_paper_unless_a_theme_is_asked_for(ending, tmp_path):
+def test_a_picture_has_paper_only_with_a_theme(ending, tmp_path):
     images = pytest.importorskip("PySide6.QtGui")
     # As the window exports it; a PNG had light paper.
     for words, alpha in (((), 0), (("--theme", "light"), 255), (("--theme", "light", "--transparent"), 0)):
@@ -916,7 +916,7 @@ def test_a_picture_beyond_the_limit_of_pixels_is_refused(capsys, tmp_path):
     assert "its sides can be 1 to 16384 pixels" in said
 
 
-def test_convert_takes_columns_and_corners(capsys, tmp_path):
+def test_convert_accepts_columns_and_corners(capsys, tmp_path):
     table = tmp_path / "a.csv"
     words = ["convert", LETTER, str(table), "--samples", "2000", "--columns", "x,y"]
     assert main(words) == 0
@@ -940,7 +940,7 @@ def test_convert_puts_points_into_a_dxf(capsys, tmp_path):
     assert [spline.dxf.degree for spline in ezdxf.readfile(out).modelspace()] == [3]
 
 
-def test_convert_says_whether_its_deviation_is_a_bound(capsys, tmp_path):
+def test_convert_states_whether_the_deviation_is_a_bound(capsys, tmp_path):
     source, out = tmp_path / "a.csv", str(tmp_path / "a.svg")
     source.write_text("x,y\n0,0\n1,2\n2,-1\n3,1\n4,0\n5,2\n", encoding="utf-8")
     for family, word in (("lagrange", ""), ("floater_hormann", "about ")):

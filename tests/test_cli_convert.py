@@ -50,7 +50,7 @@ def test_options_may_stand_between_the_files_and_one_file_may_be_many(folder, ca
     assert written(folder) == ["one/a.svg", "two/a.svg", "two/b.svg", "two/c.svg"]
 
 
-def test_a_failed_conversion_is_reported_in_a_line_and_the_others_go_on(folder, capsys):
+def test_a_failed_conversion_is_reported_in_a_line_and_the_others_continue(folder, capsys):
     files = ["a.csv", "bad.csv", "nowhere.csv", "x.gif", "b.csv"]
     assert main(["convert", *files, "-o", "out", "--to", ".curve.json"]) == 1
     output = capsys.readouterr()

@@ -31,7 +31,7 @@ def gaps(curve):
 
 
 @pytest.mark.parametrize("family", ["hermite", "lagrange", "quintic_hermite"])
-def test_fit_gives_the_number_of_points_and_the_deviation(table, tmp_path, capsys, family):
+def test_fit_prints_the_number_of_points_and_the_deviation(table, tmp_path, capsys, family):
     out = tmp_path / "few.curve.json"
     assert main(["convert", str(table), str(out), "--fit", "9", "--family", family]) == 0
     (curve,) = load(out).curves

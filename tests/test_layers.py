@@ -35,7 +35,7 @@ def test_the_contracts_of_the_layers_hold():
     assert done.returncode == 0, done.stdout
 
 
-def test_every_feature_has_its_place():
+def test_every_feature_is_listed_in_features():
     """Where it stands in ``FEATURES`` is the order of tabs and entries, so nothing finds it by itself."""
     there = {path.parent.name for path in ROOT.glob("app/features/*/__init__.py")}
     assert sorted(there) == sorted(FEATURES)

@@ -37,7 +37,7 @@ def text_of(name):
     return (ROOT / name).read_text(encoding="utf-8")
 
 
-def test_the_version_stands_in_one_place():
+def test_the_version_is_stated_once():
     assert PROJECT["tool"]["hatch"]["version"]["path"] == "curvecore/__init__.py"
     assert "version" in PROJECT["project"]["dynamic"]
     assert "version" not in PROJECT["project"]

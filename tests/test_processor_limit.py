@@ -41,6 +41,6 @@ def test_a_waiting_or_unlimited_process_continues(system):
     assert not processor_limit.was_overdue(code)
 
 
-def test_the_clock_alone_ends_nothing_soon():
+def test_waiting_time_alone_does_not_end_a_process():
     # Beside eight busy programs for every processor a process has a ninth of it.
     assert processor_limit.longest_wait(10.0) > 9 * 10.0

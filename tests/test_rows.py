@@ -54,11 +54,11 @@ def test_rows_have_the_same_random_numbers():
 
 
 @pytest.mark.parametrize("names", ["row", "row, missing"])
-def test_a_table_that_asks_nothing_is_refused(names):
+def test_a_table_without_rows_is_refused(names):
     with pytest.raises(ValueError, match="no rows of"):
         each_row(names, [])
 
 
-def test_names_that_the_test_does_not_take_are_refused():
+def test_names_without_a_parameter_of_the_test_are_refused():
     with pytest.raises(ValueError, match="does not take"):
         each_row(("row", "missing"), [(1, 2)])(lambda row: None)

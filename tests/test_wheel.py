@@ -90,7 +90,7 @@ def test_without_the_editors_packages_the_command_names_the_installation(run):
     assert line.endswith("pip install 'curvebench[app]'.")
 
 
-def test_without_the_editors_packages_the_core_is_there(run):
+def test_without_the_editors_packages_the_core_imports(run):
     code = "from curvecore import LagrangeCurve; print(LagrangeCurve([[0], [1]], [0, 1]).evaluate(0.5))"
     result = run("-c", f"{WITHOUT}\n{code}")
     assert result.stdout.strip() == "[0.5]", result.stderr

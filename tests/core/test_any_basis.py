@@ -151,7 +151,7 @@ def test_differences_keep_their_digits_far_from_zero(order, error):
     assert np.abs(found - exact).max() < error
 
 
-def test_derivatives_that_a_scheme_gives_are_used():
+def test_derivatives_of_a_scheme_are_used():
     curve = BasisCurve([[1.0, 0.0], [0.0, 1.0]], [2.0, 4.0], QUARTER)
     assert curve.evaluate([3.0], 1)[0] == pytest.approx([-np.sqrt(0.5) * np.pi / 4, np.sqrt(0.5) * np.pi / 4])
     assert curvature(curve, [2.3, 3.9]) == pytest.approx([1.0, 1.0])

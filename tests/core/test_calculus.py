@@ -258,7 +258,7 @@ def test_solutions_match_scipy(name, axis):
 
 @every_curve
 @pytest.mark.parametrize("axis", [0, 1])
-def test_solutions_solve_and_none_is_left_out(name, axis, rng):
+def test_solutions_solve_and_are_complete(name, axis, rng):
     curve = CURVES[name]
     fine = np.linspace(*curve.domain, 20001)
     values = curve(fine)[:, axis]

@@ -134,7 +134,7 @@ def test_the_functions_make_the_curve_of_the_estimator(rules, kind, rng):
     ("rule", "published"),
     [(natural_spline_velocities, (1.50, 3.12, 8.56)), (bessel_velocities, (1.25, 2.21, 5.66))],
 )
-def test_errors_of_seven_points_grow_though_the_family_says_one(rule, published):
+def test_errors_of_seven_points_grow_although_the_constant_of_the_family_is_one(rule, published):
     """It said 1 for every one of them."""
     for t, expected in zip((uniform(7), centripetal(UNEVEN), chord_length(UNEVEN)), published, strict=True):
         cardinal = cardinal_of(t, (rule,))
@@ -162,7 +162,7 @@ def test_constants_of_many_bases_equal_those_of_each_basis(rng):
 
 
 @every_rule
-def test_the_worst_signs_move_the_estimated_curve_as_far_as_the_constant_says(rules):
+def test_the_worst_signs_move_the_estimated_curve_by_the_constant(rules):
     """Errors of 0.05 displaced the curve by 0.428 where Λ = 1 allowed 0.05."""
     t, epsilon = chord_length(UNEVEN), 0.05
     cardinal = cardinal_of(t, rules)

@@ -197,7 +197,7 @@ def exact_ratio(v, w):
 @each_row("factor", [0.1, 1 / 3, 1.0, 1.8, 7.3, 1e3])
 @each_row("direction", [(1.0, 0.0), (0.3, 0.7), (-1e-3, 0.999), (3.0, -4.0)])
 @each_row("make", ["cubic", "quintic", "septic"])
-def test_the_direction_goes_on_and_the_speed_jumps(make, direction, factor):
+def test_a_joint_with_a_jump_of_speed_keeps_the_direction(make, direction, factor):
     """Tied velocities: what is measured is what exact fractions say of the data."""
     before, after = np.array(direction), factor * np.array(direction)
     orders = {"cubic": 1, "quintic": 2, "septic": 3}[make]

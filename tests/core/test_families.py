@@ -119,7 +119,7 @@ def test_parameters_in_any_memory_order_keep_their_indices(family, rng):
 
 @every_family
 @each_row("order", [0, 1])
-def test_outside_the_domain_a_curve_goes_on_ends_or_repeats_itself(family, rng, order):
+def test_outside_the_domain_a_curve_is_extended_cut_or_periodic(family, rng, order):
     curve = build(family, rng)
     first, last = curve.domain
     t = np.array([[first - 0.5, first, 0.3], [last, last + 0.25, 0.7]])

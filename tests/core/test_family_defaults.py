@@ -108,7 +108,7 @@ def test_numbers_beyond_all_doubles_become_the_largest_one_without_a_warning():
     assert np.isfinite(values).all()
 
 
-def test_a_family_that_says_no_degree_has_no_bezier_pieces():
+def test_a_family_without_a_degree_has_no_bezier_pieces():
     assert Growing([[1.0], [2.0]], [0.0, 1.0]).bezier_pieces() is None
 
 

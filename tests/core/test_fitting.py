@@ -106,7 +106,7 @@ def test_corners_are_refused_by_families_without_corners():
 
 
 @pytest.mark.parametrize("family", CLASSES)
-def test_a_fit_within_a_tolerance_says_the_truth(family):
+def test_a_fit_within_a_tolerance_states_its_true_deviation(family):
     data = wave(300, turns=1.5)
     found = fit(data, family, tolerance=0.02)
     away = distances(found, data)
@@ -119,7 +119,7 @@ def test_a_fit_within_a_tolerance_says_the_truth(family):
 
 
 @pytest.mark.parametrize("family", CLASSES)
-def test_a_fit_has_as_many_points_as_asked(family):
+def test_a_fit_has_the_requested_number_of_points(family):
     found = fit(wave(300, turns=1.5), family, 9)
     assert len(found.curve.parameters) == 9
     assert found.curve.domain == (0.0, 1.0)
@@ -229,7 +229,7 @@ def test_a_tolerance_near_the_errors_takes_few_points_and_few_rounds(family, noi
 
 
 @pytest.mark.parametrize("family", CLASSES)
-def test_a_tolerance_below_the_errors_gives_few_points_and_says_so(family, noisy):
+def test_a_tolerance_below_the_errors_gives_few_points_and_is_reported(family, noisy):
     """Hundreds of points came nearer by a tenth, in a minute."""
     rounds = []
     found = fit(noisy, family, tolerance=0.02, progress=rounds.append)

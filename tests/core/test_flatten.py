@@ -254,7 +254,7 @@ def test_a_polyline_of_too_few_vertices_reports_its_deviation(rng, name, n, size
 
 
 @every_family
-def test_a_tolerance_that_is_met_makes_no_noise(rng, name):
+def test_a_reached_tolerance_gives_no_warning(rng, name):
     curve = family(name, rng.standard_normal((8, 2)), uniform(8))
     for tolerance in (1e-2, 1e-5):
         assert distances(curve, flatten_parameters(curve, tolerance)) <= tolerance

@@ -68,7 +68,7 @@ def values_of(thing):
 @each_row("name", OBJECTS)
 @each_row("way", WAYS)
 @each_row("used", [False, True])
-def test_a_copy_cannot_be_changed_and_says_the_same(name, way, used):
+def test_a_copy_is_immutable_and_equal(name, way, used):
     """The points of a curve from a pickle could be written to, and `evaluate` went on with the old ones."""
     original = OBJECTS[name]
     if used:

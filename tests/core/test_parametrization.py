@@ -140,7 +140,7 @@ def test_points_too_close_for_doubles():
 
 @each_row("rule", [uniform, chebyshev])
 @each_row(("n", "message"), [(1, "n must be at least 2, not 1"), (2.5, "n must be an integer")])
-def test_bad_counts(rule, n, message):
+def test_invalid_counts_are_refused(rule, n, message):
     with pytest.raises(CurveError, match=message):
         rule(n)
 

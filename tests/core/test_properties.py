@@ -37,7 +37,7 @@ def test_the_curve_is_the_sum_of_its_functions(curve, places, order):
 
 @profile
 @given(curves)
-def test_points_are_met_exactly(curve):
+def test_the_curve_passes_its_points_exactly(curve):
     assert (curve.evaluate(curve.parameters) == curve.points).all()
 
 

@@ -234,7 +234,7 @@ def test_hermite_curves_digit_for_digit(rng, method, digits, width):
         assert row == [each.value for each in expected]
 
 
-def test_by_hand_with_two_digits():
+def test_rounding_matches_a_computation_by_hand_with_two_digits():
     """Through (0, 1), (0.5, 0.33), (1, 2) at t = 0.3 with two digits.
 
     L: 0.14 / 0.5 = 0.28, -0.21 / -0.25 = 0.84, -0.06 / 0.5 = -0.12, all exact;

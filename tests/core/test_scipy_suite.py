@@ -174,7 +174,7 @@ def test_scipy(case):
     getattr(it, method)(**given)
 
 
-def test_every_test_that_is_left_out_is_there_and_has_a_reason():
+def test_every_skipped_test_of_scipy_exists_and_has_a_reason():
     """A name that SciPy gave up would hide here; older SciPys lack some."""
     assert all(NOT_APPLIED.values())
     if tuple(map(int, scipy.__version__.split(".")[:2])) >= (1, 17):

@@ -129,7 +129,7 @@ def test_other_numbers_are_numbers():
     assert curve.points.tolist() == [[1 / 3, 0.5], [1.0, 1.0]]
 
 
-def test_importing_the_core_loads_nothing_but_numpy():
+def test_importing_the_core_loads_only_numpy():
     program = (
         "import sys, numpy; before = set(sys.modules); import curvecore; "
         "print(*{m.partition('.')[0] for m in set(sys.modules) - before} - set(sys.stdlib_module_names))"

@@ -58,7 +58,7 @@ def test_a_new_curve_gets_an_unused_name(three):
     assert curve_edits.unused_name(taken) == "Curve 2"
 
 
-def test_appearance_is_set_and_nothing_else(three):
+def test_setting_the_appearance_changes_only_the_appearance(three):
     changed = set_appearance(three, {1}, colour="#0072b2")
     changed = set_appearance(changed, {1}, visible=False)
     changed = set_appearance(changed, {1}, locked=True)

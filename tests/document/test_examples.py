@@ -35,7 +35,7 @@ def core(stem):
     return view.curve
 
 
-def test_the_folder_holds_the_examples_and_nothing_else():
+def test_the_folder_contains_only_the_examples():
     assert {path.name for path in FOLDER.iterdir()} == {f"{stem}.curve.json" for stem in EXAMPLES}
 
 

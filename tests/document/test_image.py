@@ -44,7 +44,7 @@ def test_a_document_without_an_image_has_no_image_key():
     assert b"image" not in encode(empty_document())
 
 
-def test_the_image_stands_on_one_line_of_the_file():
+def test_the_image_is_on_one_line_of_the_file():
     line = (
         '  "image": {"path": "letters/s.png", "x": 0.1, "y": -0.3333333333333333, '
         '"width": 3.0, "height": 4.0, "opacity": 0.25, "locked": true},\n'
@@ -124,7 +124,7 @@ def test_moving_and_scaling():
     assert scale_image(document, (0, 0), 2.0).image == ReferenceImage("a.png", 1.0, 2.0, 8.0, 6.0)
 
 
-def test_another_file_keeps_the_width_and_brings_its_aspect():
+def test_another_image_file_keeps_the_width_and_has_its_own_aspect():
     document = set_image(empty_document(), ReferenceImage("a.png", 1.0, 2.0, 4.0, 3.0))
     assert set_image_file(document, "b.png", 2.0).image == ReferenceImage("b.png", 1.0, 2.0, 4.0, 2.0)
 

@@ -92,7 +92,7 @@ def test_a_refusal_names_the_locked_curves(four, places, sentence, act):
     assert str(refused.value) == sentence
 
 
-def test_unselected_locked_curves_are_no_hindrance(four):
+def test_unselected_locked_curves_do_not_block_edits(four):
     document = locked(four, 2)
     assert names(remove_curves(document, {0, 3})) == "BC"
     assert move_group(document, whole_curves(document, {0, 1}), (1.0, 0.0)).curves[0].points[0].x == 1.0

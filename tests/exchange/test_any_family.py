@@ -205,7 +205,7 @@ def test_rows_of_samples_are_the_curve_and_its_derivatives(document, written):
     )
 
 
-def test_rows_become_a_curve_of_the_family_that_is_asked_for(tmp_path):
+def test_rows_become_a_curve_of_the_requested_family(tmp_path):
     path = tmp_path / "rows.csv"
     path.write_text("t,x,y\n0,0,0\n1,1,2\n2.5,2.5,1\n4,4,3\n")
     for name in OWN:

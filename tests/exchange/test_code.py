@@ -86,7 +86,7 @@ def test_the_scipy_code_is_within_its_stated_deviation(kind):
         assert written.deviation < 1e-13 * size
 
 
-def test_scipy_loses_digits_on_uniform_parameters_and_the_code_says_so():
+def test_the_scipy_code_states_its_loss_of_digits_on_uniform_parameters():
     rule = Parametrization(ParametrizationKind.UNIFORM)
     curve = make_curve(np.random.default_rng(1).normal(size=(25, 2)).tolist())
     document = Document((type(curve)(curve.name, curve.family, rule, curve.points),))

@@ -133,13 +133,13 @@ def test_dots_beside_a_line_are_painted_at_their_positions():
 
 # A robot has no way to go there.
 @each_row("form", [each for each in FORMATS.offered if "PathWeaver" not in each.title])
-def test_every_format_of_curves_takes_a_dot(form, tmp_path):
+def test_every_format_of_curves_writes_a_dot(form, tmp_path):
     written = form.write(read(path("M12 12h0")).document, Options(path=str(tmp_path / "a")))
     assert written.data
     assert not written.remarks
 
 
-def test_a_dot_without_caps_is_nothing_to_draw():
+def test_a_dot_without_caps_draws_nothing():
     (curve,) = read(path("M12 12h0")).document.curves
     butt = replace(curve, style=replace(curve.style, cap=LineCap.BUTT))
     (facts,) = facts_of(Document((butt,)))

@@ -125,7 +125,7 @@ def test_facts_of_the_examples(example):
     assert facts.length.value >= polygon * (1 - 1e-12)
 
 
-def test_a_curve_that_cannot_be_made_says_why(half_drawn):
+def test_an_invalid_curve_gives_the_reason(half_drawn):
     line, begun = facts_of(half_drawn)
     assert line.warnings == ()
     assert begun.points == 1

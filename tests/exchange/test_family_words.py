@@ -28,7 +28,7 @@ def other_value(setting):
 
 
 @each_row("name", [*EVERY, "tests_swaying"])
-def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
+def test_every_setting_survives_a_table_of_points(name, tmp_path):
     family = FAMILIES.named(name)
     settings = FamilySettingValues((setting.name, other_value(setting)) for setting in family.settings.all)
     curve = replace(make_curve(POINTS, family=family), settings=settings)
@@ -40,7 +40,7 @@ def test_every_setting_goes_through_a_table_of_points(name, tmp_path):
     assert (view_of(again).curve.evaluate(0.3) == view_of(curve).curve.evaluate(0.3)).all()
 
 
-def test_a_family_cell_says_family_closing_and_settings():
+def test_a_family_cell_contains_family_closing_and_settings():
     family = FAMILIES.named("tests_swaying")
     curve = replace(make_curve(POINTS, family=family), settings=FamilySettingValues({"amount": 5}))
     assert family_cell(curve) == "tests_swaying amount=5"
@@ -61,6 +61,6 @@ def test_a_family_cell_says_family_closing_and_settings():
         ("closed", "one of lagrange, hermite"),
     ],
 )
-def test_other_words_are_refused(text, words):
+def test_unknown_family_words_are_refused(text, words):
     with pytest.raises(ValueError, match=words):
         read_family_cell(text)

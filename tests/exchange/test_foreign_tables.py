@@ -207,7 +207,7 @@ def test_columns_are_recognised_by_their_names(title, role):
     assert role_of(title) == role
 
 
-def test_the_command_line_asks_for_columns_that_would_be_a_guess(tmp_path, capsys):
+def test_the_command_line_requires_ambiguous_columns(tmp_path, capsys):
     path = tmp_path / "three.txt"
     path.write_text("0 1 5\n1 3 5\n2 2 6\n", encoding="utf-8")
     out = tmp_path / "out.curve.json"

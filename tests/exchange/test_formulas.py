@@ -79,7 +79,7 @@ def test_the_coefficients_are_the_exact_ones_rounded_once():
     assert [float(v) for v in value] == pytest.approx([2 * x**2 for x in t], abs=1e-15)
 
 
-def test_a_high_degree_costs_digits_and_the_file_says_so():
+def test_a_high_degree_loses_digits_and_the_file_states_the_loss():
     points = np.random.default_rng(2).normal(size=(30, 2)).tolist()
     low = coefficients_json(Document((make_curve(points[:5]),)))
     high = coefficients_json(Document((make_curve(points),)))

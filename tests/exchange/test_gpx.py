@@ -108,7 +108,7 @@ def test_times_that_do_not_increase_or_are_missing_are_left_out(points, tmp_path
     assert ("Times are left out because they do not increase." in said[0]) is has_times
 
 
-def test_a_track_goes_on_over_the_date_line(tmp_path):
+def test_a_track_continues_across_the_date_line(tmp_path):
     """179.9° and −179.9° lie 22 km apart at the equator, not 40,000."""
     (curve,), _said = read(tmp_path, track([(0.0, 179.9), (0.1, -179.9), (0.0, -179.8)]))
     x = [point.x for point in curve.points]
@@ -150,7 +150,7 @@ def test_invalid_tracks_are_refused_with_their_position(text, sentence):
     assert str(refusal.value).startswith(sentence)
 
 
-def test_no_entity_is_read_from_elsewhere():
+def test_external_entities_are_not_read():
     bomb = '<!DOCTYPE gpx [<!ENTITY a SYSTEM "file:///etc/passwd">]>'
     text = f"{bomb}<gpx>{track(WALK, name='&a;')}</gpx>"
     with pytest.raises(ExchangeError, match="entity"):

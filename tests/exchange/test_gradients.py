@@ -20,7 +20,7 @@ def gradient(stops, kind="linearGradient", paint="url(#g)"):
 
 
 @pytest.mark.parametrize("kind", ["linearGradient", "radialGradient"])
-def test_the_mean_colour_stands_for_a_gradient(kind):
+def test_a_gradient_becomes_its_mean_colour(kind):
     """Two parts of red that is seen whole, one of blue that is half seen."""
     (colour, opacity), (sentence,) = gradient(STOPS, kind)
     assert (colour, opacity) == ("#aa0055", 0.75)
@@ -57,7 +57,7 @@ def test_a_gradient_of_one_colour_gives_no_remark():
     assert gradient('<stop stop-color="red"/><stop offset="1" stop-color="red"/>')[1] == ()
 
 
-def test_a_gradient_takes_its_stops_from_another():
+def test_a_gradient_inherits_stops_from_another():
     chain = '<linearGradient id="a" href="#b"/><radialGradient id="b" href="#a">{}</radialGradient>'
     rect = '<rect width="9" height="9" fill="url(#a)" fill-opacity=".5" color="red"/>'
     assert fill_of(chain.format(STOPS) + rect)[0] == ("#aa0055", 0.375)
@@ -75,7 +75,7 @@ def test_a_gradient_takes_its_stops_from_another():
         ("<image/>", "url(#g) lime", "#00ff00"),
     ],
 )
-def test_the_mean_of_its_colours_stands_for_a_pattern_or_else_the_fallback(body, paint, colour):
+def test_a_pattern_becomes_the_mean_of_its_colours_or_the_fallback(body, paint, colour):
     (found, _), sentences = gradient(body, "pattern", paint)
     assert found == colour
     assert sentences == ("1 pattern imported as one colour.",)

@@ -42,7 +42,7 @@ def coverage(picture, style):
     return ((picture[:, :, :3] - paper) @ (ink - paper)) / ((ink - paper) @ (ink - paper))
 
 
-def test_ink_is_where_the_curve_is_and_nowhere_else(example, tmp_path):
+def test_ink_covers_exactly_the_curve(example, tmp_path):
     path = tmp_path / "a.png"
     export(example, path, Options(width=600, style=DARK))
     picture = pixels(path)

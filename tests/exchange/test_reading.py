@@ -110,7 +110,7 @@ def slow_reader(tmp_path, monkeypatch):
     del sys.modules["slow_reader"]
 
 
-def test_neither_the_start_nor_other_programs_count(slow_reader, children):
+def test_the_start_and_other_programs_do_not_count_towards_the_limit(slow_reader, children):
     """Beside eight busy programs, eleven of nineteen icons took longer than 10 s, as the clock says."""
     told = []
     found = read_in_process(

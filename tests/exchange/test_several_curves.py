@@ -46,7 +46,7 @@ def paths(document, **options):
     return {path.get("id"): path for path in root.iter(f"{SVG}path")}
 
 
-def test_hidden_curves_are_not_drawn_and_take_no_room(document):
+def test_hidden_curves_are_not_drawn_and_not_in_the_frame(document):
     drawing = drawing_of(document)
     assert [outline.name for outline in drawing.outlines] == ["Pond", "Line"]
     assert drawing.frame.width < 10
@@ -118,7 +118,7 @@ def test_a_png_shows_the_colour(document, tmp_path):
     assert 0xFF0072B2 in np.frombuffer(image.constBits(), np.uint32)
 
 
-def test_all_hidden_is_nothing_to_draw(document):
+def test_a_document_of_hidden_curves_draws_nothing(document):
     hidden = Document(tuple(replace(curve, visible=False) for curve in document.curves))
     with pytest.raises(ExchangeError, match="all curves are hidden"):
         drawing_of(hidden)

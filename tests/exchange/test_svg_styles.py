@@ -157,7 +157,7 @@ def test_units(attributes, unit, end):
         ("none", [[4, 0, 0], [0, 2, 5]]),
     ],
 )
-def test_the_view_box_fills_its_place(ratio, matrix):
+def test_the_view_box_fills_its_viewport(ratio, matrix):
     assert (
         fitted_box((0, 0, 10, 10), (0, 5, 40, 20), ratio)[:, :2].tolist() == np.array(matrix)[:, :2].tolist()
     )

@@ -57,7 +57,7 @@ def test_millimetres_have_their_name():
     assert f' width="{frame.width!r}mm" ' in svg_of(SEVENTY, Options(unit="mm")).text
 
 
-def test_a_width_that_is_asked_for_counts_and_seconds_are_no_length():
+def test_a_requested_width_applies_and_seconds_are_no_length():
     for options in ({"unit": "mm", "width": 500}, {"unit": "s"}, {}):
         root = ElementTree.fromstring(svg_of(SEVENTY, Options(**options)).data)
         assert root.get("width").isdigit()
@@ -147,7 +147,7 @@ def test_the_preview_states_size_scale_and_page(ending, unit, said):
     assert look(*whole, (100, 100)).size.endswith(("not to scale", "pixels", by_width))
 
 
-def test_the_command_line_takes_the_unit(tmp_path, capsys):
+def test_the_command_line_accepts_a_unit(tmp_path, capsys):
     path = tmp_path / "a.curve.json"
     save(path, SEVENTY)
     assert main(["render", str(path), "-o", str(tmp_path / "a.svg"), "--unit", "mm"]) == 0
@@ -158,7 +158,7 @@ def test_the_command_line_takes_the_unit(tmp_path, capsys):
     assert Options().unit == ""
 
 
-def test_a_png_says_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
+def test_a_png_states_its_pixels_per_inch_and_tikz_has_true_size(tmp_path):
     """Both took no notice of the unit: 70 mm were 96 pixels per inch, and 12 cm."""
     png, tikz = tmp_path / "a.png", tmp_path / "a.tikz"
     export(SEVENTY, png, Options(width=800, unit="mm"))
@@ -276,7 +276,7 @@ def test_the_command_line_counts_pixels_by_inches(tmp_path, capsys):
     assert "needs a unit of length" in capsys.readouterr().err
 
 
-def test_of_pixels_across_and_for_each_inch_the_command_line_takes_one(tmp_path, capsys):
+def test_the_command_line_accepts_either_the_width_or_the_resolution(tmp_path, capsys):
     """The width won, and nothing was said."""
     path = tmp_path / "a.curve.json"
     save(path, replace(SEVENTY, unit="mm"))

@@ -166,7 +166,7 @@ def test_settings_of_a_file_s_functions(write):
     assert curves[0].breaks.tolist() == [0.0, 3.0]
 
 
-def test_the_order_may_stand_anywhere(write):
+def test_the_order_may_be_declared_anywhere(write):
     setting = 'settings = [curvecore.FamilySetting("slope", "slope", 1, limits=(1, 2))]'
     text = HATS.replace("order):", "slope, order):").replace("return slopes", "return slope * slopes")
     text = text.replace("can_close = True", f"import curvecore\n{setting}")
@@ -349,7 +349,7 @@ def test_a_call_that_waits_is_stopped(write, short_limits, monkeypatch):
         families_in(path)
 
 
-def test_time_that_the_machine_gives_to_others_does_not_count(write, short_limits, monkeypatch):
+def test_time_of_other_processes_does_not_count(write, short_limits, monkeypatch):
     """Beside busy programs a file was stopped 1 s after its limit, however little it had worked."""
     slow = SimpleNamespace(monotonic=lambda: 10.0 * time.monotonic(), thread_time=time.thread_time)
     monkeypatch.setattr(family_file, "time", slow)
@@ -394,7 +394,7 @@ def test_a_mistake_leaves_the_last_good_one(write, registry, text):
     assert family.makes(curve)
 
 
-def test_a_family_that_a_file_has_no_longer_is_offered_no_longer_and_goes_on(write, registry):
+def test_a_family_removed_from_its_file_is_not_offered_and_still_draws(write, registry):
     path = write(GAUSSIAN)
     use_file(registry, path)
     old = registry[-1]
@@ -411,7 +411,7 @@ def test_a_family_that_a_file_has_no_longer_is_offered_no_longer_and_goes_on(wri
     assert registry.files == {}
 
 
-def test_two_files_do_not_take_each_others_names(write, registry):
+def test_a_family_name_of_another_file_is_refused(write, registry):
     use_file(registry, write(GAUSSIAN))
     with pytest.raises(FamilyFileError, match="a family named “my_gaussian” already exists"):
         use_file(registry, write(GAUSSIAN, "second.py"))
@@ -434,7 +434,7 @@ def document(tmp_path):
     return path
 
 
-def test_info_says_that_a_degree_is_that_of_every_segment(tmp_path, capsys):
+def test_info_states_that_the_degree_is_per_segment(tmp_path, capsys):
     """It said so only of families with derivatives."""
     curve = make_curve([(0, 0), (1, 2), (3, 1), (4, 3)], family=Family("tests_natural_spline", None))
     path = tmp_path / "spline.curve.json"
@@ -446,7 +446,7 @@ def test_info_says_that_a_degree_is_that_of_every_segment(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("place", ["before the verb", "behind it", "with ="])
-def test_every_verb_takes_the_file(write, document, tmp_path, capsys, place):
+def test_every_verb_accepts_a_family_file(write, document, tmp_path, capsys, place):
     path = write(GAUSSIAN)
     option = [f"--families={path}"] if place == "with =" else ["--families", str(path)]
 
@@ -479,7 +479,7 @@ def test_help_names_the_option_and_a_missing_file_name_is_wrong_usage(capsys):
     assert "expected one argument" in capsys.readouterr().err
 
 
-def test_an_installed_package_brings_a_family(tmp_path, monkeypatch):
+def test_an_installed_package_adds_a_family(tmp_path, monkeypatch):
     """As an entry point does: a package on the path whose metadata names the class."""
     (tmp_path / "stiff_curves.py").write_text(OWN_CLASS)
     info = tmp_path / "stiff_curves-1.0.dist-info"

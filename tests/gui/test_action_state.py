@@ -101,7 +101,7 @@ def test_during_a_gesture_on_another_curve_actions_refer_to_the_drawn_curve(edit
     assert_actions_as_rendered_anew(editor)
 
 
-def test_a_drag_of_a_selected_point_asks_no_action_anything(editor):
+def test_a_drag_of_a_selected_point_updates_no_action(editor):
     for family in FAMILIES[:8]:
         curve = make_curve(((0, 0), (1, 1), (2, 0), (3, 1)), family=family)
         editor.session.commit(Document((curve,)), "Begin")
@@ -151,7 +151,7 @@ def test_facts_are_noted_that_properties_and_methods_read(editor):
     assert dict(values.renewed(replace(state, window=changed.window), {"window.tool"})) == {"adds": True}
 
 
-def test_another_selected_point_asks_no_action_anything(editor):
+def test_another_selected_point_updates_no_action(editor):
     editor.session.commit(Document((make_curve(((0, 0), (1, 1), (2, 0), (3, 1))),)), "Begin")
     editor.fit()
     editor.drag_point(1, (1.2, 0.8))

@@ -17,7 +17,7 @@ def in_menu(menu: QMenu):
             yield action.objectName()
 
 
-def test_every_action_stands_in_one_menu_once(editor, tmp_path):
+def test_every_action_is_in_one_menu_once(editor, tmp_path):
     # With a recent file, which there is something to do about.
     path = tmp_path / "a.curve.json"
     path.touch()

@@ -36,7 +36,7 @@ def state(editor):
     ("key", "held", "step"),
     [(DELETE, 0, "Delete B"), (Qt.Key.Key_X, CTRL, "Cut B"), (DELETE, SHIFT, "Delete B")],
 )
-def test_a_second_and_third_delete_take_no_other_curve(four, key, held, step):
+def test_repeated_delete_deletes_no_other_curve(four, key, held, step):
     """Three keys took the curve that was edited and two that nobody had touched."""
     steps = four.session.undo_stack.count()
     for _ in range(3):

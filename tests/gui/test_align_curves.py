@@ -195,7 +195,7 @@ def test_unlocked_curves_are_aligned_to_a_locked_curve(four):
     assert four.status == "1 locked curve stays."
 
 
-def test_selected_points_come_first_as_ever(four):
+def test_selected_points_are_aligned_before_selected_curves(four):
     four.session.selected.set_curves({1})
     four.select([0, 1])
     others = boxes(four)[[0, 2, 3]]
@@ -213,7 +213,7 @@ def test_alignment_of_too_few_curves_is_refused_with_the_number_needed(four):
     assert not four.action("distributeGapsVertically").isEnabled()
 
 
-def test_of_curves_without_points_there_is_nothing_to_align(four):
+def test_curves_without_points_are_not_aligned(four):
     session = four.session
     for to in ("EachOther", "First", "Largest", "Drawing"):
         session.commit(Document((replace(session.document.curves[0], points=()),) * 2), "Empty", active=0)

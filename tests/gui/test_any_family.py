@@ -356,7 +356,7 @@ def test_two_curves_of_a_family_are_joined_or_the_refusal_has_a_reason(drawn):
             assert is_true(editor), own
 
 
-def test_the_way_back_is_the_same_curve(drawn):
+def test_switching_the_family_back_gives_the_same_curve(drawn):
     for name in EVERY:
         editor = drawn(name)
         before = editor.session.active_view.curve.evaluate(0.25)
@@ -415,7 +415,7 @@ def switches(editor):
     return sorted(name for name in names if not name.startswith(kinds))
 
 
-def test_everything_that_can_be_switched_on_goes_on_through_a_drag(drawn):
+def test_all_switchable_displays_survive_a_drag(drawn):
     editor = drawn(OWN[0])
     editor.select([2])
     # It plays from the first comparison on, and every frame draws as much as a move.

@@ -456,7 +456,7 @@ def test_the_recovery_bar_works_with_the_keyboard(editor):
     assert editor.session.document == SKETCH
 
 
-def test_restoring_asks_about_the_present_document_first(editor, monkeypatch):
+def test_restoring_asks_about_unsaved_changes_first(editor, monkeypatch):
     leave_behind()
     move_point(editor, (2.0, 3.0))
     present = editor.session.document

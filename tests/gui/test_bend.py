@@ -96,7 +96,7 @@ def test_bending_can_be_cancelled(arch):
     assert arch.session.document is document
 
 
-def test_a_click_on_the_curve_selects_the_ends_of_its_segment_and_tells_the_point(arch):
+def test_a_click_on_the_curve_selects_the_ends_of_its_segment_and_displays_the_position(arch):
     document = arch.session.document
     t, place = middle(arch)
     arch.click(place)
@@ -109,7 +109,7 @@ def test_a_click_on_the_curve_selects_the_ends_of_its_segment_and_tells_the_poin
     assert "c(t) = (" in arch.status
 
 
-def test_the_status_line_says_before_the_press_whether_the_points_stay(arch):
+def test_the_hint_before_the_press_says_whether_the_points_stay(arch):
     for family in FAMILIES:
         ruled(arch, family, ParametrizationKind.CHORD_LENGTH)
         line, place = arch.window.status_line, middle(arch)[1]
@@ -164,7 +164,7 @@ def test_a_bend_sets_only_the_estimated_handles_beside_the_segment(arch):
     assert [point.velocity is not None for point in arch.curve.points] == [False, True, True, False]
 
 
-def test_without_handles_the_points_move_and_the_status_line_says_so(arch):
+def test_without_handles_a_bend_moves_the_points_as_displayed_in_the_hint(arch):
     arch.choose_family(LAGRANGE)
     start = middle(arch)[1]
     arch.press(start)
@@ -241,7 +241,7 @@ def test_control_points_on_both_sides_of_the_joints_change_least(family, using, 
 
 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
-def test_close_to_a_point_the_point_goes_along(family):
+def test_a_bend_close_to_a_point_moves_the_point(family):
     """Its handles used to swing three times as far as the pointer, and made a hook on both sides."""
     view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, family).curves[0])
     t = float(view.parameters[1] + 0.06 * (view.parameters[2] - view.parameters[1]))
@@ -255,7 +255,7 @@ def test_close_to_a_point_the_point_goes_along(family):
 
 
 @pytest.mark.parametrize("share", [0.1, 0.3, 0.5])
-def test_a_small_pull_is_no_large_swing_next_door(share):
+def test_a_small_pull_causes_no_large_swing_in_the_next_segment(share):
     """A quintic's handles counted on one side alone: the neighbour went three times as far as the pointer."""
     view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, QUINTIC_HERMITE).curves[0])
     t = float(view.parameters[1] + share * (view.parameters[2] - view.parameters[1]))
@@ -349,7 +349,7 @@ def test_with_a_shift_allowed_the_change_is_the_least_that_can_be():
 
 
 @pytest.mark.parametrize("family", FAMILIES)
-def test_a_far_pull_ends_the_same_by_every_way(arch, family):
+def test_a_far_pull_ends_the_same_along_every_path(arch, family):
     ruled(arch, family, ParametrizationKind.CHORD_LENGTH)
     # Wide enough that nothing comes near the edge, where the view would scroll.
     arch.window.canvas.camera.show_box((-20, 20), (-12, 24))
@@ -431,7 +431,7 @@ def test_shift_and_alt_change_the_length_alone(hermite):
     assert np.hypot(*after) != pytest.approx(np.hypot(*before), rel=0.1)
 
 
-def test_a_handle_tells_length_and_direction(hermite):
+def test_a_dragged_handle_displays_length_and_direction(hermite):
     start = hermite.handle().position
     hermite.press(start)
     hermite.move((2.0, 3.0))

@@ -150,7 +150,7 @@ def test_a_box_curve_replaces_an_empty_curve_and_a_flat_box_draws_nothing(editor
 @pytest.mark.parametrize(
     ("word", "tool"), [("circle tool", "ellipseTool"), ("oval", "ellipseTool"), ("square", "rectangleTool")]
 )
-def test_other_words_find_the_tools(editor, word, tool):
+def test_the_palette_finds_the_tools_by_synonyms(editor, word, tool):
     editor.run_command(word)
     assert editor.action(tool).isChecked()
 

@@ -155,7 +155,7 @@ def test_shift_keeps_to_one_axis(arch):
     assert x != arch.point(1)[0]
 
 
-def test_escape_cancels_a_drag_and_leaves_nothing_behind(arch):
+def test_escape_cancels_a_drag_completely(arch):
     document, steps = arch.session.document, arch.session.undo_stack.count()
     arch.press(arch.point(1))
     arch.move((2, 4))

@@ -49,7 +49,7 @@ def test_enter_runs_the_first_match(editor, palette):
     assert editor.curve.family is QUINTIC_HERMITE
 
 
-def test_letters_typed_there_do_nothing_else(editor):
+def test_letters_typed_into_the_palette_trigger_no_keys(editor):
     family = editor.curve.family
     editor.find_command("23pv")
     assert editor.curve.family is family
@@ -96,7 +96,7 @@ def test_a_dynamic_action_is_done(editor):
     assert len(editor.curve.points) > 8
 
 
-def test_up_and_down_choose_and_go_round(editor, palette):
+def test_up_and_down_move_the_selection_and_wrap_around(editor, palette):
     names = editor.find_command("theme")
     assert len(names) >= 3
     press(palette, Qt.Key.Key_Down)
@@ -173,7 +173,7 @@ PEOPLE_TYPE = {
 }
 
 
-def test_usual_words_find_the_commands(editor):
+def test_common_synonyms_find_the_commands(editor):
     """None of these was found, or by letters scattered over something else."""
     assert {typed: editor.find_command(typed)[0] for typed in PEOPLE_TYPE} == PEOPLE_TYPE
 

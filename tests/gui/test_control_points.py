@@ -199,7 +199,7 @@ def test_pushed_ticks_and_the_end_of_a_rule_are_reported(drawn, name):
     assert editor.window.status_line.hint.startswith("Drag to change t of point")
 
 
-def test_a_hollow_tick_takes_others_along_with_e(drawn, name):
+def test_a_hollow_tick_dragged_with_e_moves_the_ticks_beside(drawn, name):
     editor = drawn(name)
     panel, before = editor.window.basis_panel, shape(editor)
     times = editor.parameters
@@ -304,7 +304,7 @@ def test_text_and_tip_of_a_conversion_describe_its_result(drawn, conversions):
     assert "of degree 5, the pieces of a Hermite curve have degree 3" in conversions("Hermite").toolTip()
 
 
-def test_a_rational_curve_is_approximated_and_tip_and_message_say_so(drawn, conversions):
+def test_tip_and_message_mention_the_approximation_of_a_rational_curve(drawn, conversions):
     editor = drawn("floater_hormann")
     before = shape(editor)
     size = np.ptp(np.array(POINTS), axis=0).max()

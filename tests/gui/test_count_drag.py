@@ -3,7 +3,7 @@
 from tests.count_drag import second_drag, total
 
 
-def test_a_drag_goes_through_few_functions(new_editor):
+def test_a_drag_calls_few_functions(new_editor):
     functions, files, calls = total(second_drag(new_editor))
     assert functions <= 880
     assert files <= 135

@@ -344,7 +344,7 @@ def test_a_problem_is_shown_with_a_warning_sign(form):
     assert form.message == ""
 
 
-def test_rendering_commits_nothing_and_a_hidden_form_rests(quintic):
+def test_rendering_commits_nothing_and_a_hidden_form_is_not_updated(quintic):
     steps = quintic.session.undo_stack.count()
     quintic.panel.hide()
     quintic.session.preview(rule_edits.set_interval(quintic.session.document, 0, 0.0, 3.0))

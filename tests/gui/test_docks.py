@@ -41,7 +41,7 @@ def test_a_panel_that_is_docked_again_comes_to_the_front(editor, name):
     assert not is_in_front(editor, "curvesDock")
 
 
-def test_a_panel_behind_another_tab_is_brought_forward_and_one_in_front_put_away(editor):
+def test_the_key_of_a_panel_raises_a_tab_behind_and_hides_a_tab_in_front(editor):
     """The entry of a panel that nobody saw hid it."""
     editor.show_dock("styleDock")
     editor.run_command("curves panel")

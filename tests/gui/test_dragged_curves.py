@@ -53,7 +53,7 @@ def test_a_drag_selects_the_moved_curves_and_keys_act_on_them(whole):
     assert [curve.name for curve in whole.session.document.curves] == ["A", "B"]
 
 
-def test_escape_takes_back_the_move_and_the_choice(whole):
+def test_escape_cancels_the_move_and_the_selection(whole):
     before, steps = whole.session.document, whole.session.undo_stack.count()
     x, y = on_curve(whole, 0)
     whole.press((x, y))

@@ -148,7 +148,7 @@ def test_a_few_strokes_are_all_at_the_edge(count):
     assert covered(strokes, WIDTH, HEIGHT).tolist() == [False, False, count == 5, False, False][:count]
 
 
-def test_a_crowd_that_calms_down_is_joined_again():
+def test_segments_are_joined_again_where_the_line_calms_down():
     stroke = Stroke()
     painted(CROWDS["leaving it"], stroke)
     assert (painted(wave(300), stroke) == painted_by_qt(wave(300))).all()

@@ -148,7 +148,7 @@ def test_a_panel_used_during_a_gesture_changes_the_committed_document(two):
     assert two.session.undo_stack.undoText() == "Use uniform parameters"
 
 
-def test_del_in_the_list_takes_no_preview_along(two):
+def test_del_in_the_list_does_not_commit_the_preview(two):
     two.show_dock("curvesDock")
     two.session.selected.activate(0)
     before = two.session.committed
@@ -176,7 +176,7 @@ def press_alpha(editor):
     return slider
 
 
-def test_undo_during_a_drag_of_alpha_takes_back_the_drag_alone(two):
+def test_undo_during_a_drag_of_alpha_cancels_only_the_drag(two):
     two.drag_point(0, to=(5.5, 0.5))
     index = two.session.undo_stack.index()
     before = two.session.document
@@ -373,7 +373,7 @@ def test_an_edit_finds_the_document_without_a_gesture_in_flight(two):
     assert session.undo_stack.undoText() == "Rename curve"
 
 
-def test_an_edit_that_refuses_changes_nothing_and_is_heard(two):
+def test_a_refused_edit_changes_nothing_and_is_reported(two):
     session = two.session
     before, steps = session.document, session.undo_stack.count()
 
@@ -388,7 +388,7 @@ def test_an_edit_that_refuses_changes_nothing_and_is_heard(two):
     assert session.selection == {1, 2}
 
 
-def test_a_change_that_is_none_is_no_step_and_no_refusal(two):
+def test_an_empty_change_is_no_step_and_no_refusal(two):
     session, steps = two.session, two.session.undo_stack.count()
     change = session.change("Nothing", lambda document: document)
     assert not change

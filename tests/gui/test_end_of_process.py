@@ -25,6 +25,6 @@ def test_copied_data_does_not_end_the_process_with_a_fault():
     assert subprocess.run([sys.executable, "-c", _COPIES], check=False).returncode == 0
 
 
-def test_nothing_else_puts_data_on_the_clipboard():
+def test_only_clipboard_code_sets_data_on_the_clipboard():
     texts = {path: path.read_text(encoding="utf-8") for path in APP.rglob("*.py")}
     assert [path.name for path in texts if ".setMimeData(" in texts[path]] == ["clipboard.py"]

@@ -299,7 +299,7 @@ def test_the_path_data_are_copied(editor):
     assert text.count("C ") == len(editor.curve.points) - 1
 
 
-def test_there_is_nothing_to_copy_without_a_curve(editor):
+def test_without_a_curve_copying_is_disabled(editor):
     editor.new()
     for name in ("copyImage", "copyPathData"):
         assert not editor.action(name).isEnabled()
@@ -370,7 +370,7 @@ def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path
         (".points.csv", ".csv", ".csv.points.csv"),
     ],
 )
-def test_a_typed_ending_gives_way_to_the_one_of_the_format(ending, typed, written):
+def test_the_ending_of_the_format_replaces_a_typed_ending(ending, typed, written):
     assert with_ending(Path("folder", typed), ending) == Path("folder", written)
 
 

@@ -111,7 +111,7 @@ def test_a_derivative_too_large_for_a_squeezed_interval_is_refused():
 
 
 @pytest.mark.parametrize("kind", [1, 2])
-def test_a_handle_on_an_interval_of_next_to_no_length_is_refused_in_words(opened, kind):
+def test_a_handle_on_a_tiny_interval_is_refused_with_a_sentence(opened, kind):
     """The square of the spacing vanished: ZeroDivisionError in the drag of an acceleration."""
     rule = Parametrization(ParametrizationKind.UNIFORM, end=1e-200)
     points = tuple(Point(float(x), 0.0) for x in range(3))

@@ -241,7 +241,7 @@ def test_going_back_to_the_family_gives_the_same_curve_back(swaying):
     assert amount(swaying).text() == "7"
 
 
-def test_a_refusal_after_the_family_has_changed_finds_no_field_that_is_gone(swaying):
+def test_a_refusal_after_a_change_of_family_accesses_no_deleted_field(swaying):
     enter(swaying, amount(swaying), "5")
     swaying.choose_family(LAGRANGE)
     start = widget(swaying, QLineEdit, "intervalStart")

@@ -307,7 +307,7 @@ def in_corner(editor):
     return legend.center().x() > room.center().x(), legend.center().y() > room.center().y()
 
 
-def test_the_legend_makes_way_for_the_curve_but_not_during_a_drag(editor):
+def test_the_legend_moves_away_from_the_curve_but_not_during_a_drag(editor):
     editor.session.commit(Document((make_curve([(0, 0), (2, 0), (4, 0.0), (6, 0)]),)), "Line")
     editor.fit()
     editor.trigger("ghostHermite")

@@ -124,7 +124,7 @@ def test_a_narrow_axis_has_the_offset_of_its_numbers_at_its_end(qapp):
 
 
 @pytest.mark.parametrize("middle", [0.0, -3.7, 1234567.0, -1.7e9])
-def test_numbers_for_which_there_is_no_room_are_not_written_to_find_that_out(middle, monkeypatch):
+def test_numbers_without_room_are_not_laid_out(middle, monkeypatch):
     """An axis of 540 pixels wrote up to 10,000 numbers to choose its ticks, at every step of a zoom."""
     written = noted_calls(monkeypatch, ticks, "number")
     for exponent, digit in product(range(-6, 10), (1.0, 1.7, 2.9, 4.4, 7.3)):

@@ -181,7 +181,7 @@ def test_a_guide_dragged_back_to_the_ruler_is_removed(drawing):
     assert guides(drawing) == []
 
 
-def test_points_and_the_curve_come_before_a_guide(drawing):
+def test_points_and_the_curve_take_precedence_over_a_guide(drawing):
     with_guides(drawing, ("x", 1.03))
     drawing.drag((1.03, 2.04), (1.5, 3.0))
     assert guides(drawing) == [("x", 1.03)]
@@ -217,7 +217,7 @@ def double_click(editor, pixel):
     editor.settle()
 
 
-def test_a_double_click_on_a_ruler_types_the_place_of_a_new_guide_with_a_unit_or_without(drawing):
+def test_a_double_click_on_a_ruler_opens_a_field_for_a_new_guide_with_optional_unit(drawing):
     double_click(drawing, beside(drawing))
     assert field(drawing).isVisible()
     assert QApplication.activeModalWidget() is None
@@ -232,7 +232,7 @@ def test_a_double_click_on_a_ruler_types_the_place_of_a_new_guide_with_a_unit_or
     assert guides(drawing) == [("x", 2.5), ("y", pytest.approx(25.4))]
 
 
-def test_the_field_says_why_a_text_is_no_position_and_escape_closes_the_field(drawing):
+def test_the_field_of_a_guide_explains_an_invalid_position_and_escape_closes_the_field(drawing):
     steps = drawing.session.undo_stack.count()
     double_click(drawing, beside(drawing))
     type_place(drawing, "far")
@@ -247,7 +247,7 @@ def test_the_field_says_why_a_text_is_no_position_and_escape_closes_the_field(dr
     assert drawing.session.undo_stack.count() == steps
 
 
-def test_a_guide_that_is_there_already_is_not_added_again(drawing):
+def test_an_existing_guide_is_not_added_again(drawing):
     with_guides(drawing, ("x", 2.5))
     double_click(drawing, beside(drawing))
     type_place(drawing, "2.5")
@@ -264,7 +264,7 @@ def test_a_double_click_on_a_guide_opens_its_field(drawing):
     assert drawing.session.undo_stack.undoText() == "Move guide to x = −2.25"
 
 
-def test_the_key_that_enters_a_place_selects_nothing(drawing):
+def test_entering_the_position_of_a_guide_selects_nothing(drawing):
     with_guides(drawing, ("x", -1.0))
     for _ in range(2):
         drawing.key(Qt.Key.Key_Escape)
@@ -306,7 +306,7 @@ def test_points_snap_to_guides_and_their_crossings_exactly(drawing):
     assert drawing.point(1) == (5.123, -1.377)
 
 
-def test_hidden_guides_catch_nothing_and_are_not_hit(drawing):
+def test_hidden_guides_do_not_snap_and_are_not_hit(drawing):
     with_guides(drawing, ("x", 5.123))
     drawing.trigger("toggleGuides")
     drawing.hover((5.123, -2.0))
@@ -375,7 +375,7 @@ def test_all_guides_are_cleared_in_one_step(drawing):
     assert len(guides(drawing)) == 2
 
 
-def test_guides_are_saved_and_are_no_part_of_a_picture(drawing, tmp_path):
+def test_guides_are_saved_and_not_exported(drawing, tmp_path):
     bare = svg_of(drawing.session.document, Options()).content
     with_guides(drawing, ("x", -1.5), ("y", 1 / 3))
     assert svg_of(drawing.session.document, Options()).content == bare
@@ -492,7 +492,7 @@ def test_the_rulers_show_where_the_pointer_is_and_how_far_the_selection_reaches(
     assert len(changed) > 0.9 * (ends[1] - ends[0])
 
 
-def test_messages_stand_below_the_ruler(drawing):
+def test_messages_are_below_the_ruler(drawing):
     canvas, bar = drawing.window.canvas, drawing.window.message_bar
     bar.tell("Hello.")
     drawing.settle()

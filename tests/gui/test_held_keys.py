@@ -184,7 +184,7 @@ def test_a_transform_by_keys_hears_modifier_keys(arch):
         arch.session.commit(document, "Again")
 
 
-def test_a_transform_begun_with_the_pointer_elsewhere_hears_modifier_keys(arch):
+def test_a_transform_begun_with_the_pointer_outside_reacts_to_modifier_keys(arch):
     arch.select([1, 2])
     arch.trigger("moveSelection")
     assert arch.window.canvas.marks.snap is not None
@@ -226,7 +226,7 @@ def begin_on_rail(editor):
 
 
 @pytest.mark.parametrize("keeps", [True, False])
-def test_e_takes_the_ticks_along_at_once(arch, keeps):
+def test_holding_e_moves_the_ticks_at_once(arch, keeps):
     before = arch.session.document
     panel, to = begin_on_rail(arch)
     alone = arch.parameters
@@ -245,7 +245,7 @@ def test_e_takes_the_ticks_along_at_once(arch, keeps):
     QTest.keyRelease(panel, Key.Key_E)
 
 
-def test_e_that_is_let_go_in_another_window_counts_no_longer(arch):
+def test_releasing_e_in_another_window_ends_its_effect(arch):
     panel, to = begin_on_rail(arch)
     alone = arch.parameters
     QTest.keyPress(panel, Key.Key_E)

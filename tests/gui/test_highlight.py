@@ -82,7 +82,7 @@ def test_a_copy_is_pasted_from_the_focused_list(three):
 
 
 @pytest.mark.parametrize("how", ["cut", "delete"])
-def test_with_nothing_selected_the_edited_curve_goes(three, how):
+def test_with_nothing_selected_the_edited_curve_is_deleted(three, how):
     three.key(*KEYS[how])
     assert names(three) == "AC"
     assert undo_text(three) == f"{how.capitalize()} B"
@@ -92,7 +92,7 @@ def test_with_nothing_selected_the_edited_curve_goes(three, how):
 
 
 @pytest.mark.parametrize("how", ["cut", "delete"])
-def test_some_points_go_and_the_curve_stays(three, how):
+def test_deleting_some_points_keeps_the_curve(three, how):
     three.select([0, 3])
     three.key(*KEYS[how])
     assert [point.position for point in three.curve.points] == [(1, 4), (2, 3)]
@@ -158,7 +158,7 @@ def test_a_locked_curve_is_copied(three):
 # Duplicate
 
 
-def test_with_nothing_selected_the_edited_curve_is_doubled(three):
+def test_with_nothing_selected_the_edited_curve_is_duplicated(three):
     three.key(Qt.Key.Key_D, CTRL)
     assert [each.name for each in three.session.document.curves] == ["A", "B", "B copy", "C"]
     assert undo_text(three) == "Duplicate B"
@@ -187,7 +187,7 @@ def test_neighbouring_points_duplicated_as_a_curve_keep_the_shape(three, selecte
     assert part.evaluate(np.linspace(0.0, 1.0, 41)) == pytest.approx(expected, abs=1e-12)
 
 
-def test_points_that_are_no_neighbours_are_doubled_by_themselves(three):
+def test_points_that_are_no_neighbours_are_duplicated_without_the_points_between(three):
     three.select([0, 2])
     three.key(Qt.Key.Key_D, CTRL)
     assert [point.position for point in three.curve.points] == [(0, 3), (2, 3)]

@@ -92,7 +92,7 @@ def test_the_dialog_lists_the_losses(editor):
     dialog.close()
 
 
-def test_a_circle_of_four_arcs_comes_in_as_four_points(editor, tmp_path):
+def test_a_circle_of_four_arcs_is_imported_as_four_points(editor, tmp_path):
     """And neither as the pieces of its arcs, nor with the point where it closes twice."""
     arcs = "M80 30A15 15 0 0 1 65 45A15 15 0 0 1 50 30A15 15 0 0 1 65 15A15 15 0 0 1 80 30Z"
     (tmp_path / "ring.svg").write_text(
@@ -112,7 +112,7 @@ def test_a_circle_of_four_arcs_comes_in_as_four_points(editor, tmp_path):
     assert not any(point.corner for point in ring.points)
 
 
-def test_a_new_document_takes_the_unit_of_the_drawing(editor):
+def test_a_new_document_has_the_unit_of_the_drawing(editor):
     blank(editor)
     document = imported(editor, SVG / "inkscape_logo.svg")
     assert document.unit == "mm"
@@ -263,7 +263,7 @@ def test_an_opened_drawing_is_saved_as_a_document_of_its_own(editor, tmp_path, m
     assert (load(own), path.read_text(encoding="utf-8")) == (session.document, INCH)
 
 
-def test_very_many_shapes_without_a_group_come_together(editor, tmp_path):
+def test_very_many_shapes_without_a_group_are_one_entry_of_the_dialog(editor, tmp_path):
     """From 501 paths on, a file without groups ended in a KeyError in place of the dialog."""
     blank(editor)
     path = tmp_path / "many.svg"

@@ -137,7 +137,7 @@ def dragged(family, way, kind=ParametrizationKind.UNIFORM):
 
 
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.name)
-def test_a_dragged_point_makes_no_curve_until_somebody_asks(family):
+def test_a_dragged_point_computes_the_curve_on_request_only(family):
     view, fresh = dragged(family, (0.5, -0.25))
     assert view.is_followed
     drawn = view.flattened(1e-3, (-10.0, -10.0, 10.0, 10.0))

@@ -58,7 +58,7 @@ def test_a_double_click_on_the_line_inserts_a_point(editor):
     assert "shape kept" in editor.status.lower()
 
 
-def test_two_clicks_of_which_one_is_elsewhere_insert_nothing(editor):
+def test_two_clicks_at_different_positions_insert_nothing(editor):
     begin(editor, make_curve(BOW, family=HERMITE), make_curve([(0, 4), (3, 5), (6, 4)], name="Other"))
     editor.double_click(on_line(editor, 1), keys=SHIFT)
     assert len(editor.curve.points) == 5

@@ -67,7 +67,7 @@ def ask_to_save(editor, widget=None):
 
 
 @pytest.mark.parametrize("what", ["point", "band", "pen", "measure", "transform"])
-def test_a_dialog_takes_the_gesture_back(arch, what):
+def test_a_dialog_cancels_a_gesture(arch, what):
     document, steps = arch.session.document, arch.session.undo_stack.count()
     begin(arch, what)
     assert arch.window.canvas.is_dragging
@@ -85,7 +85,7 @@ def test_a_dialog_takes_the_gesture_back(arch, what):
     assert arch.point(2) == pytest.approx((3.5, 3), abs=2 * arch.pixel)
 
 
-def test_a_dialog_takes_a_drag_of_the_picture_back(arch, tmp_path):
+def test_a_dialog_cancels_a_drag_of_the_picture(arch, tmp_path):
     arch.window.commands[ImageCommands].trace(picture(tmp_path / "red.png"))
     arch.trigger("moveImage")
     before = arch.session.document.image
@@ -99,7 +99,7 @@ def test_a_dialog_takes_a_drag_of_the_picture_back(arch, tmp_path):
     assert arch.session.document.image == before
 
 
-def test_a_dialog_takes_a_drag_of_a_tick_back(arch):
+def test_a_dialog_cancels_a_drag_of_a_tick(arch):
     document, panel = arch.session.document, arch.window.basis_panel
     start = panel.rail_pixel(arch.parameters[1])
     arch.send(panel, QEvent.Type.MouseButtonPress, start)
@@ -126,7 +126,7 @@ def test_a_dialog_ends_panning(arch):
     assert arch.point(1) == pytest.approx((1.5, 3), abs=2 * arch.pixel)
 
 
-def test_a_dialog_takes_the_drag_of_a_row_back(arch):
+def test_a_dialog_cancels_a_drag_of_a_row(arch):
     arch.trigger("duplicateCurve")
     arch.show_dock("curvesDock")
     document, view = arch.session.document, arch.window.commands[CurveListCommands].panel.view
@@ -142,7 +142,7 @@ def test_a_dialog_takes_the_drag_of_a_row_back(arch):
     assert arch.session.document is document
 
 
-def test_a_list_that_a_key_opens_takes_the_release_but_leaves_no_gesture(arch):
+def test_the_command_palette_opened_during_a_gesture_cancels_the_gesture(arch):
     document = arch.session.document
     begin(arch, "band")
     arch.trigger("commandPalette")
@@ -258,7 +258,7 @@ def test_a_drag_ends_with_its_own_button_while_the_middle_one_pans(editor):
     assert editor.point(1) == moved
 
 
-def test_a_press_after_a_release_that_was_never_heard_begins_anew(editor):
+def test_a_press_after_a_missed_release_begins_a_new_gesture(editor):
     document = editor.session.document
     start = editor.point(1)
     editor.press(start)

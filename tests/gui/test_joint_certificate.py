@@ -112,7 +112,7 @@ def test_the_certificate_follows_a_drag_at_the_pace_of_the_panels_and_escape_rev
     assert panel(bessel).rows == before
 
 
-def test_a_corner_has_a_sign_and_a_word(bessel):
+def test_a_corner_has_a_sign_and_a_label(bessel):
     bessel.select([3])
     bessel.trigger("tangentCorner")
     x, y = bessel.handle(1, ahead=True).position

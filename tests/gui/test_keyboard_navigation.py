@@ -115,7 +115,7 @@ def accent_around(widget):
     return sum(image.pixelColor(x, y) == accent for x in edges for y in range(image.height()))
 
 
-def test_f6_to_the_lessons_shows_a_frame_and_escape_clears_the_word(editor):
+def test_f6_to_the_lessons_draws_a_frame_and_escape_clears_the_message(editor):
     """The list of lessons took the focus and showed nothing; its word stayed when Escape had left it."""
     window = editor.window
     window.activateWindow()
@@ -188,7 +188,7 @@ def test_f11_twice_leaves_a_maximised_window_maximised(editor):
     assert window.isMaximized()  # it had become small
 
 
-def test_a_panel_in_which_nothing_takes_the_focus_does_not_own_the_rest_of_the_window(qtbot):
+def test_a_panel_without_focusable_content_does_not_own_the_next_widget(qtbot):
     """The canvas' viewport was taken for a part of whatever came before it, and for deleted when that was."""
     window = QWidget()
     qtbot.addWidget(window)

@@ -283,7 +283,7 @@ def test_rounding_can_be_limited_to_coefficients_or_data(lab):
     assert traces_of(lab)
 
 
-def test_a_drag_keeps_the_old_curves_faded_until_the_hand_rests(lab):
+def test_the_old_curves_are_faded_during_a_drag_until_the_pointer_rests(lab):
     # However slow the machine is, the hand does not rest before it is let go.
     settling = commands(lab)._task._timer
     settling.setInterval(NEVER_MS)

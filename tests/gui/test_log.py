@@ -62,7 +62,7 @@ def folder(tmp_path):
     return folder
 
 
-def test_the_log_contains_nothing_of_the_person(editor, folder, debug, monkeypatch):
+def test_the_log_contains_no_personal_data(editor, folder, debug, monkeypatch):
     """Everything that names something: files that are there or not, locks, drawings, exceptions, backups."""
     window, session = editor.window, editor.session
     # The window may know already that another one has the file, and ask where else to save.

@@ -134,7 +134,7 @@ def test_keys_of_a_page_do_something(page):
             assert key in KEYS or key in _IN_GESTURES or QKeySequence(key) in RESERVED, key
 
 
-def test_every_other_quote_of_a_page_stands_in_the_window(editor):
+def test_quotes_of_a_page_occur_in_the_window(editor):
     """Names of panels, boxes and pages: after all panels were built once."""
     window = editor.window
     for name in [

@@ -59,7 +59,7 @@ def test_every_menu_fits_a_small_window_with_room_for_two_more_entries(editor):
         assert height + 2 * tallest - (len(entries) + 2) * higher <= _ROOM, menu.title()
 
 
-def test_families_and_parameters_stand_first_in_the_menu_curve(editor):
+def test_families_and_parameters_are_first_in_the_menu_curve(editor):
     (curve,) = [entry.menu() for entry in editor.window.menuBar().actions() if plain(entry.text()) == "Curve"]
     entries = [plain(action.text()) for action in curve.actions()]
     assert entries[:6] == [
@@ -74,7 +74,7 @@ def test_the_menu_bar_names_the_objects_of_the_editor(editor):
     ]  # fmt: skip
 
 
-def test_names_in_the_palette_stand_alone(editor):
+def test_names_in_the_palette_are_clear_without_their_menu(editor):
     found = editor.find_command("")
     for word in ("Top", "Smooth", "Uniform", "Play", "Overwrite"):
         assert word not in found
@@ -94,7 +94,7 @@ def test_the_rules_come_first_among_the_parameters(editor):
     ]  # fmt: skip
 
 
-def test_a_closed_panel_comes_back_from_the_menu_view(editor):
+def test_a_closed_panel_reopens_from_the_menu_view(editor):
     dock = editor.window.findChild(QDockWidget, "curvesDock")
     dock.raise_()
     editor.settle()
@@ -175,7 +175,7 @@ def test_the_first_window_fits_the_screen_with_its_frame(screen, most):
     assert (size.width(), size.height()) == most
 
 
-def test_a_place_that_is_none_is_not_worth_a_word(qtbot, tmp_path):
+def test_an_invalid_window_geometry_is_ignored_without_a_message(qtbot, tmp_path):
     preferences = Preferences(tmp_path / "settings.ini")
     tiny = MainWindow(Session(), preferences)
     qtbot.addWidget(tiny)

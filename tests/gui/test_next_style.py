@@ -39,7 +39,7 @@ def rectangle(editor, x):
     return editor.session.document.curves[-1].style
 
 
-def test_the_pen_goes_on_with_the_last_style(editor):
+def test_the_pen_continues_with_the_last_style(editor):
     editor.show_dock("styleDock")
     editor.trigger("newCurve")
     editor.trigger("addTool")

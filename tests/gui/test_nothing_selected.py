@@ -67,7 +67,7 @@ def test_a_key_of_a_curve_is_refused_without_a_selection(none):
         none.window.status_line.clear_message()
 
 
-def test_the_menu_of_curves_offers_nothing_and_says_why(none):
+def test_the_menu_of_curves_is_disabled_with_the_reason(none):
     offered = [each.name for each in all_actions() if each.section.needs is CURVE.needs]
     assert {"deleteCurve", "splitCurve", "joinCurve", "closeCurve", "lowerCurve"} < set(offered)
     for name in offered:
@@ -80,7 +80,7 @@ def test_the_menu_of_curves_offers_nothing_and_says_why(none):
     assert [curve.name for curve in none.session.document.curves] == ["B", "C"]
 
 
-def test_the_bar_and_the_form_show_that_there_is_no_curve_and_take_nothing(none):
+def test_the_toolbar_and_the_form_are_empty_and_disabled_without_a_curve(none):
     find, session = none.window.findChild, none.session
     box, slider = find(QComboBox, "parametrizationBox"), find(LiveSlider, "alphaSlider")
     name, start = find(QLineEdit, "curveName"), find(QLineEdit, "intervalStart")
@@ -153,7 +153,7 @@ def test_a_single_curve_can_be_selected_with_select_all(waves):
     assert one.session.selected.whole_curves == {0}
 
 
-def test_measuring_takes_up_no_curve(none):
+def test_measuring_activates_no_curve(none):
     """M, S, 1.5 and Enter scaled the curve that was edited last."""
     for key in (Qt.Key.Key_G, Qt.Key.Key_S, Qt.Key.Key_R, Qt.Key.Key_H):
         before = none.session.document

@@ -98,7 +98,7 @@ def test_a_saved_state_stays_a_step(nudged, tmp_path):
     assert not nudged.session.files.is_modified
 
 
-def test_there_and_back_again_is_no_step(nudged):
+def test_nudges_there_and_back_leave_no_step(nudged):
     # With steps of the grid, so that it is the same place to the last bit.
     nudged.set_grid(0.5)
     begun = history(nudged)

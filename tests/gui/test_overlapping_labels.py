@@ -10,7 +10,7 @@ from PySide6.QtCore import QRectF
 from app.plotting.text import clear_of
 
 
-def test_plates_that_would_cover_each_other_stand_apart():
+def test_overlapping_labels_are_moved_apart():
     """At the upper edge, where a bottom is rounded to lie below a top again, it went on for ever."""
     rng = np.random.default_rng(11)
     for _ in range(500):
@@ -25,7 +25,7 @@ def test_plates_that_would_cover_each_other_stand_apart():
         assert not any(one.intersects(other) for one, other in combinations(placed, 2))
 
 
-def test_a_plate_that_covers_nothing_stays():
+def test_a_label_without_overlap_stays():
     plate = QRectF(0.0, 0.0, 10.0, 5.0)
     assert clear_of([QRectF(0.0, 5.0, 10.0, 5.0), QRectF(10.0, 0.0, 5.0, 5.0)], plate) == plate
     assert clear_of([QRectF(0.0, 1.0, 10.0, 5.0)], plate).bottom() == 0.0

@@ -281,7 +281,7 @@ def test_another_seed_draws_other_curves(dock, qtbot):
     until_settled(editor, lambda: note(editor, "overlayEnsemble") == "29 curves, seed 1.")
 
 
-def test_without_a_curve_nothing_is_drawn_and_the_dock_says_why(dock):
+def test_without_a_curve_no_overlay_is_drawn_and_the_dock_gives_the_reason(dock):
     editor = dock
     editor.trigger("overlayComb")
     editor.trigger("ghostUniform")

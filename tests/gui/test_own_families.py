@@ -154,7 +154,7 @@ def test_a_template_is_a_file_that_works_at_once(editor, path, ask):
     assert editor.window.findChild(QLabel, "basisFindings").text() == DIFFERENCES
 
 
-def test_a_file_that_says_its_derivatives_has_no_differences(using, save, path):
+def test_derivatives_given_by_a_file_replace_differences(using, save, path):
     said = using.window.findChild(QLabel, "basisFindings")
     assert said.text() == DIFFERENCES
     save("""import numpy as np
@@ -362,7 +362,7 @@ def test_a_mistake_is_reported_with_its_line_and_the_last_working_version_stays(
     until(lambda: bar_of(using) is None)
 
 
-def test_a_sentence_that_was_put_away_stays_away_until_there_is_another(using, save, path):
+def test_a_dismissed_message_stays_hidden_until_the_next_message(using, save, path):
     save(template(path).replace("columns = []", "columns = {}"))
     until(lambda: "line 15" in text_of(using))
     QTest.mouseClick(using.window.findChild(QToolButton, "closeFamilyBar"), Qt.MouseButton.LeftButton)
@@ -598,7 +598,7 @@ def test_a_file_given_on_the_command_line_is_watched(qtbot, path, save, tried_he
         editor.session.files.give_up_changes()
 
 
-def test_a_family_that_the_file_no_longer_has_goes_from_menus_and_its_curves_stay(using, save, path):
+def test_a_family_removed_from_its_file_leaves_the_menus_and_its_curves_stay(using, save, path):
     save(template(path).replace('"my_lagrange"', '"other"').replace('"my lagrange"', '"other one"'))
     further = using.window.findChild(QMenu, "familiesMenu")
     until(lambda: "familyOther" in using.window.actions_by_name)

@@ -82,7 +82,7 @@ def test_a_further_window_does_not_stick_out_of_the_screen_beside_a_large_one(ne
     assert other.pos().toTuple() > window.pos().toTuple()
 
 
-def test_open_leaves_the_document_that_somebody_works_in(new_editor, windows, tmp_path, monkeypatch):
+def test_open_does_not_replace_an_edited_document(new_editor, windows, tmp_path, monkeypatch):
     editor = new_editor
     own, second = tmp_path / "own.curve.json", tmp_path / "second.curve.json"
     for path in (own, second):

@@ -84,7 +84,7 @@ def test_the_handle_behind_keeps_its_position_before_a_short_segment(pen):
     assert behind.position == pytest.approx(before.position, rel=1e-12)
 
 
-def test_an_acceleration_goes_along_by_the_square(pen):
+def test_an_acceleration_scales_by_the_square(pen):
     begin(pen, rule_edits.set_family(pen.session.document, 0, QUINTIC_HERMITE))
     pen.click(at(pen, 0, 0))
     pen.drag(at(pen, 30, 0), at(pen, 60, 0))
@@ -163,7 +163,7 @@ def test_shift_adds_at_the_end_near_the_curve(pen):
     assert pen.session.undo_stack.undoText() == "Insert point 1"
 
 
-def test_escape_takes_back_a_point_added_near_the_curve(pen):
+def test_escape_removes_a_point_added_near_the_curve(pen):
     lay(pen, *(at(pen, x, 0) for x in (0, 100, 200)))
     document = pen.session.document
     pen.press(at(pen, 50, 4), keys=SHIFT)
@@ -214,7 +214,7 @@ def test_the_beginning_is_undone_in_one_step(ring):
     assert (ring.session.active_index, len(ring.curve.points)) == (1, 1)
 
 
-def test_escape_takes_back_the_beginning(ring):
+def test_escape_cancels_the_first_point(ring):
     document, steps = ring.session.document, ring.session.undo_stack.count()
     ring.press((4, 1))
     ring.move((5, 2))
@@ -226,7 +226,7 @@ def test_escape_takes_back_the_beginning(ring):
     assert ring.curve.is_closed
 
 
-def test_undo_in_the_middle_of_the_beginning_takes_back_that_alone(ring):
+def test_undo_while_placing_the_first_point_cancels_only_the_first_point(ring):
     document = ring.session.document
     ring.press((4, 1))
     ring.trigger("undo")
@@ -295,7 +295,7 @@ def test_a_point_inserted_and_dragged_a_little_changes_the_curve_a_little(pen, k
     pen.release(place)
 
 
-def test_a_point_being_added_says_where_and_how(pen):
+def test_the_status_line_displays_position_and_kind_of_an_added_point(pen):
     pen.press((1.0, 2.0))
     x, y = pen.window.canvas.to_plane(pen.window.canvas.to_pixel(1.0, 2.0))
     assert pen.status.startswith(f"Add point 0 at {x:.4g}, {y:.4g}")

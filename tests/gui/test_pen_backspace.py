@@ -30,7 +30,7 @@ def sizes(editor):
 
 
 @pytest.mark.parametrize("key", [BACKSPACE, DELETE])
-def test_the_pen_takes_back_its_points_one_by_one_and_then_nothing(paper, key):
+def test_backspace_removes_points_of_the_pen_one_by_one_and_then_nothing(paper, key):
     """The second Backspace deleted the curve, the third and fourth letters beside it."""
     for place in PLACES:
         paper.click(place)

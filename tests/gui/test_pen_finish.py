@@ -56,7 +56,7 @@ def test_enter_finishes_and_the_next_press_begins_another_curve(pen, key):
     assert pen.session.document.curves[0] == document.curves[0]
 
 
-def test_several_curves_in_a_row_and_back_again(pen):
+def test_several_curves_are_drawn_in_a_row_and_the_active_curve_continues(pen):
     for y in (150, 200):
         pen.key(Qt.Key.Key_Return)
         pen.click(at(pen, 300, y))
@@ -70,7 +70,7 @@ def test_several_curves_in_a_row_and_back_again(pen):
     assert hint(pen).startswith("Click to add point 2")
 
 
-def test_a_click_on_the_last_point_goes_on(pen):
+def test_a_click_on_the_last_point_continues_the_curve(pen):
     pen.key(Qt.Key.Key_Return)
     pen.hover(pen.point(2))
     assert hint(pen) == "Click to continue this curve · Drag to move point 2"
@@ -81,7 +81,7 @@ def test_a_click_on_the_last_point_goes_on(pen):
 
 
 @pytest.mark.parametrize("kind", [ParametrizationKind.CHORD_LENGTH, ParametrizationKind.MANUAL])
-def test_a_click_on_the_first_point_of_a_curve_that_is_not_drawn_goes_on_from_there(pen, kind):
+def test_a_click_on_the_first_point_of_a_finished_curve_continues_from_the_start(pen, kind):
     """It closed a curve that had been finished long ago."""
     document = rule_edits.set_parametrization(pen.session.document, 0, kind, [0.0, 0.3, 1.0])
     pen.session.commit(point_edits.set_velocity(document, 0, 1, (400.0, -90.0)), "Begin")
@@ -114,7 +114,7 @@ def test_a_drag_of_the_last_point_moves_it_and_the_curve_stays_finished(pen):
     assert sizes(pen) == [3, 1]
 
 
-def test_shift_goes_on(pen):
+def test_a_click_with_shift_continues_a_finished_curve(pen):
     pen.key(Qt.Key.Key_Return)
     pen.click(at(pen, 300, 150), keys=SHIFT)
     assert sizes(pen) == [4]
@@ -122,7 +122,7 @@ def test_shift_goes_on(pen):
     assert sizes(pen) == [5]
 
 
-def test_escape_takes_back_a_press_with_shift_and_the_curve_stays_finished(pen):
+def test_escape_cancels_a_press_with_shift_and_the_curve_stays_finished(pen):
     document = pen.session.document
     pen.key(Qt.Key.Key_Return)
     pen.press(at(pen, 300, 150), keys=SHIFT)
@@ -133,7 +133,7 @@ def test_escape_takes_back_a_press_with_shift_and_the_curve_stays_finished(pen):
     assert sizes(pen) == [3, 1]
 
 
-def test_escape_takes_back_the_beginning_and_the_curve_stays_finished(pen):
+def test_escape_cancels_a_new_curve_and_the_finished_curve_stays_finished(pen):
     document = pen.session.document
     pen.key(Qt.Key.Key_Return)
     pen.press(at(pen, 300, 150))
@@ -160,14 +160,14 @@ def test_a_finished_curve_stays_finished_with_another_tool_in_between(pen):
     assert sizes(pen) == [3, 1]
 
 
-def test_without_enter_coming_back_to_the_pen_goes_on(pen):
+def test_without_enter_the_reactivated_pen_continues_the_curve(pen):
     pen.escape()
     pen.trigger("addTool")
     pen.click(at(pen, 300, 150))
     assert sizes(pen) == [4]
 
 
-def test_enter_is_nothing_elsewhere(pen):
+def test_enter_does_not_finish_during_a_press_with_another_tool_or_after_one_point(pen):
     pen.press(at(pen, 300, 150))
     pen.key(Qt.Key.Key_Return)
     pen.release(at(pen, 300, 150))
@@ -242,7 +242,7 @@ def test_a_click_with_ctrl_puts_the_point_at_an_angle_step_from_the_last_point(p
     assert pen.point(count)[1] - y == pytest.approx((pen.point(count)[0] - x) / math.sqrt(3), abs=1e-12)
 
 
-def test_escape_takes_back_a_velocity_drawn_in_steps(pen):
+def test_escape_cancels_a_velocity_drawn_in_steps(pen):
     document = pen.session.document
     pen.press(at(pen, 300, 150))
     pen.move(at(pen, 360, 180), keys=SHIFT)
@@ -268,7 +268,7 @@ def test_the_hint_names_the_snap_key_where_a_drag_moves_the_point(pen):
 MEASURED = [((160, 70), "30°"), ((30, 150), "90°"), ((-90, 11), "180°")]
 
 
-def test_measuring_goes_in_steps_with_shift(pen):
+def test_measuring_with_shift_uses_angle_steps(pen):
     pen.trigger("measureTool")
     for to, angle in MEASURED:
         start = at(pen, 40, 20)
@@ -289,7 +289,7 @@ def test_measuring_goes_in_steps_with_shift(pen):
         pen.release(at(pen, *to))
 
 
-def test_enter_with_one_point_says_that_a_second_point_is_missing(editor):
+def test_enter_with_one_point_reports_the_missing_second_point(editor):
     editor.new()
     editor.trigger("addTool")
     editor.click((1.0, 1.0))
@@ -342,7 +342,7 @@ def test_the_second_press_of_a_double_click_drags_the_point_as_any_press_does(pe
     assert sizes(pen) == [5]
 
 
-def test_a_click_on_the_first_point_closes_a_curve_without_handles_and_the_status_line_says_so(pen):
+def test_a_click_on_the_first_point_closes_a_curve_without_handles_with_a_message(pen):
     pen.choose_family("cubic_spline")
     pen.click(at(pen, 300, 150))
     pen.hover(pen.point(0))
@@ -403,7 +403,7 @@ def test_two_points_are_closed_by_key_opened_and_closed_again(two_drawn):
     assert not pen.curve.is_closed
 
 
-def test_two_points_alone_are_not_closed_and_the_status_line_says_why(two_drawn):
+def test_closing_a_curve_of_two_points_is_refused_with_the_reason(two_drawn):
     pen = two_drawn
     pen.choose_family("cubic_spline")
     pen.hover(pen.point(0))

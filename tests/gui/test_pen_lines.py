@@ -45,7 +45,7 @@ def test_alt_click_makes_a_polygon(pen):
             assert middle == pytest.approx(there, abs=2 * pen.pixel), family
 
 
-def test_a_curve_goes_on_from_a_line_with_a_corner(pen):
+def test_a_curve_continues_from_a_line_with_a_corner(pen):
     pen.click(at(pen, 20, 20), keys=ALT)
     pen.click(at(pen, 160, 20), keys=ALT)
     pen.click(at(pen, 240, 120))
@@ -107,7 +107,7 @@ def test_without_velocities_a_press_of_the_pen_adds_a_plain_point(pen):
     assert pen.session.active_view.is_current
 
 
-def test_the_hint_over_the_first_point_says_that_a_click_closes(pen):
+def test_the_hint_over_the_first_point_mentions_closing(pen):
     for place in PLACES:
         pen.click(at(pen, *place))
     pen.hover(pen.point(0))

@@ -166,7 +166,7 @@ COUNTS = [
 ]
 
 
-def test_no_preview_where_the_curve_takes_long(editor):
+def test_a_slow_curve_has_no_preview(editor):
     for family, count, is_shown in COUNTS:
         angles = np.linspace(0, 6, count)
         points = [(float(x), float(y)) for x, y in zip(np.cos(angles), np.sin(angles), strict=True)]

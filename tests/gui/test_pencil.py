@@ -118,7 +118,7 @@ def test_a_zigzag_of_few_teeth_that_took_a_polynomial_half_a_minute_is_drawn(edi
     assert farthest(editor, line) <= 2.2
 
 
-def test_a_zigzag_that_a_polynomial_would_follow_for_long_comes_out_in_local_pieces(editor, monkeypatch):
+def test_a_zigzag_too_slow_for_a_polynomial_becomes_local_pieces(editor, monkeypatch):
     monkeypatch.setattr(pencil, "_PATIENCE_S", 0.2)
     editor.new()
     editor.choose_family(FAMILIES.named("bezier"))
@@ -200,7 +200,7 @@ def draw_without_waiting(editor, places):
     return line
 
 
-def test_the_line_stays_until_the_curve_is_there_and_the_progress_is_displayed(slow):
+def test_the_drawn_line_stays_with_progress_until_the_curve_is_fitted(slow):
     line = draw_without_waiting(slow, PLACES["arc"])
     canvas = slow.window.canvas
     assert not slow.session.active_curve.points
@@ -213,7 +213,7 @@ def test_the_line_stays_until_the_curve_is_there_and_the_progress_is_displayed(s
     assert slow.session.undo_stack.count() == 2  # the family before it
 
 
-def test_escape_takes_a_line_back_that_is_becoming_a_curve(slow):
+def test_escape_cancels_a_running_fit_of_a_line(slow):
     before, count = slow.session.document, slow.session.undo_stack.count()
     draw_without_waiting(slow, PLACES["arc"])
     slow.key(Qt.Key.Key_Escape)
@@ -226,7 +226,7 @@ def test_escape_takes_a_line_back_that_is_becoming_a_curve(slow):
     assert farthest(slow, line) <= 2.2
 
 
-def test_undo_takes_the_line_back_that_is_becoming_a_curve_and_not_the_step_before(slow):
+def test_undo_during_a_fit_removes_the_line_and_not_the_step_before(slow):
     """The step before the line went, and then the line's curve came."""
     before, step = slow.session.document, slow.session.undo_stack.undoText()
     draw_without_waiting(slow, PLACES["arc"])
@@ -241,7 +241,7 @@ def test_undo_takes_the_line_back_that_is_becoming_a_curve_and_not_the_step_befo
 
 
 @pytest.mark.parametrize("is_held", [True, False])
-def test_undo_by_its_key_takes_the_first_line_of_a_document_back(slow, is_held):
+def test_the_undo_key_removes_the_first_line_of_a_document(slow, is_held):
     """“Needs a step to take back”, and the curve came."""
     editor = slow
     editor.session.undo_stack.clear()
@@ -259,7 +259,7 @@ def test_undo_by_its_key_takes_the_first_line_of_a_document_back(slow, is_held):
     assert not editor.curve.points
 
 
-def test_undo_by_its_key_takes_back_the_first_drag_in_a_document(editor):
+def test_the_undo_key_cancels_the_first_drag_in_a_document(editor):
     editor.session.commit(Document((make_curve([(0, 0), (1, 2), (3, 2)]),)), "Begin")
     editor.fit()
     editor.session.undo_stack.clear()
@@ -273,7 +273,7 @@ def test_undo_by_its_key_takes_back_the_first_drag_in_a_document(editor):
     assert not editor.action("undo").isEnabled()
 
 
-def test_undo_takes_back_the_last_of_several_lines(slow):
+def test_undo_removes_the_last_of_several_lines(slow):
     draw_without_waiting(slow, PLACES["arc"])
     draw_without_waiting(slow, PLACES["wobbling"])
     slow.trigger("undo")
@@ -283,7 +283,7 @@ def test_undo_takes_back_the_last_of_several_lines(slow):
     assert slow.session.active_curve.points
 
 
-def test_quick_lines_come_one_after_the_other(slow):
+def test_quick_lines_are_fitted_in_order(slow):
     first = draw_without_waiting(slow, PLACES["arc"])
     second = draw_without_waiting(slow, PLACES["wobbling"])
     assert len(slow.window.canvas.marks.waiting) == 2

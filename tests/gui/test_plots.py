@@ -151,7 +151,7 @@ def test_the_lebesgue_constant_of_the_plot_is_that_of_the_status_line(editor):
     assert known.values == pytest.approx(lebesgue_function(editor.session.active_view.curve, known.t))
 
 
-def test_both_panels_show_the_same_part_of_t_whichever_is_zoomed_or_panned(editor):
+def test_zooming_or_panning_either_panel_keeps_both_at_the_same_part_of_t(editor):
     editor.trigger("plotSpeed")
     basis, plots = editor.window.basis_panel, canvas(editor)
     assert plots.camera.t_range == pytest.approx(basis.camera.t_range)

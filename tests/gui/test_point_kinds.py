@@ -80,7 +80,7 @@ def test_a_key_sets_the_kind_of_the_selected_points_in_one_step(bow, family):
         assert [bow.action(each.action).isChecked() for each in POINT_KINDS].count(True) == 1, kind
 
 
-def test_each_kind_stands_in_the_menus_the_palette_and_above_the_table(bow):
+def test_each_kind_is_in_the_menus_the_palette_and_above_the_table(bow):
     document = bow.session.document
     for kind in POINT_KINDS:
         bow.session.commit(document, "Again")
@@ -256,7 +256,7 @@ def test_alt_separates_the_handles_under_a_resting_mouse(bow):
     assert kind_at(bow.session.active_view, 2) is SMOOTH
 
 
-def test_a_corner_has_nothing_to_break(bow):
+def test_the_hint_to_break_handles_is_missing_at_a_corner(bow):
     hints = []
     bow.window.canvas.hint_changed.connect(hints.append)
     bow.select_point(2)

@@ -395,7 +395,7 @@ def test_numbers_with_a_decimal_comma(table):
     assert table.point(3).x == 1.234
 
 
-def test_set_data_takes_numbers_and_expressions(table):
+def test_set_data_accepts_numbers_and_expressions(table):
     index = table.model.index(4, Y)
     assert table.model.setData(index, 0.5)
     assert table.point(4).y == 0.5
@@ -477,7 +477,7 @@ def test_delete_resets_the_selected_derivatives(quintic):
     assert quintic.session.undo_stack.undoText() == "Reset velocity of point 2"
 
 
-def test_delete_elsewhere_is_left_to_the_window(hermite):
+def test_delete_in_other_columns_is_handled_by_the_window(hermite):
     heard = []
     QShortcut(QKeySequence("Del"), hermite.window, lambda: heard.append("Del"))
     set_derivatives(hermite, 2)
@@ -537,7 +537,7 @@ def test_selected_points_select_the_rows(table):
     assert changes.count() == 2  # no echo
 
 
-def test_cells_selected_by_hand_stay_selected(table):
+def test_cells_selected_by_the_user_stay_selected(table):
     table.click(2, X)
     assert table.view.selected_cells() == {(2, X)}
 

@@ -110,7 +110,7 @@ def test_a_click_or_a_drag_of_an_unselected_point_acts_on_that_point_only(letter
     assert (undo_text(letter), letter.curve.name) == ("Move point 0", "Outer")
 
 
-def test_escape_in_the_middle_of_a_drag_and_of_a_band_takes_all_back(letter):
+def test_escape_cancels_a_drag_and_a_band_over_several_curves(letter):
     letter.drag((-4.0, 0.7), (-1.0, -0.7))
     document, count = letter.session.document, letter.session.undo_stack.count()
     letter.press((-3.0, 0.0))
@@ -161,7 +161,7 @@ def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
     assert letter.session.document == begun
 
 
-def test_points_that_undo_brings_back_are_selected_in_both_contours(letter):
+def test_points_restored_by_undo_are_selected_in_both_contours(letter):
     letter.drag((-4.0, 0.7), (-1.0, -0.7))
     letter.key(Key.Key_Delete)
     assert [len(curve.points) for curve in letter.session.document.curves] == [3, 3, 4]
@@ -377,7 +377,7 @@ def test_the_panel_counts_the_points_of_all_contours(letter):
     assert label.text() == "All 8 points in 2 curves"
 
 
-def test_a_typed_width_takes_the_counter_along(letter):
+def test_a_typed_width_scales_both_contours(letter):
     letter.trigger("openTransform")
     before = places(letter)[:2, :, 0]
     retype(letter.window.findChild(QLineEdit, "transformWidth"), "90")
@@ -387,7 +387,7 @@ def test_a_typed_width_takes_the_counter_along(letter):
     assert factors[0, 0] > 1.5
 
 
-def test_flips_and_quarter_turns_take_all_contours_along(letter):
+def test_flips_and_quarter_turns_transform_all_contours(letter):
     target = letter.window.canvas.tools.box
     for key, held, linear in (
         (Key.Key_H, Qt.KeyboardModifier.NoModifier, ((-1, 0), (0, 1))),
@@ -407,7 +407,7 @@ def test_flips_and_quarter_turns_take_all_contours_along(letter):
         (Key.Key_R, "180", -np.eye(2), (0, 0)),
     ],
 )
-def test_g_s_and_r_take_all_contours_along(letter, key, typed, linear, shift):
+def test_g_s_and_r_transform_all_contours(letter, key, typed, linear, shift):
     before, centre = places(letter), np.array(letter.window.canvas.tools.box.centre)
     letter.hover((4, 4))
     letter.key(key)

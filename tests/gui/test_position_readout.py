@@ -78,7 +78,7 @@ def test_a_transform_by_key_shows_the_position_of_its_single_point(arch):
     arch.escape()
 
 
-def test_nudges_say_where_the_point_is_and_the_step(arch):
+def test_nudges_display_the_position_and_the_step(arch):
     arch.select([1])
     arch.key(RIGHT)
     step = round_step_above(2 * arch.pixel)
@@ -96,7 +96,7 @@ def test_nudges_on_the_grid_show_the_step(arch):
     assert arch.status == f"Point 2 at {3 + fine:.4g}, 2 · step {fine:.4g}, 0"
 
 
-def test_the_place_is_never_cut_off(arch):
+def test_the_position_is_never_cut_off(arch):
     arch.window.resize(1280, 800)
     arch.set_unit("mm")
     label = arch.window.statusBar().findChild(QLabel, "pointerPlace")

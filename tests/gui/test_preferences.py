@@ -125,7 +125,7 @@ def test_a_relative_recent_file_is_stored_absolute(store, tmp_path, monkeypatch)
     assert preferences.recent_files == [path]
 
 
-def test_a_folder_that_is_gone_gives_the_home_folder(store, tmp_path):
+def test_a_missing_folder_gives_the_home_folder(store, tmp_path):
     preferences = Preferences(store)
     preferences.last_folder = tmp_path / "gone"
     assert preferences.last_folder == Path.home()
@@ -191,7 +191,7 @@ RUBBISH = {
 
 
 @pytest.mark.parametrize("content", RUBBISH.values(), ids=RUBBISH)
-def test_a_file_of_rubbish_is_set_aside_and_gives_defaults(store, content):
+def test_a_damaged_settings_file_is_renamed_and_defaults_apply(store, content):
     store.write_bytes(content)
     preferences = Preferences(store)
     assert preferences.theme_mode is ThemeMode.SYSTEM
@@ -281,7 +281,7 @@ def test_no_key_of_a_wrong_type_stops_a_start(qtbot, tmp_path):
     assert len(seen) > 4
 
 
-def test_a_type_that_python_does_not_know_is_no_type(store):
+def test_a_setting_of_an_unknown_type_gives_the_default_and_a_complaint(store):
     store.write_bytes(b"theme=@Variant(\\0\\0\\0\\x99\\xff)\n")
     preferences = Preferences(store)
     assert preferences.theme_mode is ThemeMode.SYSTEM
@@ -316,7 +316,7 @@ def test_a_window_position_off_every_screen_is_ignored(qtbot, qapp, store, rect)
 
 
 @pytest.mark.parametrize("content", [b"", b"\xff" * 60, bytes(60), b"\x7f\xff\xff\xff" * 15])
-def test_a_layout_that_is_none_gives_the_default_and_a_word(qtbot, store, content):
+def test_an_invalid_layout_gives_the_default_and_a_message(qtbot, store, content):
     layout = QByteArray(b"\x01\xd9\xd0\xcb\x00\x03\x00\x00" + content)
     preferences = Preferences(store)
     preferences.window_geometry = preferences.window_state = preferences.splitter_state = layout

@@ -140,7 +140,7 @@ def rows_of(dialog):
     ]
 
 
-def test_the_rows_stand_in_the_order_of_the_settings(dialog):
+def test_the_rows_are_in_the_order_of_the_settings(dialog):
     names = [kind.value for kind in SnapKind]
     labels = ["Snap to", *[""] * (len(names) - 1)]
     kinds = list(zip(labels, map("snap_{}".format, names), strict=True))

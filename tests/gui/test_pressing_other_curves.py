@@ -51,7 +51,7 @@ def test_a_drag_on_another_curve_moves_the_whole_curve_without_editing(three, at
     assert (three.curve.name, three.session.selection) == ("B", {1})
 
 
-def test_the_status_line_says_so_before_the_press(three):
+def test_the_hint_before_the_press_names_the_other_curve(three):
     line, at = three.window.status_line, on_curve(three, 2)
     three.hover(at)
     assert line.hint == "Drag to move “C” · click to edit it · Shift+click: add it to the selection"

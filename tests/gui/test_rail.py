@@ -35,7 +35,7 @@ def pixels(panel, count=1.0):
 # Several ticks
 
 
-def test_shift_click_selects_more_and_takes_out_again(editor):
+def test_shift_click_adds_to_and_removes_from_the_selection(editor):
     editor.rail.click(2)
     editor.rail.click(4, keys=SHIFT)
     editor.rail.click(5, keys=SHIFT)
@@ -354,7 +354,7 @@ def test_the_alpha_slider_shows_a_ghost(editor):
 
 
 @pytest.mark.parametrize("what", ["tick", "scrub line", "pan"])
-def test_a_right_press_takes_a_drag_back_and_opens_no_menu(editor, panel, what):
+def test_a_right_press_cancels_a_drag_and_opens_no_menu(editor, panel, what):
     document, scrub = editor.session.document, editor.session.scrub.t
     t = editor.parameters[3]
     rail = what == "tick"
@@ -408,7 +408,7 @@ def test_a_drag_does_not_lay_the_window_out_at_every_move(new_editor):
 
 
 @pytest.mark.parametrize("width", [1200, 760])
-def test_other_digits_of_a_note_lay_nothing_out(editor, width):
+def test_changed_digits_of_a_note_cause_no_layout(editor, width):
     """Whenever the note on the functions was written, the window was laid out: in a drag all the time."""
     editor.window.resize(width, 800)
     editor.settle()

@@ -12,7 +12,7 @@ def order(typed, names=NAMES):
     return [names[place] for place in ranked(typed, [SearchEntry(name) for name in names])]
 
 
-def test_names_that_begin_with_the_words_come_first_and_scattered_letters_only_where_nothing_else_fits():
+def test_names_are_ranked_by_prefix_then_words_then_scattered_letters():
     assert order("reverse") == ["Reverse Curve"]
     assert order("re") == ["Reverse Curve", "Rename Curve…", "Recover Unsaved Work"]
     assert order("curve") == ["Curve Colour…", "Next Curve", "Reverse Curve", "Rename Curve…"]
@@ -31,7 +31,7 @@ WORDS = {
 }
 
 
-def test_the_palette_knows_other_words(editor):
+def test_the_palette_finds_entries_by_synonyms(editor):
     found = {typed: editor.find_command(typed) for typed in WORDS}
     assert {typed: names[0] for typed, names in found.items()} == WORDS
     for typed, names in found.items():

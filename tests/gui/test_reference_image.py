@@ -266,7 +266,7 @@ def test_the_hint_announces_the_effect_of_a_press(traced):
 
 
 @pytest.mark.parametrize("tool", ["addTool", "selectTool"])
-def test_choosing_a_tool_gives_the_mouse_back_to_the_points(traced, tool):
+def test_selecting_a_tool_ends_moving_the_image(traced, tool):
     traced.trigger("moveImage")
     traced.trigger(tool)
     assert Part.IMAGE not in traced.window.canvas.tools.tool.hits
@@ -517,7 +517,7 @@ def test_a_new_picture_lies_at_short_numbers(editor, tmp_path, box):
     assert middle(image) == pytest.approx(((x_min + x_max) / 2, (y_min + y_max) / 2), abs=1.01 * editor.pixel)
 
 
-def test_the_import_dialog_takes_a_picture(editor, tmp_path, monkeypatch):
+def test_the_import_dialog_accepts_a_picture(editor, tmp_path, monkeypatch):
     chosen = [str(picture(tmp_path / name, 60, 40)) for name in ("a.png", "b.PNG")]
     filters = []
     monkeypatch.setattr(

@@ -81,7 +81,7 @@ def test_a_redundant_action_shows_a_message_and_no_refusal(line):
         assert not line.window.status_line.is_refusal, key
 
 
-def test_all_is_selected_once_more_without_a_word(line):
+def test_select_all_with_all_selected_gives_no_message(line):
     line.key(Qt.Key.Key_A, CTRL)
     line.key(Qt.Key.Key_A, CTRL)
     assert len(line.session.selected.points) == 3
@@ -101,7 +101,7 @@ OF_NOTHING = [
 ]
 
 
-def test_in_an_empty_document_there_is_nothing_to_copy_or_to_delete(editor):
+def test_in_an_empty_document_copy_and_delete_are_refused(editor):
     editor.new()
     editor.trigger("selectTool")
     for key, held, name in OF_NOTHING:
@@ -136,7 +136,7 @@ def test_the_keys_of_a_refused_action_work_for_another_family(line):
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_F4, Qt.Key.Key_Shift, Qt.Key.Key_X])
-def test_keys_that_nobody_has_say_nothing(line, key):
+def test_unassigned_keys_give_no_message(line, key):
     line.session.say("An older answer.")
     line.key(key)
     assert line.status == "An older answer."

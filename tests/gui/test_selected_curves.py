@@ -76,7 +76,7 @@ def positions(editor, row):
 # Choosing in the list
 
 
-def test_control_click_adds_and_takes_out(five):
+def test_control_click_adds_and_removes(five):
     click_row(five, 3, CTRL)
     assert chosen(five) == "BD"
     click_row(five, 0, CTRL)
@@ -151,7 +151,7 @@ def test_the_action_selects_all(five):
     assert undo_text(five) == "Begin"
 
 
-def test_the_list_tells_a_screen_reader(five):
+def test_the_list_has_accessible_texts(five):
     choose(five, "BD")
     told = [heard(five, row) for row in (0, 1, 3)]
     assert [text.partition("points")[2] for text in told] == ["", ", selected, edited", ", selected"]
@@ -180,7 +180,7 @@ def test_a_click_on_a_selected_curve_edits_that_curve_alone(five):
     assert chosen(five) == "D"
 
 
-def test_by_clicks_the_points_are_let_go_first_then_the_other_curves(five):
+def test_clicks_deselect_the_points_first_and_then_the_other_curves(five):
     choose(five, "BD")
     five.click(five.point(1))
     assert five.session.selection == {1}
@@ -189,7 +189,7 @@ def test_by_clicks_the_points_are_let_go_first_then_the_other_curves(five):
         assert (five.session.selection, chosen(five)) == (frozenset(), expected)
 
 
-def test_the_status_line_names_the_curves_that_tools_act_on(five):
+def test_the_status_line_names_the_curves_affected_by_tools(five):
     choose(five, "BD")
     five.hover((-1.5, 4.4))
     assert five.window.status_line.hint.startswith("2 curves selected, “B” is edited · G moves, S scales")
@@ -301,7 +301,7 @@ def test_all_selected_curves_are_duplicated_and_the_copies_selected(five):
     assert five.session.selection == frozenset()
 
 
-def test_locked_curves_stay_where_others_change_and_are_named_where_none_can(five):
+def test_locked_curves_stay_unchanged_and_are_named_when_all_are_locked(five):
     choose(five, "BD")
     five.trigger("curveLocked")
     choose(five, "ABDE")
@@ -525,7 +525,7 @@ def test_selected_points_take_precedence_over_selected_curves(five):
     assert five.session.document.curves[3] is before.curves[3]
 
 
-def test_the_box_is_there_for_several_curves_only(five):
+def test_the_box_is_visible_for_several_curves_only(five):
     choose(five, "BD")
     assert five.window.canvas.marks.box is not None
     choose(five, "B")
@@ -723,7 +723,7 @@ def test_selected_rows_are_dragged_together(five):
     assert chosen(five) == "C"
 
 
-def test_rename_while_a_name_is_typed_takes_that_and_begins_again(editor):
+def test_rename_while_a_name_is_typed_commits_the_name_and_edits_again(editor):
     """Qt warned: "edit: editing failed"."""
     for text in ("First", "Second"):
         editor.trigger("renameCurve")

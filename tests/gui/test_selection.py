@@ -239,7 +239,7 @@ def test_r_follows_the_pointer_and_shift_makes_steps(arch):
     assert points(arch)[1:3] == pytest.approx(np.array([(2 - away, 2 - away), (2 + away, 2 + away)]))
 
 
-def test_a_transform_ends_when_the_keys_go_elsewhere(arch):
+def test_a_transform_ends_when_the_focus_moves(arch):
     arch.select([1, 2])
     document = arch.session.document
     arch.hover((0, 3))
@@ -367,7 +367,7 @@ def test_the_round_grip_rotates(arch):
     assert undo_text(arch) == "Rotate 4 points"
 
 
-def test_a_grip_can_be_let_go_with_escape(arch):
+def test_escape_cancels_a_drag_of_a_grip(arch):
     for place in ((1, 1), (-1, 0), (0, 0)):
         arch.select([0, 1, 2, 3])
         document = arch.session.document

@@ -68,7 +68,7 @@ def test_after_a_fit_the_pointer_has_plain_floats(editor):
         assert [type(value) for value in places] == [float] * 7
 
 
-def test_a_point_clicked_after_a_fit_goes_a_step_of_the_grid(editor):
+def test_a_point_clicked_after_a_fit_is_nudged_by_a_grid_step(editor):
     """`repr` of its x was "np.float64(1.0021264288264025)": decimal.InvalidOperation."""
     editor.fit()
     editor.trigger("addTool")

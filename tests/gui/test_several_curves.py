@@ -95,7 +95,7 @@ def test_the_add_tool_adds_points_also_on_top_of_other_curves(three):
     assert len(three.curve.points) == 5
 
 
-def test_activating_in_the_middle_of_a_drag_takes_the_drag_back(three):
+def test_activating_a_curve_during_a_drag_cancels_the_drag(three):
     document = three.session.document
     three.press(three.point(1))
     three.move((1, 5))
@@ -107,7 +107,7 @@ def test_activating_in_the_middle_of_a_drag_takes_the_drag_back(three):
     assert three.session.document is document
 
 
-def test_undo_brings_back_which_curve_was_edited(three):
+def test_undo_restores_the_edited_curve(three):
     three.drag_point(1, to=(1.2, 4.5))
     three.click_in_list(2)
     three.drag_point(0, to=(0.2, 6.5))
@@ -230,7 +230,7 @@ def test_a_row_is_dragged_to_another_place(three, row, after, expected):
     assert names(three) == "ABC"
 
 
-def test_escape_takes_back_the_drag_of_a_row(three):
+def test_escape_cancels_the_drag_of_a_row(three):
     view = list_of(three).view
     drag_row(three, 0, view.parts.row_rect(2).top(), release=False)
     assert view.is_dragging
@@ -269,7 +269,7 @@ def test_the_front_curve_is_the_top_row_and_raise_moves_up(three):
     assert not three.action("raiseCurve").isEnabled()
 
 
-def test_a_copy_stands_right_above_and_a_new_curve_on_top(three):
+def test_a_copy_is_placed_right_above_and_a_new_curve_on_top(three):
     model = list_of(three).model
     three.trigger("duplicateCurve")
     assert [model.index(row).data() for row in range(4)] == ["C", "B copy", "B", "A"]
@@ -451,7 +451,7 @@ def test_a_join_to_an_earlier_curve_keeps_the_active_curve(three):
     assert len(three.curve.points) == 8
 
 
-def test_reversing_runs_the_other_way(three):
+def test_reversing_reverses_the_direction(three):
     first, last = three.point(0), three.point(3)
     three.trigger("reverseCurve")
     assert (three.point(0), three.point(3)) == (last, first)
@@ -509,7 +509,7 @@ def test_a_point_dragged_off_the_curve_follows_the_pointer(three):
     assert "Shape" not in three.status
 
 
-def test_escape_takes_back_an_insertion(three):
+def test_escape_cancels_an_insertion(three):
     document = three.session.document
     three.trigger("addTool")
     three.press(tuple(three.session.active_view.curve.evaluate(0.41)))

@@ -324,7 +324,7 @@ def test_actions_on_a_shape_change_all_its_curves(ring, folded):
     assert undo_text(ring) == "Lock Shape 1"
 
 
-def test_commands_take_the_whole_shape_of_the_curve_that_is_edited(ring):
+def test_commands_act_on_the_whole_shape_of_the_edited_curve(ring):
     ring.session.selected.activate(0)
     ring.trigger("raiseCurve")
     assert names(ring) == ["Side", "Outer", "Inner"]
@@ -444,7 +444,7 @@ def test_a_curve_is_dragged_into_a_shape_and_out_of_the_shape(ring):
     assert rows(ring) == ["Inner", "Shape 1", "  Side", "  Outer"]
 
 
-def test_at_the_end_of_an_open_entry_the_way_to_the_side_decides(ring):
+def test_at_the_end_of_an_open_entry_the_horizontal_position_decides(ring):
     fold(ring, "Shape 1")
     last = view_of(ring).parts.entry_rect(3)
     drag_row(ring, "Side", last.bottom())
@@ -463,7 +463,7 @@ def test_a_curve_dropped_on_an_entry_goes_into_the_shape(ring, folded):
     assert ring.curve.name == "Side"
 
 
-def test_a_group_does_not_go_into_itself(group):
+def test_a_group_cannot_be_dropped_into_itself(group):
     fold(group, "Group 1")
     document = group.session.document
     drag_row(group, "Group 1", top_of(group, "Inner"))
@@ -542,7 +542,7 @@ def test_a_press_hits_the_topmost_fill_only(rings):
 
 
 @pytest.mark.parametrize("how", [Spot.EYE, Spot.LOCK])
-def test_a_hidden_or_locked_fill_is_not_in_the_way(ring, how):
+def test_a_hidden_or_locked_fill_receives_no_clicks(ring, how):
     click_row(ring, "Shape 1", spot=how)
     ring.click((2.2, 0.3))
     assert ring.curve.name == "Side"
@@ -666,7 +666,7 @@ def test_shapes_and_groups_are_counted_as_one(whole):
     assert whole.action("deleteCurve").text() == "Delete Group"
 
 
-def test_a_rubber_band_takes_shapes_and_groups_whole_or_not(whole):
+def test_a_rubber_band_selects_shapes_and_groups_as_a_whole(whole):
     whole.drag((-2.0, 2.8), (4.3, -2.9))
     assert chosen_as_wholes(whole) == set()
     whole.drag((-3.3, 3.3), (4.5, -3.3))

@@ -181,7 +181,7 @@ def test_a_saved_key_wins_over_a_newer_default_key(qtbot, tmp_path):
     ],
 )
 @pytest.mark.usefixtures("qapp")
-def test_a_key_that_an_action_cannot_come_with_is_an_error_of_the_start(text, key, reason):
+def test_an_impossible_default_key_is_an_error_at_the_start(text, key, reason):
     class CountingCommands:
         @action("count", text, CURVE_SHAPE, key)
         def _count(self):
@@ -211,7 +211,7 @@ def test_searching_by_name_and_by_key(editor, keys):
     assert len(visible()) == keys.table.rowCount()
 
 
-def test_no_two_actions_come_with_the_same_key(editor):
+def test_no_two_actions_have_the_same_default_key(editor):
     keymap = editor.window.actions_by_name.keymap
     for name, binding in keymap.bindings.items():
         assert keymap.is_default(name)

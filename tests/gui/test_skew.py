@@ -66,7 +66,7 @@ def skewed(about, degrees, axis=0, start=POINTS):
     return moved
 
 
-def test_a_second_click_has_grips_that_rotate_and_skew_and_a_third_such_that_scale(arch):
+def test_a_second_click_switches_to_rotate_and_skew_grips_and_a_third_to_scale_grips(arch):
     document = arch.session.document
     arch.hover(on_curve(arch))
     assert "Click: grips that rotate and skew" in arch.window.status_line.hint
@@ -146,7 +146,7 @@ def test_a_corner_rotates_and_with_shift_about_the_opposite_corner(arch):
 
 
 @pytest.mark.parametrize("grip", [(0, 1), (1, 0), (1, 1)])
-def test_escape_takes_a_drag_of_such_a_grip_back(arch, grip):
+def test_escape_cancels_a_drag_of_a_skew_grip(arch, grip):
     turned(arch)
     document, count = arch.session.document, arch.session.undo_stack.count()
     centre = sampled_bounds(arch, 0).mean(axis=0)
@@ -175,7 +175,7 @@ def test_an_angle_is_typed(arch, keys, axis):
     assert points(arch) == pytest.approx(skewed(centre, 45.0, axis), abs=CLOSE)
 
 
-def test_an_angle_that_leaves_nothing_is_refused(arch):
+def test_an_angle_that_flattens_the_selection_is_refused(arch):
     document = arch.session.document
     arch.key(Key.Key_R, SHIFT)
     arch.type_amount("90")

@@ -46,7 +46,7 @@ def test_the_length_of_segments_inside_a_box_is_measured():
     assert covered_lengths(np.empty((0, 4)), boxes).tolist() == [0, 0]
 
 
-def test_words_stand_right_and_below_unless_that_covers_more():
+def test_the_label_is_right_and_below_unless_it_covers_more():
     place = QPointF(200, 150)
 
     def centre(*segments, words=()):
@@ -82,7 +82,7 @@ DRAGS = [
 ]
 
 
-def test_the_words_cover_neither_the_number_nor_the_curve(snapping):
+def test_the_label_covers_neither_the_number_nor_the_curve(snapping):
     for index, to in DRAGS:
         canvas = snapping.window.canvas
         snapping.press(snapping.point(index))

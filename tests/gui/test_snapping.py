@@ -82,12 +82,12 @@ def test_the_nearest_target_is_caught_within_eight_pixels():
     assert snap_of((3.05, 0.03)) == ((3.07, 0.0), "straight below point 2 · level with point 0")
 
 
-def test_neighbours_are_no_points_to_fall_on():
+def test_a_dragged_point_does_not_snap_to_its_neighbours():
     # Two points in a row in one place have no distance to go by.
     assert snap_of((0.02, 0.03), kinds={SnapKind.POINTS})[1] is None
 
 
-def test_a_place_on_another_curve_that_doubles_back_is_met_there():
+def test_the_nearest_point_is_exact_on_a_curve_that_doubles_back():
     """The nearest chord was one of another branch: there was no snap, or one 3.48 units away."""
     curve = view_of(make_curve([(0, 0), (4, 0.001), (1, 0.002), (3, 0.003)]))
     place = tuple(curve.curve.evaluate(0.3916).tolist())
@@ -95,7 +95,7 @@ def test_a_place_on_another_curve_that_doubles_back_is_met_there():
         assert NearestPoint(curve).within(place, reach).point == pytest.approx(place, abs=1e-12)
 
 
-def test_another_curve_is_met_exactly():
+def test_a_point_snaps_exactly_to_another_curve():
     (x, y), label = snap_of((1.0, -1.3), kinds={SnapKind.CURVES})
     assert label == "Base"
     curve = view_of(make_curve(OTHER)).curve
@@ -400,7 +400,7 @@ def test_foreign_settings_give_the_default_and_a_sentence(tmp_path, key, value, 
 # Measuring
 
 
-def test_measuring_changes_nothing_and_snaps(pair):
+def test_measuring_snaps_and_changes_nothing(pair):
     pair.set_unit("mm")
     document = pair.session.document
     pair.trigger("measureTool")

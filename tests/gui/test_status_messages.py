@@ -136,7 +136,7 @@ def test_the_amount_of_a_drag_disappears_with_a_command_during_the_drag(pair, ac
     assert not pair.status.startswith("Point 1 at")
 
 
-def test_a_transform_that_keys_began_leaves_nothing_behind(pair):
+def test_a_cancelled_transform_by_keys_leaves_no_message(pair):
     pair.select([1, 2])
     pair.trigger("moveSelection")
     pair.hover((1.5, 4.5))
@@ -145,7 +145,7 @@ def test_a_transform_that_keys_began_leaves_nothing_behind(pair):
     assert pair.status == "Cancelled."
 
 
-def test_a_drag_on_the_rail_tells_t_and_that_escape_cancels(pair):
+def test_a_drag_on_the_rail_displays_t_and_the_hint_for_escape(pair):
     panel = pair.window.basis_panel
     start, to = panel.rail_pixel(pair.parameters[1]), panel.rail_pixel(0.4)
     pair.send(panel, QEvent.Type.MouseButtonPress, start)
@@ -215,7 +215,7 @@ def test_a_successful_paste_clears_the_message_of_a_refused_paste(pair):
     assert "Pasted" in pair.status or "velocit" in pair.status
 
 
-def test_the_hint_of_an_empty_canvas_can_be_put_away(editor):
+def test_the_hint_of_an_empty_canvas_can_be_dismissed(editor):
     editor.new()
     assert editor.message.startswith("Click on the canvas")
     close = editor.window.message_bar.findChild(QToolButton, "closeMessage")
@@ -238,7 +238,7 @@ def test_a_long_sentence_ends_in_dots_and_is_whole_in_the_tooltip(pair):
     assert hint.toolTip() == hint.accessibleDescription() == text
 
 
-def test_escape_gives_the_slider_its_old_value_with_the_button_down(pair):
+def test_escape_restores_the_slider_while_the_button_is_down(pair):
     pair.choose_parametrization("centripetal")
     slider = pair.window.findChild(QSlider, "alphaSlider")
     document, old = pair.session.document, slider.value()
@@ -260,7 +260,7 @@ def test_escape_gives_the_slider_its_old_value_with_the_button_down(pair):
     assert pair.session.document is not document
 
 
-def test_a_closed_curve_that_lagrange_opens_says_why(pair):
+def test_opening_a_closed_curve_for_lagrange_is_explained(pair):
     pair.trigger("closeCurve")
     pair.choose_family(LAGRANGE)
     assert "cannot close" in pair.status
@@ -367,7 +367,7 @@ def test_the_hint_of_the_rail_follows_a_step(pair):
     assert "t of point 1" not in pair.window.status_line.hint
 
 
-def test_an_empty_canvas_speaks_of_the_tool_in_hand(editor):
+def test_the_message_on_an_empty_canvas_describes_the_active_tool(editor):
     """With the pencil it spoke of pressing P."""
     editor.new()
     said = {}

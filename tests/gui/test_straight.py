@@ -101,7 +101,7 @@ def test_everything_selected_is_a_polygon(drawn):
         assert bow.session.undo_stack.undoText() == "4 straight segments", (family, kind)
 
 
-def test_the_segment_that_closes_counts(drawn):
+def test_the_closing_segment_can_be_made_straight(drawn):
     for family in WITH_VELOCITIES:
         bow = drawn(family)
         bow.trigger("closeCurve")
@@ -114,7 +114,7 @@ def test_the_segment_that_closes_counts(drawn):
         assert others(after, [4]) == pytest.approx(others(before, [4]), abs=1e-13), family
 
 
-def test_the_context_menu_takes_the_segment_under_the_pointer(drawn):
+def test_the_context_menu_straightens_the_segment_under_the_pointer(drawn):
     for family in WITH_VELOCITIES:
         bow = drawn(family)
         place = tuple(bow.session.active_view.curve.evaluate(sum(bow.parameters[2:4]) / 2))

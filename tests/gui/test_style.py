@@ -403,7 +403,7 @@ def test_colours_of_the_document_are_offered_after_the_recent_ones(editor, panel
     assert "#0000aa" not in offered()
 
 
-def test_a_step_elsewhere_closes_the_choice_of_colours(editor, panel):
+def test_an_undo_step_closes_the_colour_picker(editor, panel):
     choice = popup(panel)
     pick(choice, "#ff0000")
     editor.trigger("undo")
@@ -434,7 +434,7 @@ def test_a_style_is_copied_and_pasted_to_all_selected_curves_curves(editor, pane
 
 
 @pytest.mark.usefixtures("drawings_read_here")
-def test_the_style_of_svg_that_was_copied_elsewhere_is_pasted(editor, panel):
+def test_the_style_of_foreign_svg_is_pasted(editor, panel):
     """Inkscape's clipboard was "no style", for all that Inkscape itself pastes styles from it."""
     editor.session.change("Unit", lambda document: replace(document, unit="cm"))
     data = QMimeData()
@@ -707,7 +707,7 @@ def test_swapping_fill_and_stroke_without_a_selection_changes_the_next_style(edi
     assert editor.session.document is before
 
 
-def test_used_colours_stand_below_the_others_and_move_nothing(editor, panel):
+def test_recent_colours_are_listed_below_without_moving_other_widgets(editor, panel):
     """In one row they pushed ends of rows out of the dock; a new row pushed Width from under a click."""
     editor.select([])
     edit, before = panel.findChild(QLineEdit, "fillPaintHex"), panel.minimumSizeHint()

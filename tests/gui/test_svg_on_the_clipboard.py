@@ -98,7 +98,7 @@ def test_elements_out_of_a_file_are_a_drawing(three):
     assert undo_text(three) == "Paste 2 curves"
 
 
-def test_svg_of_a_page_says_no_name_spaces(three):
+def test_svg_without_declared_name_spaces_is_pasted(three):
     three.paste_text('<svg viewBox="0 0 9 9"><use xlink:href="#a"/><path id="a" d="M0 0L4 4"/></svg>')
     paste(three)
     assert len(chosen(three)) == 2
@@ -111,7 +111,7 @@ def test_a_file_with_declarations_is_a_drawing(three):
 
 
 @pytest.mark.parametrize("text", ["M", "Mean 5", "<html><svg/></html>", "1 2\n3 4", "<svgs/>", ""])
-def test_other_text_is_no_drawing(text):
+def test_text_without_svg_is_not_pasted_as_a_drawing(text):
     assert fragment_in(text) is None
 
 
@@ -302,7 +302,7 @@ def test_copied_curves_are_svg_for_other_programs(three):
 IN_PIXELS = [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 4.0), ("s", 4.0, 4.0)]
 
 
-def test_inkscape_takes_the_coordinates_for_pixels(editor):
+def test_coordinates_on_the_clipboard_are_pixels_for_inkscape(editor):
     """A leaf of 40 mm was pasted 10.58 mm wide into Inkscape 1.2, which passes over the view box."""
     for unit, side, pixels in IN_PIXELS:
         curve = make_curve([(0.0, 0.0), (side / 2, side / 4), (side, 0.0)], family=HERMITE)
@@ -396,7 +396,7 @@ def test_shapes_and_groups_are_pasted_under_unused_names(three):
 
 
 @pytest.mark.parametrize("keys", [Qt.Key.Key_C, Qt.Key.Key_X])
-def test_a_shape_goes_as_a_whole(three, keys):
+def test_a_shape_is_copied_as_a_whole(three, keys):
     three.paste_text(RING)
     paste(three)
     ring = pasted(three)[1]
@@ -417,7 +417,7 @@ def test_a_shape_goes_as_a_whole(three, keys):
     )
 
 
-def test_without_its_last_points_a_hole_goes_and_the_shape_stays(three):
+def test_deleting_all_points_of_a_hole_keeps_the_shape(three):
     three.paste_text(RING)
     paste(three)
     three.session.selected.activate(three.session.document.curves.index(pasted(three)[1]))

@@ -75,7 +75,7 @@ def test_symmetric_merges_two_velocities(wave):
     assert point.velocity_after is None
 
 
-def test_estimated_leaves_everything_to_the_rules(wave):
+def test_estimated_resets_all_derivatives_to_the_rules(wave):
     wave.select([1, 2])
     wave.trigger("tangentCorner")
     assert wave.session.undo_stack.undoText() == "Corner at 2 points"
@@ -448,7 +448,7 @@ def test_there_is_no_menu_in_the_middle_of_a_drag(wave):
     wave.escape()
 
 
-def test_a_right_press_takes_a_drag_back_and_opens_no_menu(wave):
+def test_a_right_press_cancels_a_drag_and_opens_no_menu(wave):
     document = wave.session.document
     wave.press(wave.point(1))
     wave.move((1, 2))
@@ -538,7 +538,7 @@ def test_handles_keep_their_proportions_with_other_parameters(wave):
     assert reaches[1] == pytest.approx(reaches[0])
 
 
-def test_cut_takes_the_points_away(wave):
+def test_cut_deletes_the_points(wave):
     wave.select([1, 2])
     wave.key(Qt.Key.Key_X, CTRL)
     assert [point.position for point in wave.curve.points] == [(0, 0), (3, 1)]
@@ -658,7 +658,7 @@ def test_a_paste_into_a_closed_manual_curve_keeps_the_curve_valid(wave):
     assert len(wave.curve.points) == 6
 
 
-def test_a_locked_curve_takes_no_points(wave):
+def test_pasting_points_into_a_locked_curve_is_refused(wave):
     wave.trigger("curveLocked")
     document = wave.session.document
     wave.paste_text("4 0\n5 1")

@@ -106,7 +106,7 @@ def test_text_is_readable_on_paper_and_panels(theme):
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_the_curve_is_the_strongest_thing_and_the_grid_the_faintest(theme):
+def test_the_curve_has_the_highest_contrast_and_the_grid_the_lowest(theme):
     order = [theme.grid_fine, theme.grid_coarse, theme.ghost, theme.handle, theme.curve]
     strength = [contrast(colour, theme.paper) for colour in order]
     assert strength == sorted(strength)
@@ -380,7 +380,7 @@ def test_buttons_of_dialogs_have_texts_and_no_icons(dressed, qtbot):
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_drawings_of_the_style_sheet_are_there_in_the_muted_colour(theme):
+def test_images_of_the_style_sheet_exist_in_the_muted_colour(theme):
     files = sorted(resource("icons", "styled").glob(f"*-{theme.name}.svg"))
     assert [path.stem.partition("-")[0] for path in files] == ["arrow", "more"]
     for path in files:

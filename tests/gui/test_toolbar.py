@@ -151,7 +151,7 @@ def combo_option(box):
     return option
 
 
-def test_the_words_go_with_the_family_in_use(editor_with):
+def test_the_toolbar_text_matches_the_current_family(editor_with):
     editor = editor_with(4, 1040)
     editor.trigger("familyHermite")
     assert styles(editor) == [ICON, BOTH, ICON]
@@ -191,7 +191,7 @@ def choose_in_menu(editor, family):
     QTest.mouseClick(menu, Qt.MouseButton.LeftButton, pos=menu.actionGeometry(action).center())
 
 
-def test_a_wider_window_says_more_again(editor_with):
+def test_a_wider_window_displays_more_text_again(editor_with):
     editor = editor_with(3, 900)
     editor.window.resize(1280, 800)
     editor.settle()

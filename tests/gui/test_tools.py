@@ -182,7 +182,7 @@ def test_a_drag_of_a_tool_can_be_cancelled(raising, way_out):
     assert canvas.marks == Marks()
 
 
-def test_transforms_and_arrows_work_with_any_tool_and_escape_goes_back_to_select(raising):
+def test_transforms_and_arrows_work_with_any_tool_and_escape_returns_to_select(raising):
     canvas, session = raising.window.canvas, raising.session
     raising.select([1])
     x, y = raising.point(1)
@@ -248,7 +248,7 @@ def test_a_tool_that_only_clicks_does_nothing_when_dragged(raising):
     raising.trigger("selectTool")
 
 
-def test_every_tool_has_the_words_of_its_action(editor):
+def test_every_tool_has_the_text_of_its_action(editor):
     for record in TOOLS:
         action = editor.action(record.action)
         editor.trigger(record.action)

@@ -111,7 +111,7 @@ def test_the_panel_follows_the_selection_and_drags(leaf):
     assert not field(leaf, "Width").isEnabled(), "one point has no width"
 
 
-def test_without_points_there_is_nothing_to_set(leaf):
+def test_without_points_all_fields_are_disabled(leaf):
     leaf.session.new()
     leaf.settle()
     assert label(leaf, "transformWhat") == "Nothing selected"
@@ -128,7 +128,7 @@ def test_without_a_selection_buttons_and_fields_are_disabled(leaf):
     assert not any(button.isEnabled() for button in whole_buttons(leaf))
 
 
-def test_a_locked_curve_cannot_be_changed_and_the_panel_says_why(leaf):
+def test_a_locked_curve_cannot_be_changed_and_the_panel_gives_the_reason(leaf):
     leaf.trigger("curveLocked")
     assert "locked" in label(leaf, "transformProblem")
     assert not field(leaf, "Width").isEnabled()
@@ -221,7 +221,7 @@ def test_undo_reverts_the_entry_and_while_typing_the_text(leaf):
 # Position and pivot
 
 
-def test_a_place_of_the_box_is_put_at_the_numbers(leaf):
+def test_the_selected_reference_point_of_the_box_is_moved_to_the_numbers(leaf):
     click(leaf, "pivotBottomLeft")
     low = sampled_bounds(leaf)[0]
     assert number_in(leaf, "X") == pytest.approx(low[0], abs=1e-5)
@@ -285,7 +285,7 @@ def test_angles_are_displayed_to_a_thousandth_and_stored_exactly(leaf):
     assert field(leaf, "Angle").text() == "44.739"
 
 
-def test_the_angle_is_that_since_the_selection_and_goes_back_to_zero(leaf):
+def test_the_angle_counts_from_the_selection_and_resets_to_zero(leaf):
     leaf.trigger("selectAll")
     enter(leaf, "Angle", "30°")
     assert undo_text(leaf) == "Rotate 4 points to 30°"
@@ -402,7 +402,7 @@ def test_the_reference_of_alignment_is_set_in_the_panel_and_in_the_menu(leaf):
     assert box.currentText() == "Each other"
 
 
-def test_the_keyboard_selects_a_place_by_tab_and_arrows(leaf):
+def test_the_keyboard_selects_a_reference_point_by_tab_and_arrows(leaf):
     field(leaf, "X").setFocus()
     QTest.keyClick(QApplication.focusWidget(), Key.Key_Backtab)
     assert QApplication.focusWidget().objectName() == "pivotMiddle"

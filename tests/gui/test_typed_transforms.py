@@ -66,7 +66,7 @@ def test_transforms_act_on_all_points_with_nothing_selected(arch):
         assert points(arch).tolist() == [list(each) for each in POINTS], name
 
 
-def test_escape_takes_a_transform_of_all_points_back(arch):
+def test_escape_cancels_a_transform_of_all_points(arch):
     for key in (Key.Key_G, Key.Key_S, Key.Key_R):
         document, steps = arch.session.document, arch.session.undo_stack.count()
         arch.key(key)
@@ -105,7 +105,7 @@ def test_the_pointer_moves_all_points_and_a_click_ends_the_transform(arch):
     assert arch.session.selection == frozenset()
 
 
-def test_selected_points_come_first(arch):
+def test_transforms_act_on_selected_points_first(arch):
     arch.select([1, 2])
     arch.key(Key.Key_G)
     arch.type_amount("1")
@@ -168,7 +168,7 @@ TYPED = [
 
 
 @pytest.mark.parametrize("key", [Key.Key_G, Key.Key_S, Key.Key_R])
-def test_tab_goes_from_x_to_y(arch, key):
+def test_tab_moves_from_x_to_y(arch, key):
     """Points 1 and 3, at (1, 2) and (3, 0), are worked on; they are scaled and turned about (2, 1)."""
     four = Document((make_curve([(0, 0), (1, 2), (2, 3), (3, 0)]),))
     for typed, status, second in (case[1:] for case in TYPED if case[0] == key):

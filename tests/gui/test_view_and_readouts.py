@@ -91,7 +91,7 @@ def test_a_file_given_at_the_start_opens_with_the_margins_of_fit(qtbot, file, tm
 # Words over the canvas
 
 
-def test_the_first_words_fit_the_tool(editor):
+def test_the_first_message_fits_the_tool(editor):
     editor.session.new()
     editor.trigger("selectTool")
     assert editor.message.startswith("Press P, then click")
@@ -122,7 +122,7 @@ def test_a_missing_picture_is_reported_before_the_greeting(editor, red, tmp_path
 # What is lit, and what is there
 
 
-def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, red):
+def test_no_point_tool_is_highlighted_while_the_picture_is_moved(arch, red):
     arch.window.commands[ImageCommands].trace(red)
     arch.trigger("addTool")
     arch.trigger("moveImage")
@@ -134,7 +134,7 @@ def test_no_tool_for_points_is_lit_while_the_picture_is_moved(arch, red):
 
 
 @pytest.mark.parametrize("name", ["selectTool", "addTool", "measureTool"])
-def test_a_tool_takes_the_mouse_back_from_the_picture(arch, red, name):
+def test_selecting_a_tool_ends_moving_the_picture(arch, red, name):
     arch.window.commands[ImageCommands].trace(red)
     arch.trigger("moveImage")
     arch.trigger(name)
@@ -145,7 +145,7 @@ def test_a_tool_takes_the_mouse_back_from_the_picture(arch, red, name):
     assert arch.action(name).isChecked()
 
 
-def test_escape_leaves_moving_the_picture_and_lights_the_tool_again(arch, red):
+def test_escape_ends_moving_the_picture_and_highlights_the_tool(arch, red):
     arch.window.commands[ImageCommands].trace(red)
     arch.trigger("addTool")
     arch.trigger("moveImage")
@@ -154,7 +154,7 @@ def test_escape_leaves_moving_the_picture_and_lights_the_tool_again(arch, red):
     assert arch.action("addTool").isChecked()
 
 
-def test_the_panel_of_the_picture_does_not_come_back_with_the_layout(qtbot, red, tmp_path):
+def test_the_panel_of_the_picture_is_not_restored_with_the_layout(qtbot, red, tmp_path):
     preferences = tmp_path / "settings.ini"
     first = MainWindow(Session(), Preferences(preferences))
     qtbot.addWidget(first)
@@ -213,7 +213,7 @@ def readout(editor):
     return editor.window.canvas.drawing.marks.readout_rect
 
 
-def test_a_readout_stands_clear_of_the_grip_and_the_points(arch):
+def test_a_readout_does_not_cover_the_grip_and_the_points(arch):
     for grip in ((1, 1), (-1, -1), (1, 0), (0, -1), (0, 0)):
         arch.select([0, 1, 2, 3])
         start = arch.grip(*grip)

@@ -58,7 +58,7 @@ def test_a_program_begins_with_a_curve_that_is_edited(new_editor):
     assert state(new_editor)[:2] == (True, "")
 
 
-def test_escape_lets_go_of_points_then_of_the_curve_then_of_all(three):
+def test_escape_deselects_points_then_the_curve_then_all(three):
     document, steps = three.session.document, three.session.undo_stack.count()
     three.select([1])
     found = []
@@ -147,7 +147,7 @@ def test_shift_click_adds_and_removes_and_a_click_elsewhere_clears_the_selection
 
 
 @pytest.mark.parametrize("how", ["table", "menu of the list", "pen", "new document", "action"])
-def test_actions_that_need_points_begin_to_edit_again(whole, how):
+def test_actions_that_need_points_resume_editing(whole, how):
     if how == "table":
         whole.select([1])
     elif how == "menu of the list":
@@ -367,7 +367,7 @@ def test_a_drag_inside_the_box_of_points_moves_the_points(three):
     assert three.session.selection == {0, 1, 2, 3}
 
 
-def test_the_box_fits_the_selection_and_grips_stand_outside(three):
+def test_the_box_fits_the_selection_and_grips_are_outside(three):
     """It stood 16 pixels off, and looked as if the shape did not reach the edge of a page."""
     three.select([0, 1, 2, 3])
     canvas, box = three.window.canvas, three.window.canvas.marks.box
@@ -404,7 +404,7 @@ def test_a_drag_inside_the_box_can_be_cancelled(three):
     assert three.session.selection == {0, 1, 2, 3}
 
 
-def test_a_click_inside_the_box_lets_go(three):
+def test_a_click_inside_the_box_clears_the_selection(three):
     three.select([0, 1, 2, 3])
     three.click((0.3, 3.9))
     assert (state(three), three.session.selection) == ((True, "", "B"), frozenset())
@@ -432,7 +432,7 @@ def test_points_and_curve_inside_the_box_are_hit_before_the_box(three):
     assert three.session.undo_stack.undoText() == "Move point 1"
 
 
-def test_without_the_box_the_inside_is_a_place_like_any_other(three):
+def test_without_the_box_a_drag_inside_moves_nothing(three):
     three.trigger("toggleTransformBox")
     three.select([0, 1, 2, 3])
     before = three.session.document

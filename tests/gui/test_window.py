@@ -63,7 +63,7 @@ def test_a_document_is_opened_without_a_greeting(qtbot, tmp_path):
     assert Editor(qtbot, session).message == ""
 
 
-def test_switching_families_brings_the_same_curve_back(editor):
+def test_switching_families_back_gives_the_same_curve(editor):
     editor.choose_family(HERMITE)
     editor.session.commit(set_velocity(editor.session.document, 0, 2, (3.0, -1.0)), "Set velocity")
     points = editor.curve.points
@@ -74,7 +74,7 @@ def test_switching_families_brings_the_same_curve_back(editor):
     assert np.array_equal(editor.session.active_view.curve.jets, jets)
 
 
-def test_switching_parametrizations_brings_the_same_curve_back(editor):
+def test_switching_parametrizations_back_gives_the_same_curve(editor):
     editor.drag_parameter(3, to=0.5)
     manual, points = editor.parameters, editor.curve.points
     for kind in ParametrizationKind:
@@ -125,7 +125,7 @@ def test_the_alpha_slider_is_live_one_step_and_cancellable(editor):
     assert editor.session.undo_stack.undoText() == "Set α to 0.30"
 
 
-def test_undo_and_redo_go_through_every_state(editor):
+def test_undo_and_redo_restore_every_state(editor):
     states = [editor.session.document]
     editor.drag_point(2, to=(0.5, 4.2))
     states.append(editor.session.document)
@@ -413,7 +413,7 @@ def test_the_same_key_opens_and_closes_help(editor):
 
 
 @pytest.mark.parametrize("focus", ["sheet", "canvas"])
-def test_escape_puts_help_away_and_nothing_else(editor, focus):
+def test_escape_closes_only_help(editor, focus):
     editor.select([2])
     editor.window.canvas.setFocus()
     sheet = open_sheet(editor)
@@ -472,7 +472,7 @@ def test_help_fits_and_lines_up_in_a_small_window(editor):
     assert area.verticalScrollBar().value() > before
 
 
-def test_the_side_panel_in_a_presentation_brings_no_bars_back(editor):
+def test_opening_the_side_panel_in_a_presentation_keeps_the_bars_hidden(editor):
     editor.trigger("toggleSidePanel")
     editor.trigger("presentation")
     editor.trigger("toggleSidePanel")
@@ -517,7 +517,7 @@ def test_undo_reads_well(editor):
         (None, "There is no file"),
     ],
 )
-def test_a_bad_file_is_refused_before_anyone_is_asked_to_save(editor, tmp_path, content, words):
+def test_an_invalid_file_is_refused_before_the_question_about_saving(editor, tmp_path, content, words):
     path = tmp_path / "bad.curve.json"
     if content is not None:
         path.write_text(content)
@@ -531,7 +531,7 @@ def test_a_bad_file_is_refused_before_anyone_is_asked_to_save(editor, tmp_path, 
 # Pasting
 
 
-def test_pasted_points_come_into_view(editor):
+def test_pasted_points_are_scrolled_into_view(editor):
     table = editor.window.point_table
     editor.paste_text("100 100\n200 50")
     table.setFocus()
@@ -584,7 +584,7 @@ def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
 
 
 @pytest.mark.parametrize("size", [(1024, 700), (1280, 860), (1400, 900)])
-def test_the_greeting_covers_nothing_of_the_first_sketch(qtbot, size):
+def test_the_greeting_does_not_cover_the_first_sketch(qtbot, size):
     editor = Editor(qtbot, size=size)
     bar, canvas = editor.window.message_bar, editor.window.canvas
     assert bar.text.startswith("Drag a point")
@@ -609,7 +609,7 @@ def test_the_numbers_of_the_table_stay_off_its_edge(editor):
 
 
 @pytest.mark.usefixtures("only_new_garbage")
-def test_a_closed_window_leaves_nothing_behind(qapp, tmp_path):
+def test_a_closed_window_leaves_no_objects(qapp, tmp_path):
     """pyqtgraph's menus and three lambdas on the session's signals used to keep every window alive."""
     before = len(qapp.allWidgets())
     window = MainWindow(Session(), Preferences(tmp_path / "settings.ini"))

@@ -130,7 +130,7 @@ def test_selected_points_follow_their_curves():
     assert dict(session.selected.group.parts) == {1: {1}}
 
 
-def test_points_of_a_curve_that_was_not_there_are_not_selected():
+def test_points_of_a_new_curve_are_not_selected():
     session = session_with(B, A, active=1)
     session.selected.set_points([1])
     session.change("Another curve", lambda _document: Document((B, A, C)), active=2)

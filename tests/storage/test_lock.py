@@ -107,7 +107,7 @@ def test_the_lock_of_a_dead_process_is_reclaimed(target):
 
 
 @posix_only
-def test_a_later_process_with_the_same_number_is_not_the_owner(target):
+def test_a_later_process_with_the_same_id_is_not_the_owner(target):
     """Numbers come round again; the time of the start tells them apart."""
     parent = os.getppid()
     assert is_number_alive(parent)
@@ -197,7 +197,7 @@ def test_a_stale_lock_of_this_process_is_reclaimed(target):
 
 
 @posix_only
-def test_a_lock_that_nobody_holds_any_more_is_stale(target):
+def test_a_lock_without_a_holder_is_stale(target):
     """Whatever has its number now: here the process that started this one."""
     started = system._started(os.getppid())
     parent = Process(machine(), os.getppid(), started)
@@ -288,13 +288,13 @@ def test_names_from_a_lock_file_are_printable(target):
 
 
 @posix_only
-def test_a_pipe_in_place_of_a_lock_file_is_not_waited_for(target):
+def test_a_pipe_named_like_the_lock_file_does_not_block(target):
     os.mkfifo(lock_path(target))
     assert acquire(lock_path(target)).owner is not None
 
 
 @posix_only
-def test_a_link_in_place_of_a_lock_file_is_not_followed(target, tmp_path):
+def test_a_link_named_like_the_lock_file_is_not_followed(target, tmp_path):
     (tmp_path / "secret").write_bytes(b"x")
     lock_path(target).symlink_to(tmp_path / "secret")
     result = acquire(lock_path(target))

@@ -61,7 +61,7 @@ def test_another_document_in_the_file_is_noticed(path, file):
     assert file.other_document == THEIRS
 
 
-def test_writing_in_place_is_noticed(path, file):
+def test_writing_in_place_is_detected(path, file):
     path.write_bytes(encode(THEIRS))
     assert file.check() is FileChange.CHANGED
 
@@ -291,7 +291,7 @@ def test_an_older_version_is_migrated(draft):
     assert draft.read_bytes() == old_content()
 
 
-def test_migrations_go_step_by_step(monkeypatch):
+def test_migrations_run_version_by_version(monkeypatch):
     monkeypatch.setitem(MIGRATIONS, -1, lambda values: {**values, "polylines": values.pop("lines")})
     monkeypatch.setitem(MIGRATIONS, 0, from_draft)
     data = old_content(version=-1).replace(b"polylines", b"lines")

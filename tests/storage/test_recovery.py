@@ -208,7 +208,7 @@ def test_a_damaged_snapshot_is_renamed_and_others_are_offered(tmp_path, kind):
     assert list_snapshots(tmp_path).damaged == ()
 
 
-def test_a_folder_in_place_of_a_snapshot_is_ignored(tmp_path):
+def test_a_folder_named_like_a_snapshot_is_ignored(tmp_path):
     (tmp_path / f"a{SUFFIX}").mkdir()
     found = list_snapshots(tmp_path)
     assert found.snapshots == ()

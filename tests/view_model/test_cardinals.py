@@ -376,7 +376,7 @@ def test_samples_of_many_points():
     assert np.abs(view.cardinal.basis(np.array([t[0], t[-1]]))[:, 150]).max() < 1e-6
 
 
-def test_a_function_that_is_negative_for_a_short_way_counts():
+def test_a_function_negative_on_a_short_interval_counts():
     """It was 1.00225: the function of the first point is below 0 for 4 % of the second segment alone."""
     points = (Point(0.0, 0.0, t=0.0, velocity=(1.0, 0.0)), Point(1.0, 2.0, t=0.8))
     times, rule = Parametrization(MANUAL, end=1.8), VelocityRule.FINITE_DIFFERENCE

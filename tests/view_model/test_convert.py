@@ -180,7 +180,7 @@ def test_a_hermite_curve_is_one_of_higher_degree_and_back(name, closed, corners)
     assert [point.corner for point in back.points] == [False] * 6
 
 
-def test_the_outlook_takes_no_work(monkeypatch):
+def test_the_preview_of_a_conversion_computes_nothing(monkeypatch):
     """The exact control points of one polynomial through 60 points take seconds, and are not asked for."""
     monkeypatch.setattr(LagrangeCurve, "exact_pieces", lambda _curve: pytest.fail("computed"))
     wild = view_of(make_curve([(float(x), float(x % 2)) for x in range(60)]))

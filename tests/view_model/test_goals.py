@@ -223,7 +223,7 @@ def write_lesson(folder):
     (folder / "lesson.py").write_text(OTHER_CODE, encoding="utf-8")
 
 
-def test_the_python_of_a_lesson_from_elsewhere_is_never_run(tmp_path):
+def test_the_python_of_a_foreign_lesson_is_never_run(tmp_path):
     write_lesson(tmp_path / "lessons" / "12_sent")
     assert lesson_code(tmp_path / "lessons" / "12_sent") is None
     with pytest.raises(LessonError, match="“longest_step” is not a measure"):
@@ -233,7 +233,7 @@ def test_the_python_of_a_lesson_from_elsewhere_is_never_run(tmp_path):
     assert not list(tmp_path.rglob("*.was_run"))
 
 
-def test_a_lesson_that_comes_with_the_program_brings_measures_and_conditions(tmp_path, monkeypatch):
+def test_a_built_in_lesson_can_define_measures_and_conditions(tmp_path, monkeypatch):
     monkeypatch.setattr("app.features.lessons.lesson.resource", tmp_path.joinpath)
     write_lesson(tmp_path / "lessons" / "12_longest_step")
     (tmp_path / "lessons" / "12_longest_step" / "lesson.py").write_text(

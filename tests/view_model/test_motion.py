@@ -66,7 +66,7 @@ def test_the_dot_of_a_ping_pong_runs_backwards():
     assert not runs_back(2.5, 2.0, Repeat.LOOP)
 
 
-def test_a_domain_in_seconds_takes_as_many_seconds():
+def test_a_domain_in_seconds_is_played_in_real_time():
     course = Course(WAVE)
     assert course.duration == 2.5
     assert course.parameters_at(np.array([0, 0.5, 2.5])).tolist() == [0, 0.5, 2.5]
@@ -177,7 +177,7 @@ def test_the_sentence_has_the_measured_jumps():
     )
 
 
-def test_where_there_is_no_jump_the_reason_is_given():
+def test_without_a_jump_the_sentence_gives_the_reason():
     text = jump_sentences(rivals_of(view_of(sketch(velocity_rule=VelocityRule.NATURAL_SPLINE)), BOTH))
     assert text.startswith(
         "Hermite, Quintic: no jump of acceleration (its velocities are those of the natural spline"

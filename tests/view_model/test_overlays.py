@@ -143,7 +143,7 @@ def test_the_comb_jumps_where_the_curvature_does():
     assert lengths[1] > 0.05
 
 
-def test_ticks_stand_at_equal_steps_of_t():
+def test_ticks_are_at_equal_steps_of_t():
     curve = wave(6)
     picture = live(curve, ticks.TICKS, values={ticks.COUNT: 7})
     places = points_of(picture, ticks.TICK)[::2]

@@ -44,7 +44,7 @@ def test_the_plotted_derivatives_are_those_of_the_curve(family):
         assert plot.extent == (line.values[known].min(), line.values[known].max())
 
 
-def test_the_curvature_is_that_of_a_circle_and_its_sign_tells_left_from_right():
+def test_the_curvature_matches_a_circle_and_its_sign_distinguishes_left_from_right():
     """Of a quintic through 12 points of a circle of radius 2; the error of the spline is far below 1 %."""
     angles = np.linspace(0, 1.5 * np.pi, 12)
     for sign in (1, -1):
@@ -197,7 +197,7 @@ def test_a_plot_that_sums_the_visible_part_fails_the_check():
     assert difference_alone(added) > 0.1
 
 
-def test_without_a_curve_there_is_nothing_to_plot():
+def test_without_a_curve_the_plots_are_empty():
     view = view_of(Curve("One", LAGRANGE, Parametrization(), (Point(0.0, 0.0),)))
     assert plots_of(view, frozenset(PLOTS), (0.0, 1.0), 100) == []
     assert uncertain_values_at(view, frozenset(PLOTS), 0.5) == {}

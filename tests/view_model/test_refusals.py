@@ -49,7 +49,7 @@ def manual(*times, closed=False, corner=None, family=HERMITE):
         ),
     ],
 )
-def test_a_refused_curve_has_a_reason_in_the_words_of_the_screen(curve, sentence):
+def test_a_refused_curve_has_a_reason_in_the_terms_of_the_window(curve, sentence):
     """It said "parameters[1] = -32.0 does not exceed parameters[0]"."""
     problem = view_of(curve).problem
     assert problem == sentence

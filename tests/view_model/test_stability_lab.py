@@ -46,7 +46,7 @@ WITH_METHODS = [family for family in FAMILIES if calculations(view_of(make_curve
 
 
 @each_row("family", FAMILIES)
-def test_a_family_without_methods_is_refused_in_words(family):
+def test_a_family_without_methods_is_refused_with_a_sentence(family):
     assert {LAGRANGE, HERMITE, QUINTIC_HERMITE} <= set(WITH_METHODS)
     trial = try_methods(ring(family), ALL)
     assert isinstance(trial, str) is (family not in WITH_METHODS)
@@ -175,7 +175,7 @@ def test_every_digit_of_the_truth_is_correct(family, digits):
             assert shown == [True, True], (told, n, t)
 
 
-def test_work_that_is_no_longer_wanted_ends():
+def test_cancelled_work_ends():
     def stopped(_share, _word):
         raise Cancelled
 
