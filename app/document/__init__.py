@@ -8,7 +8,6 @@ In reading order:
   `EditError`.  ``words``: names, numbers and plurals for people.
 - ``point_edits``: edits of the points of a curve and of their derivatives.  ``rule_edits``: of its family,
   rules and parameters.  ``curve_edits``: of whole curves.  ``straight_edits``: segments made straight.
-  ``box_edits``: rectangles and ellipses.
 - ``constraints``: straight segments, ties and handles, kept while points move.
 - ``point_group``: points of several curves that change together.  ``several_curves``: edits of several
   curves. ``transforms``: affine maps, alignment and distribution.

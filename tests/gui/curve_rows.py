@@ -8,8 +8,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.features.curve_list.commands import CurveListCommands
+from app.features.curve_list.panel import CurveListView
 from app.features.curve_list.rows import Spot, spot_rect
-from app.features.curve_list.view import CurveListView
 from app.testing import Editor
 
 

@@ -10,12 +10,12 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import rule_edits
-from app.document.box_edits import draw_closed_curve, ellipse_in, rectangle_in
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.style import PLAIN_STYLE
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.testing import Editor
+from app.tools.canvas.box_curves import draw_closed_curve, ellipse_in, rectangle_in
 from app.tools.pointer import Pointer
 from app.tools.snapping import SnapKind, Snapper, Snapping, grid_value, targets_of
 from app.view_model.curve.curve_view import view_of

@@ -1,4 +1,4 @@
 """Rules of a curve: its family and its parameters.
 
-- ``commands``: the actions.  ``toolbar_widgets``: the rule for the parameters, and the further families.
+- ``commands``: the widgets of the toolbar, for the parameters and further families, and the actions.
 """
