@@ -234,7 +234,7 @@ class AppendPoint(Drag, kw_only=True):
     def _offset(pointer: Pointer, position: Vector) -> Vector:
         """Return the offset by which the handle is drawn out: with Ctrl or Shift in steps of 15°."""
         offset = pointer.offset_from(position)
-        return in_steps(offset) if pointer.holds_line else offset
+        return in_steps(offset) if pointer.is_constrained else offset
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
         """Return the velocity with the handle of the new point drawn out to the pointer."""

@@ -109,10 +109,10 @@ class DragHandle(Drag, kw_only=True, dict=True):
         before = self.view.derivative_of(*which, ahead=self.hit.ahead)
         if pointer.alt and pointer.shift and before is not None and any(before):
             return _along_direction(free, before)
-        return in_steps(free) if pointer.holds_line else free
+        return in_steps(free) if pointer.is_constrained else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
-        if pointer.holds_line:
+        if pointer.is_constrained:
             # An angle or a direction that is held leaves nothing to be drawn elsewhere.
             self.snapper.reset()
             return tip
@@ -220,6 +220,6 @@ def hint_on_part(hit: Hit, view: CurveView, moves: str, pointer: Pointer, *, sna
         text = f"Drag to set the {label_of_handle(hit, view)} · {handle_keys(hit, view)}{retracts}"
         return Hint(text, grab=True)
     if pointer.alt and view.source.family.derivatives:
-        steps = " in steps of 15°" if pointer.holds_line else ""
+        steps = " in steps of 15°" if pointer.is_constrained else ""
         return Hint(f"Drag to pull out the velocity of point {hit.index}{steps}", grab=True)
     return hint_on_point(hit, view, moves, pointer, snaps=snaps)

@@ -26,13 +26,14 @@ from .snapping import Snapper
 from .tool import Drag, Gesture, Refusal, ToolEvent
 
 Click = Callable[[ToolEvent], object]
+"""The effect of a click: called at the release of a press that was no drag, with the event of the release."""
 
 
 def press_on_point(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
     """Start to drag the point that was hit, together with all selected points if it is one of them.
 
-    A click selects the point alone; with Shift it is added to the selection, or removed; `on_click` replaces
-    that.
+    The press selects the point if it was not selected. A click selects it alone; with Shift it is added to
+    the selection, or removed; `on_click` replaces that.
     """
     session, selected = event.session, event.session.selected
     on_click = on_click or selecting(event, hit.index)
@@ -124,6 +125,8 @@ class MovePoints(Drag, kw_only=True):
         The curve and the index of the point under the pointer: this one snaps.
     start
         The position of the press.
+    snapper
+        Snaps the grabbed point; the others keep their offsets from it.
     axis
         0 or 1 where an axis is locked from the start.
     """

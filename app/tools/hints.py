@@ -16,7 +16,7 @@ def selected(group: PointGroup) -> str:
 
 def to_move(what: str, pointer: Pointer) -> str:
     """Return the effect of a drag of points or curves with the keys that are held."""
-    axis = " along one axis" if pointer.holds_line else ""
+    axis = " along one axis" if pointer.is_constrained else ""
     return f"Drag to move {what}{axis}"
 
 

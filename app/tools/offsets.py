@@ -25,7 +25,7 @@ def longer_axis(offset: Vector) -> int:
 
 def axis_held(offset: Vector, pointer: Pointer) -> int | None:
     """Return the axis that Ctrl or Shift keeps an offset to, None while neither is held."""
-    return longer_axis(offset) if pointer.holds_line else None
+    return longer_axis(offset) if pointer.is_constrained else None
 
 
 def along_axis(offset: Vector, axis: int | None) -> Vector:

@@ -10,14 +10,38 @@ from msgspec.structs import replace
 
 from ..document.model import Vector
 
+# Effects of keys in all drags, in hints and status line. `Pointer.is_constrained`: Ctrl or Shift is held.
 AXIS_KEYS = "Ctrl or Shift: one axis"
 STEP_KEYS = "Ctrl or Shift: steps of 15°"
 SNAP_KEY = "%: snap on or off"
-"""Effects of keys in all drags; `Pointer.holds_line` is whether Ctrl or Shift is held."""
 
 
 class Part(Enum):
-    """A part of the drawing that can be hit."""
+    """A part of the drawing that can be hit.
+
+    Attributes
+    ----------
+    POINT, HANDLE
+        A point, and the end of a handle, of any curve that is edited.
+    CURVE
+        The line of the active curve.
+    TICK
+        The mark of a knot on the t-rail.
+    FUNCTION
+        The graph of a basis function.
+    SCRUB
+        The scrub line.
+    DOT
+        A dot on the edge of the t-rail, which stands for a control point.
+    IMAGE, IMAGE_CORNER
+        The picture to trace, and a corner of it.
+    OTHER_CURVE
+        The line of another curve than the active one, or its fill.
+    OTHER_POINT
+        A point of another curve that is edited; `Hit.on_active_curve` makes it POINT.
+    GUIDE
+        A guide, a line that a person has dragged out of a ruler.
+    """
 
     POINT = auto()
     HANDLE = auto()
@@ -41,10 +65,12 @@ class Hit(msgspec.Struct, frozen=True):
     part
         The kind of part.
     index
-        The point it belongs to; for the curve, the point before which a new one would be inserted; for
-        another curve and a guide, its index in the document.
+        An index that `part` gives its meaning: of the point of its curve, for a point, a handle, a tick or a
+        function; of the point before which a new one would be inserted, for the line of the active curve; in
+        the document, for another curve and a guide; of the control point, for a dot; −1 for all else.
     curve
-        For a point or a handle of another curve that is edited: that curve.
+        The index of its curve, for a point or a handle of another curve than the active one; −1 for all
+        else. `on_active_curve` is the hit once that curve is active.
     position
         Its exact position in the plane (on the curve: the nearest point of it).
     ahead
@@ -59,7 +85,7 @@ class Hit(msgspec.Struct, frozen=True):
     over
         For a handle: the point that it lies over, −1 for none.
     inside
-        For another curve: whether it is hit within what it fills, and not on its line.
+        For another curve: whether it is hit inside its fill, and not on its line.
     """
 
     part: Part
@@ -108,7 +134,7 @@ class Pointer(msgspec.Struct, frozen=True):
     is_double: bool = False
 
     @property
-    def holds_line(self) -> bool:
+    def is_constrained(self) -> bool:
         """Whether Ctrl or Shift is held: a drag keeps to one axis, or an angle to steps of 15°."""
         return self.ctrl or self.shift
 

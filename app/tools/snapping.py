@@ -216,7 +216,7 @@ class Snapper:
 
 def stepped_from(fixed: Vector, pointer: Pointer, snapper: Snapper) -> Vector:
     """Return the end of a line from a fixed position: with Ctrl or Shift at a step of 15°."""
-    if not pointer.holds_line:
+    if not pointer.is_constrained:
         return snapper.at(pointer)
     # An angle that is held leaves nothing to be drawn elsewhere.
     snapper.reset()
@@ -416,11 +416,11 @@ class SnapTargets:
         session = self._session
         return self._make(lambda: targets_of_handle(session.views, session.active_index, point, self._kinds))
 
-    def for_points(self, group: PointGroup, grip: tuple[int, int] | None = None) -> Snapper:
-        """Return the snapper of points that move together, of which the grabbed one snaps."""
+    def for_points(self, group: PointGroup, grabbed: tuple[int, int] | None = None) -> Snapper:
+        """Return the snapper of points that move together, of which the grabbed (curve, index) snaps."""
         session, moving = self._session, dict(group.parts)
         # Level with its neighbours is a point; of whole curves none has any that stay.
-        curve, index = (session.active_index, -1) if grip is None or group.is_whole else grip
+        curve, index = (session.active_index, -1) if grabbed is None or group.is_whole else grabbed
         views = session.views
         return self._make(lambda: targets_of(views, curve, moving, index, self._kinds))
 

@@ -241,7 +241,8 @@ class Drag(Gesture, kw_only=True):
     refusal
         Why the last move changed nothing; empty where it did.
     keys, remark
-        Effects of the modifier keys; the locked part of the selection.
+        Effects of the modifier keys; the locked part of the selection. A subclass overrides them by a
+        property, or where they are always the same by a value in its body: ``keys = AXIS_KEYS``.
     """
 
     document: Document
@@ -259,7 +260,10 @@ class Drag(Gesture, kw_only=True):
         return ""
 
     def document_at(self, pointer: Pointer) -> Document:
-        """Return the document with the pointer there; pure. An EditError keeps the last good one."""
+        """Return the document with the pointer there. An EditError keeps the last good one.
+
+        It is pure, but for the snapper, which remembers its last answer.
+        """
         raise NotImplementedError
 
     def undo_text(self, pointer: Pointer) -> str:
@@ -463,8 +467,8 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
         What the action has by which it is selected: object name, text in a menu and where no menu stands
         around it, keys, icon, tooltip. Empty where a feature has an action of its own for it.
     in_menu, in_toolbar
-        Whether the menu of the canvas offers it; whether it has a button of its own in the toolbar, and does
-        not stand in the menu of the further ones there.
+        Whether the menu of the canvas offers it; whether it has a button of its own in the toolbar, which has
+        room for few, instead of an entry in the menu of the further ones there.
     keywords
         Other words by which the palette finds it.
     settings
@@ -485,7 +489,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     icon: str = ""
     tip: str = ""
     in_menu: bool = False
-    in_toolbar: bool = True
+    in_toolbar: bool = False
     keywords: str = ""
     settings: tuple[ChoiceSetting[Any] | SwitchSetting, ...] = ()
 

@@ -397,7 +397,7 @@ class Transform(TypedDrag, kw_only=True):
 
     def _is_stepped(self, pointer: Pointer) -> bool:
         # With an opposite corner or side, Shift means that.
-        return pointer.holds_line if self.opposite is None else pointer.ctrl
+        return pointer.is_constrained if self.opposite is None else pointer.ctrl
 
     def _about(self, pointer: Pointer) -> Vector:
         """Return the centre of rotation or skew; nothing can be skewed about the side that is held."""

@@ -48,8 +48,16 @@ class LineStyle(msgspec.Struct, frozen=True):
     ----------
     colour
         The name of a colour of the theme, or an Okabe–Ito colour as documents write it.
+    opacity
+        From 0 (invisible) to 1.
     width
         Width in pixels at scale 1.
+    dashes
+        The pattern of the line: `SOLID`, `DASHED`, or lengths in widths of the line.
+    mark
+        The shape of the marks, where points are marked.
+    sign
+        The symbol in the legend: a line, a mark, both, or an area.
     """
 
     colour: str = "accent"

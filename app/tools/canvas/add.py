@@ -393,4 +393,5 @@ ADD = ToolRecord(
     icon="add",
     tip="Click to add points; drag to pull out their handles",
     in_menu=True,
+    in_toolbar=True,
 )

@@ -344,7 +344,6 @@ def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> 
         icon=icon,
         tip=f"Draw {drawn.phrase}: drag from corner to corner; {drawn.keys}",
         in_menu=True,
-        in_toolbar=False,
         keywords=keywords,
     )
 

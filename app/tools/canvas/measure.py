@@ -100,7 +100,6 @@ MEASURE = ToolRecord(
     rank=30,
     action="measureTool",
     title="Measure",
-    in_toolbar=False,
     full_name="Measure Tool",
     key="M",
     icon="measure",

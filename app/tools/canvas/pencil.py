@@ -211,7 +211,7 @@ class PencilTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint."""
         detail = event.value(DETAIL).label.lower()
-        return Hint(f"{_HINT} · {detail}; Edit > Pencil changes it · V returns to Select")
+        return Hint(f"{_HINT} · {detail}; Edit › Tools changes it · V returns to Select")
 
 
 PENCIL = ToolRecord(
@@ -234,4 +234,5 @@ PENCIL = ToolRecord(
     icon="pencil",
     tip="Draw freehand: a curve of few points near the line",
     in_menu=True,
+    in_toolbar=True,
 )

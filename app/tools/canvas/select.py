@@ -288,4 +288,5 @@ SELECT = ToolRecord(
     key="V",
     icon="select",
     tip="Select and drag points and handles",
+    in_toolbar=True,
 )

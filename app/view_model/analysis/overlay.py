@@ -44,7 +44,7 @@ class Shape(enum.Enum):
     AREA = enum.auto()
     """Polygons that turn to the left, each ended by a row of NaN; all together are one area."""
     MARKS = enum.auto()
-    """Separate marks."""
+    """Separate marks, one at each point; the style's `mark` is their shape, such as a ring."""
 
 
 class Figure(msgspec.Struct, frozen=True, eq=False):
