@@ -2,18 +2,54 @@
 
 from __future__ import annotations
 
+import inspect
+import re
+from collections import defaultdict
+from pathlib import Path
+
 import pytest
-from fingerprint import Fingerprint, differences
+from fingerprint import DRAWN, PASSING, RENDERED_ANEW, Fingerprint, differences
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QLabel, QTabWidget
 
+import app
 from app.document.model import Axis, Document, make_curve
 from app.document.point_group import points_of
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
 from app.features.recovery.commands import RecoveryCommands
+from app.plotting.camera import ViewBox
 
 ARCH = make_curve([(0, 0), (1, 2), (2, 0)], name="Arch")
+
+
+def attributes_in(source):
+    """The attributes that the source of a class assigns to, declares or defines."""
+    assigned = re.findall(r"^ +(self\.\w+[^=\n]*?) ?(?:=|: )", source, re.MULTILINE)
+    declared = re.findall(r"^    (?:def )?(\w+)(?=[:(]| = )", source, re.MULTILINE)
+    kept = re.findall(r'self\.__dict__\["(\w+)"\] = ', source)
+    return {name for targets in assigned for name in re.findall(r"self\.(\w+)", targets)}.union(
+        declared, kept
+    )
+
+
+def test_names_that_the_fingerprint_leaves_out_exist():
+    """Names of attributes and classes were left behind when these were renamed."""
+    attributes = defaultdict(set)
+    for path in Path(app.__file__).parent.rglob("*.py"):
+        for source in re.split(r"^(?=class )", path.read_text("utf-8"), flags=re.MULTILINE)[1:]:
+            attributes[re.match(r"class (\w+)", source)[1]] |= attributes_in(source)
+    bases = [base for base in ViewBox.__mro__ if base.__module__.startswith("pyqtgraph")]
+    library = {"__dict__"}.union(*(attributes_in(inspect.getsource(base)) for base in bases))
+    anywhere = library.union(*attributes.values())
+    unknown = {
+        name
+        for name in PASSING
+        for owner, _, attribute in [name.rpartition(".")]
+        if attribute not in (attributes[owner] if owner else anywhere)
+    }
+    assert unknown == set()
+    assert (DRAWN | RENDERED_ANEW) - attributes.keys() == set()
 
 
 def test_planted_differences_of_the_window_are_detected(editor, monkeypatch):
