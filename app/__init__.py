@@ -24,6 +24,9 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 - ``diagnostics``: the log, slow frames, reports of crashes.
 - ``cli``: the command line, the editor's start, and what surrounds its windows until the end.
 - ``testing``: a driver for pytest-qt.
+
+The files in ``resources`` ship with it: icons, examples, lessons (``features/lessons``) and the manual
+(``features/help``).
 """
 
 from curvecore import __version__ as __version__

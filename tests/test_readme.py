@@ -138,11 +138,20 @@ def test_files_and_names_in_contributing_exist():
     ]
     defined = set(re.findall(r"\b(?:class|def) (\w+)", "\n".join(sources)))
     (walk,) = re.findall(r"```text\n(press.*?)```", text, re.DOTALL)
-    names = {quote.partition("(")[0] for quote in quotes if re.fullmatch(r"[A-Z][a-z]\w+|\w+\(.*\)", quote)}
+    is_name = re.compile(r"[A-Z][a-z]\w+(?:\.[a-z]\w+)?|\w+\(.*\)")
+    names = {quote.partition("(")[0] for quote in quotes if is_name.fullmatch(quote)}
     names |= set(re.findall(r"\b[A-Z][a-z]\w+(?:\.\w+)?", walk)) - {"Escape"}
     assert len(set(re.findall(r"\b[A-Z][a-z]\w+", walk)) - {"Escape"}) <= 9
     for name in names:
         assert set(name.split(".")) <= defined, name
+
+
+def test_test_files_that_docstrings_name_exist():
+    files = {path.name for path in ROOT.glob("tests/**/*.py")}
+    for path in [*ROOT.glob("app/**/*.py"), *ROOT.glob("curvecore/**/*.py")]:
+        text = path.read_text("utf-8")
+        assert set(re.findall(r"\btest_\w+\.py\b", text)) <= files, path
+        assert all((ROOT / name).exists() for name in re.findall(r"\btests/[\w/]+\.py\b", text)), path
 
 
 def test_the_core_example_prints_the_stated_sum(tmp_path):

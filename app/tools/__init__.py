@@ -4,6 +4,8 @@ To add a tool: write a file in ``canvas`` with a class of `Tool` and a `ToolReco
 returns a `Gesture`: what happens until the release. One that changes the document is a `Drag`: it says what
 the document is with the pointer at a position (`document_at`), and the name of the undo step (`undo_text`).
 The docstring of ``tool`` has an example; copy ``canvas/measure`` for a gesture, ``drag_points`` for a drag.
+In ``tests/gui``, ``test_tools.py`` adds a tool; it and ``test_toolbar.py``, ``test_menus.py``,
+``test_interrupted_gestures.py``, ``test_random_gestures.py`` and ``test_manual.py`` try those that there are.
 
 In reading order:
 

@@ -53,7 +53,7 @@ class Figure(msgspec.Struct, frozen=True, eq=False):
     Attributes
     ----------
     style
-        The look of lines and marks; the legend explains the figure by it.
+        The look of lines and marks. The legend finds the figures of an entry by it: the same object.
     label
         A word beside the last point; empty for none.
     """
@@ -162,8 +162,16 @@ _FEW, _LONG = 3, 200
 class OverlayInput(msgspec.Struct, frozen=True, eq=False, dict=True):
     """The curve that an overlay is drawn of, the values of its settings, and samples that overlays share.
 
+    Only current views are drawn: those whose `is_current` says that the curve is the one of the points.
+
     Attributes
     ----------
+    view
+        The curve: `view.curve` evaluates it, `view.points` (n, 2) are its points. There are as many
+        `view.parameters` as points; a closed curve has one more, at which it is back at the first point
+        (`view.at_knots` has a position for each).
+    settings
+        The values of the settings of all overlays; `value` asks for one.
     scrub
         The scrub line's t; None without one.
     report

@@ -27,9 +27,17 @@ its switch and sliders, the legend and the canvas read the record::
         rank=55,
         draw=dots,
         settings=(COUNT,),
+        legend=lambda _view, _settings: [(DOT, "Equal steps of t")],
     )
 
-`Overlay` (``overlay``) explains the fields. A drawing that takes more than about 2 ms a frame says so with
-`settles`, and is computed beside the window. The modules are imported at the start: call the core as
-`curvecore.curvature_of(…)` after `import curvecore`. ``tests/gui/test_own_overlay.py`` adds two.
+`Overlay` (``overlay``) explains the fields. The legend has a row for each entry of `legend`, and for those of
+`finds` (figures that are there or not, such as crossings) whose style is drawn. It compares styles by
+identity: an entry and its figures have the same `LineStyle` object, a constant of the module. Without
+entries an overlay has no row.
+
+A drawing that takes more than about 2 ms a frame says so with `settles`, and is computed beside the window.
+The modules are imported at the start: call the core as `curvecore.curvature_of(…)` after `import curvecore`.
+
+``tests/gui/test_own_overlay.py`` adds two. ``test_overlays.py`` in ``tests/gui`` and in ``tests/view_model``
+tries every overlay that there is, ``tests/view_model/test_any_family.py`` with curves of every family.
 """
