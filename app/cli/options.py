@@ -82,8 +82,8 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
         "--unit",
         type=_unit,
         metavar="U",
-        help=f"unit of length ({', '.join(MILLIMETRES)}) of a document without one: SVG and PDF without "
-        "--width, and TikZ, then have true size; PNG has it by its pixels per inch; DXF names the unit",
+        help=f"unit of length ({', '.join(MILLIMETRES)}) for a document without one: SVG and PDF without "
+        "--width, and TikZ, then have true size; PNG states its pixels per inch; DXF states the unit",
     )
     sides.add_argument(
         "--dpi",

@@ -222,7 +222,7 @@ class Editor(InputDriver):
         """Return the position of a grip of the selection box: x, y in −1, 0, 1; 0, 0 rotates."""
         canvas = self.window.canvas
         if canvas.marks.box is None:
-            raise LookupError("No box is shown; it takes two selected points.")
+            raise LookupError("No box is shown; select two points.")
         for grip, position in canvas.marks.box.grips(canvas.pixel_map.sx):
             is_above = not canvas.marks.box.turns and grip.does is TransformKind.ROTATE
             if is_above if (x, y) == (0, 0) else (grip.x, grip.y, is_above) == (x, y, False):

@@ -23,11 +23,11 @@ SHORT_MS = 300
 
 
 class ApplicationQuitError(RuntimeError):
-    """The application was told to quit: event loops end at once, and nothing can be waited for."""
+    """The application was asked to quit: event loops end at once, and nothing can be waited for."""
 
     def __init__(self) -> None:
         super().__init__(
-            "The application was told to quit: every event loop ends at once, and nothing can be waited for. "
+            "The application was asked to quit: every event loop ends at once, so no wait is possible. "
             "Find the call of QApplication.quit or exit (maybe by a timer of an earlier test). "
             "A QApplication.exec() in which exit(0) is called lets loops run again."
         )
@@ -95,14 +95,14 @@ def wait_for_rest(widget: QWidget, *, up_to_ms: int = SHORT_MS) -> None:
     Raises
     ------
     TimeoutError
-        If the window does not come to rest within `WAIT_S` seconds.
+        If the window is not idle within `WAIT_S` seconds.
     ApplicationQuitError
         If no event loop runs any more.
     """
     deadline = time.monotonic() + WAIT_S
     while timers := _short_timers(widget, up_to_ms):
         if time.monotonic() > deadline:
-            raise TimeoutError(f"The window does not come to rest within {WAIT_S:g} s.")
+            raise TimeoutError(f"The window is not idle within {WAIT_S:g} s.")
         for timer in timers:
             # A timer may be deleted or stopped by another one.
             if isValid(timer) and timer.isActive():

@@ -81,7 +81,7 @@ def converted(view: CurveView, family: Family) -> Reshaped:
     residual = largest_distance(view, t, after, t)
     if residual > tolerance and not keeps_shape(residual, (view.source,)):
         raise EditError(
-            f"As {family.a_curve} it would be off by up to {number(residual, 2)}: rounding loses too much."
+            f"As {family.a_curve} the shape would change by up to {number(residual, 2)} through rounding."
         )
     left_rule = result.is_manual and not view.source.is_manual
     note = _growth(view, family) or _jumps(view, after)

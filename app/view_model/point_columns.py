@@ -257,7 +257,7 @@ def _set_derivatives(
         ahead = shows_ahead(view, index)
         present = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
         if present is None:
-            raise EditError(f"There is nothing to estimate the other component from. {view.problem}")
+            raise EditError(f"The other component cannot be estimated. {view.problem}")
         given = with_component(present, component, float(value))
         points[index] = with_derivative(document.curves[curve], index, order, given, ahead=ahead)
     return point_edits.set_points(document, curve, points)

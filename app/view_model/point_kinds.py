@@ -62,7 +62,7 @@ def with_corners(view: CurveView, indices: Collection[int]) -> Curve:
         If there is no curve, or no point is left.
     """
     points = view.source.points
-    inner = _inner(view, indices, "a corner needs curve on both sides", NO_CORNERS)
+    inner = _inner(view, indices, "a corner needs a segment on both sides", NO_CORNERS)
     new = [index for index in inner if not points[index].corner or points[index].tied]
     cornered = {
         index: untie(points[index]) if points[index].corner else points[index].as_corner() for index in new

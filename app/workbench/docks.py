@@ -269,7 +269,7 @@ class DockTitle(FollowsTheme, QWidget):
             f"{name}Float", f"Float {title}", _FLOAT_TIP, icon_size=ICON, flat=True
         )
         self.close_button = tool_button(
-            f"{name}Close", f"Close {title}", "Close; View › Panels shows it again", icon_size=ICON, flat=True
+            f"{name}Close", f"Close {title}", "Close; use View › Panels to reopen", icon_size=ICON, flat=True
         )
         self.float_button.setCheckable(True)
         self.float_button.clicked.connect(lambda: dock.setFloating(not dock.isFloating()))

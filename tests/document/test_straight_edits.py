@@ -47,7 +47,7 @@ def test_the_closing_segment_can_be_straightened():
 
 @pytest.mark.parametrize("segment", [-1, 3])
 def test_a_missing_segment_is_refused(segment):
-    with pytest.raises(EditError, match="segment does not exist"):
+    with pytest.raises(EditError, match="segment no longer exists"):
         straighten(document(), 0, [segment], TIMES)
 
 

@@ -129,7 +129,7 @@ def test_waiting_in_an_application_that_was_told_to_quit_raises(editor, told_to_
     late = QTimer(editor.window, singleShot=True, interval=100)
     late.start()
     before = timers_of_nobody()
-    with pytest.raises(ApplicationQuitError, match="was told to quit"):
+    with pytest.raises(ApplicationQuitError, match="was asked to quit"):
         wait(editor)
     assert timers_of_nobody() == before
     late.deleteLater()
@@ -179,7 +179,7 @@ def test_a_window_that_never_rests_is_reported(editor, monkeypatch):
     restless = QTimer(editor.window, singleShot=True, interval=1)
     restless.timeout.connect(restless.start)
     restless.start()
-    with pytest.raises(TimeoutError, match=r"does not come to rest within 0.05 s"):
+    with pytest.raises(TimeoutError, match=r"is not idle within 0.05 s"):
         editor.wait_for_rest()
     restless.stop()
     restless.deleteLater()

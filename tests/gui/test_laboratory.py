@@ -423,4 +423,4 @@ def test_the_dock_is_as_wide_as_the_laboratory(editor, family):
     page = find(editor, QScrollArea, "accuracyPage")
     assert page.horizontalScrollBar().maximum() == 0
     words = find(editor, QLabel, "laboratoryWords").text()
-    assert ("This Λ is that of the data" in words) == bool(family.derivatives)
+    assert ("This Λ applies to the data" in words) == bool(family.derivatives)

@@ -126,7 +126,7 @@ def test_a_zigzag_too_slow_for_a_polynomial_becomes_local_pieces(editor, monkeyp
     line = draw(editor, [(100 + i, 160 + abs(10 * i % 120 - 60)) for i in range(600)])
     assert editor.session.active_curve.family.curve_class.is_local
     assert farthest(editor, line) <= 2.2
-    assert "It is a Hermite curve: a Bézier curve that close takes too long to find." in editor.status
+    assert "It is a Hermite curve: finding a Bézier curve that close takes too long." in editor.status
     editor.trigger("undo")
     assert editor.session.active_curve.family == FAMILIES.named("bezier")
 

@@ -290,7 +290,7 @@ def test_a_double_click_toggles_the_kind_only_of_inner_hermite_points(bow):
     document = bow.session.document
     bow.double_click(bow.point(0))
     assert bow.session.document is document
-    assert bow.status == "Point 0 is an end of the curve; a corner needs curve on both sides."
+    assert bow.status == "Point 0 is an end of the curve; a corner needs a segment on both sides."
     # A point that is clicked twice and dragged is moved.
     bow.click(bow.point(2))
     bow.drag(bow.point(2), (3.0, 2.0))

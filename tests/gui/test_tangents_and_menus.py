@@ -253,7 +253,7 @@ def test_the_undo_step_names_the_side_of_a_corner(wave):
 def test_an_end_is_no_corner(wave):
     wave.select_point(0)
     wave.trigger("tangentCorner")
-    assert wave.status == "Point 0 is an end of the curve; a corner needs curve on both sides."
+    assert wave.status == "Point 0 is an end of the curve; a corner needs a segment on both sides."
     wave.trigger("closeCurve")
     wave.trigger("tangentCorner")
     assert wave.curve.points[0].corner

@@ -91,7 +91,7 @@ def test_a_joint_at_rest_has_no_direction():
     assert result.summary == "C² everywhere except joint 2: stands still."
     assert row.kind is JointKind.REST
     assert math.isnan(row.angle)
-    assert "stands still" in row.words
+    assert "velocity is zero" in row.words
 
 
 def test_many_rough_joints_are_counted():

@@ -165,7 +165,7 @@ def _horner(coefficients: FloatArray, ends: FloatArray, t: FloatArray) -> FloatA
 DESMOS = Format(
     endings=(".desmos.txt",),
     title="Desmos expressions",
-    description="Expressions to paste into Desmos, one a line.",
+    description="Expressions to paste into Desmos, one per line.",
     rank=130,
     options=(TOLERANCE,),
     write=desmos_expressions,

@@ -144,7 +144,7 @@ def _rectangle(
 
 def _complete(read: ReadPath) -> list[Subpath]:
     if read.error:
-        raise ExchangeError("It is too large.")
+        raise ExchangeError("A number is too large.")
     return read.subpaths
 
 

@@ -36,7 +36,7 @@ class DocumentCommands:
     def _open_window(self) -> None:
         """Open another window with an empty document."""
         if self._context.files.open_window is None:
-            raise EditError("This window is part of another program and cannot open a second one.")
+            raise EditError("This window is part of another program and cannot open a second window.")
         self._context.files.open_window("newDocument")
 
     @action("openDocument", "Open…", FILE_OPEN, "Ctrl+O", "open")

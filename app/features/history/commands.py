@@ -103,10 +103,10 @@ class HistoryCommands:
 
     @action(
         "goBack",
-        "Go Back",
+        "Return to Document",
         EDIT_BACK,
         icon="history",
-        full_name="Go Back to the Document Before the Lesson",
+        full_name="Return to the Document Before the Lesson",
         needs=Need("work that was replaced by a lesson or an example", lambda state: state.can_go_back),
     )
     def _go_back(self) -> None:

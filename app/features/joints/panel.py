@@ -22,7 +22,7 @@ from ...widgets.number_text import decimal_mark
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "c‴", "∠", "κ")
 _TIPS = (
     "The joint, by its point: ✓ smooth, ? not decided, △ acceleration jumps, ◇ speed jumps, ▲ corner",
-    "Parametric continuity C, of the motion; geometric continuity G, of the line, where it is higher",
+    "Parametric continuity C of the motion; geometric continuity G of the line, where higher",
     "Jump of the point",
     "Jump of the velocity: length of the difference, after minus before",
     "Jump of the acceleration: length of the difference, after minus before",

@@ -43,9 +43,9 @@ class CostPanel(QWidget):
         self._lay_out_numbers()
         self._note = Label(name="costNote", wordWrap=True)
         self.chart = LogPlot(
-            "costChart", "Operations to the first point of the curve over the number of points n"
+            "costChart", "Operations for the first point of the curve over the number of points n"
         )
-        title = "Operations to the first point, over n"
+        title = "Operations for the first point, over n"
         parts = (self._words, self._numbers, title, (self.chart, 1), self._note)
         column_of(*parts, margins=12, spacing=10, parent=self)
 

@@ -81,11 +81,11 @@ class OwnFamilyCommands(QObject):
 
     @action(
         "useOwnFamily",
-        "Use It",
+        "Use New Family",
         FILE_FAMILY_MORE,
         icon="play",
         full_name="Use the New Family",
-        needs=Need("a family file that was just written or used", lambda state: state.window.offers_family),
+        needs=Need("a family file that was just saved or used", lambda state: state.window.offers_family),
     )
     def _use_offered(self) -> None:
         """Use the template that was just saved, or the family that was just loaded."""

@@ -54,7 +54,7 @@ class PlotCanvas(ToolPlot):
         self.camera.led = True
         self.setObjectName("plotCanvas")
         self.setAccessibleName("Plots over t")
-        self.setAccessibleDescription("Speed, curvature and others over t; drag to move the scrub line.")
+        self.setAccessibleDescription("Speed, curvature and other plots; drag to move the scrub line.")
         self._scales: dict[str, ValueScale] = {}
         self._ticks: list[tuple[float, str]] = []
         self._lines = PlotLayer(self)

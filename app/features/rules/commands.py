@@ -465,7 +465,7 @@ class RuleCommands:
     )
     @also(CURVE_MENU(14), RAIL_MENU(21))
     def _freeze_parameters(self) -> None:
-        """Keep the current parameters as manual ones."""
+        """Make the current parameters manual."""
         session = self._session
         parameters = session.active_view.parameters.tolist()
         session.change(
@@ -479,7 +479,7 @@ class RuleCommands:
         CURVE_PARAMETERS,
         icon="spline",
         needs=Need(
-            "parameters other than uniform ones",
+            "parameters that are not uniform",
             lambda state: state.parametrization is not ParametrizationKind.UNIFORM,
         ),
     )

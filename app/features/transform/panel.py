@@ -24,7 +24,7 @@ from ...widgets.fields import FieldForm, NumberEdit, read_number
 from ...widgets.number_text import read_length
 
 _ROTATE_TIP = "Degrees, counterclockwise; each Enter rotates"
-_SKEW = "Degrees: the top moves right, or the right side up; Enter skews horizontally"
+_SKEW = "Degrees; moves the top right, or the right side up. Enter skews horizontally"
 
 _CERTAIN = 12
 """Digits of the largest number of the box that are no rounding."""
@@ -300,7 +300,7 @@ class PivotChooser(SafeOverrides, QWidget):
         for rank, at in enumerate(NINE):
             words = position_name(*at)
             name = "pivot" + "".join(word.capitalize() for word in words.split())
-            tip = f"Pivot: {words} of the box. X and Y are its position, and transforms are about it"
+            tip = f"Pivot: {words} of the box, the centre of transforms. X and Y give its position"
             button = named(QToolButton(), name, f"Pivot: {words}", tip)
             button.setCheckable(True)
             button.setFixedSize(_SIDE, _SIDE)

@@ -379,7 +379,7 @@ ADD = ToolRecord(
         GestureRow("Ctrl+click", "add a point at a multiple of 15° from the last one"),
         GestureRow("Alt+click", "a corner after a straight line", needs_derivatives=True),
         GestureRow("Click the curve", "insert a point between its neighbours"),
-        GestureRow("Shift+click", "add a point at the end, also on the curve or a closed one"),
+        GestureRow("Shift+click", "add a point at the end, even on the curve or if it is closed"),
         GestureRow("Enter, double click", "finish the curve; click either end to continue it"),
         GestureRow("Backspace, Delete", "remove the last point"),
         GestureRow("Click the first point", "close the curve"),

@@ -191,7 +191,7 @@ def _message(result: Fitted, model: Curve, press: Pointer, tolerance: float) -> 
     pixels = with_decimals(result.deviation * press.scale, 1)
     text = f"{points}; largest deviation {pixels} px ({number(result.deviation, 2)})."
     if family != model.family:
-        text += f" It is {family.a_curve}: {model.family.a_curve} that close takes too long to find."
+        text += f" It is {family.a_curve}: finding {model.family.a_curve} that close takes too long."
     elif result.is_scattered:
         text += f" {SCATTERED}"
     elif result.deviation > tolerance:

@@ -232,9 +232,7 @@ def _has_three_decimals(view: CurveView, _given: Curve) -> bool:
 
 KEPT: Conditions = {
     "points": Condition(_keeps_points, "the points have changed (Undo restores them)"),
-    "family": Condition(
-        lambda view, given: view.source.family == given.family, "the family must stay as it was"
-    ),
+    "family": Condition(lambda view, given: view.source.family == given.family, "the family has changed"),
     "rule": Condition(
         lambda view, given: view.source.parametrization.kind is given.parametrization.kind,
         "the rule for the parameters has changed",

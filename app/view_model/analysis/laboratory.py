@@ -353,8 +353,8 @@ def growth_words(trial: Trial) -> str:
     if not (trial.view.source.family.derivatives and has_growth):
         return ""
     return (
-        "This Λ is that of the data, with fixed estimates; the status line has that of the points, which the "
-        "estimates follow."
+        "This Λ applies to the data, with fixed estimates; the status line shows Λ of the points, including "
+        "the estimates."
     )
 
 
