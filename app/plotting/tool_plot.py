@@ -159,7 +159,7 @@ class ToolPlot(PlotWidget):
         return cancelled
 
     def abandon_gesture(self) -> None:
-        """Drop the gesture in flight, if any: another document is open."""
+        """Forget the gesture in flight, if any: the session has dropped it."""
         is_any = self.is_dragging
         self.tools.abandon()
         if is_any:

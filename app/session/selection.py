@@ -251,7 +251,7 @@ class Selection:
         if existing:
             self.next_style = None
         if wanted != session.active_index:
-            session.interrupted.emit()
+            session.gesture_ended.emit()
             session.cancel()
             self.make_active(wanted)
             self._session.scrub.keep()
@@ -318,7 +318,7 @@ class Selection:
         # It is not in the document yet.
         self.is_implicit = True
 
-    def settle(self) -> None:
+    def keep_previewed(self) -> None:
         """Keep the selection that a dropped gesture has shown, as far as it is valid."""
         if not self.is_editing and self.whole_curves and self.whole_curves != self.curves:
             self.set_curves(self.whole_curves)

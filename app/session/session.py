@@ -96,9 +96,10 @@ class SessionSignals(QObject):
         The document was written to its file.
     history_changed
         There is another step to undo or redo.
-    interrupted
-        The document or the curve that is edited is being replaced (a step, undo, open): a gesture in flight
-        is void, and messages about the old document are out of date.
+    gesture_ended
+        No gesture is in flight any more: it has become a step, or another change, undo, another active curve
+        or another document has dropped it. Emitted also where none was in flight; messages about the
+        document before are out of date.
     message
         A `Message` for the person.
 
@@ -122,7 +123,7 @@ class SessionSignals(QObject):
     left = Signal(object)
     saved = Signal()
     history_changed = Signal()
-    interrupted = Signal()
+    gesture_ended = Signal()
     message = Signal(object)
 
     def __init__(self) -> None:
@@ -146,7 +147,7 @@ class SessionSignals(QObject):
 
 
 class Session(SessionSignals):
-    """Owner of the open document; all that changes it goes through `change`, or is a gesture.
+    """Owner of the open document: `change` changes it at once; a gesture previews a change, then commits it.
 
     Attributes
     ----------
@@ -176,7 +177,8 @@ class Session(SessionSignals):
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
         self._views = Views()
         self._committed = self._document = with_plain_numbers(first_sketch())
-        self._home: SelectionState | None = None
+        # The selection before the gesture in flight; None while nothing is previewed.
+        self._selection_before: SelectionState | None = None
         # The document that a gesture gave to be shown; `_document` is what came of it.
         self._asked: Document | None = None
         # What a gesture selects together with its preview.
@@ -198,14 +200,14 @@ class Session(SessionSignals):
         if state is None or state.document is self._committed or state.document == self._committed:
             return
         self.history.end_run()
-        self._home = self._asked = self._selects = None
+        self._selection_before = self._asked = self._selects = None
         self._committed = self._document = state.document
         self._views.take()
         self.active_index = min(state.active, len(state.document.curves) - 1)
         self.selected.reset()
         if state.origin is not self.files.origin:
             self._turn_to(state.origin)
-        self.interrupted.emit()
+        self.gesture_ended.emit()
         self.document_changed.emit(state.document)
         self.selection_changed.emit(self.selection)
         self.selected.set_hovered(-1)
@@ -227,8 +229,8 @@ class Session(SessionSignals):
 
     @property
     def state(self) -> HistoryState:
-        """HistoryState that the next step of the history begins with."""
-        selection = self.selected.state if self._home is None else self._home
+        """The state that the next step of the history starts from."""
+        selection = self.selected.state if self._selection_before is None else self._selection_before
         return HistoryState(self._committed, selection.active, self.files.origin, selection)
 
     @property
@@ -243,7 +245,7 @@ class Session(SessionSignals):
 
     @property
     def views(self) -> list[CurveView]:
-        """The view-models of all curves."""
+        """The views of all curves."""
         return self._views.of(self._document.curves)
 
     def expect(self, views: Sequence[CurveView]) -> None:
@@ -252,11 +254,11 @@ class Session(SessionSignals):
 
     @property
     def active_view(self) -> CurveView:
-        """The view-model of the active curve."""
+        """The view of the active curve."""
         return self.views[self.active_index]
 
     @property
-    def model(self) -> Curve:
+    def template_curve(self) -> Curve:
         """The curve that gives a new one its family, rules and style: the active one, but for a style set.
 
         Nobody means to draw what has no paint, unless it was set so.
@@ -268,7 +270,7 @@ class Session(SessionSignals):
 
     @property
     def target_view(self) -> CurveView | None:
-        """The view model of the active curve; None while no curve is edited and none selected.
+        """The view of the active curve; None while no curve is edited and none selected.
 
         A blank document has nothing to choose from: its curve is the one that is about to be drawn.
         """
@@ -329,8 +331,8 @@ class Session(SessionSignals):
         if reason := why_locked(self._committed, document):
             self.refuse(reason)
             return False
-        if self._home is None:
-            self._home = self.selected.state
+        if self._selection_before is None:
+            self._selection_before = self.selected.state
             self._views.leave()
         is_first = selects is not None and self._selects is None
         if selects is not None and selects.is_editing:
@@ -365,7 +367,7 @@ class Session(SessionSignals):
         if reason := why_unsavable(self._committed, document):
             return self._refused(reason, "the file format")
         before, selects = self.state, self._selects
-        self._home = self._asked = self._selects = None
+        self._selection_before = self._asked = self._selects = None
         if active is None:
             active = self.active_index if selects is None else selects.active
         after = HistoryState(document, active, self.files.origin)
@@ -377,23 +379,24 @@ class Session(SessionSignals):
 
     def cancel(self) -> None:
         """Drop the preview, and restore the selection before it."""
-        home, self._home, self._asked, self._selects = self._home, None, None, None
-        if home is None:
+        before, self._selection_before = self._selection_before, None
+        self._asked = self._selects = None
+        if before is None:
             return
         with self.batch:
-            if home.active != self.active_index:
-                self.selected.make_active(home.active)
+            if before.active != self.active_index:
+                self.selected.make_active(before.active)
             if self.is_previewing:
                 self._show(self._committed)
-            self.selected.restore(home)
+            self.selected.restore(before)
 
     def interrupt(self) -> bool:
         """Drop the gesture in flight, wherever it is, with its preview; return whether one was shown."""
         was_previewing = self.is_previewing
         with self.batch:
-            self.interrupted.emit()
+            self.gesture_ended.emit()
             self.cancel()
-            self.selected.settle()
+            self.selected.keep_previewed()
         return was_previewing
 
     def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
@@ -408,7 +411,7 @@ class Session(SessionSignals):
 
     def _restore_step(self, state: HistoryState) -> None:
         if self.history.is_pushing and self._is_on_screen(state):
-            self._settle(state)
+            self._adopt_preview(state)
             return
         before, is_other = self._committed, state.origin is not self.files.origin
         if is_other and self.files.is_modified and self.files.path is None:
@@ -430,10 +433,10 @@ class Session(SessionSignals):
         is_previewed = self.is_previewing and state.document is self._document
         return is_previewed and state.active == self.active_index
 
-    def _settle(self, state: HistoryState) -> None:
+    def _adopt_preview(self, state: HistoryState) -> None:
         """Make the previewed document the current one; it is drawn already."""
         self.history.end_run()
-        self.interrupted.emit()
+        self.gesture_ended.emit()
         self._committed = state.document
         self.settled.emit()
 
@@ -454,8 +457,8 @@ class Session(SessionSignals):
         self.history.end_run()
         if not self.is_previewing:
             self._views.leave()
-        self._home = self._asked = self._selects = None
-        self.interrupted.emit()
+        self._selection_before = self._asked = self._selects = None
+        self.gesture_ended.emit()
         if state.active != self.active_index:
             self.selected.make_active(state.active)
         self._committed = state.document

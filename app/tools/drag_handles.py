@@ -45,7 +45,7 @@ def press_on_handle(event: ToolEvent, hit: Hit) -> Gesture:
     """Start to drag a handle. A click does nothing to it: it selects the point below, if there is one."""
     session, pointer = event.session, event.pointer
     on_click = selecting(event, hit.over) if hit.over >= 0 else None
-    if pointer.ctrl and not (pointer.shift or pointer.alt) and hit.kind == 1:
+    if pointer.ctrl and not (pointer.shift or pointer.alt) and hit.order == 1:
         on_click = partial(_retract, hit=hit)
     drag = DragHandle(
         document=session.document,
@@ -87,11 +87,13 @@ class DragHandle(Drag, kw_only=True, dict=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the handle at the offset from the pointer that it had at the press."""
-        which, document = (self.hit.index, self.hit.kind), self.document
+        index, order, document = self.hit.index, self.hit.order, self.document
         if self._breaks(pointer):
             document = self._broken
         derivative = self._derivative_at(pointer)
-        return point_edits.set_derivative(document, self.curve, *which, derivative, ahead=self.hit.ahead)
+        return point_edits.set_derivative(
+            document, self.curve, index, order, derivative, ahead=self.hit.ahead
+        )
 
     def _breaks(self, pointer: Pointer) -> bool:
         """Return whether the handle moves alone, and the point becomes a corner."""
@@ -104,16 +106,16 @@ class DragHandle(Drag, kw_only=True, dict=True):
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
         tip = self._snapped(plus(self.hit.position, pointer.offset_from(self.start)), pointer)
-        which = self.hit.index, self.hit.kind
-        free = derivative_from_handle(self.view, *which, tip, ahead=self.hit.ahead)
-        before = self.view.derivative_of(*which, ahead=self.hit.ahead)
+        index, order = self.hit.index, self.hit.order
+        free = derivative_from_handle(self.view, index, order, tip, ahead=self.hit.ahead)
+        before = self.view.derivative_of(index, order, ahead=self.hit.ahead)
         if pointer.alt and pointer.shift and before is not None and any(before):
             return _along_direction(free, before)
         return in_steps(free) if pointer.is_constrained else free
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
         if pointer.is_constrained:
-            # An angle or a direction that is held leaves nothing to be drawn elsewhere.
+            # While Ctrl or Shift holds an angle or a direction, nothing snaps.
             self.snapper.reset()
             return tip
         return self.snapper.snap(tip, pointer)
@@ -146,7 +148,7 @@ def _along_direction(v: Vector, direction: Vector) -> Vector:
 
 def label_of_handle(hit: Hit, view: CurveView) -> str:
     """Return "velocity of point 2"; at a corner, which has two, the side as well."""
-    return f"{DERIVATIVES[hit.kind - 1].name} of {_label_of_side(view, hit.index, ahead=hit.ahead)}"
+    return f"{DERIVATIVES[hit.order - 1].name} of {_label_of_side(view, hit.index, ahead=hit.ahead)}"
 
 
 def _label_of_side(view: CurveView, index: int, *, ahead: bool) -> str:
@@ -216,7 +218,7 @@ class PullVelocity(Drag, kw_only=True):
 def hint_on_part(hit: Hit, view: CurveView, moves: str, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint over a point, of which a drag `moves` something, or over a handle."""
     if hit.part is not Part.POINT:
-        retracts = " · Ctrl+click: retract it" if hit.kind == 1 else ""
+        retracts = " · Ctrl+click: retract it" if hit.order == 1 else ""
         text = f"Drag to set the {label_of_handle(hit, view)} · {handle_keys(hit, view)}{retracts}"
         return Hint(text, grab=True)
     if pointer.alt and view.source.family.derivatives:

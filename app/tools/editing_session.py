@@ -128,7 +128,7 @@ class EditingSession(Protocol):
         """The view of the active curve."""
 
     @property
-    def model(self) -> Curve:
+    def template_curve(self) -> Curve:
         """The curve that gives a new one its family, rules and style."""
 
     def preview(

@@ -143,7 +143,7 @@ class RailTool(ScrubTool):
                 f"t = {words.number(hit.position[0])} · "
                 "Drag to scrub"
             )
-        kind = f"{DERIVATIVES[hit.kind - 1].name} function" if hit.kind else "basis function"
+        kind = f"{DERIVATIVES[hit.order - 1].name} function" if hit.order else "basis function"
         point = event.view.source.family.point
         return Hint(f"The {kind} of {point} {hit.index} · Click to select the point")
 

@@ -77,7 +77,7 @@ class Hit(msgspec.Struct, frozen=True):
         For a handle: whether it lies on the segment after the point.
     t
         For the curve: the parameter there.
-    kind
+    order
         For a handle or a basis function: the order of the derivative, 0 for the position.
     knot
         For a tick: the knot it stands at; a closed curve has one more knot than points. For a corner of the
@@ -94,7 +94,7 @@ class Hit(msgspec.Struct, frozen=True):
     curve: int = -1
     ahead: bool = True
     t: float = 0.0
-    kind: int = 0
+    order: int = 0
     knot: int = -1
     over: int = -1
     inside: bool = False

@@ -205,7 +205,10 @@ class Gesture(msgspec.Struct, kw_only=True):
         """End; the last move has been made."""
 
     def cancel(self, event: ToolEvent) -> None:
-        """Restore what the gesture has changed besides document and selection: the toolbox restores these."""
+        """Say that the gesture is cancelled; the toolbox has restored document and selection.
+
+        A gesture that has changed more restores that here.
+        """
         event.session.say(CANCELLED)
 
     def wants_key(self, key: str) -> bool:

@@ -176,7 +176,7 @@ class Toolbox:
         return True
 
     def abandon(self) -> None:
-        """Drop the gesture in flight as it is: the document was replaced by another change."""
+        """Forget the gesture in flight, without cancelling it: the session has dropped it."""
         self._end()
 
     def _end(self) -> Gesture | None:

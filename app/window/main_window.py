@@ -152,7 +152,7 @@ class MainWindow(SafeOverrides, QMainWindow):
     def _connect(self) -> None:
         session, files = self.session, self.context.files
         self.store.changed.connect(self._show_state)
-        session.interrupted.connect(self.status_line.reset)
+        session.gesture_ended.connect(self.status_line.reset)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
         self.canvas.pointed_at.connect(self.status_line.readouts.show_position)

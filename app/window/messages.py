@@ -36,7 +36,7 @@ class Messages(QObject):
         self._dismissed = ""
         self._offered: tuple[str, Sequence[QAction]] | None = None
         self._bar.closed.connect(self._dismiss)
-        self._session.interrupted.connect(self._reset_offer)
+        self._session.gesture_ended.connect(self._reset_offer)
         self._session.opened.connect(self._begin_anew)
         self._session.history_changed.connect(self._reset_greeting)
 

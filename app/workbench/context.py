@@ -65,7 +65,7 @@ class WindowContext(msgspec.Struct, frozen=True):
         plot.hint_changed.connect(line.show_hint)
         plot.progress_changed.connect(line.show_progress)
         plot.gesture_began.connect(line.begin_gesture)
-        session.interrupted.connect(plot.abandon_gesture)
+        session.gesture_ended.connect(plot.abandon_gesture)
         for changed in (session.history_changed, session.active_changed):
             changed.connect(plot.hover_soon)
 

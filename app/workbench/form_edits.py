@@ -48,7 +48,7 @@ class SliderGesture:
         slider.dropped.connect(self._commit)
         slider.chosen.connect(self._change)
         slider.cancelled.connect(self._cancel)
-        session.interrupted.connect(slider.abandon)
+        session.gesture_ended.connect(slider.abandon)
 
     def _preview(self, position: int) -> None:
         self._session.preview(self._edit(self._session.committed, position))

@@ -73,7 +73,7 @@ def made(session, make):
 CURVE = Hit(Part.CURVE, 1, AT, t=0.4)
 POINT = Hit(Part.POINT, 1, AT)
 CORNER = Hit(Part.IMAGE_CORNER, 0, AT, knot=2)
-HANDLE = Hit(Part.HANDLE, 1, (1.25, 2.0), kind=1)
+HANDLE = Hit(Part.HANDLE, 1, (1.25, 2.0), order=1)
 DRAGS = {
     "points": lambda session: pressed(session, SELECT, POINT),
     "handle": lambda session: pressed(session, SELECT, HANDLE),

@@ -268,15 +268,15 @@ def test_a_press_after_a_missed_release_begins_a_new_gesture(editor):
     editor.escape()
 
 
-def test_without_a_gesture_an_interruption_shows_no_marks_and_ends_nothing(arch, monkeypatch):
+def test_without_a_gesture_its_end_shows_no_marks_and_ends_nothing(arch, monkeypatch):
     """With each step of the history the marks were found for the document before it."""
     arch.select([1, 2])
     marks, ends = noted_calls(monkeypatch, Canvas, "show_marks"), []
     arch.window.canvas.gesture_ended.connect(lambda: ends.append(True))
-    arch.session.interrupted.emit()
+    arch.session.gesture_ended.emit()
     assert (marks, ends) == ([], [])
     begin(arch, "transform")
     marks.clear()
-    arch.session.interrupted.emit()
+    arch.session.gesture_ended.emit()
     assert marks
     assert ends == [True]

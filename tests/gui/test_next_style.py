@@ -86,7 +86,7 @@ def test_a_style_set_without_a_selection_is_that_of_the_next_curve(empty):
     # From then on it is the style of the curve that is chosen.
     empty.key(Qt.Key.Key_V)
     empty.session.selected.select_whole([0])
-    assert empty.session.model.style == first
+    assert empty.session.template_curve.style == first
 
 
 def test_the_next_curve_has_the_style_of_a_deleted_one(empty):
@@ -97,7 +97,7 @@ def test_the_next_curve_has_the_style_of_a_deleted_one(empty):
     empty.session.selected.select_whole([1])
     empty.key(Qt.Key.Key_Delete)
     assert [curve.style for curve in empty.session.document.curves] == [first]
-    assert empty.session.model.style.fill == BLUE
+    assert empty.session.template_curve.style.fill == BLUE
 
 
 @pytest.fixture

@@ -87,8 +87,8 @@ class Gestures(RuleBasedStateMachine):
         self.now = 0.0
         self.session.history.clock = lambda: self.now
         # As the window connects them.
-        self.session.interrupted.connect(self.tool.abandon)
-        self.session.interrupted.connect(self.rail.abandon)
+        self.session.gesture_ended.connect(self.tool.abandon)
+        self.session.gesture_ended.connect(self.rail.abandon)
         self.values, self.at = [self.session.document], 0
         self.saved = None
 

@@ -700,9 +700,9 @@ def test_swapping_fill_and_stroke_swaps_the_opacities_of_all_selected_curves(edi
 
 def test_swapping_fill_and_stroke_without_a_selection_changes_the_next_style(editor, panel):
     editor.session.selected.select_whole(())
-    before, style = editor.session.document, editor.session.model.style
+    before, style = editor.session.document, editor.session.template_curve.style
     editor.key(Qt.Key.Key_X, Qt.KeyboardModifier.ShiftModifier)
-    now = editor.session.model.style
+    now = editor.session.template_curve.style
     assert (now.fill, now.stroke) == (style.stroke, style.fill) != (style.fill, style.stroke)
     assert editor.session.document is before
 

@@ -95,7 +95,7 @@ def _hit_line(pointer: Pointer, pixel_map: PixelMap, basis: BasisView, kinds: fr
         distances[values == 0] = np.inf
         index = int(np.argmin(distances))
         if distances[index] <= FUNCTION_REACH and (best is None or distances[index] < best[0]):
-            hit = Hit(Part.FUNCTION, basis.owners[index], (t, float(values[index])), kind=kind)
+            hit = Hit(Part.FUNCTION, basis.owners[index], (t, float(values[index])), order=kind)
             best = (float(distances[index]), hit)
     return best[1] if best is not None else None
 

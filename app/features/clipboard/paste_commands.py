@@ -154,7 +154,7 @@ class PasteCommands:
     def _add(self, arrival: AddedCurves, remarks: Sequence[str]) -> None:
         session, indices = self._session, arrival.indices
         document, framing = arrival.document, self._context.central.canvas.framing
-        name, style = name_or_count(document, indices), session.model.style
+        name, style = name_or_count(document, indices), session.template_curve.style
         session.expect(arrival.views)
         with session.batch:
             if not session.change(f"Paste {name}", lambda _: document, active=indices.start):

@@ -82,7 +82,7 @@ class CurveListCommands:
         self.panel.menu_requested.connect(self._open_menu)
         self._rows.listen(self.panel)
         session = self._session
-        session.interrupted.connect(self.panel.abandon)
+        session.gesture_ended.connect(self.panel.abandon)
         session.selected_curves_changed.connect(self._render)
         return self.panel
 

@@ -57,7 +57,7 @@ class CurveCommands:
     def _new(self) -> None:
         """Add a curve and draw it with the Add Points tool."""
         session, index = self._session, len(self._session.document.curves)
-        fresh = curve_edits.new_curve_like(session.document, session.model, Parametrization())
+        fresh = curve_edits.new_curve_like(session.document, session.template_curve, Parametrization())
         if session.change(
             f"New {fresh.name}",
             lambda document: curve_edits.add_curve(document, index, fresh),

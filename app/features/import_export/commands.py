@@ -196,7 +196,7 @@ class ImportCommands:
                 if not begins and session.committed is not target:
                     arrival = intake.intake(session.committed, new)
                 factor = exchange.units.factor_between(new.unit, arrival.document.unit)
-                style = session.model.style
+                style = session.template_curve.style
                 if self._commit_curves(path, arrival, begins=begins, anew=anew):
                     verb = "Opened" if anew and path == self._opened else "Imported"
                     deviation = result.deviation * factor

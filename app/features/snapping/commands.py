@@ -66,7 +66,7 @@ class GuideCommands:
             self._field = snapping.guide_field.GuideField(self._canvas.viewport())
             self._field.entered.connect(self._take)
             self._field.closed.connect(lambda: self._canvas.setFocus(Qt.FocusReason.OtherFocusReason))
-            self._session.interrupted.connect(self._field.close_field)
+            self._session.gesture_ended.connect(self._field.close_field)
         return self._field
 
     def _open(self, which: int | Axis) -> None:

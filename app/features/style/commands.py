@@ -109,7 +109,7 @@ class StyleCommands:
             for moved in (field.slider.dropped, field.slider.chosen):
                 moved.connect(partial(self._set_next_share, name))
         for paint in (panel.fill, panel.stroke):
-            self._session.interrupted.connect(paint.abandon)
+            self._session.gesture_ended.connect(paint.abandon)
         return panel
 
     # What is shown
@@ -143,7 +143,7 @@ class StyleCommands:
         subject = (
             name_or_count(document, indices) if any(curve.points for curve in curves) else _NEXT.capitalize()
         )
-        styles = [curve.style for curve in curves] or [session.model.style]
+        styles = [curve.style for curve in curves] or [session.template_curve.style]
         all_keys = key_or_name(self._context.actions["selectAll"])
         note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE.format(all_keys)
         panel.show_recent(self._colours.recent, self._colours.in_document)
@@ -181,7 +181,7 @@ class StyleCommands:
         """Change the style of the next curve, without a step in the history."""
         session = self._session
         session.cancel()
-        model = msgspec.structs.replace(make_curve(()), style=session.model.style)
+        model = msgspec.structs.replace(make_curve(()), style=session.template_curve.style)
         before = Document((model,))
         after = edit(before, frozenset({0}))
         if not (refusal := why_unsavable(before, after)):

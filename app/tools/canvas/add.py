@@ -290,7 +290,7 @@ def _appending(event: ToolEvent) -> Appending:
 
 def _fresh(event: ToolEvent) -> Curve:
     """Return a new curve like the active one."""
-    model = event.session.model
+    model = event.session.template_curve
     return new_curve_like(event.session.document, model, model.parametrization)
 
 

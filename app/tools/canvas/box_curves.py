@@ -301,7 +301,7 @@ class BoxCurveTool(Tool):
             start=snapper.at(event.pointer),
             snapper=snapper,
             unit=unit,
-            style=session.model.style,
+            style=session.template_curve.style,
             typed=TypedAmount(unit=unit),
         )
 

@@ -137,7 +137,7 @@ class PencilLine(Gesture, kw_only=True):
 def _begun(session: EditingSession) -> NewCurve:
     document = session.document
     return with_new_curve(
-        document, session.active_index, new_curve_like(document, session.model, Parametrization())
+        document, session.active_index, new_curve_like(document, session.template_curve, Parametrization())
     )
 
 
