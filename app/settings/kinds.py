@@ -9,7 +9,7 @@ Reading it never raises because of what is in the file: a value that cannot be u
 the default counts.
 
 `Choice`, `Several`, `Distance` and `Text` have a label: they stand in the dialog of preferences, in the order
-of the class. The other kinds remember what a person does elsewhere.
+of the class; those of tools follow. The other kinds remember what a person does elsewhere.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Mapping, Sequence
 from enum import Enum
@@ -152,16 +153,26 @@ class Switch(TextSetting[bool]):
         return _SWITCHES[value]
 
 
-class Height(TextSetting[int]):
-    """Height in pixels; 0 when not set."""
+class WholeNumber(TextSetting[int]):
+    """Whole number within limits, both included."""
 
-    def __init__(self, key: str) -> None:
-        super().__init__(key, 0)
+    def __init__(
+        self,
+        key: str,
+        default: int,
+        limits: tuple[int, int],
+        label: str = "",
+        tip: str = "",
+        widget: str = "",
+    ) -> None:
+        super().__init__(key, default, label, tip, widget)
+        self.limits = limits
 
     def _parse(self, text: str) -> int:
-        if not (text.isdecimal() and len(text) < 6):
-            raise _UnusableError(f"“{text}” is not a height")
-        return int(text)
+        least, most = self.limits
+        if re.fullmatch(r"-?[0-9]{1,9}", text) and least <= int(text) <= most:
+            return int(text)
+        raise _UnusableError(f"“{text}” is not a whole number from {least} to {most}")
 
     def _stored(self, value: int) -> object:
         return str(value)

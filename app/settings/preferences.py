@@ -11,22 +11,23 @@ from PySide6.QtCore import QSettings
 from .. import exchange
 from ..appearance.theme import ThemeMode
 from ..tools.snapping import SnapKind
-from ..tools.tool import TOOLS
-from ..view_model.settings import ChoiceSetting, OwnedSetting, SettingValues, SwitchSetting
+from ..tools.tool import TOOLS, ToolRecord
+from ..view_model.settings import Count, OwnedSetting, SettingValues, SwitchSetting, ToolSetting
 from .file import SettingsFile
 from .kinds import (
     Choice,
     Distance,
     Folder,
-    Height,
     Keys,
     SavedCurve,
     SavedLayout,
     SavedStyle,
     SavedText,
+    Setting,
     Several,
     Switch,
     Text,
+    WholeNumber,
 )
 
 _MAX_RECENT: Final = 10
@@ -42,16 +43,19 @@ def _note_of_unit(name: str) -> str:
     return exchange.units.note_of_unknown(name)
 
 
-def stored_tool_settings() -> dict[OwnedSetting[Any], Choice[Any] | Switch]:
+def stored_tool_settings() -> dict[OwnedSetting[Any], Setting[Any]]:
     """Return the settings of all tools, with how each is stored."""
-    return {setting: _stored(setting) for tool in TOOLS for setting in tool.settings}
+    return {setting: _stored(tool, setting) for tool in TOOLS for setting in tool.settings}
 
 
-def _stored(setting: ChoiceSetting[Any] | SwitchSetting) -> Choice[Any] | Switch:
-    label, tip, widget = setting.label, setting.tip, setting.name
+def _stored(tool: ToolRecord, setting: ToolSetting) -> Setting[Any]:
+    key = setting.stored_as or f"tools/{tool.name}/{setting.name}"
+    label, tip, widget = setting.label, setting.tip or setting.label, setting.name
     if isinstance(setting, SwitchSetting):
-        return Switch(setting.key, default=setting.default, label=label, tip=tip, widget=widget)
-    return Choice(setting.key, setting.default, label, tip, widget)
+        return Switch(key, default=setting.default, label=label, tip=tip, widget=widget)
+    if isinstance(setting, Count):
+        return WholeNumber(key, setting.default, setting.limits, label, tip, widget)
+    return Choice(key, setting.default, label, tip, widget)
 
 
 class Preferences:
@@ -116,8 +120,8 @@ class Preferences:
     numbered = Switch("window/numbered", default=True)
     """Whether points have numbers and colours."""
 
-    plot_height = Height("window/plots")
-    """Height of the plots below the basis functions."""
+    plot_height = WholeNumber("window/plots", 0, (0, 99_999))
+    """Height of the plots below the basis functions, in pixels; 0 when not set."""
 
     snap_on = Switch("snap/on", default=False)
     """Whether dragged and added points snap."""

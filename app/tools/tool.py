@@ -35,7 +35,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import msgspec
 from msgspec.structs import replace
@@ -47,7 +47,7 @@ from ..document.transforms import round_step_above
 from ..document.words import decimal_product
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.registry import Registry
-from ..view_model.settings import ChoiceSetting, OwnedSetting, SettingValues, SwitchSetting, Value_co
+from ..view_model.settings import OwnedSetting, SettingValues, ToolSetting, Value_co
 from .background import Background
 from .box import SelectionBox, TransformBox
 from .editing_session import EditingSession
@@ -455,7 +455,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     name
-        Its name in the program, in keys of settings as well.
+        Its name in the program, and in the keys under which its settings are stored.
     make
         Makes the tool of one plot.
     hint
@@ -475,7 +475,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     keywords
         Other words by which the palette finds it.
     settings
-        Its settings: each has a field in the preferences, a choice also an action for each member.
+        Its settings: each has a field in the preferences, a choice of few also an action for each member.
     """
 
     name: str
@@ -494,7 +494,7 @@ class ToolRecord(msgspec.Struct, frozen=True, kw_only=True):
     in_menu: bool = False
     in_toolbar: bool = False
     keywords: str = ""
-    settings: tuple[ChoiceSetting[Any] | SwitchSetting, ...] = ()
+    settings: tuple[ToolSetting, ...] = ()
 
     @property
     def sort_key(self) -> tuple[int, ...]:

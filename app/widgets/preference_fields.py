@@ -16,9 +16,9 @@ from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import Label
 from ..qt.overrides import SafeOverrides
-from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value
+from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value, WholeNumber
 from .controls import check_box, choice_box
-from .fields import NumberEdit, read_number
+from .fields import NumberEdit, RangedSpinBox, read_number
 from .number_text import typed_text
 
 Change = Callable[[Any], object]
@@ -75,6 +75,30 @@ class SwitchPreference(PreferenceField[bool]):
     def show(self, value: bool) -> None:
         """Show a value."""
         self._check.setChecked(value)
+
+
+@field_of.register(WholeNumber)
+class WholeNumberPreference(PreferenceField[int]):
+    """A spin box."""
+
+    def __init__(self, setting: WholeNumber, change: Change) -> None:
+        self._value, self._change = setting.default, change
+        self._box = RangedSpinBox(setting.widget, setting.label, setting.tip, setting.limits)
+        self._box.setRange(*setting.limits)
+        # A number that is being typed does not count yet.
+        self._box.setKeyboardTracking(False)
+        self._box.valueChanged.connect(self._choose)
+        self.rows = [(setting.label, self._box)]
+
+    def show(self, value: int) -> None:
+        """Show a value."""
+        self._value = value
+        self._box.setValue(value)
+
+    def _choose(self, value: int) -> None:
+        if value != self._value:
+            self._value = value
+            self._change(value)
 
 
 @field_of.register(Several)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractSlider, QSlider, QWidget
 
 from ..qt.labels import Label
 from ..qt.overrides import SafeOverrides
-from ..view_model.analysis.overlay import Count, Factor
+from ..view_model.settings import Count, Factor
 from .boxes import row_of
 from .controls import named
 

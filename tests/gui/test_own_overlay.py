@@ -12,9 +12,10 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QCheckBox, QLabel, QMenu, QSlider, QToolButton, QWidget
 
 from app.features.plots.pane import PlotPane
-from app.view_model.analysis.overlay import OVERLAYS, Count, Factor, Figure, Figures, Group, Overlay, Shape
+from app.view_model.analysis.overlay import OVERLAYS, Figure, Figures, Group, Overlay, Shape
 from app.view_model.analysis.plot import PLOTS, Plot
 from app.view_model.line_styles import LineStyle, Sign
+from app.view_model.settings import Count, Factor, SwitchSetting
 from tests.gui.editor_facts import until_settled
 from tests.waiting import LIMIT
 
@@ -24,6 +25,8 @@ DOTS = LineStyle(LIME.name(), width=3.0, sign=Sign.MARK)
 
 SIZE = Factor("plateSize", "Size of the plate")
 CORNERS = Count("plateCorners", "Number of corners", 4, limits=(3, 9))
+
+HALF = SwitchSetting("plateHalf", "Half as large", False, tip="Draw the plate half as large")
 
 MAY_END = threading.Event()
 """What is heavy takes until then."""
@@ -35,7 +38,8 @@ def _plate(shown):
     if here is None:
         return Figures(note="Put the scrub line somewhere.")
     turn = np.linspace(0.0, 2 * np.pi, shown.value(CORNERS), endpoint=False)
-    corners = here + 0.25 * shown.size * shown.value(SIZE) * np.column_stack([np.cos(turn), np.sin(turn)])
+    size = 0.125 if shown.value(HALF) else 0.25
+    corners = here + size * shown.size * shown.value(SIZE) * np.column_stack([np.cos(turn), np.sin(turn)])
     plate = Figure(PLATE, Shape.AREA, np.vstack([corners, [[np.nan, np.nan]]]))
     return Figures([plate], f"{len(corners)} corners.")
 
@@ -56,7 +60,7 @@ PLATES = Overlay(
     rank=75,
     layer=1,
     draw=_plate,
-    settings=(SIZE, CORNERS),
+    settings=(SIZE, CORNERS, HALF),
     follows_scrub=True,
     brings_scrub=True,
     legend=lambda _view, settings: [(PLATE, f"Plate with {settings.value(CORNERS)} corners")],
@@ -172,12 +176,22 @@ def test_the_dock_has_the_switch_the_settings_and_the_note_of_an_overlay(editor,
     for _ in range(4):
         qtbot.keyClick(size, Qt.Key.Key_Right)
     assert found(editor, QLabel, "plateSizeValue").text() == "× 1.6"
-    assert seen(editor, RED) > 1.5 * small
+    large = seen(editor, RED)
+    assert large > 1.5 * small
+    half = found(editor, QCheckBox, "plateHalf")
+    assert (half.isEnabled(), half.isChecked(), half.text()) == (True, False, "Half as large")
+    qtbot.keyClick(half, Qt.Key.Key_Space)
+    assert half.isChecked()
+    assert seen(editor, RED) < large / 2
+    qtbot.keyClick(half, Qt.Key.Key_Space)
+    assert (seen(editor, RED), half.isChecked()) == (large, False)
     qtbot.keyClick(corners, Qt.Key.Key_Right)
     until_settled(editor, lambda: note.text() == "5 corners.")
     assert legend(editor) == ["Plate with 5 corners"]
     editor.trigger("toggleScrub")
     until_settled(editor, lambda: note.text() == "Put the scrub line somewhere.")
+    editor.trigger("overlayPlate")
+    assert not half.isEnabled()
 
 
 def test_a_heavy_overlay_settles_and_the_legend_explains_its_findings(editor):

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QSpinBox, QWidget
 
 from app.document import point_edits
 from app.document.limits import EditError
@@ -17,6 +18,7 @@ from app.tools.marks import Marks, Ruler
 from app.tools.pointer import Cursor, Hint
 from app.tools.tool import TOOLS, Drag, Gesture, GestureRow, Tool, ToolRecord
 from app.view_model.settings import ChoiceSetting, SwitchSetting
+from app.view_model.settings import Count as WholeCount
 from app.window.preferences_dialog import PreferencesDialog
 from tests.gui.editor_facts import transform
 
@@ -30,8 +32,16 @@ class Count(NamedEnum):
     TWO = "two", "Two points"
 
 
-COUNT = ChoiceSetting("raiseBox", "Raise", Count.ONE, tip="Points above the press", key="raise/count")
-LOUD = SwitchSetting("raiseLoud", "Say where", True, tip="Say where the point is", key="raise/loud")
+class Place(NamedEnum):
+    """More choices than a menu has room for."""
+
+    A, B, C, D, E, F, G, H, I = ((letter, f"Place {letter}") for letter in "abcdefghi")  # noqa: E741
+
+
+COUNT = ChoiceSetting("raiseBox", "Raise", Count.ONE, "Points above the press", "raise/count")
+LOUD = SwitchSetting("raiseLoud", "Say where", True, tip="Say where the point is")
+STEPS = WholeCount("raiseSteps", "Steps", 3, limits=(1, 12))
+PLACE = ChoiceSetting("raisePlace", "Place", Place.B)
 
 
 class Raise(Drag, kw_only=True):
@@ -85,7 +95,7 @@ RAISE = ToolRecord(
     key="Ctrl+Alt+F8",
     icon="move",
     tip="Put points above others",
-    settings=(COUNT, LOUD),
+    settings=(COUNT, LOUD, STEPS, PLACE),
 )
 FOOT, HEAD = (2.0, 1.0), (2.5, 3.0)
 
@@ -216,6 +226,37 @@ def test_a_setting_of_a_tool_has_an_action_a_field_in_the_preferences_and_is_rem
         assert not window.canvas.tools.event.value(LOUD)
         assert not window.preferences.tool_settings.value(LOUD)
         assert window.preferences.file.text("raise/count") == "two"
+        assert window.preferences.file.text("tools/raise/raiseLoud") == "off"
+        dialog.hide()
+
+
+def test_a_tool_can_have_a_whole_number_and_a_choice_that_is_too_long_for_a_menu(raising):
+    with TOOLS.with_record(RAISE):
+        window = raising.window
+        event = window.canvas.tools.event
+        assert (event.value(STEPS), event.value(PLACE)) == (3, Place.B)
+        assert "raiseB" not in {action.objectName() for action in window.findChildren(QAction)}
+        QTest.keyClick(window.canvas, Qt.Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
+        dialog = window.findChild(PreferencesDialog)
+        box = dialog.findChild(QSpinBox, "raiseSteps")
+        assert (box.value(), box.minimum(), box.maximum(), box.toolTip()) == (3, 1, 12, "Steps")
+        box.setFocus()
+        box.selectAll()
+        QTest.keyClicks(box, "1")
+        assert window.canvas.tools.event.value(STEPS) == 3
+        QTest.keyClicks(box, "2")
+        QTest.keyClick(box, Qt.Key.Key_Return)
+        assert window.canvas.tools.event.value(STEPS) == 12
+        QTest.keyClick(box, Qt.Key.Key_Down)
+        assert window.canvas.tools.event.value(STEPS) == 11
+        assert window.preferences.file.text("tools/raise/raiseSteps") == "11"
+        places = dialog.findChild(QComboBox, "raisePlace")
+        places.setFocus()
+        QTest.keyClick(places, Qt.Key.Key_Down)
+        assert window.canvas.tools.event.value(PLACE) is Place.C
+        window.preferences.file.write("tools/raise/raiseSteps", "13")
+        assert window.preferences.tool_settings.value(STEPS) == 3
+        assert "“13” is not a whole number from 1 to 12" in window.preferences.complaint
         dialog.hide()
 
 

@@ -23,7 +23,8 @@ from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
 from ...state.window_state import Analysis
 from ...view_model.analysis.ghost import Ghost, all_ghosts
-from ...view_model.analysis.overlay import OVERLAYS, Count, ErrorSize, Factor, Overlay
+from ...view_model.analysis.overlay import OVERLAYS, ErrorSize, Overlay
+from ...view_model.settings import Count, Factor, OwnedSetting, SwitchSetting
 from ...widgets.boxes import Part, column_of, row_of
 from ...widgets.controls import action_button, check_box, mirror, tool_button
 from ...widgets.fields import NumberEdit, read_number
@@ -48,6 +49,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         self._refusal = ""
         self._notes: dict[Overlay, Label] = {}
         self._sliders: list[tuple[Overlay, Factor | Count, SettingSlider]] = []
+        self._checks: list[tuple[Overlay, SwitchSetting, QCheckBox]] = []
         self._error_fields: dict[ErrorSize, NumberEdit] = {}
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
         self._use_buttons: dict[Ghost, QToolButton] = {}
@@ -80,18 +82,29 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
     def _add(self, overlay: Overlay) -> None:
         row = self._rows.rowCount()
         self._rows.addWidget(self._switch(overlay.action_name), row, 0)
-        sliders = [each for each in overlay.settings if isinstance(each, Factor | Count)]
-        for below, setting in enumerate(sliders):
-            self._rows.addWidget(self._slider(overlay, setting), row + below, 1)
+        for below, control in enumerate(filter(None, map(partial(self._control, overlay), overlay.settings))):
+            self._rows.addWidget(control, row + below, 1)
         note = self._notes[overlay] = _note(f"{overlay.action_name}Note")
         note.setIndent(24)
         self._rows.addWidget(note, self._rows.rowCount(), 0, 1, 2)
+
+    def _control(self, overlay: Overlay, setting: OwnedSetting[float]) -> QWidget | None:
+        """Return the slider or check box of a setting; None where it has another field, or none."""
+        if isinstance(setting, SwitchSetting):
+            return self._check(overlay, setting)
+        return self._slider(overlay, setting) if isinstance(setting, Factor | Count) else None
 
     def _slider(self, overlay: Overlay, setting: Factor | Count) -> SettingSlider:
         slider = slider_of(setting)
         slider.moved.connect(lambda value: self._analysis.set_value(setting, value))
         self._sliders.append((overlay, setting, slider))
         return slider
+
+    def _check(self, overlay: Overlay, setting: SwitchSetting) -> QCheckBox:
+        box = check_box(setting.name, setting.label, setting.tip or setting.label)
+        box.clicked.connect(lambda checked: self._analysis.set_value(setting, checked))
+        self._checks.append((overlay, setting, box))
+        return box
 
     def _switch(self, name: str) -> QCheckBox:
         action = self._actions(name)
@@ -154,6 +167,9 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         for overlay, setting, slider in self._sliders:
             slider.render_value(settings.value(setting))
             slider.setEnabled(overlay in settings.overlays)
+        for overlay, switch, box in self._checks:
+            box.setChecked(settings.value(switch))
+            box.setEnabled(overlay in settings.overlays)
         wanted = {setting for overlay in settings.overlays for setting in overlay.settings}
         self._errors.setVisible(not wanted.isdisjoint(self._error_fields))
         for error, edit in self._error_fields.items():

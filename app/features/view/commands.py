@@ -46,6 +46,10 @@ _THEMES = (
 )
 
 
+_MOST_ENTRIES = 8
+"""Members of a choice up to which each is an entry of the menu; the preferences have all."""
+
+
 class _ToolChoice(NamedTuple):
     """A member of a choice among the settings of a tool."""
 
@@ -59,8 +63,8 @@ def _tool_choices() -> list[_ToolChoice]:
         _ToolChoice(tool, setting, member)
         for tool in TOOLS
         for setting in tool.settings
-        if isinstance(setting, ChoiceSetting)
-        for member in type(setting.default)
+        if isinstance(setting, ChoiceSetting) and len(setting.members) <= _MOST_ENTRIES
+        for member in setting.members
     ]
 
 

@@ -48,7 +48,7 @@ DETAIL = ChoiceSetting(
     "Pencil",
     Detail.MEDIUM,
     tip="Set the largest distance between the curve and the drawn line",
-    key="pencil/detail",
+    stored_as="pencil/detail",
 )
 
 _CLOSING = 12.0

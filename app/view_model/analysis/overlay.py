@@ -84,18 +84,6 @@ def number(value: float) -> str:
 # Settings
 
 
-class Factor(OwnedSetting[float], frozen=True):
-    """A factor from a tenth to ten, set by a slider."""
-
-    default: float = 1.0
-
-
-class Count(OwnedSetting[int], frozen=True, kw_only=True):
-    """A whole number within limits, both included, set by a slider."""
-
-    limits: tuple[int, int]
-
-
 class ErrorSize(OwnedSetting[float], frozen=True, kw_only=True):
     """The largest error of something, typed.
 
@@ -103,15 +91,12 @@ class ErrorSize(OwnedSetting[float], frozen=True, kw_only=True):
     ----------
     short
         The words before the field.
-    tip
-        The tooltip of the field.
     usual
         The value when it is first needed, from the curve that is then displayed; None for the default.
     """
 
     default: float = 0.0
     short: str
-    tip: str
     usual: Callable[[CurveView], float] | None = None
 
 
@@ -258,7 +243,7 @@ class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
         Whether it is too heavy for a frame, of some curve: drawn once nothing has changed for a moment,
         beside the window.
     settings
-        The numbers that it is drawn with; the dock has their sliders and fields.
+        Numbers and switches that it is drawn with; the dock has their sliders, fields and check boxes.
     follows_scrub
         Whether it shows the t of the scrub line.
     brings_scrub

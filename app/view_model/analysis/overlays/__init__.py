@@ -7,7 +7,8 @@ its switch and sliders, the legend and the canvas read the record::
     import numpy as np
 
     from ...line_styles import LineStyle
-    from ..overlay import Count, Figure, Figures, Group, Overlay, OverlayInput, Shape
+    from ...settings import Count
+    from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape
 
     DOT = LineStyle("accent")
     COUNT = Count("dotCount", "Number of dots", 20, limits=(2, 100))
@@ -30,10 +31,10 @@ its switch and sliders, the legend and the canvas read the record::
         legend=lambda _view, _settings: [(DOT, "Equal steps of t")],
     )
 
-`Overlay` (``overlay``) explains the fields. The legend has a row for each entry of `legend`, and for those of
-`finds` (figures that are there or not, such as crossings) whose style is drawn. It compares styles by
-identity: an entry and its figures have the same `LineStyle` object, a constant of the module. Without
-entries an overlay has no row.
+`Overlay` (``overlay``) explains the fields, ``app/view_model/settings.py`` the kinds of settings. The legend
+has a row for each entry of `legend`, and for those of `finds` (figures that are there or not, such as
+crossings) whose style is drawn. It compares styles by identity: an entry and its figures have the same
+`LineStyle` object, a constant of the module. Without entries an overlay has no row.
 
 A drawing that takes more than about 2 ms a frame says so with `settles`, and is computed beside the window.
 The modules are imported at the start: call the core as `curvecore.curvature_of(…)` after `import curvecore`.

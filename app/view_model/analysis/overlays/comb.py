@@ -13,7 +13,8 @@ from curvecore.arrays import FloatArray
 
 from ...geometry import Samples, to_the_left, unit_tangents, usual_length
 from ...line_styles import LineStyle
-from ..overlay import Factor, Figure, Figures, Group, Overlay, OverlayInput, Shape
+from ...settings import Factor
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape
 
 TEETH = LineStyle("accent", 0.35)
 EDGE = LineStyle("accent", 0.9)

@@ -12,11 +12,10 @@ from ...curve.core_curve import in_words
 from ...curve.curve_view import curve_through
 from ...geometry import all_along
 from ...line_styles import LineStyle
-from ...settings import OwnedSetting
+from ...settings import Count, OwnedSetting
 from ..overlay import (
     PARAMETER_ERROR,
     POINT_ERROR,
-    Count,
     Figure,
     Figures,
     Group,

@@ -6,7 +6,8 @@ import numpy as np
 
 from ...geometry import to_the_left, unit_tangents
 from ...line_styles import LineStyle
-from ..overlay import Count, Figure, Figures, Group, Overlay, OverlayInput, Shape
+from ...settings import Count
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape
 
 TICK = LineStyle("accent", width=1.4)
 

@@ -10,7 +10,8 @@ from curvecore.arrays import FloatArray
 
 from ...geometry import usual_length
 from ...line_styles import GREEN, VERMILLION, LineStyle
-from ..overlay import Factor, Figure, Figures, Group, Overlay, OverlayInput, Shape, number
+from ...settings import Factor
+from ..overlay import Figure, Figures, Group, Overlay, OverlayInput, Shape, number
 
 VELOCITY = LineStyle(GREEN, width=1.6)
 ACCELERATION = LineStyle(VERMILLION, width=1.6)
