@@ -36,9 +36,9 @@ def noted_calls(monkeypatch: pytest.MonkeyPatch, owner: object, name: str) -> li
     calls: list[tuple[object, ...]] = []
     work = getattr(owner, name)
 
-    def noted(*arguments: object) -> object:
+    def recording(*arguments: object) -> object:
         calls.append(arguments)
         return work(*arguments)
 
-    monkeypatch.setattr(owner, name, noted)
+    monkeypatch.setattr(owner, name, recording)
     return calls

@@ -46,17 +46,17 @@ _timers: WeakKeyDictionary[object, str] = WeakKeyDictionary()
 
 
 def _note_makers(kind: type, made: WeakKeyDictionary) -> None:
-    """Have every instance of `kind` noted with the line that makes it."""
+    """Record every instance of `kind` with the line that makes it."""
     begin = kind.__init__
 
-    def noted(self, *arguments, **named):
+    def recording(self, *arguments, **named):
         frame = sys._getframe(1)
         while frame.f_code.co_filename == subprocess.__file__:
             frame = frame.f_back
         made[self] = f"{os.path.relpath(frame.f_code.co_filename)}:{frame.f_lineno}"
         begin(self, *arguments, **named)
 
-    kind.__init__ = noted
+    kind.__init__ = recording
 
 
 def _environment() -> dict[object, object]:

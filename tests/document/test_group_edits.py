@@ -70,11 +70,11 @@ def text(document):
     return "".join(map(of, curve_tree(tidy.curves)))
 
 
-def places(document, letters):
+def indices_of(document, letters):
     return {place for place, curve in enumerate(document.curves) if curve.name in letters}
 
 
-def named_places(made):
+def selected_names(made):
     return "".join(made.document.curves[place].name for place in made.indices)
 
 
@@ -96,7 +96,7 @@ def test_the_tree_has_the_nodes_of_the_brackets(drawn):
 )
 def test_combined_curves_are_neighbours_at_the_topmost_index(drawn, chosen, made):
     some = document(drawn)
-    assert text(combine(some, places(some, chosen)).document) == made
+    assert text(combine(some, indices_of(some, chosen)).document) == made
 
 
 def test_a_combined_shape_has_the_style_of_its_hindmost_filled_curve():
@@ -113,9 +113,9 @@ def test_a_combined_shape_has_the_style_of_its_hindmost_filled_curve():
 
 def test_breaking_a_shape_apart_keeps_curves_and_order():
     some = document("a(bc)[(de)f]")
-    assert text(break_apart(some, places(some, "bd"))) == "abc[def]"
+    assert text(break_apart(some, indices_of(some, "bd"))) == "abc[def]"
     with pytest.raises(EditError, match="break it apart"):
-        break_apart(some, places(some, "a"))
+        break_apart(some, indices_of(some, "a"))
 
 
 @each_row(
@@ -132,9 +132,9 @@ def test_breaking_a_shape_apart_keeps_curves_and_order():
 )
 def test_grouped_curves_are_moved_into_their_common_group(drawn, chosen, made):
     some = document(drawn)
-    result = group_curves(some, places(some, chosen))
+    result = group_curves(some, indices_of(some, chosen))
     assert text(result.document) == made
-    assert set(named_places(result)) == {
+    assert set(selected_names(result)) == {
         curve.name for place, curve in enumerate(result.document.curves) if place in result.indices
     }
 
@@ -151,7 +151,7 @@ def test_grouped_curves_are_moved_into_their_common_group(drawn, chosen, made):
 )
 def test_ungrouping_removes_one_level(drawn, chosen, made):
     some = document(drawn)
-    assert text(ungroup(some, places(some, chosen))) == made
+    assert text(ungroup(some, indices_of(some, chosen))) == made
 
 
 def test_ungrouping_without_a_group_is_refused():
@@ -176,7 +176,7 @@ def test_ungrouping_without_a_group_is_refused():
 )
 def test_a_step_passes_the_next_node_of_the_same_group(drawn, chosen, step, made):
     some = document(drawn)
-    assert text(reorder_curves(some, order_after_step(some, places(some, chosen), step))) == made
+    assert text(reorder_curves(some, order_after_step(some, indices_of(some, chosen), step))) == made
 
 
 @each_row(
@@ -191,7 +191,7 @@ def test_a_step_passes_the_next_node_of_the_same_group(drawn, chosen, step, made
 )
 def test_moving_to_an_end_stays_in_the_same_group(drawn, chosen, end, made):
     some = document(drawn)
-    assert text(reorder_curves(some, order_at_end(some, places(some, chosen), end))) == made
+    assert text(reorder_curves(some, order_at_end(some, indices_of(some, chosen), end))) == made
 
 
 @each_row(
@@ -208,7 +208,7 @@ def test_moving_to_an_end_stays_in_the_same_group(drawn, chosen, end, made):
 )
 def test_moved_curves_are_in_their_new_container(drawn, chosen, at, container, made):
     some = document(drawn)
-    assert text(move_into(some, places(some, chosen), at, container).document) == made
+    assert text(move_into(some, indices_of(some, chosen), at, container).document) == made
 
 
 def test_a_curve_moved_into_a_shape_gets_its_style():
@@ -238,15 +238,15 @@ def test_moving_a_node_into_itself_is_refused():
 )
 def test_a_press_selects_the_outermost_group_that_is_not_entered(drawn, pressed_at, active, chosen, meant):
     some = document(drawn)
-    (curve,), (edited,) = places(some, pressed_at), places(some, active)
-    whole = frozenset(places(some, chosen))
+    (curve,), (edited,) = indices_of(some, pressed_at), indices_of(some, active)
+    whole = frozenset(indices_of(some, chosen))
     choice = SelectionState(
         edited, frozenset(), whole, whole if len(whole) > 1 else frozenset(), is_editing=True
     )
-    assert pressed_curves(some, curve, choice) == places(some, meant)
+    assert pressed_curves(some, curve, choice) == indices_of(some, meant)
     # While nothing is edited, it is what is chosen that tells which groups are entered.
     choosing = SelectionState(edited, frozenset(), whole, whole, is_editing=False)
-    assert pressed_curves(some, curve, choosing) == places(some, meant)
+    assert pressed_curves(some, curve, choosing) == indices_of(some, meant)
     none = SelectionState(edited, frozenset(), frozenset({edited}), frozenset(), is_editing=False)
     assert pressed_curves(some, curve, none) in [set(node.indices) for node in curve_tree(some.curves)]
 
@@ -291,7 +291,7 @@ def test_shapes_and_groups_are_renamed():
 
 def test_whole_shapes_and_groups_are_named():
     some = document("a(bc)[de]")
-    assert [name_or_count(some, places(some, each)) for each in ("a", "bc", "de", "ab", "bcde")] == [
+    assert [name_or_count(some, indices_of(some, each)) for each in ("a", "bc", "de", "ab", "bcde")] == [
         "a",
         "S1",
         "G1",

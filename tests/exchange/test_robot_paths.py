@@ -16,7 +16,7 @@ from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 
 
-def place(pair):
+def xy_object(pair):
     return None if pair is None else {"x": float(pair[0]), "y": float(pair[1])}
 
 
@@ -25,7 +25,7 @@ def path_of(controls, **more):
     ends = [None, *(piece[2] for piece in controls)], [*(piece[1] for piece in controls), None]
     anchors = [controls[0][0], *(piece[3] for piece in controls)]
     waypoints = [
-        {"anchor": place(a), "prevControl": place(b), "nextControl": place(c), "isLocked": False}
+        {"anchor": xy_object(a), "prevControl": xy_object(b), "nextControl": xy_object(c), "isLocked": False}
         for a, b, c in zip(anchors, *ends, strict=True)
     ]
     return json.dumps(

@@ -23,7 +23,7 @@ def curves_in(data, transform=""):
     return read_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{body}</svg>'.encode()).document.curves
 
 
-def places(curve):
+def positions(curve):
     return [(point.x, -point.y) for point in curve.points]
 
 
@@ -59,7 +59,7 @@ SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 def test_a_piece_as_short_as_roundings_is_left_out(data, expected):
     (curve,) = curves_in(data)
     assert len(curve.points) == len(expected)
-    assert np.allclose(places(curve), expected, rtol=1e-14, atol=3e-14 * np.abs(expected).max())
+    assert np.allclose(positions(curve), expected, rtol=1e-14, atol=3e-14 * np.abs(expected).max())
     assert curve.closed
     core = view_of(curve).curve
     assert (core.evaluate(core.domain[0]) == core.evaluate(core.domain[1])).all()
@@ -82,7 +82,7 @@ def test_a_piece_as_short_as_roundings_is_left_out(data, expected):
 def test_pieces_longer_than_roundings_stay(data, count):
     (curve,) = curves_in(data)
     if count is None:
-        up = [y for x, y in places(curve) if x == 100]
+        up = [y for x, y in positions(curve) if x == 100]
         assert 3 <= len(up) < 200
         assert up[0] == 0
         assert max(up[:-1]) == pytest.approx(3000e-12, abs=100 * 3004 * 2.0**-48)
@@ -173,4 +173,4 @@ def test_a_large_shift_of_a_file_does_not_hide_its_roundings():
     data = "m1e6 1e6" + "l.1 .7" * 40 + "l-4 -28 1e-11 1e-11z"
     (curve,) = curves_in(data, "translate(-1e6 -1e6)")
     assert (len(curve.points), curve.closed) == (41, True)
-    assert math.dist(places(curve)[-1], (4, 28)) < 1e-8
+    assert math.dist(positions(curve)[-1], (4, 28)) < 1e-8

@@ -16,8 +16,8 @@ def names(editor):
     return "".join(curve.name for curve in editor.session.document.curves)
 
 
-def chosen(editor):
-    """The names of the curves that are chosen whole, as one word."""
+def whole_curve_names(editor):
+    """Return the names of the curves that are selected as a whole, as one word."""
     curves = editor.session.document.curves
     return "".join(curves[place].name for place in sorted(editor.session.selected.whole_curves))
 
@@ -74,7 +74,7 @@ _enabled, _checked, _text, _tip = QAction.isEnabled, QAction.isChecked, QAction.
 _property, _WHY_NOT = QObject.property, ("isRedundant", "reason", "needs")
 
 
-def shown_by_actions(actions):
+def action_states(actions):
     """Return what each action shows, by its name; of those whose menu has told more, nothing."""
     return {
         name: (
@@ -89,10 +89,10 @@ def shown_by_actions(actions):
 def assert_actions_as_rendered_anew(editor):
     """Raise unless the actions are as they are when all facts are asked again."""
     actions = editor.window.actions_by_name
-    before = shown_by_actions(actions)
+    before = action_states(actions)
     actions._index()
     actions.render()
-    after = shown_by_actions(actions)
+    after = action_states(actions)
     different = {name: (shown, after[name]) for name, shown in before.items() if shown != after[name]}
     assert not different, different
 

@@ -36,8 +36,8 @@ NEVER_MS = 600_000
 
 
 @pytest.fixture
-def kept(editor, qtbot):
-    """An editor whose work is kept."""
+def autosaved(editor, qtbot):
+    """Editor with an autosave."""
     autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
     opened = []
 
@@ -60,18 +60,18 @@ def files():
     return sorted(snapshot_folder().glob(f"*{SUFFIX}")) if snapshot_folder().exists() else []
 
 
-def is_kept():
+def is_backed_up():
     return bool(files())
 
 
-def until_kept(document):
+def until_backed_up(document):
     """Wait until the next start would find this document: one of a step to it may come first."""
-    until(lambda: is_kept() and document_kept() == document)
+    until(lambda: is_backed_up() and document_kept() == document)
 
 
-def wait_until_idle(kept):
+def wait_until_idle(autosaved):
     """Wait until nothing is to be written or deleted, and what was written is reported."""
-    autosave = kept.autosave
+    autosave = autosaved.autosave
 
     def is_idle():
         last = autosave._last
@@ -140,79 +140,79 @@ def test_steps_without_a_pause_are_backed_up(editor):
     step()
     assert soon.remainingTime() <= left
     soon.start(1)  # it is due
-    until(lambda: step() or is_kept())
+    until(lambda: step() or is_backed_up())
     autosave.finish()
 
 
-def test_a_step_is_backed_up(kept):
-    kept.drag_point(1, to=(2, 3))
-    until_kept(kept.session.document)
+def test_a_step_is_backed_up(autosaved):
+    autosaved.drag_point(1, to=(2, 3))
+    until_backed_up(autosaved.session.document)
 
 
-def test_a_running_drag_is_backed_up(kept):
-    committed = kept.session.committed
-    kept.press(kept.point(2))
-    kept.move((1.0, 1.0))
-    kept.move((0.7, 0.6))
-    assert kept.session.document != committed
-    until_kept(kept.session.document)
-    kept.escape()
-    kept.release((0.7, 0.6))
+def test_a_running_drag_is_backed_up(autosaved):
+    committed = autosaved.session.committed
+    autosaved.press(autosaved.point(2))
+    autosaved.move((1.0, 1.0))
+    autosaved.move((0.7, 0.6))
+    assert autosaved.session.document != committed
+    until_backed_up(autosaved.session.document)
+    autosaved.escape()
+    autosaved.release((0.7, 0.6))
     until(lambda: not files())
-    assert kept.session.document == committed
+    assert autosaved.session.document == committed
 
 
-def test_without_a_change_nothing_is_written(kept):
-    kept.settle()
-    assert not kept.autosave._soon.isActive()
-    assert kept.autosave._last is None
+def test_without_a_change_nothing_is_written(autosaved):
+    autosaved.settle()
+    assert not autosaved.autosave._soon.isActive()
+    assert autosaved.autosave._last is None
     assert not snapshot_folder().exists()
 
 
 @pytest.mark.parametrize("how", ["save", "new", "open", "undo"])
-def test_a_saved_discarded_or_undone_document_has_no_snapshot(kept, tmp_path, monkeypatch, how):
+def test_a_saved_discarded_or_undone_document_has_no_snapshot(autosaved, tmp_path, monkeypatch, how):
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     other = tmp_path / "other.curve.json"
     save(other, SKETCH)
-    move_point(kept, (2.0, 3.0))
-    until(is_kept)
+    move_point(autosaved, (2.0, 3.0))
+    until(is_backed_up)
     if how == "save":
-        kept.session.save(tmp_path / "mine.curve.json")
+        autosaved.session.save(tmp_path / "mine.curve.json")
     elif how == "open":
-        kept.window.open_file(other)
+        autosaved.window.open_file(other)
     else:
-        kept.trigger({"new": "newDocument", "undo": "undo"}[how])
+        autosaved.trigger({"new": "newDocument", "undo": "undo"}[how])
     until(lambda: not files())
-    wait_until_idle(kept)
+    wait_until_idle(autosaved)
     assert files() == []
 
 
-def test_a_document_whose_file_was_emptied_is_backed_up(kept, tmp_path, monkeypatch):
+def test_a_document_whose_file_was_emptied_is_backed_up(autosaved, tmp_path, monkeypatch):
     """There was no snapshot: to the program nothing was unsaved."""
     monkeypatch.setattr("app.features.files.disk._MOST_CHECKS", 1)
     path = tmp_path / "mine.curve.json"
-    kept.session.save(path)
+    autosaved.session.save(path)
     path.write_bytes(b"")
-    until(is_kept)
-    assert document_kept() == kept.session.document
-    save(path, kept.session.document)  # as good as before
+    until(is_backed_up)
+    assert document_kept() == autosaved.session.document
+    save(path, autosaved.session.document)  # as good as before
     until(lambda: not files())
 
 
-def test_a_snapshot_names_its_file_and_whether_the_file_changed(kept, tmp_path):
+def test_a_snapshot_names_its_file_and_whether_the_file_changed(autosaved, tmp_path):
     path = tmp_path / "mine.curve.json"
-    kept.session.save(path)
-    move_point(kept, (2.0, 3.0))
-    until(is_kept)
+    autosaved.session.save(path)
+    move_point(autosaved, (2.0, 3.0))
+    until(is_backed_up)
     record = files()[0].read_bytes()
     (snapshot_folder() / "copy").mkdir()
     (snapshot_folder() / "copy" / files()[0].name).write_bytes(record)
     (snapshot,) = list_snapshots(snapshot_folder() / "copy").snapshots
-    assert snapshot.origin == SnapshotOrigin(path, kept.session.files.file.stamp)
+    assert snapshot.origin == SnapshotOrigin(path, autosaved.session.files.file.stamp)
     assert snapshot.origin.is_unchanged
 
 
-def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, monkeypatch):
+def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(autosaved, monkeypatch):
     threads, reached, answers = set(), threading.Event(), threading.Event()
 
     def fsync(_descriptor):
@@ -228,38 +228,38 @@ def test_neither_a_large_document_nor_a_slow_disk_holds_up_the_window(kept, monk
     monkeypatch.setattr("app.storage.recovery.encode", encode_aside)
     points = [(i / 3, (i % 17) / 7) for i in range(500)]
     large = Document((make_curve(points, family=HERMITE),))
-    kept.session.commit(large, "Many points")
+    autosaved.session.commit(large, "Many points")
     until(reached.is_set)
     # The disk does not answer; the window does.
     assert not files()
-    kept.trigger("undo")
-    kept.trigger("redo")
-    assert kept.session.document == large
+    autosaved.trigger("undo")
+    autosaved.trigger("redo")
+    assert autosaved.session.document == large
     answers.set()
-    until(is_kept)
-    wait_until_idle(kept)
+    until(is_backed_up)
+    wait_until_idle(autosaved)
     assert document_kept() == large
     assert threads
     assert threading.main_thread() not in threads
 
 
-def test_an_impossible_folder_is_reported_once_and_editing_continues(kept):
+def test_an_impossible_folder_is_reported_once_and_editing_continues(autosaved):
     state_folder().parent.mkdir(parents=True, exist_ok=True)
     state_folder().write_text("in the way")
     sentences = []
-    kept.session.message.connect(
+    autosaved.session.message.connect(
         lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSAL else None
     )
     for place in ((2.0, 3.0), (1.0, 3.0)):
-        move_point(kept, place)
-        wait_until_idle(kept)
+        move_point(autosaved, place)
+        wait_until_idle(autosaved)
     backups = [each for each in sentences if "backed up" in each]
     assert len(backups) == 1
     assert "Save often" in backups[0]
-    assert kept.point(1) == pytest.approx((1, 3), abs=kept.pixel)
+    assert autosaved.point(1) == pytest.approx((1, 3), abs=autosaved.pixel)
     state_folder().unlink()
-    move_point(kept, (2.0, 2.0))
-    until(is_kept)
+    move_point(autosaved, (2.0, 2.0))
+    until(is_backed_up)
 
 
 def test_a_failed_snapshot_is_tried_again_without_a_change(editor):
@@ -269,26 +269,26 @@ def test_a_failed_snapshot_is_tried_again_without_a_change(editor):
     move_point(editor, (2.0, 3.0))
     until(lambda: "backed up" in editor.status)
     state_folder().unlink()
-    until(is_kept)
+    until(is_backed_up)
     autosave.finish()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs limits of POSIX")
-def test_a_full_disk_keeps_the_old_snapshot_and_is_reported(kept):
+def test_a_full_disk_keeps_the_old_snapshot_and_is_reported(autosaved):
     import resource
 
-    move_point(kept, (2.0, 3.0))
-    until(is_kept)
+    move_point(autosaved, (2.0, 3.0))
+    until(is_backed_up)
     before = document_kept()
     sentences = []
-    kept.session.message.connect(
+    autosaved.session.message.connect(
         lambda message: sentences.append(message.text) if message.kind is MessageKind.REFUSAL else None
     )
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))
     try:
         points = [(i / 3, (i % 17) / 7) for i in range(500)]
-        kept.session.commit(Document((make_curve(points, family=HERMITE),)), "Large")
+        autosaved.session.commit(Document((make_curve(points, family=HERMITE),)), "Large")
         until(lambda: any("backed up" in each for each in sentences))
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
@@ -301,14 +301,14 @@ def test_closing_after_a_question_leaves_nothing(editor, monkeypatch):
     autosave = Autosave(editor.session, snapshot_folder(), delay=SOON_MS)
     editor.window.closed.connect(autosave.finish)
     move_point(editor, (2.0, 3.0))
-    until(is_kept)
+    until(is_backed_up)
     editor.window.close()
     assert list(snapshot_folder().iterdir()) == []
 
 
-def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
-    move_point(kept, (2.0, 3.0))
-    until(is_kept)
+def test_two_editors_do_not_offer_each_other_s_work(autosaved, qtbot, tmp_path):
+    move_point(autosaved, (2.0, 3.0))
+    until(is_backed_up)
     second = Editor(qtbot, Session(), Preferences(tmp_path / "settings.ini"))
     second.window.commands[RecoveryCommands].offer_unsaved_work()
     assert bar(second) is None
@@ -319,38 +319,38 @@ def test_two_editors_do_not_offer_each_other_s_work(kept, qtbot, tmp_path):
 # Offering
 
 
-def test_a_left_snapshot_is_offered_and_restored(kept, tmp_path):
+def test_a_left_snapshot_is_offered_and_restored(autosaved, tmp_path):
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=SnapshotOrigin(path, stamp))
-    kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert bar(kept).isVisible()
-    labels = [each.text() for each in bar(kept).findChildren(QLabel)]
+    autosaved.window.commands[RecoveryCommands].offer_unsaved_work()
+    assert bar(autosaved).isVisible()
+    labels = [each.text() for each in bar(autosaved).findChildren(QLabel)]
     assert "mine.curve.json" in labels
     assert "a moment ago" in labels
-    press(kept, "restoreWork0")
-    assert kept.session.document == SKETCH
-    assert kept.session.files.path == path
-    assert kept.session.files.is_modified
-    assert not bar(kept).isVisible()
+    press(autosaved, "restoreWork0")
+    assert autosaved.session.document == SKETCH
+    assert autosaved.session.files.path == path
+    assert autosaved.session.files.is_modified
+    assert not bar(autosaved).isVisible()
     # The new snapshot is there before the old one goes.
     assert document_kept() == SKETCH
-    kept.session.save()
+    autosaved.session.save()
     assert load(path) == SKETCH
 
 
-def test_work_restored_into_the_window_of_its_file_can_be_saved(kept, tmp_path):
+def test_work_restored_into_the_window_of_its_file_can_be_saved(autosaved, tmp_path):
     """Killed, started with the same file, then Restore: it was read-only, owned by this very window."""
     path = tmp_path / "mine.curve.json"
     stamp = save(path, Document((make_curve([(0, 0), (1, 1)]),)))
     leave_behind(origin=SnapshotOrigin(path, stamp))
-    kept.window.open_file(path)
-    kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    press(kept, "restoreWork0")
-    assert kept.session.document == SKETCH
-    assert not kept.session.files.is_read_only
-    assert kept.file_bar.text == ""
-    kept.trigger("saveDocument")
+    autosaved.window.open_file(path)
+    autosaved.window.commands[RecoveryCommands].offer_unsaved_work()
+    press(autosaved, "restoreWork0")
+    assert autosaved.session.document == SKETCH
+    assert not autosaved.session.files.is_read_only
+    assert autosaved.file_bar.text == ""
+    autosaved.trigger("saveDocument")
     assert load(path) == SKETCH
 
 
@@ -358,7 +358,7 @@ def test_work_restored_into_the_window_of_its_file_can_be_saved(kept, tmp_path):
     ("label", "message"),
     [("file changed since", "has changed since then."), ("file missing", "no longer exists.")],
 )
-def test_work_on_a_changed_or_missing_file_becomes_a_new_document(kept, tmp_path, label, message):
+def test_work_on_a_changed_or_missing_file_becomes_a_new_document(autosaved, tmp_path, label, message):
     path = tmp_path / "mine.curve.json"
     origin = SnapshotOrigin(path, save(path, Document((make_curve([(0, 0), (1, 1)]),))))
     if label == "file changed since":
@@ -366,27 +366,27 @@ def test_work_on_a_changed_or_missing_file_becomes_a_new_document(kept, tmp_path
     else:
         path.unlink()
     leave_behind(origin=origin)
-    kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert any(label in each.text() for each in bar(kept).findChildren(QLabel))
-    press(kept, "restoreWork0")
-    assert kept.session.document == SKETCH
-    assert kept.session.files.path is None
-    assert message in kept.status
-    assert (title_of(kept.session), file_stem(kept.session)) == ("mine", "mine")
+    autosaved.window.commands[RecoveryCommands].offer_unsaved_work()
+    assert any(label in each.text() for each in bar(autosaved).findChildren(QLabel))
+    press(autosaved, "restoreWork0")
+    assert autosaved.session.document == SKETCH
+    assert autosaved.session.files.path is None
+    assert message in autosaved.status
+    assert (title_of(autosaved.session), file_stem(autosaved.session)) == ("mine", "mine")
 
 
-def test_a_restored_document_without_a_file_keeps_its_name(kept):
+def test_a_restored_document_without_a_file_keeps_its_name(autosaved):
     """A drawing that had been imported was called “Untitled” after a crash."""
-    kept.session.files.begin_imported(SKETCH, "icon")
-    move_point(kept, (2.0, 3.0))
-    assert kept.autosave.write_now()
-    leave_behind(origin=origin_of(kept.session))
-    kept.session.files.begin(SKETCH)
-    kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    assert "icon" in [each.text() for each in bar(kept).findChildren(QLabel)]
-    press(kept, "restoreWork0")
-    assert kept.window.windowTitle() == "icon[*] – Curvebench"
-    assert (kept.session.files.path, file_stem(kept.session)) == (None, "icon")
+    autosaved.session.files.begin_imported(SKETCH, "icon")
+    move_point(autosaved, (2.0, 3.0))
+    assert autosaved.autosave.write_now()
+    leave_behind(origin=origin_of(autosaved.session))
+    autosaved.session.files.begin(SKETCH)
+    autosaved.window.commands[RecoveryCommands].offer_unsaved_work()
+    assert "icon" in [each.text() for each in bar(autosaved).findChildren(QLabel)]
+    press(autosaved, "restoreWork0")
+    assert autosaved.window.windowTitle() == "icon[*] – Curvebench"
+    assert (autosaved.session.files.path, file_stem(autosaved.session)) == (None, "icon")
 
 
 @pytest.mark.parametrize("looks", [{"locked": True}, {"visible": False}])
@@ -468,18 +468,18 @@ def test_restoring_asks_about_unsaved_changes_first(editor, monkeypatch):
     assert len(files()) == 1
 
 
-def test_restoring_beside_unsaved_work_opens_another_window(kept):
+def test_restoring_beside_unsaved_work_opens_another_window(autosaved):
     leave_behind()
     leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
-    move_point(kept, (2.0, 3.0))
-    present = kept.session.document
-    kept.window.commands[RecoveryCommands].offer_unsaved_work()
-    press(kept, "restoreWork1")
-    assert kept.session.document == present
-    (other,) = kept.opened
+    move_point(autosaved, (2.0, 3.0))
+    present = autosaved.session.document
+    autosaved.window.commands[RecoveryCommands].offer_unsaved_work()
+    press(autosaved, "restoreWork1")
+    assert autosaved.session.document == present
+    (other,) = autosaved.opened
     assert other.session.document == SKETCH
     assert other.session.files.is_modified
-    assert bar(kept).text == "A document with unsaved work from the last session:"
+    assert bar(autosaved).text == "A document with unsaved work from the last session:"
     until(lambda: len(files()) == 3)  # here, there, and the one not decided
 
 

@@ -45,7 +45,7 @@ def shape(editor):
     return curve_of(editor).evaluate(np.linspace(0.0, 1.0, 501))
 
 
-def places(editor, t):
+def position_at(editor, t):
     return tuple(curve_of(editor).evaluate(t).tolist())
 
 
@@ -53,14 +53,14 @@ def test_a_control_point_is_dragged_by_its_disc(drawn, name):
     """It lies beside the curve, which answers by the weight of the point."""
     editor = drawn(name)
     weight = float(curve_of(editor).basis(np.array([0.4]))[0, 2, 0])
-    before, start = shape(editor), np.array(places(editor, 0.4))
+    before, start = shape(editor), np.array(position_at(editor, 0.4))
     assert np.hypot(*(before - POINTS[2]).T).min() > 30 * editor.pixel
     editor.drag_point(2, (2.5, 2.0))
     assert editor.point(2) == pytest.approx((2.5, 2.0), abs=2 * editor.pixel)
     assert editor.session.undo_stack.undoText() == "Move point 2"
     if name == "bezier":
         way = np.array(editor.point(2)) - POINTS[2]
-        assert np.array(places(editor, 0.4)) - start == pytest.approx(weight * way, abs=1e-12)
+        assert np.array(position_at(editor, 0.4)) - start == pytest.approx(weight * way, abs=1e-12)
 
 
 def test_only_the_active_curve_has_a_control_polygon(drawn, name):
@@ -87,7 +87,7 @@ def test_a_click_on_the_curve_adds_a_control_point_and_keeps_the_shape(drawn, na
     editor = drawn(name)
     before = shape(editor)
     editor.trigger("addTool")
-    editor.click(places(editor, t))
+    editor.click(position_at(editor, t))
     assert len(editor.curve.points) == 7
     assert np.abs(shape(editor) - before).max() < 1e-14
     assert "Shape kept" in editor.message + editor.status
@@ -103,7 +103,7 @@ def test_a_click_on_the_curve_adds_a_control_point_and_keeps_the_shape(drawn, na
 def test_an_inserted_point_follows_the_pointer(drawn, name):
     editor = drawn(name)
     editor.trigger("addTool")
-    x, y = places(editor, 0.5)
+    x, y = position_at(editor, 0.5)
     editor.press((x, y))
     on_curve = editor.session.active_view
     index = int(np.argmin(np.abs(on_curve.curve.nodes - 0.5)))

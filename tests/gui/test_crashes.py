@@ -48,7 +48,7 @@ def dialogs():
     ]
 
 
-def has_told(crashes):
+def has_reported(crashes):
     """Whether what was raised is shown, or waits only until the dialog before it is put away."""
     return not crashes._soon.isActive()
 
@@ -63,7 +63,7 @@ def raise_soon(guarded, problem, count=1):
 
     for _ in range(count):
         QTimer.singleShot(0, fail)
-    until(lambda: len(raised) == count and has_told(guarded.lifecycle.crashes))
+    until(lambda: len(raised) == count and has_reported(guarded.lifecycle.crashes))
 
 
 def run(guarded, qapp, *steps):
@@ -77,7 +77,7 @@ def run(guarded, qapp, *steps):
     def do_next():
         if not to_do:
             timer.stop()
-        elif has_told(crashes):
+        elif has_reported(crashes):
             to_do.pop(0)()
 
     timer = QTimer(interval=1)
@@ -148,11 +148,11 @@ def test_an_error_that_keeps_the_window_open_is_reported_each_time(guarded, qapp
     for _ in range(3):
         assert not guarded.window.close()
         assert not guarded.window.close()  # asked again before it was told: once is enough
-        until(lambda: has_told(crashes))
+        until(lambda: has_reported(crashes))
         assert len(list(snapshot_folder().glob("*.snapshot.json"))) == 1
         assert "closeEvent" in report()
         press("goOn")
-        until(lambda: has_told(crashes))
+        until(lambda: has_reported(crashes))
         assert dialogs() == []
     assert run(guarded, qapp, guarded.window.close, lambda: press("saveAndQuit")) == 0
     assert not is_open(guarded.window)
@@ -192,7 +192,7 @@ def test_an_error_while_painting_is_reported_and_painting_continues(guarded, mon
         for times in range(1, 6):
             guarded.window.canvas.viewport().update()
             until(lambda times=times: len(failed) >= times)
-        until(lambda: has_told(guarded.lifecycle.crashes))
+        until(lambda: has_reported(guarded.lifecycle.crashes))
     assert "cannot paint" in report()
     press("goOn")
     guarded.drag_point(1, to=(2, 3))
@@ -217,7 +217,7 @@ def test_an_error_in_a_destructor_shows_no_dialog(guarded, capsys):
             raise RuntimeError("thrown away")
 
     Bad()
-    assert has_told(guarded.lifecycle.crashes)
+    assert has_reported(guarded.lifecycle.crashes)
     assert dialogs() == []
     assert "thrown away" in capsys.readouterr().err
 
@@ -313,7 +313,7 @@ def test_at_most_five_different_errors_are_reported(qtbot):
         shown = 0
         for number in range(8):
             sys.excepthook(*raised(type(f"Fault{number}", (Exception,), {})()))
-            until(lambda: has_told(handler))
+            until(lambda: has_reported(handler))
             shown += len(dialogs())
             if dialogs():
                 press("goOn")

@@ -18,7 +18,7 @@ def whole(waves):
     return three
 
 
-def chosen(editor):
+def selected_names(editor):
     document, selected = editor.session.document, editor.session.selected
     assert not selected.is_editing
     return "".join(document.curves[place].name for place in sorted(selected.whole_curves))
@@ -29,9 +29,9 @@ def test_a_drag_selects_the_moved_curves_and_keys_act_on_them(whole):
     x, y = on_curve(whole, 2)
     whole.press((x, y))
     whole.move((x + 0.2, y + 0.4))
-    assert chosen(whole) == "C"
+    assert selected_names(whole) == "C"
     whole.release((x + 0.2, y + 0.4))
-    assert (chosen(whole), whole.curve.name) == ("C", "C")
+    assert (selected_names(whole), whole.curve.name) == ("C", "C")
     assert whole.session.undo_stack.undoText() == "Move C"
     assert whole.session.undo_stack.count() == steps + 1
     moved = whole.session.document
@@ -39,14 +39,14 @@ def test_a_drag_selects_the_moved_curves_and_keys_act_on_them(whole):
     assert whole.session.document.curves[2] != moved.curves[2]
     assert whole.session.document.curves[:2] == before.curves[:2]
     whole.trigger("undo")
-    assert (whole.session.document, chosen(whole)) == (moved, "C")
+    assert (whole.session.document, selected_names(whole)) == (moved, "C")
     for step, document in (("undo", before), ("redo", moved)):
         whole.trigger(step)
-        assert (whole.session.document, chosen(whole), whole.curve.name) == (document, "C", "C")
+        assert (whole.session.document, selected_names(whole), whole.curve.name) == (document, "C", "C")
     whole.click(on_curve(whole, 0))
     for step, document in (("undo", before), ("redo", moved)):
         whole.trigger(step)
-        assert (whole.session.document, chosen(whole), whole.curve.name) == (document, "A", "A")
+        assert (whole.session.document, selected_names(whole), whole.curve.name) == (document, "A", "A")
     whole.click(on_curve(whole, 2))
     whole.drag(on_curve(whole, 2), (x, y))
     whole.key(Qt.Key.Key_Delete)
@@ -58,11 +58,11 @@ def test_escape_cancels_the_move_and_the_selection(whole):
     x, y = on_curve(whole, 0)
     whole.press((x, y))
     whole.move((x + 0.2, y + 0.4))
-    assert chosen(whole) == "A"
+    assert selected_names(whole) == "A"
     whole.escape()
-    assert (chosen(whole), whole.curve.name) == ("B", "B")
+    assert (selected_names(whole), whole.curve.name) == ("B", "B")
     whole.release((x + 0.2, y + 0.4))
-    assert (whole.session.document, chosen(whole)) == (before, "B")
+    assert (whole.session.document, selected_names(whole)) == (before, "B")
     assert whole.session.undo_stack.count() == steps
 
 
@@ -70,13 +70,13 @@ def test_a_drag_of_a_curve_in_a_group_selects_the_group(whole):
     whole.key(Qt.Key.Key_A, CTRL)
     whole.trigger("groupCurves")
     whole.escape()
-    assert chosen(whole) == ""
+    assert selected_names(whole) == ""
     x, y = on_curve(whole, 1)
     whole.drag((x, y), (x + 0.3, y))
-    assert chosen(whole) == "ABC"
+    assert selected_names(whole) == "ABC"
     for step in ("undo", "redo"):
         whole.trigger(step)
-        assert chosen(whole) == "ABC"
+        assert selected_names(whole) == "ABC"
 
 
 def test_select_all_selects_visible_unlocked_curves(whole):
@@ -89,13 +89,13 @@ def test_select_all_selects_visible_unlocked_curves(whole):
     selected.select_whole(())
     whole.window.canvas.setFocus()
     whole.trigger("selectAll")
-    assert chosen(whole) == "B"
+    assert selected_names(whole) == "B"
     whole.key(Qt.Key.Key_Delete)
     assert [curve.name for curve in whole.session.document.curves] == ["A", "C"]
     document = whole.session.document
     for keys in (CTRL, CTRL | Qt.KeyboardModifier.ShiftModifier):
         whole.key(Qt.Key.Key_A, keys)
         assert whole.status == "All curves are hidden or locked. Show or unlock them in the list of curves."
-        assert chosen(whole) == ""
+        assert selected_names(whole) == ""
     whole.key(Qt.Key.Key_Delete)
     assert whole.session.document is document

@@ -102,7 +102,7 @@ def test_nothing_is_reached_under_a_dialog_that_waits(editor):
 
 
 @pytest.fixture
-def told_to_quit(qapp):
+def quitting_app(qapp):
     """Tell the application to quit while nobody runs it: every later event loop ends at once."""
     qapp.exit(3)
     yield qapp
@@ -125,7 +125,7 @@ def repair_loops(qapp):
         lambda editor: wait_for_rest(editor.window),
     ],
 )
-def test_waiting_in_an_application_that_was_told_to_quit_raises(editor, told_to_quit, wait):
+def test_waiting_in_an_application_that_was_told_to_quit_raises(editor, quitting_app, wait):
     late = QTimer(editor.window, singleShot=True, interval=100)
     late.start()
     before = timers_of_nobody()
@@ -135,7 +135,7 @@ def test_waiting_in_an_application_that_was_told_to_quit_raises(editor, told_to_
     late.deleteLater()
 
 
-def test_an_event_loop_that_ends_early_is_reported(qapp, told_to_quit):
+def test_an_event_loop_that_ends_early_is_reported(qapp, quitting_app):
     with pytest.raises(ApplicationQuitError):
         spin(1)
     repair_loops(qapp)

@@ -99,7 +99,7 @@ def under_the_pen(editor):
     assert editor.session.is_previewing
 
 
-def what_it_does(editor, name, begin, *, cancelled):
+def result_of_command(editor, name, begin, *, cancelled):
     """What a command makes of the document in a gesture, or behind a cancelled one; None where disabled."""
     before = editor.session.committed
     editor.session.selected.set_points([1, 2])
@@ -128,12 +128,12 @@ def test_a_command_during_a_gesture_has_the_same_result_as_without_the_gesture(t
     for name in names:
         begin_with_two(two)
         with_on_clipboard(two, name)
-        within = what_it_does(two, name, begin, cancelled=False)
+        within = result_of_command(two, name, begin, cancelled=False)
         if within is None:
             # One point is held, where the command is for several, or for what nobody set there.
             assert name in ("alignLeft", "resetVelocities")
         else:
-            assert within == what_it_does(two, name, begin, cancelled=True), name
+            assert within == result_of_command(two, name, begin, cancelled=True), name
 
 
 def test_a_panel_used_during_a_gesture_changes_the_committed_document(two):

@@ -446,18 +446,18 @@ def test_a_png_by_its_width_has_true_size_and_the_resolution_follows(editor, dia
     """With “True size” on there was no width; without it the file said 96 dpi."""
     names = ("by_dpi", "true_size", "width", "scale", "dpi")
 
-    def shown(form):
+    def visible_fields(form):
         return [name for name in names if form.fields[name].widget.isVisible()]
 
-    assert shown(dialog.form) == ["width", "scale"]
+    assert visible_fields(dialog.form) == ["width", "scale"]
     dialog.close()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     other = measured(editor, "mm")
-    assert shown(other.form) == ["by_dpi", "dpi"]
+    assert visible_fields(other.form) == ["by_dpi", "dpi"]
     box = other.form.fields["by_dpi"].widget
     box.setFocus()
     QTest.keyClick(box, Qt.Key.Key_Down)
-    assert (box.currentText(), shown(other.form)) == ("By width in pixels", ["by_dpi", "width"])
+    assert (box.currentText(), visible_fields(other.form)) == ("By width in pixels", ["by_dpi", "width"])
     width = other.form.fields["width"].widget
     width.setFocus()
     width.lineEdit().selectAll()

@@ -39,7 +39,7 @@ def uniform_wave(n):
     return replace(curve, parametrization=Parametrization(ParametrizationKind.UNIFORM))
 
 
-def told(pane):
+def range_note(pane):
     """The note that functions leave the range, in full."""
     return pane.findChild(QWidget, "basisExtent").toolTip()
 
@@ -49,7 +49,7 @@ def test_wild_functions_are_fitted_about_zero_as_far_as_an_axis_reaches(opened, 
     """At n = 60 the range was -4.1e13 to -3.1e13; at n = 100 it was empty, and every paint failed."""
     editor = opened(uniform_wave(n))
     pane, panel = editor.window.central["basisPane"], editor.window.basis_panel
-    said = told(pane)
+    said = range_note(pane)
     pane._fit.click()
     editor.settle()
     _, low, _, high = panel.pixel_map.box
@@ -60,9 +60,9 @@ def test_wild_functions_are_fitted_about_zero_as_far_as_an_axis_reaches(opened, 
         assert (low, high) == pytest.approx((-0.6 * GREATEST_SPAN, 0.4 * GREATEST_SPAN), rel=0.2)
     if greatest < high:
         assert low < least
-        assert told(pane) == ""
+        assert range_note(pane) == ""
     else:
-        assert told(pane) == said  # what they reach in truth
+        assert range_note(pane) == said  # what they reach in truth
     assert not editor.screenshot().isNull()
 
 

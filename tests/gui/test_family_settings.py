@@ -46,7 +46,7 @@ def enter(editor, field, text, key=Qt.Key.Key_Return):
     QTest.keyClick(field, key)
 
 
-def chosen(editor):
+def curve_settings(editor):
     return dict(editor.curve.settings)
 
 
@@ -75,13 +75,13 @@ def test_a_number_is_typed_and_undone(swaying):
     steps = swaying.session.undo_stack.count()
     assert amount(swaying).text() == "2"
     enter(swaying, amount(swaying), "7")
-    assert chosen(swaying) == {"amount": 7}
+    assert curve_settings(swaying) == {"amount": 7}
     assert swaying.session.active_view.curve.chosen["amount"] == 7
     assert swaying.session.undo_stack.count() == steps + 1
     assert swaying.session.undo_stack.undoText() == "Set amount of sway to 7"
     assert slider(swaying).value() == 7
     swaying.trigger("undo")
-    assert chosen(swaying) == {}
+    assert curve_settings(swaying) == {}
     assert amount(swaying).text() == "2"
     assert slider(swaying).value() == 2
     swaying.trigger("redo")
@@ -103,7 +103,7 @@ def test_a_number_that_cannot_be_is_refused_and_stays_to_be_mended(swaying, text
 def test_a_text_that_is_no_number_is_refused(swaying):
     enter(swaying, amount(swaying), "few")
     assert widget(swaying, QLabel, "curveProblem").text().startswith("⚠ ")
-    assert chosen(swaying) == {}
+    assert curve_settings(swaying) == {}
 
 
 def test_the_slider_is_live_one_step_and_cancellable(swaying):
@@ -124,7 +124,7 @@ def test_the_slider_is_live_one_step_and_cancellable(swaying):
     handle.setSliderPosition(6)
     handle.setSliderPosition(4)
     handle.setSliderDown(False)
-    assert chosen(swaying) == {"amount": 4}
+    assert curve_settings(swaying) == {"amount": 4}
     assert swaying.session.undo_stack.count() == steps + 1
 
 
@@ -132,9 +132,9 @@ def test_the_slider_is_stepped(swaying):
     handle = slider(swaying)
     handle.setFocus()
     QTest.keyClick(handle, Qt.Key.Key_Right)
-    assert chosen(swaying) == {"amount": 3}
+    assert curve_settings(swaying) == {"amount": 3}
     QTest.keyClick(handle, Qt.Key.Key_Left)
-    assert chosen(swaying) == {}
+    assert curve_settings(swaying) == {}
 
 
 @pytest.fixture
@@ -151,14 +151,14 @@ def test_a_real_setting_is_typed_and_undone(spline):
     assert (tension.text(), handle.value(), handle.maximum()) == ("0", 20, 40)
     assert tension.toolTip() == "0: Catmull-Rom; 1: rests in every point (−1 to 1, Enter to set)"
     enter(spline, tension, "-1/3")
-    assert chosen(spline) == {"tension": -1 / 3}
+    assert curve_settings(spline) == {"tension": -1 / 3}
     assert spline.session.active_view.curve.chosen == {"tension": -1 / 3}
     assert spline.session.undo_stack.undoText() == "Set tension to −0.333333"
     assert handle.value() == 13
     spline.window.canvas.setFocus()
     assert tension.text() == "−0.3333"
     spline.trigger("undo")
-    assert chosen(spline) == {}
+    assert curve_settings(spline) == {}
     assert tension.text() == "0"
 
 
@@ -166,7 +166,7 @@ def test_a_real_setting_outside_of_its_limits_is_refused(spline):
     enter(spline, widget(spline, QLineEdit, "settingTension"), "1.5")
     problem = widget(spline, QLabel, "curveProblem").text()
     assert problem == "⚠ Tension must be a number from −1 to 1."
-    assert chosen(spline) == {}
+    assert curve_settings(spline) == {}
 
 
 def test_the_slider_of_a_real_setting_moves_by_its_step_and_a_drag_is_one_step(spline):
@@ -174,7 +174,7 @@ def test_the_slider_of_a_real_setting_moves_by_its_step_and_a_drag_is_one_step(s
     handle.setFocus()
     for tension in (0.05, 0.1, 0.15):
         QTest.keyClick(handle, Qt.Key.Key_Right)
-        assert chosen(spline) == {"tension": tension}
+        assert curve_settings(spline) == {"tension": tension}
     steps = spline.session.undo_stack.count()
     handle.setSliderDown(True)
     handle.setSliderPosition(40)
@@ -182,7 +182,7 @@ def test_the_slider_of_a_real_setting_moves_by_its_step_and_a_drag_is_one_step(s
     assert np.abs(spline.session.active_view.curve.evaluate(0.0, 1)).max() < 1e-9
     handle.setSliderPosition(0)
     handle.setSliderDown(False)
-    assert chosen(spline) == {"tension": -1.0}
+    assert curve_settings(spline) == {"tension": -1.0}
     assert spline.session.undo_stack.count() == steps + 1
     assert spline.session.undo_stack.undoText() == "Set tension to −1"
 
@@ -214,10 +214,10 @@ def test_a_choice_setting_is_selected_and_undone(swaying):
     assert [box.itemText(row) for row in range(box.count())] == ["Left", "Right"]
     box.setFocus()
     QTest.keyClick(box, Qt.Key.Key_Down)
-    assert chosen(swaying) == {"first_side": "right"}
+    assert curve_settings(swaying) == {"first_side": "right"}
     assert swaying.session.undo_stack.undoText() == "Set first side to Right"
     swaying.trigger("undo")
-    assert chosen(swaying) == {}
+    assert curve_settings(swaying) == {}
     assert box.currentText() == "Left"
 
 
@@ -226,7 +226,7 @@ def test_the_form_has_the_fields_of_the_family(swaying):
     assert swaying.window.findChild(QLineEdit, "settingAmount") is None
     swaying.trigger("undo")
     enter(swaying, amount(swaying), "5")
-    assert chosen(swaying) == {"amount": 5}
+    assert curve_settings(swaying) == {"amount": 5}
     assert slider(swaying).value() == 5
 
 
@@ -235,7 +235,7 @@ def test_going_back_to_the_family_gives_the_same_curve_back(swaying):
     before = swaying.session.active_view.curve.evaluate(0.3)
     swaying.choose_family(LAGRANGE)
     swaying.choose_family("tests_swaying")
-    assert chosen(swaying) == {"amount": 7}
+    assert curve_settings(swaying) == {"amount": 7}
     assert (swaying.session.active_view.curve.evaluate(0.3) == before).all()
     swaying.settle()
     assert amount(swaying).text() == "7"
@@ -252,7 +252,7 @@ def test_a_refusal_after_a_change_of_family_accesses_no_deleted_field(swaying):
 def test_a_new_curve_has_the_settings(swaying):
     enter(swaying, amount(swaying), "5")
     swaying.trigger("newCurve")
-    assert chosen(swaying) == {"amount": 5}
+    assert curve_settings(swaying) == {"amount": 5}
 
 
 def test_settings_are_saved_and_opened(swaying, tmp_path):
@@ -262,7 +262,7 @@ def test_settings_are_saved_and_opened(swaying, tmp_path):
     swaying.session.new()
     swaying.session.open(path)
     swaying.settle()
-    assert chosen(swaying) == {"amount": 5}
+    assert curve_settings(swaying) == {"amount": 5}
     assert amount(swaying).text() == "5"
 
 

@@ -63,7 +63,7 @@ def soon_due(garbage_collected_in_loop, monkeypatch):
     gc.set_threshold(*before)
 
 
-def noted(kind, searches):
+def recording_class(kind, searches):
     """Return a class derived from one of Qt's whose deletions are noted."""
 
     class Noted(kind):
@@ -106,13 +106,15 @@ def test_garbage_is_collected_by_the_event_loop(soon_due):
 def test_no_garbage_is_collected_while_objects_are_deleted(soon_due, searches, seed):
     """The program stood still for ever when a window was closed."""
     garbage.collect_between_events()
-    kinds = [noted(each, searches) for each in (QObject, QWidget, QMainWindow, QLabel, QMenu, QTimer)]
+    kinds = [
+        recording_class(each, searches) for each in (QObject, QWidget, QMainWindow, QLabel, QMenu, QTimer)
+    ]
     chance = random.Random(seed)
     pool = []
     for _ in range(60):
         made = chance.choice(kinds)()
         if isinstance(made, QWidget):
-            noted(QLabel, searches)("x", made)
+            recording_class(QLabel, searches)("x", made)
         made.destroyed.connect(lambda: [Cycle([]) for _ in range(1000)])
         made.cycle = Cycle(made) if chance.random() < 0.5 else None
         pool.append(made)

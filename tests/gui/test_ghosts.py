@@ -20,7 +20,7 @@ from app.view_model.analysis.ghost import Ghost, all_ghosts
 from tests.waiting import until
 
 
-def shown(editor):
+def visible_ghosts(editor):
     return {
         ghost.ghost: ghost.view
         for ghost in editor.window.canvas.drawing.annotations.figure_layer.ghosts
@@ -40,16 +40,18 @@ def press(editor, qtbot, name):
 def test_ghosts_follow_a_drag_and_its_cancelling(editor):
     editor.trigger("ghostUniform")
     editor.trigger("ghostHermite")
-    assert set(shown(editor)) == {Ghost(kind=ParametrizationKind.UNIFORM), Ghost(family=HERMITE)}
-    before = shown(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points.copy()
+    assert set(visible_ghosts(editor)) == {Ghost(kind=ParametrizationKind.UNIFORM), Ghost(family=HERMITE)}
+    before = visible_ghosts(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points.copy()
     x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.5, y))
-    moved = {ghost: view.curve.points[3] for ghost, view in shown(editor).items()}
+    moved = {ghost: view.curve.points[3] for ghost, view in visible_ghosts(editor).items()}
     assert all(place == pytest.approx(editor.point(3)) for place in moved.values())
     assert moved[Ghost(kind=ParametrizationKind.UNIFORM)][0] > x + 0.3
     editor.escape()
-    assert np.array_equal(shown(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points, before)
+    assert np.array_equal(
+        visible_ghosts(editor)[Ghost(kind=ParametrizationKind.UNIFORM)].curve.points, before
+    )
 
 
 def test_the_legend_applies_a_ghost_in_one_step(editor, qtbot):
@@ -79,7 +81,7 @@ def test_runges_function_shows_all_families_side_by_side(editor):
     editor.fit()
     editor.trigger("ghostAllFamilies")
     others = [family for family in FAMILIES if family != LAGRANGE]
-    assert set(shown(editor)) == {Ghost(family=family) for family in others}
+    assert set(visible_ghosts(editor)) == {Ghost(family=family) for family in others}
     assert editor.action("ghostAllFamilies").isChecked()
     legend = editor.window.canvas.drawing.annotations.legend
     # By the rules of the natural spline these are one curve: cubic pieces are quintic ones, too.
@@ -89,9 +91,9 @@ def test_runges_function_shows_all_families_side_by_side(editor):
         *(f"{family.label}{twins.get(family.name, '')}" for family in others),
     ]
     for name in twins:
-        ghost = shown(editor)[Ghost(family=FAMILIES.named(name))]
+        ghost = visible_ghosts(editor)[Ghost(family=FAMILIES.named(name))]
         t = np.linspace(0.0, 1.0, 1001)
-        away = ghost.curve.evaluate(t) - shown(editor)[Ghost(family=HERMITE)].curve.evaluate(t)
+        away = ghost.curve.evaluate(t) - visible_ghosts(editor)[Ghost(family=HERMITE)].curve.evaluate(t)
         assert np.abs(away).max() < 1e-13
     figures = {row.text: row.figure for row in legend.rows}
     # Measured, and as in the paper on Lebesgue constants at most 4 (2 + log 10) = 17 for d = 3.
@@ -101,7 +103,7 @@ def test_runges_function_shows_all_families_side_by_side(editor):
     assert editor.window.canvas.viewport().rect().contains(legend.geometry())
     assert legend.height() < 0.5 * editor.window.canvas.height()
     editor.trigger("ghostAllFamilies")
-    assert not shown(editor)
+    assert not visible_ghosts(editor)
 
 
 def test_during_a_drag_the_legend_has_no_figures(editor):
@@ -133,12 +135,12 @@ def test_a_ghost_has_the_settings_that_the_curve_has_or_had_of_its_family(editor
     editor.session.commit(Document((curve,)), "Runge")
     editor.trigger("ghostUniform")
     editor.trigger("ghostFloaterHormann")
-    (uniform,) = shown(editor).values()
+    (uniform,) = visible_ghosts(editor).values()
     assert uniform.curve.chosen == {"degree": 1}
     editor.choose_family(LAGRANGE)
-    assert shown(editor)[Ghost(family=family)].curve.chosen == {"degree": 1}
+    assert visible_ghosts(editor)[Ghost(family=family)].curve.chosen == {"degree": 1}
     editor.session.commit(Document((make_curve(RUNGE),)), "Another")
-    assert shown(editor)[Ghost(family=family)].curve.chosen == {"degree": 3}
+    assert visible_ghosts(editor)[Ghost(family=family)].curve.chosen == {"degree": 3}
 
 
 def test_one_legend_explains_ghosts_and_the_laboratory(editor):
@@ -160,7 +162,7 @@ def test_the_legend_hides_a_ghost(editor, qtbot):
     editor.trigger("ghostUniform")
     editor.trigger("ghostHermite")
     press(editor, qtbot, "legendHide_uniform")
-    assert set(shown(editor)) == {Ghost(family=HERMITE)}
+    assert set(visible_ghosts(editor)) == {Ghost(family=HERMITE)}
     assert not editor.action("ghostUniform").isChecked()
     press(editor, qtbot, "legendHide_hermite")
     assert not editor.window.canvas.drawing.annotations.figure_layer.ghosts
@@ -171,10 +173,10 @@ def test_the_dock_displays_ghosts_and_applies_a_ghost(editor, qtbot):
     editor.show_dock("analysisDock")
     switch = editor.window.findChild(QCheckBox, "ghostCentripetalSwitch")
     qtbot.keyClick(switch, Qt.Key.Key_Space)
-    assert set(shown(editor)) == {Ghost(kind=ParametrizationKind.CENTRIPETAL)}
+    assert set(visible_ghosts(editor)) == {Ghost(kind=ParametrizationKind.CENTRIPETAL)}
     qtbot.keyClick(editor.window.findChild(QToolButton, "use_centripetal"), Qt.Key.Key_Space)
     assert editor.curve.parametrization.kind is ParametrizationKind.CENTRIPETAL
-    assert not shown(editor)
+    assert not visible_ghosts(editor)
 
 
 def test_a_locked_curve_is_not_changed_by_a_ghost(editor, qtbot):
@@ -202,7 +204,7 @@ def test_a_long_polynomial_appears_when_the_drag_is_over(editor):
     editor.session.commit(Document((Curve("Wave", HERMITE, rules, points),)), "Open")
     editor.fit()
     editor.trigger("ghostLagrange")
-    assert set(shown(editor)) == {Ghost(family=LAGRANGE)}
+    assert set(visible_ghosts(editor)) == {Ghost(family=LAGRANGE)}
     editor.press(editor.point(120))
     editor.move((2.0, 1.0))
     (ghost,) = editor.window.canvas.drawing.annotations.figure_layer.ghosts
@@ -279,7 +281,7 @@ def covered(editor):
     """Return how many points of the curve, and of its ghosts, lie under the legend."""
     canvas = editor.window.canvas
     box = canvas.drawing.annotations.legend.geometry()
-    curves = [editor.session.active_view.curve, *(ghost.curve for ghost in shown(editor).values())]
+    curves = [editor.session.active_view.curve, *(ghost.curve for ghost in visible_ghosts(editor).values())]
     places = [each.evaluate(np.linspace(0.0, 1.0, 2001)) for each in curves]
     places.append(editor.session.active_view.points)
     return sum(box.contains(canvas.to_pixel(x, y)) for x, y in np.concatenate(places).tolist())

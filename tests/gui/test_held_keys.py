@@ -46,7 +46,7 @@ def let_go(editor, key):
     editor.settle()
 
 
-def shown(editor):
+def gesture_state(editor):
     """Everything a gesture shows: the document, what is selected, what lies over the drawing, the words."""
     session, canvas = editor.session, editor.window.canvas
     return session.document, session.selection, canvas.marks, editor.window.status_line.text
@@ -105,17 +105,17 @@ def test_a_key_pressed_or_released_counts_at_once_and_the_release_commits_the_pr
     document = arch.session.document
     for what, key in DRAGS:
         to = begin(arch, what)
-        free = shown(arch)
+        free = gesture_state(arch)
         hold(arch, key)
-        changed = shown(arch)
+        changed = gesture_state(arch)
         assert changed != free, (what, key)
         arch.move(to, keys=FLAGS[key])
-        assert shown(arch) == changed, (what, key)
+        assert gesture_state(arch) == changed, (what, key)
         let_go(arch, key)
-        assert shown(arch) == free, (what, key)
+        assert gesture_state(arch) == free, (what, key)
         hold(arch, key)
         arch.release(to, keys=FLAGS[key])
-        assert shown(arch)[:2] == changed[:2], (what, key)
+        assert gesture_state(arch)[:2] == changed[:2], (what, key)
         assert arch.window.canvas.marks.ruler == changed[2].ruler, (what, key)
         let_go(arch, key)
         arch.session.commit(document, "Again")
@@ -127,11 +127,11 @@ def test_a_key_released_just_before_the_button_has_no_effect_on_the_drag(arch):
     document = arch.session.document
     for what, key in DRAGS[::5]:
         to = begin(arch, what)
-        free = shown(arch)
+        free = gesture_state(arch)
         hold(arch, key)
         let_go(arch, key)
         arch.release(to)
-        assert shown(arch)[:2] == free[:2], (what, key)
+        assert gesture_state(arch)[:2] == free[:2], (what, key)
         arch.session.commit(document, "Again")
         arch.trigger("selectTool")
         arch.select([])
@@ -168,14 +168,14 @@ def test_a_transform_by_keys_hears_modifier_keys(arch):
         arch.hover((0, 3))
         arch.key(key)
         arch.move((0.52, 3.94), held=False)
-        free = shown(arch)
+        free = gesture_state(arch)
         hold(arch, held)
-        changed = shown(arch)
+        changed = gesture_state(arch)
         assert changed[0] != free[0], (key, held, end)
         arch.move((0.52, 3.94), held=False, keys=FLAGS[held])
-        assert shown(arch) == changed, (key, held, end)
+        assert gesture_state(arch) == changed, (key, held, end)
         let_go(arch, held)
-        assert shown(arch) == free, (key, held, end)
+        assert gesture_state(arch) == free, (key, held, end)
         hold(arch, held)
         arch.key(end)
         assert arch.session.document == (changed[0] if end == Key.Key_Return else before), (key, held, end)

@@ -667,7 +667,7 @@ def busy(tmp_path):
     )
 
 
-def shown_bar(editor):
+def visible_bar(editor):
     def bar():
         return editor.window.findChild(object, "jobBar")
 
@@ -679,7 +679,7 @@ def test_long_work_shows_its_progress_and_can_be_stopped(editor, busy):
     before, height = editor.session.document, editor.window.canvas.height()
     editor.window.commands[ImportCommands].import_files([busy])
     assert editor.window.context.work.jobs.is_busy
-    bar = shown_bar(editor)
+    bar = visible_bar(editor)
     assert bar.text == "Reading busy.svg"
     # It is no higher than what stands beside it: the drawing stays where it is (it lost two pixels).
     editor.settle()
@@ -702,7 +702,7 @@ def test_a_second_import_is_refused_while_one_runs(editor, busy, tmp_path, monke
     monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (chosen, ""))
     editor.trigger("importFile")
     assert editor.status == "Reading busy.svg is still running. Stop it first."
-    shown_bar(editor)
+    visible_bar(editor)
     QTest.keyClick(editor.window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
     assert not editor.window.context.work.jobs.is_busy
     # And the next begins at once.
@@ -714,7 +714,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
     old = write(tmp_path / "out.csv", "mine")
     editor.window.commands[ExportCommands].export(old, Options(format_options={"samples": 100_000}))
     assert editor.window.context.work.jobs.is_busy
-    shown_bar(editor)
+    visible_bar(editor)
     editor.trigger("cancelWork")
     assert not editor.window.context.work.jobs.is_busy
     assert "Nothing has changed" in editor.status
@@ -726,7 +726,7 @@ def test_an_export_that_is_stopped_leaves_the_old_file(editor, tmp_path):
 def test_closing_the_window_drops_the_work(new_editor, busy):
     editor = new_editor
     editor.window.commands[ImportCommands].import_files([busy])
-    shown_bar(editor)
+    visible_bar(editor)
     editor.session.files.give_up_changes()
     task = editor.window.context.work.jobs._task
     assert editor.window.close()
@@ -772,11 +772,11 @@ def test_very_many_rows_never_block_the_window(editor, tmp_path, monkeypatch):
     for owner, name in through_all:
         work, threads[name] = getattr(owner, name), set()
 
-        def noted(*arguments, work=work, seen=threads[name]):
+        def recording(*arguments, work=work, seen=threads[name]):
             seen.add(threading.current_thread())
             return work(*arguments)
 
-        monkeypatch.setattr(owner, name, noted)
+        monkeypatch.setattr(owner, name, recording)
     path = spiral(tmp_path / "many.csv", rows)
     with calls_in_turns() as turns:
         editor.window.commands[ImportCommands].import_files([path])

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 
 from app.document.model import Document, make_curve
 from app.document.selection import NONE_SELECTABLE
-from tests.gui.editor_facts import chosen
+from tests.gui.editor_facts import whole_curve_names
 
 
 @pytest.fixture
@@ -32,9 +32,9 @@ def test_a_key_turns_the_choice_around_of_curves_and_of_points(row):
     selected = row.session.selected
     selected.select_whole([0])
     press(row)
-    assert chosen(row) == "BC"
+    assert whole_curve_names(row) == "BC"
     press(row)
-    assert chosen(row) == "A"
+    assert whole_curve_names(row) == "A"
     selected.activate(1)
     row.select([0])
     press(row)

@@ -47,7 +47,7 @@ def names(editor):
     return [curve.name for curve in editor.session.document.curves]
 
 
-def places(editor):
+def positions(editor):
     return [point.position for point in editor.curve.points]
 
 
@@ -74,9 +74,9 @@ def test_the_joining_segment_between_straight_lines_is_straight(editor, meets):
     editor.session.selected.activate(0)
     editor.drag((2.5, 3.6), (4.5, 0.5))
     editor.key(Key.Key_J, CTRL)
-    assert places(editor) == [(0.0, 0.0), (3.0, 1.0), *([] if meets else [far]), (6.0, 0.0)]
-    assert [is_straight(editor.curve, segment) for segment in range(len(places(editor)) - 1)] == (
-        [True] * (len(places(editor)) - 1)
+    assert positions(editor) == [(0.0, 0.0), (3.0, 1.0), *([] if meets else [far]), (6.0, 0.0)]
+    assert [is_straight(editor.curve, segment) for segment in range(len(positions(editor)) - 1)] == (
+        [True] * (len(positions(editor)) - 1)
     )
 
 
@@ -87,7 +87,7 @@ def test_ctrl_j_joins_two_ends_selected_by_a_band(arcs):
     arcs.key(Key.Key_J, CTRL)
     assert names(arcs) == ["Left", "Far"]
     # The other one runs the other way now.
-    assert places(arcs) == [*LEFT, *reversed(RIGHT)]
+    assert positions(arcs) == [*LEFT, *reversed(RIGHT)]
     assert max(farthest(arcs, curve) for curve in begun.curves[:2]) < 1e-3
     assert arcs.status.startswith("Joined with “Right”: shapes kept, largest change ")
     assert dict(arcs.session.selected.group.parts) == {0: {2, 3}}
@@ -105,7 +105,7 @@ def test_meeting_ends_become_one_point(editor):
     assert editor.session.selected.group.count_label == "2 points in 2 curves"
     editor.key(Key.Key_J, CTRL)
     assert names(editor) == ["A"]
-    assert places(editor) == [*reversed(FAR), *LEFT]
+    assert positions(editor) == [*reversed(FAR), *LEFT]
     assert editor.session.selection == {3}
     assert editor.curve.points[3].corner
 
@@ -118,7 +118,7 @@ def test_joining_both_ends_closes_a_curve_and_moves_nothing_else(editor):
     assert editor.action("joinCurve").isEnabled()
     editor.key(Key.Key_J, CTRL)
     assert editor.curve.is_closed
-    assert places(editor) == LEFT
+    assert positions(editor) == LEFT
     assert farthest(editor, before) < 1e-3
     assert editor.session.selection == {0, 2}
     assert editor.session.undo_stack.undoText() == "Close A"
@@ -145,7 +145,7 @@ def test_a_curve_without_velocities_closes_by_its_rules(editor, end):
     editor.key(Key.Key_J, CTRL)
     assert editor.curve.is_closed
     assert editor.session.active_view.is_current
-    assert places(editor) == list(dict.fromkeys(points))
+    assert positions(editor) == list(dict.fromkeys(points))
     assert editor.session.undo_stack.undoText() == "Close A"
 
 
@@ -178,7 +178,7 @@ def test_selected_curves_are_joined_nearest_ends_first_and_a_ring_closes(editor)
     editor.key(Key.Key_J, CTRL)
     assert len(editor.session.document.curves) == 1
     assert editor.curve.is_closed
-    assert sorted(places(editor)) == sorted(sides[:4])
+    assert sorted(positions(editor)) == sorted(sides[:4])
     assert editor.session.undo_stack.undoText() == "Join 4 curves"
     assert editor.status.startswith("Joined 4 curves: shapes kept")
     editor.trigger("undo")

@@ -128,11 +128,11 @@ def test_curves_that_are_pasted_are_validated_beside_the_window(editor, large, m
     editor.trigger("copyPoints")
     validate, beside = validation._validate_curve, list[bool]()
 
-    def noted(curve: Curve, place: str, before: Curve | None) -> None:
+    def recording(curve: Curve, place: str, before: Curve | None) -> None:
         beside.append(current_thread() is not main_thread())
         validate(curve, place, before)
 
-    monkeypatch.setattr(validation, "_validate_curve", noted)
+    monkeypatch.setattr(validation, "_validate_curve", recording)
     editor.trigger("pasteInPlace")
     editor.wait_for_work()
     assert len(editor.session.document.curves) == 2 * COUNT

@@ -282,7 +282,7 @@ def test_a_goal_waits_for_its_named_curve(student, qtbot):
 # Work is kept
 
 
-def place(editor):
+def position_text(editor):
     return find(editor, QLabel, "lessonPlace").text()
 
 
@@ -312,7 +312,7 @@ def test_undo_goes_back_from_the_next_lesson(editor, qtbot):
     editor.settle()
     assert editor.session.document is work
     assert editor.session.files.is_modified
-    assert place(editor) == "5 of 5"
+    assert position_text(editor) == "5 of 5"
     assert not editor.action("toggleLaboratory").isChecked()
     assert editor.window.canvas.framing.shows_all_points
     click(qtbot, find(editor, QPushButton, "lessonBack"))
@@ -320,7 +320,7 @@ def test_undo_goes_back_from_the_next_lesson(editor, qtbot):
     assert editor.session.document is work
     editor.trigger("redo")
     assert editor.curve.name == "Eight points"
-    assert place(editor) == "1 of 5"
+    assert position_text(editor) == "1 of 5"
     assert editor.action("toggleLaboratory").isChecked()
 
 
@@ -343,14 +343,14 @@ def test_opening_another_document_saves_the_work_of_a_lesson(editor, qtbot):
         editor.fit()
         x, y = editor.point(0)
         editor.drag_point(0, to=(x + 0.3, y + 0.2))
-        work, lesson = session.document, place(editor)
+        work, lesson = session.document, position_text(editor)
         open_next()
         editor.settle()
         assert session.document.curves != work.curves
         assert not session.files.is_modified
         editor.trigger("undo")
         assert session.document is work
-        assert place(editor) == lesson
+        assert position_text(editor) == lesson
 
 
 def test_an_unchanged_lesson_leaves_no_undo_step(editor, qtbot):
@@ -359,7 +359,7 @@ def test_an_unchanged_lesson_leaves_no_undo_step(editor, qtbot):
     assert editor.session.undo_stack.count() == 0
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     click(qtbot, find(editor, QPushButton, "lessonAgain"))
-    assert place(editor) == "1 of 5"
+    assert position_text(editor) == "1 of 5"
     assert editor.message == ""
 
 

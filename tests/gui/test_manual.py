@@ -40,7 +40,7 @@ def titles(manual):
     return [pages.item(row).text() for row in range(pages.count())]
 
 
-def shown(manual):
+def page_text(manual):
     return manual.findChild(QTextBrowser, "manualText").toPlainText()
 
 
@@ -57,9 +57,9 @@ def test_every_page_opens_from_the_list(manual, qtbot):
     for row, page in enumerate(PAGES):
         place = pages.visualItemRect(pages.item(row)).center()
         qtbot.mouseClick(pages.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        assert shown(manual).startswith(page.title)
-        assert "](" not in shown(manual)
-        assert shown(manual).count("**") == code_of(page).count("**")
+        assert page_text(manual).startswith(page.title)
+        assert "](" not in page_text(manual)
+        assert page_text(manual).count("**") == code_of(page).count("**")
 
 
 def test_tables_of_a_page_are_tables(manual):
@@ -79,7 +79,10 @@ def test_every_link_leads_to_a_page(manual):
     for name, link in links:
         manual.show_page(name)
         text.anchorClicked.emit(QUrl(link))
-        assert shown(manual).startswith(next(page.title for page in PAGES if page.name == link)), (name, link)
+        assert page_text(manual).startswith(next(page.title for page in PAGES if page.name == link)), (
+            name,
+            link,
+        )
 
 
 def test_a_search_lists_the_pages_with_all_words_and_marks_the_words(manual):
@@ -88,10 +91,10 @@ def test_a_search_lists_the_pages_with_all_words_and_marks_the_words(manual):
     text = manual.findChild(QTextBrowser, "manualText")
     marked = [mark.cursor.selectedText().casefold() for mark in text.extraSelections()]
     assert {"scrub", "λ"} == set(marked)
-    assert len(marked) == shown(manual).casefold().count("scrub") + shown(manual).count("Λ")
+    assert len(marked) == page_text(manual).casefold().count("scrub") + page_text(manual).count("Λ")
     search(manual, "zzz")
     assert titles(manual) == []
-    assert shown(manual) == "No page has all of these words."
+    assert page_text(manual) == "No page has all of these words."
     manual.show_page(PAGES[0].name)
     assert titles(manual) == [page.title for page in PAGES]
 

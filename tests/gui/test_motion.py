@@ -419,13 +419,13 @@ def test_the_window_stays_usable_while_a_film_is_written(editor, motion, tmp_pat
     beat, frames = threading.Event(), []
 
     def write_to_the_beat(document, path, film, report):
-        def told(share, word):
+        def report_frame(share, word):
             beat.clear()
             assert beat.wait(LIMIT), "the window does not go on between two frames"
             frames.append(share)
             report(share, word)
 
-        write_film(document, path, film, report=told)
+        write_film(document, path, film, report=report_frame)
 
     monkeypatch.setattr("app.features.motion.export.write_film", write_to_the_beat)
     timer = QTimer(editor.window, interval=1)
@@ -439,7 +439,7 @@ def test_the_window_stays_usable_while_a_film_is_written(editor, motion, tmp_pat
 
 
 @pytest.fixture
-def shown_at_once(editor):
+def immediate_progress(editor):
     """Have the window show at once what takes long: while it waits the film is written in vain."""
     patience = editor.window.context.work.jobs._patience
     usual = patience.interval()
@@ -448,7 +448,7 @@ def shown_at_once(editor):
     patience.setInterval(usual)
 
 
-def test_a_cancelled_export_leaves_no_file(editor, motion, shown_at_once, tmp_path):
+def test_a_cancelled_export_leaves_no_file(editor, motion, immediate_progress, tmp_path):
     export(editor, motion, tmp_path / "film.gif", filmWidth=200, filmSeconds=40)
 
     def is_offered():

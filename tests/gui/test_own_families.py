@@ -395,7 +395,7 @@ def test_a_changed_file_cancels_a_running_gesture(using, save, path):
 
 
 @pytest.fixture
-def told_soon():
+def immediate_progress():
     """Have it said at once that a file runs, not after a second."""
     patience = family_files()._task._patience
     before = patience.interval()
@@ -404,7 +404,7 @@ def told_soon():
     patience.setInterval(before)
 
 
-@pytest.mark.usefixtures("told_soon")
+@pytest.mark.usefixtures("immediate_progress")
 def test_a_file_that_hangs_is_tried_elsewhere_and_can_be_stopped(editor, save, path, ask):
     runs = path.with_suffix(".runs")
     save(f"open({str(runs)!r}, 'w').close()\nwhile True:\n    pass\n")
@@ -487,7 +487,7 @@ def test_functions_that_hang_for_some_number_of_points_do_not_hold_the_window(
     assert using.session.active_view.is_current
 
 
-@pytest.mark.usefixtures("told_soon")
+@pytest.mark.usefixtures("immediate_progress")
 def test_a_hanging_computation_beside_the_window_can_be_stopped(using, slowing):
     slowing(1e9)
     using.add_point(4.5, 2.5)

@@ -102,7 +102,7 @@ def _own_records(shared_editor):
     assert DISTANCE not in PLOTS
 
 
-def found(editor, kind, name):
+def child(editor, kind, name):
     widget = editor.window.findChild(kind, name)
     assert widget is not None, name
     return widget
@@ -118,7 +118,7 @@ def legend(editor):
     return [row.text for row in shown.rows] if shown is not None and shown.isVisible() else []
 
 
-def seen(editor, colour):
+def share_of_colour(editor, colour):
     """How much of the drawing has a colour, the legend left out."""
     editor.settle()
     canvas = editor.window.canvas
@@ -142,10 +142,10 @@ def test_own_records_are_in_menus_and_the_palette(editor):
 
 
 def test_an_overlay_is_drawn_and_explained_and_follows_drags_and_the_scrub_line(editor):
-    assert not seen(editor, RED)
+    assert not share_of_colour(editor, RED)
     editor.trigger("overlayPlate")
     assert editor.session.scrub.t == pytest.approx(0.5)
-    assert seen(editor, RED) > 100
+    assert share_of_colour(editor, RED) > 100
     assert legend(editor) == ["Plate with 4 corners"]
     (before,) = editor.window.canvas.drawing.annotations.figure_layer.figures
     editor.scrub(0.8)
@@ -160,31 +160,31 @@ def test_an_overlay_is_drawn_and_explained_and_follows_drags_and_the_scrub_line(
     assert not np.array_equal(moved.points, after.points, equal_nan=True)
     editor.escape()
     editor.trigger("overlayPlate")
-    assert not seen(editor, RED)
+    assert not share_of_colour(editor, RED)
     assert legend(editor) == []
 
 
 def test_the_dock_has_the_switch_the_settings_and_the_note_of_an_overlay(editor, qtbot):
     editor.show_dock("analysisDock")
-    qtbot.keyClick(found(editor, QCheckBox, "overlayPlateSwitch"), Qt.Key.Key_Space)
+    qtbot.keyClick(child(editor, QCheckBox, "overlayPlateSwitch"), Qt.Key.Key_Space)
     assert editor.action("overlayPlate").isChecked()
-    note = found(editor, QLabel, "overlayPlateNote")
+    note = child(editor, QLabel, "overlayPlateNote")
     until_settled(editor, lambda: note.text() == "4 corners.")
-    small = seen(editor, RED)
-    size, corners = found(editor, QSlider, "plateSize"), found(editor, QSlider, "plateCorners")
+    small = share_of_colour(editor, RED)
+    size, corners = child(editor, QSlider, "plateSize"), child(editor, QSlider, "plateCorners")
     assert not size.parentWidget().geometry().intersects(corners.parentWidget().geometry())
     for _ in range(4):
         qtbot.keyClick(size, Qt.Key.Key_Right)
-    assert found(editor, QLabel, "plateSizeValue").text() == "× 1.6"
-    large = seen(editor, RED)
+    assert child(editor, QLabel, "plateSizeValue").text() == "× 1.6"
+    large = share_of_colour(editor, RED)
     assert large > 1.5 * small
-    half = found(editor, QCheckBox, "plateHalf")
+    half = child(editor, QCheckBox, "plateHalf")
     assert (half.isEnabled(), half.isChecked(), half.text()) == (True, False, "Half as large")
     qtbot.keyClick(half, Qt.Key.Key_Space)
     assert half.isChecked()
-    assert seen(editor, RED) < large / 2
+    assert share_of_colour(editor, RED) < large / 2
     qtbot.keyClick(half, Qt.Key.Key_Space)
-    assert (seen(editor, RED), half.isChecked()) == (large, False)
+    assert (share_of_colour(editor, RED), half.isChecked()) == (large, False)
     qtbot.keyClick(corners, Qt.Key.Key_Right)
     until_settled(editor, lambda: note.text() == "5 corners.")
     assert legend(editor) == ["Plate with 5 corners"]
@@ -201,26 +201,26 @@ def test_a_heavy_overlay_settles_and_the_legend_explains_its_findings(editor):
     assert legend(editor) == ["Middles …"]
     MAY_END.set()
     until_settled(editor, lambda: legend(editor) == ["Middle"])
-    assert seen(editor, LIME) > 10
+    assert share_of_colour(editor, LIME) > 10
     MAY_END.clear()
     x, y = editor.point(3)
     editor.press((x, y))
     editor.move((x + 0.3, y + 0.3))
     # What belongs to another curve is not shown.
     assert legend(editor) == ["Middles …"]
-    assert not seen(editor, LIME)
+    assert not share_of_colour(editor, LIME)
     MAY_END.set()
     editor.escape()
-    note = found(editor, QLabel, "overlayMiddlesNote")
+    note = child(editor, QLabel, "overlayMiddlesNote")
     count = len(editor.session.active_view.points) - 1
     until_settled(editor, lambda: note.text() == f"{count} dots.")
 
 
 def test_a_plot_is_switched_on_drawn_and_read_at_the_scrub_line(editor, qtbot):
     editor.trigger("plotSpeed")
-    qtbot.mouseClick(found(editor, QToolButton, "plotDistanceChoice"), Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(child(editor, QToolButton, "plotDistanceChoice"), Qt.MouseButton.LeftButton)
     assert editor.action("plotDistance").isChecked()
-    pane = found(editor, PlotPane, "plotPane")
+    pane = child(editor, PlotPane, "plotPane")
     assert [plot.title for plot in pane.canvas.plots] == ["Speed |c′|", "Distance |c|"]
     (line,) = pane.canvas.plots[1].lines
     curve = editor.session.active_view.curve

@@ -82,7 +82,7 @@ def tips_of_items(view):
             yield tip
 
 
-def shown():
+def widget_texts():
     """Every text that is on a widget now: where, as it was given, as it is seen."""
     # Shiboken wraps all of them one by one, and a collection meanwhile would take some away.
     gc.collect()
@@ -105,7 +105,7 @@ def shown():
 def check(*expected):
     """Hold every text that has what was planted to show it as it is; `expected` name places that have it."""
     wrong, found = [], set()
-    for where, given, seen in shown():
+    for where, given, seen in widget_texts():
         if "x<" in given or "x&lt;" in given:
             found.add(where)
             if not any(each in seen for each in (NAME, FILE, SHORT)):

@@ -88,7 +88,7 @@ class Table:
     def value(self, row, column):
         return self.model.data(self.model.index(row, column), Role.EditRole)
 
-    def shown(self, row, column):
+    def displayed(self, row, column):
         return self.model.data(self.model.index(row, column), Role.DisplayRole)
 
     def click(self, row, column, modifier=Qt.KeyboardModifier.NoModifier, *, double=False):
@@ -182,7 +182,7 @@ def test_a_hidden_panel_has_the_numbers(qtbot):
 
 def test_numbers_are_rounded_for_the_eye_only(table):
     table.session.commit(point_edits.set_position(table.session.document, 0, 0, (1 / 3, -2 / 3)), "Move")
-    assert (table.shown(0, X), table.shown(0, Y)) == ("0.333333", "−0.666667")
+    assert (table.displayed(0, X), table.displayed(0, Y)) == ("0.333333", "−0.666667")
     assert (table.value(0, X), table.value(0, Y)) == (1 / 3, -2 / 3)
     assert "0.3333333333333333" in table.model.data(table.model.index(0, X), Role.ToolTipRole)
 
@@ -200,8 +200,8 @@ def test_rows_have_the_colours_of_points(table, theme):
 def test_without_a_curve_there_are_no_parameters_but_the_points_stay(table):
     table.session.commit(point_edits.set_position(table.session.document, 0, 1, (3.1, 3.35)), "Move")
     assert table.session.active_view.problem
-    assert table.shown(3, T) == "–"
-    assert table.shown(1, X) == "3.1"
+    assert table.displayed(3, T) == "–"
+    assert table.displayed(1, X) == "3.1"
     assert not table.model.setData(table.model.index(3, T), 0.5)
     assert "no parameters" in table.message
 
@@ -301,7 +301,7 @@ def test_an_invalid_number_is_discarded_when_the_editor_loses_focus(table):
     table.qtbot.keyClicks(editor, "abc")
     table.click(5, Y)
     assert table.session.document is before
-    assert table.shown(3, X) == "1.25"
+    assert table.displayed(3, X) == "1.25"
     assert table.message == ""
 
 
@@ -313,7 +313,7 @@ def test_half_typed_numbers_do_not_reach_the_curve(table):
     table.qtbot.keyClick(editor, Qt.Key.Key_Escape)
     assert table.session.document is before
     assert table.session.undo_stack.count() == 1
-    assert table.shown(3, X) == "1.25"
+    assert table.displayed(3, X) == "1.25"
 
 
 def test_an_unchanged_text_is_no_edit(table):
@@ -386,7 +386,7 @@ def test_numbers_with_a_decimal_comma(table):
     QLocale.setDefault(QLocale("de_DE"))
     table.type(3, X, "1,5")
     assert table.point(3).x == 1.5
-    assert table.shown(3, X) == "1,5"
+    assert table.displayed(3, X) == "1,5"
     table.type(3, X, "1.234,5")
     assert table.point(3).x == 1.5
     assert "group separators" in table.message
@@ -936,7 +936,7 @@ def test_rounding_residues_are_displayed_as_zero_and_stored_exactly(hermite):
     document = point_edits.set_velocity(hermite.session.document, 0, 2, (8e-16, -1043.4))
     hermite.session.commit(document, "Set")
     assert float(texts(hermite, VX)[2]) == 0
-    assert hermite.shown(2, VX) == "0"
+    assert hermite.displayed(2, VX) == "0"
     assert texts(hermite, VY)[2].startswith("−1043")
     assert "8e−16" in hermite.model.data(hermite.model.index(2, VX), Role.ToolTipRole)
     assert hermite.edit(2, VX).text() == "8e-16"

@@ -37,7 +37,7 @@ def letter(editor):
     return editor
 
 
-def places(editor):
+def positions(editor):
     """The points of all curves, (curves, 4, 2)."""
     return np.array([[point.position for point in curve.points] for curve in editor.session.document.curves])
 
@@ -47,11 +47,11 @@ def selected(editor):
 
 
 def ways(editor, before):
-    return places(editor) - before
+    return positions(editor) - before
 
 
 def test_a_band_over_both_contours_and_a_drag_moves_the_stem(letter):
-    before, document = places(letter), letter.session.document
+    before, document = positions(letter), letter.session.document
     letter.press((-4.0, 0.7))
     letter.move((-1.0, -0.7))
     assert letter.status.startswith("2 points in 2 curves selected")
@@ -102,7 +102,7 @@ def test_a_click_or_a_drag_of_an_unselected_point_acts_on_that_point_only(letter
     letter.click((3.0, 0.0))
     letter.click((1.5, 0.0))
     assert (selected(letter), letter.curve.name) == ({1: {0}}, "Inner")
-    before = places(letter)
+    before = positions(letter)
     letter.drag((3.0, 0.0), (3.5, 0.0))
     way = np.zeros((3, 4, 2))
     way[0, 0] = (0.5, 0.0)
@@ -116,7 +116,7 @@ def test_escape_cancels_a_drag_and_a_band_over_several_curves(letter):
     letter.press((-3.0, 0.0))
     letter.move((-3.5, 1.0))
     letter.move((-2.0, 2.0))
-    assert (places(letter)[:2, 2] != [(-3.0, 0.0), (-1.5, 0.0)]).any(axis=1).all()
+    assert (positions(letter)[:2, 2] != [(-3.0, 0.0), (-1.5, 0.0)]).any(axis=1).all()
     letter.escape()
     letter.release((-2.0, 2.0))
     assert (letter.session.document, letter.session.undo_stack.count()) == (document, count)
@@ -131,13 +131,13 @@ def test_escape_cancels_a_drag_and_a_band_over_several_curves(letter):
 
 
 def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
-    begun, before = letter.session.document, places(letter)
+    begun, before = letter.session.document, positions(letter)
     letter.key(Key.Key_A, CTRL)
     assert selected(letter) == {0: set(range(4)), 1: set(range(4))}
     assert letter.status == "8 points in 2 curves selected."
     letter.key(Key.Key_Right)
     way = ways(letter, before)
-    step = places(letter)[0, 1, 0]
+    step = positions(letter)[0, 1, 0]
     assert step > 0
     assert way[:2] == pytest.approx(np.broadcast_to([step, 0.0], (2, 4, 2)), abs=1e-12)
     assert not way[2].any()
@@ -145,7 +145,7 @@ def test_all_points_are_nudged_turned_and_deleted_by_keys(letter):
     letter.trigger("undo")
     transform(letter, "R", "90")
     turned = np.stack([-before[:2, :, 1], before[:2, :, 0]], axis=2)
-    assert places(letter)[:2] == pytest.approx(turned, abs=1e-12)
+    assert positions(letter)[:2] == pytest.approx(turned, abs=1e-12)
     letter.trigger("undo")
     # Inner goes with all its points, Outer keeps one.
     letter.click((3.0, 0.0), keys=SHIFT)
@@ -175,7 +175,9 @@ def test_the_box_surrounds_the_points_of_both_contours_and_scales_both(letter):
     assert (box.low, box.high) == ((-3.0, 0.0), (-1.5, 0.0))
     x, y = letter.grip(-1, 0)
     letter.drag((x, y), (x - 1.5, y))
-    assert places(letter)[:2, 2] == pytest.approx(np.array([(-4.5, 0.0), (-1.5, 0.0)]), abs=2 * letter.pixel)
+    assert positions(letter)[:2, 2] == pytest.approx(
+        np.array([(-4.5, 0.0), (-1.5, 0.0)]), abs=2 * letter.pixel
+    )
     assert undo_text(letter) == "Scale 2 points in 2 curves"
 
 
@@ -186,7 +188,7 @@ def test_kinds_and_alignment_are_of_the_points_of_both_contours(letter):
     assert letter.status.startswith("Corner at 2 points in 2 curves.")
     assert letter.action("tangentCorner").isChecked()
     letter.trigger("alignLeft")
-    assert places(letter)[:2, 2, 0].tolist() == [-3.0, -3.0]
+    assert positions(letter)[:2, 2, 0].tolist() == [-3.0, -3.0]
     letter.trigger("resetVelocities")
     outer, inner, _ = letter.session.document.curves
     assert (outer.points[2].velocity, inner.points[2].velocity) == (None, None)
@@ -199,7 +201,7 @@ def test_points_of_selected_curves_are_selected_together(letter):
     # Within the box around them, where a drag moves them all.
     letter.drag((2.0, 0.5), (5.2, -0.5), keys=SHIFT)
     assert selected(letter) == {0: {0}, 2: {2}}
-    before = places(letter)
+    before = positions(letter)
     letter.drag((3.0, 0.0), (3.0, 0.5))
     way = np.zeros((3, 4, 2))
     way[[0, 2], [0, 2]] = (0.0, 0.5)
@@ -227,7 +229,7 @@ def test_a_drag_snaps_to_the_points_that_stay_and_to_no_other(letter):
     letter.move((0.0, 0.0))
     letter.move((4.97, 0.02))
     letter.release((4.97, 0.02))
-    assert places(letter)[:2, 2].tolist() == [[3.5, 0.0], [5.0, 0.0]]
+    assert positions(letter)[:2, 2].tolist() == [[3.5, 0.0], [5.0, 0.0]]
 
 
 def test_points_of_both_contours_are_copied_and_doubled_as_curves(letter):
@@ -379,10 +381,10 @@ def test_the_panel_counts_the_points_of_all_contours(letter):
 
 def test_a_typed_width_scales_both_contours(letter):
     letter.trigger("openTransform")
-    before = places(letter)[:2, :, 0]
+    before = positions(letter)[:2, :, 0]
     retype(letter.window.findChild(QLineEdit, "transformWidth"), "90")
     assert letter.window.canvas.tools.box.bounds.size[0] == pytest.approx(90)
-    factors = np.diff(places(letter)[:2, :, 0]) / np.diff(before)
+    factors = np.diff(positions(letter)[:2, :, 0]) / np.diff(before)
     assert factors == pytest.approx(factors[0, 0] * np.ones(factors.shape), abs=1e-9)
     assert factors[0, 0] > 1.5
 
@@ -394,9 +396,11 @@ def test_flips_and_quarter_turns_transform_all_contours(letter):
         (Key.Key_V, SHIFT, ((1, 0), (0, -1))),
         (Key.Key_BracketLeft, CTRL, ((0, -1), (1, 0))),
     ):
-        before, centre = places(letter)[:2], np.array(target.centre)
+        before, centre = positions(letter)[:2], np.array(target.centre)
         letter.key(key, held)
-        assert places(letter)[:2] == pytest.approx((before - centre) @ np.array(linear).T + centre, abs=1e-9)
+        assert positions(letter)[:2] == pytest.approx(
+            (before - centre) @ np.array(linear).T + centre, abs=1e-9
+        )
 
 
 @pytest.mark.parametrize(
@@ -408,22 +412,22 @@ def test_flips_and_quarter_turns_transform_all_contours(letter):
     ],
 )
 def test_g_s_and_r_transform_all_contours(letter, key, typed, linear, shift):
-    before, centre = places(letter), np.array(letter.window.canvas.tools.box.centre)
+    before, centre = positions(letter), np.array(letter.window.canvas.tools.box.centre)
     letter.hover((4, 4))
     letter.key(key)
     letter.type_amount(typed)
     assert letter.status.startswith("All 8 points in 2 curves: ")
     letter.key(Key.Key_Return)
     wanted = (before[:2] - centre) @ linear + centre + shift
-    assert places(letter)[:2] == pytest.approx(wanted, abs=1e-9)
+    assert positions(letter)[:2] == pytest.approx(wanted, abs=1e-9)
     letter.trigger("undo")
-    assert places(letter) == pytest.approx(before, abs=0)
+    assert positions(letter) == pytest.approx(before, abs=0)
 
 
 def test_reverse_opening_and_the_family_are_of_all_contours_where_no_point_is_selected(letter):
-    before = places(letter)
+    before = positions(letter)
     letter.key(Key.Key_R, CTRL)
-    after = places(letter)
+    after = positions(letter)
     assert [{*map(tuple, each)} for each in after] == [{*map(tuple, each)} for each in before]
     assert [(one == other).all() for one, other in zip(after, before, strict=True)] == [False, False, True]
     letter.trigger("closeCurve")
@@ -434,7 +438,7 @@ def test_reverse_opening_and_the_family_are_of_all_contours_where_no_point_is_se
     assert families == ["lagrange", "lagrange", "hermite"]
     letter.trigger("undo")
     letter.click((0, 3))
-    reversed_ = places(letter)
+    reversed_ = positions(letter)
     letter.key(Key.Key_R, CTRL)
-    assert (places(letter)[1] == reversed_[1]).all()
-    assert (places(letter)[0] != reversed_[0]).any()
+    assert (positions(letter)[1] == reversed_[1]).all()
+    assert (positions(letter)[0] != reversed_[0]).any()

@@ -12,7 +12,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 RIGHT, UP = Qt.Key.Key_Right, Qt.Key.Key_Up
 
 
-def shown_place(editor):
+def position_text(editor):
     """The numbers at the right of the status line."""
     editor.wait_for_rest(up_to_ms=50)
     return editor.window.statusBar().findChild(QLabel, "pointerPlace").text()
@@ -35,7 +35,7 @@ def test_the_status_line_shows_the_snapped_position_not_the_pointer(arch):
     place = arch.point(1)
     assert place == pytest.approx((1 + near, 2.0), abs=1e-12)
     assert f"Point 1 at {place[0]:.4g}, 2 · moved {near:.4g}, 0" in arch.status
-    assert shown_place(arch) == f"x {place[0]:.4g}   y 2"
+    assert position_text(arch) == f"x {place[0]:.4g}   y 2"
     arch.escape()
     arch.release((1 + near, 2.0))
 
@@ -44,7 +44,7 @@ def test_the_status_line_shows_the_position_along_one_axis(arch):
     arch.press(arch.point(2), keys=SHIFT)
     arch.move((4.0, 2.2), keys=SHIFT)
     assert f"Point 2 at {arch.point(2)[0]:.4g}, 2 · " in arch.status
-    assert shown_place(arch).endswith("y 2")
+    assert position_text(arch).endswith("y 2")
     arch.release((4.0, 2.2), keys=SHIFT)
 
 
@@ -53,14 +53,14 @@ def test_the_status_line_shows_the_offset_of_several_points(arch):
     arch.press(arch.point(1))
     arch.move((1.5, 2.0))
     assert arch.status.startswith(f"Move 2 points by {arch.point(1)[0] - 1:.4g}, 0")
-    assert shown_place(arch).startswith(f"x {arch.point(1)[0]:.4g}")
+    assert position_text(arch).startswith(f"x {arch.point(1)[0]:.4g}")
     arch.release((1.5, 2.0))
 
 
 def test_the_position_of_the_pointer_returns_after_the_drag(arch):
     arch.drag_point(1, to=(1.5, 2.25))
     arch.hover((5.0, 1.0))
-    assert shown_place(arch).startswith("x 5") or shown_place(arch).startswith("x 4.99")
+    assert position_text(arch).startswith("x 5") or position_text(arch).startswith("x 4.99")
 
 
 def test_a_transform_by_key_shows_the_position_of_its_single_point(arch):
@@ -71,10 +71,10 @@ def test_a_transform_by_key_shows_the_position_of_its_single_point(arch):
     assert arch.status.startswith("Move 2, 0 · Point 1 at 3, 2 · ")
     assert arch.window.canvas.marks.note.text == "Move 2, 0"
     arch.hover((1.5, 2.5))
-    assert shown_place(arch) == "x 3   y 2"
+    assert position_text(arch) == "x 3   y 2"
     arch.key(Qt.Key.Key_S)
     arch.hover((1.6, 2.5))
-    assert shown_place(arch).startswith("x 1.6") or shown_place(arch).startswith("x 1.59")
+    assert position_text(arch).startswith("x 1.6") or position_text(arch).startswith("x 1.59")
     arch.escape()
 
 

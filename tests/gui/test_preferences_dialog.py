@@ -42,7 +42,7 @@ def spacing(dialog):
     return dialog.findChild(QLineEdit, "gridSpacing")
 
 
-def place(editor):
+def pointer_position(editor):
     editor.wait_for_rest()
     return editor.window.status_line.findChild(QLabel, "pointerPlace").text()
 
@@ -75,15 +75,15 @@ def test_the_unit_is_that_of_new_documents(editor, dialog):
     retype(units(dialog).lineEdit(), "mm")
     assert editor.window.preferences.unit_name == "mm"
     editor.hover((1.5, 1.0))
-    assert "mm" not in place(editor)
+    assert "mm" not in pointer_position(editor)
     before = editor.session.document
     editor.window.context.files.new()
     assert (before.unit, editor.session.document.unit) == ("", "mm")
     editor.hover((1.0, 1.0))
-    assert place(editor).count(" mm") == 2
+    assert pointer_position(editor).count(" mm") == 2
     retype(units(dialog).lineEdit(), "none")
     assert editor.window.preferences.unit_name == ""
-    assert place(editor).count(" mm") == 2
+    assert pointer_position(editor).count(" mm") == 2
 
 
 def test_a_click_selects_the_unit_and_an_unknown_one_gets_a_note(editor, dialog):

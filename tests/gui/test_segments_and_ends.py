@@ -33,7 +33,7 @@ def segment(view, index):
     return view.curve.evaluate(np.linspace(*view.parameters[index : index + 2], 9))
 
 
-def places(curve):
+def positions(curve):
     return [point.position for point in curve.points]
 
 
@@ -43,7 +43,7 @@ def test_a_closed_curve_opens_where_a_segment_is_deleted_and_then_falls_apart(ri
     ring.key(Key.Key_K, ALT)
     assert ring.session.undo_stack.undoText() == "Delete segment of Ring"
     assert not ring.curve.is_closed
-    assert places(ring.curve) == [*RING[2:], *RING[:2]]
+    assert positions(ring.curve) == [*RING[2:], *RING[:2]]
     after = ring.session.active_view
     for old, new in ((2, 0), (3, 1), (4, 2), (0, 3)):
         np.testing.assert_allclose(segment(after, new), segment(before, old), atol=1e-12)
@@ -68,13 +68,13 @@ def test_two_ends_become_one_point_halfway(editor):
     editor.select([2])
     editor.click((2.5, 0.5), keys=SHIFT)
     editor.key(Key.Key_J, SHIFT)
-    assert places(editor.curve) == [(0, 0), (1, 1), (2.25, 0.25), (4, 1), (5, 0)]
+    assert positions(editor.curve) == [(0, 0), (1, 1), (2.25, 0.25), (4, 1), (5, 0)]
     assert len(editor.session.document.curves) == 1
     assert editor.status == "Merged two ends into one point: each moved by 0.35."
     editor.select([0, 4])
     editor.key(Key.Key_J, SHIFT)
     assert editor.curve.is_closed
-    assert places(editor.curve)[0] == (2.5, 0)
+    assert positions(editor.curve)[0] == (2.5, 0)
     assert len(editor.curve.points) == 4
 
 
@@ -117,10 +117,10 @@ def test_a_click_on_a_segment_selects_both_ends_and_keys_act_on_the_ends(ring):
     ring.key(Key.Key_4, ALT)
     assert is_straight(ring.curve, 2)
     ring.key(Key.Key_Up)
-    moved = [index for index, at in enumerate(places(ring.curve)) if at != RING[index]]
+    moved = [index for index, at in enumerate(positions(ring.curve)) if at != RING[index]]
     assert moved == [2, 3]
     ring.key(Key.Key_Delete)
-    assert places(ring.curve) == [RING[0], RING[1], RING[4]]
+    assert positions(ring.curve) == [RING[0], RING[1], RING[4]]
 
 
 def test_a_drag_bends_a_segment_whose_ends_are_selected(ring):
@@ -129,7 +129,7 @@ def test_a_drag_bends_a_segment_whose_ends_are_selected(ring):
     x, y = on_segment(ring, 1, 0.5)
     ring.drag((x, y), (x + 0.3, y))
     assert ring.session.undo_stack.undoText().startswith("Bend curve at t")
-    assert places(ring.curve) == list(RING)
+    assert positions(ring.curve) == list(RING)
     assert ring.session.selected.points == {1, 2}
     assert not np.allclose(segment(ring.session.active_view, 1), segment(before, 1), atol=0.1)
 

@@ -49,8 +49,8 @@ def five(editor):
     return editor
 
 
-def chosen(editor):
-    """The names of the chosen curves, the one that is edited first."""
+def selected_names(editor):
+    """Return the names of the selected curves, the active one first."""
     curves, session = editor.session.document.curves, editor.session
     others = sorted(session.selected.curves - {session.active_index})
     assert session.active_index in session.selected.curves
@@ -78,37 +78,37 @@ def positions(editor, row):
 
 def test_control_click_adds_and_removes(five):
     click_row(five, 3, CTRL)
-    assert chosen(five) == "BD"
+    assert selected_names(five) == "BD"
     click_row(five, 0, CTRL)
-    assert chosen(five) == "BAD"
+    assert selected_names(five) == "BAD"
     click_row(five, 3, CTRL)
-    assert chosen(five) == "BA"
+    assert selected_names(five) == "BA"
     assert undo_text(five) == "Begin"
 
 
 def test_removing_the_edited_curve_from_the_selection_edits_its_neighbour(five):
     choose(five, "BCE")
     click_row(five, 1, CTRL)
-    assert chosen(five) == "CE"
+    assert selected_names(five) == "CE"
     click_row(five, 4, CTRL)
     click_row(five, 2, CTRL)
-    assert chosen(five) == "C"
+    assert selected_names(five) == "C"
 
 
 def test_a_plain_click_selects_one_curve(five):
     choose(five, "BCE")
     click_row(five, 1)
-    assert chosen(five) == "B"
+    assert selected_names(five) == "B"
     choose(five, "BCE")
     click_row(five, 4)
-    assert chosen(five) == "E"
+    assert selected_names(five) == "E"
 
 
 def test_shift_click_extends_from_the_edited_curve(five):
     click_row(five, 3, SHIFT)
-    assert chosen(five) == "BCD"
+    assert selected_names(five) == "BCD"
     click_row(five, 0, SHIFT)
-    assert chosen(five) == "BA"
+    assert selected_names(five) == "BA"
 
 
 def test_shift_and_arrows_extend_and_shrink(five):
@@ -124,10 +124,10 @@ def test_shift_and_arrows_extend_and_shrink(five):
     ):
         QTest.keyClick(view, getattr(Qt.Key, f"Key_{key}"), SHIFT)
         five.settle()
-        assert chosen(five) == expected
+        assert selected_names(five) == expected
     QTest.keyClick(view, Qt.Key.Key_Up)
     five.settle()
-    assert chosen(five) == "C"
+    assert selected_names(five) == "C"
 
 
 def test_control_a_in_the_list_selects_all_and_on_the_canvas_the_points(five):
@@ -135,7 +135,7 @@ def test_control_a_in_the_list_selects_all_and_on_the_canvas_the_points(five):
     view.setFocus()
     QTest.keyClick(view, Qt.Key.Key_A, CTRL)
     five.settle()
-    assert chosen(five) == "BACDE"
+    assert selected_names(five) == "BACDE"
     assert five.session.selection == frozenset()
     five.key(Qt.Key.Key_A, CTRL)
     assert five.session.selection == {0, 1, 2, 3}
@@ -143,10 +143,10 @@ def test_control_a_in_the_list_selects_all_and_on_the_canvas_the_points(five):
 
 def test_the_action_selects_all(five):
     five.run_command("Select All Curves")
-    assert chosen(five) == "BACDE"
+    assert selected_names(five) == "BACDE"
     # Once more is harmless, and no warning.
     five.key(Qt.Key.Key_A, CTRL | SHIFT)
-    assert chosen(five) == "BACDE"
+    assert selected_names(five) == "BACDE"
     assert (five.status, five.window.status_line.is_refusal) == ("All 5 curves are selected.", False)
     assert undo_text(five) == "Begin"
 
@@ -166,18 +166,18 @@ def test_shift_click_adds_another_curve_to_the_selection(five):
     five.hover(at)
     assert five.window.status_line.hint.startswith("Drag to move “D” · click to edit it")
     five.click(at, keys=SHIFT)
-    assert chosen(five) == "BD"
+    assert selected_names(five) == "BD"
     assert five.session.selection == frozenset()
     assert five.status == "2 curves selected, “B” is edited."
     five.click(at, keys=SHIFT)
-    assert chosen(five) == "B"
+    assert selected_names(five) == "B"
     assert five.status == "Only “B” is selected."
 
 
 def test_a_click_on_a_selected_curve_edits_that_curve_alone(five):
     choose(five, "BD")
     five.click(on_curve(five, 3))
-    assert chosen(five) == "D"
+    assert selected_names(five) == "D"
 
 
 def test_clicks_deselect_the_points_first_and_then_the_other_curves(five):
@@ -186,7 +186,7 @@ def test_clicks_deselect_the_points_first_and_then_the_other_curves(five):
     assert five.session.selection == {1}
     for expected in ("BD", "B"):
         five.click((-1.5, 4.4))
-        assert (five.session.selection, chosen(five)) == (frozenset(), expected)
+        assert (five.session.selection, selected_names(five)) == (frozenset(), expected)
 
 
 def test_the_status_line_names_the_curves_affected_by_tools(five):
@@ -215,26 +215,26 @@ def test_the_sheet_names_the_selected_curves(five):
 def test_the_selection_follows_its_curves_through_changes_of_the_list(five):
     choose(five, "BDE")
     five.trigger("raiseCurve")
-    assert (names(five), chosen(five)) == ("ACBDE", "BDE")
+    assert (names(five), selected_names(five)) == ("ACBDE", "BDE")
     five.trigger("undo")
-    assert (names(five), chosen(five)) == ("ABCDE", "BDE")
+    assert (names(five), selected_names(five)) == ("ABCDE", "BDE")
     click_row(five, 2, spot=Spot.EYE)
-    assert (undo_text(five), chosen(five)) == ("Hide C", "BDE")
+    assert (undo_text(five), selected_names(five)) == ("Hide C", "BDE")
     five.trigger("undo")
     five.trigger("reverseCurve")
-    assert chosen(five) == "BDE"
+    assert selected_names(five) == "BDE"
 
 
 def test_replacing_the_edited_curve_ends_the_selection(five):
     choose(five, "BDE")
     five.trigger("newCurve")
-    assert chosen(five) == "Curve 1"
+    assert selected_names(five) == "Curve 1"
     five.trigger("undo")
-    assert chosen(five) == "B"
+    assert selected_names(five) == "B"
     five.trigger("selectTool")
     choose(five, "BDE")
     five.trigger("nextCurve")
-    assert chosen(five) == "A"
+    assert selected_names(five) == "A"
 
 
 def test_the_choice_ends_with_the_document(five):
@@ -286,7 +286,7 @@ def test_all_selected_curves_are_deleted_in_one_step(five, how):
     else:
         QTest.keyClick(five.window.commands[CurveListCommands].panel.view, Qt.Key.Key_Delete)
         five.settle()
-    assert (names(five), chosen(five), undo_text(five)) == ("AC", "C", "Delete 3 curves")
+    assert (names(five), selected_names(five), undo_text(five)) == ("AC", "C", "Delete 3 curves")
     assert five.action("deleteCurve").text() == "Delete Curve"
     five.trigger("undo")
     assert five.session.document == document
@@ -356,9 +356,9 @@ def test_dragging_one_selected_curve_moves_all(five):
     assert by == pytest.approx((0.5, -0.25), abs=five.pixel)
     assert moved_by(five, before, 1) == pytest.approx(by)
     assert [moved_by(five, before, row) for row in (0, 2, 4)] == [(0, 0)] * 3
-    assert (undo_text(five), chosen(five)) == ("Move 2 curves", "BD")
+    assert (undo_text(five), selected_names(five)) == ("Move 2 curves", "BD")
     five.trigger("undo")
-    assert (five.session.document, chosen(five)) == (before, "BD")
+    assert (five.session.document, selected_names(five)) == (before, "BD")
 
 
 def test_shift_keeps_the_drag_to_an_axis(five):
@@ -367,7 +367,7 @@ def test_shift_keeps_the_drag_to_an_axis(five):
     x, y = on_curve(five, 3)
     five.drag((x, y), (x + 0.5, y - 0.2), keys=SHIFT)
     assert moved_by(five, before, 1)[1] == 0.0
-    assert chosen(five) == "BD"
+    assert selected_names(five) == "BD"
 
 
 def test_dragging_an_unselected_curve_moves_that_curve_alone(five):
@@ -376,7 +376,7 @@ def test_dragging_an_unselected_curve_moves_that_curve_alone(five):
     x, y = on_curve(five, 4)
     five.drag((x, y), (x, y + 0.5))
     assert undo_text(five) == "Move E"
-    assert chosen(five) == "BD"
+    assert selected_names(five) == "BD"
     now = five.session.document
     assert [now.curves[at] is before.curves[at] for at in range(5)] == [True, True, True, True, False]
 
@@ -389,7 +389,7 @@ def test_bending_and_points_of_the_edited_curve_work_as_ever(five):
     five.drag_point(1, to=(1.2, 3.4))
     assert undo_text(five) == "Move point 1"
     assert five.session.document.curves[3] is before.curves[3]
-    assert chosen(five) == "BD"
+    assert selected_names(five) == "BD"
 
 
 @pytest.mark.parametrize(
@@ -444,7 +444,7 @@ def test_a_transform_of_all_selected_curves_is_cancelled(five, how):
             five.drag_pixels(five.window.canvas, place, place, button=RIGHT)
         assert five.session.document is document, key
         assert five.session.undo_stack.count() == steps, key
-        assert chosen(five) == "BCE", key
+        assert selected_names(five) == "BCE", key
 
 
 @pytest.mark.parametrize("how", ["Escape", "right button"])
@@ -607,7 +607,7 @@ def test_choosing_drops_no_row_drag(five):
     QTest.mouseMove(view.viewport(), QPoint(place.x(), 4))
     QTest.mouseRelease(view.viewport(), LEFT, CTRL, QPoint(place.x(), 4))
     five.settle()
-    assert (names(five), chosen(five)) == ("ABCDE", "BD")
+    assert (names(five), selected_names(five)) == ("ABCDE", "BD")
 
 
 # Clipboard
@@ -632,9 +632,9 @@ def test_all_selected_curves_are_copied_and_pasted(five):
 def test_all_selected_curves_are_cut(five):
     choose(five, "BD")
     five.key(Qt.Key.Key_X, CTRL)
-    assert (names(five), chosen(five), undo_text(five)) == ("ACE", "C", "Cut 2 curves")
+    assert (names(five), selected_names(five), undo_text(five)) == ("ACE", "C", "Cut 2 curves")
     five.key(Qt.Key.Key_V, CTRL)
-    assert (names(five), chosen(five)) == ("ACEBD", "BD")
+    assert (names(five), selected_names(five)) == ("ACEBD", "BD")
 
 
 def test_pasting_without_curves_on_the_clipboard_is_refused(five):
@@ -680,12 +680,12 @@ def test_selected_curves_are_raised_and_lowered_together(five, name, order):
     five.session.selected.set_curves({1, 3})
     five.trigger(name)
     verb = "Raise" if name == "raiseCurve" else "Lower"
-    assert (names(five), chosen(five)) == (order, "BD")
+    assert (names(five), selected_names(five)) == (order, "BD")
     assert undo_text(five) == f"{verb} 2 curves"
     assert five.status.startswith("Moved 2 curves one step to the ")
     assert five.curve.name == "B"
     five.trigger("undo")
-    assert (names(five), chosen(five)) == ("ABCDE", "BD")
+    assert (names(five), selected_names(five)) == ("ABCDE", "BD")
 
 
 @pytest.mark.parametrize(
@@ -699,13 +699,13 @@ def test_selected_curves_go_to_the_top_and_the_bottom_together(five, key, order,
     five.session.selected.set_curves({1, 3})
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     five.key(key, both)
-    assert (names(five), chosen(five), five.curve.name) == (order, "BD", "B")
+    assert (names(five), selected_names(five), five.curve.name) == (order, "BD", "B")
     assert undo_text(five) == name
     steps = five.session.undo_stack.count()
     five.key(key, both)
     assert five.session.undo_stack.count() == steps, "they are there already"
     five.trigger("undo")
-    assert (names(five), chosen(five)) == ("ABCDE", "BD")
+    assert (names(five), selected_names(five)) == ("ABCDE", "BD")
 
 
 def test_selected_rows_are_dragged_together(five):
@@ -715,12 +715,12 @@ def test_selected_rows_are_dragged_together(five):
     QTest.mousePress(view.viewport(), LEFT, pos=start)
     for y in (start.y() - 8, end - 1):
         QTest.mouseMove(view.viewport(), QPoint(start.x(), y))
-    assert chosen(five) == "BC"
+    assert selected_names(five) == "BC"
     QTest.mouseRelease(view.viewport(), LEFT, pos=QPoint(start.x(), end - 1))
-    assert (names(five), chosen(five), undo_text(five)) == ("ADEBC", "BC", "Reorder 2 curves")
+    assert (names(five), selected_names(five), undo_text(five)) == ("ADEBC", "BC", "Reorder 2 curves")
     # A click without a drag chooses the one alone, as before.
     QTest.mouseClick(view.viewport(), LEFT, pos=view.parts.row_rect(4).center())
-    assert chosen(five) == "C"
+    assert selected_names(five) == "C"
 
 
 def test_rename_while_a_name_is_typed_commits_the_name_and_edits_again(editor):

@@ -237,11 +237,11 @@ def test_actions_are_checked_by_the_document_that_the_panels_show(editor):
     seen = []
     render = editor.window.commands.render_panels
 
-    def noted(view):
+    def recording(view):
         seen.append(view.source.family is editor.window.basis_panel.drawing._view.source.family)
         render(view)
 
-    editor.window.commands.render_panels = noted
+    editor.window.commands.render_panels = recording
     try:
         editor.trigger("undo")
     finally:

@@ -86,7 +86,7 @@ def top_of(editor, name):
     return view_of(editor).parts.entry_rect(row_named(editor, name)).top()
 
 
-def seen_in_list(editor, name):
+def row_colours(editor, name):
     """The colours along the middle of a row's name."""
     view, rect = (
         view_of(editor),
@@ -108,7 +108,7 @@ def groups(editor):
     return [curve.groups for curve in editor.session.document.curves]
 
 
-def chosen(editor):
+def selected_names(editor):
     return {editor.session.document.curves[place].name for place in editor.session.selected.curves}
 
 
@@ -144,12 +144,12 @@ def test_combined_curves_are_one_shape_with_a_hole(rings):
     assert {curve.style for curve in rings.session.document.curves[:2]} == {
         replace(RING, fill_rule=FillRule.EVENODD)
     }
-    assert chosen(rings) == {"Outer", "Inner"}
+    assert selected_names(rings) == {"Outer", "Inner"}
     rings.trigger("undo")
     assert shapes(rings) == ["", "", ""]
 
 
-def seen(editor, x, y):
+def colour_at(editor, x, y):
     """The colour of the canvas at a place of the plane."""
     canvas = editor.window.canvas
     editor.settle()
@@ -160,9 +160,9 @@ def seen(editor, x, y):
 def test_the_hole_is_visible_whichever_curve_is_edited(ring, edited):
     fold(ring, "Shape 1")
     click_row(ring, edited)
-    assert (seen(ring, 2.2, 0.3), seen(ring, 0.3, 0.2)) == ("#cc3311", LIGHT.paper.name())
+    assert (colour_at(ring, 2.2, 0.3), colour_at(ring, 0.3, 0.2)) == ("#cc3311", LIGHT.paper.name())
     ring.trigger("breakApart") if edited != "Side" else ring.trigger("undo")
-    assert seen(ring, 0.3, 0.2) == "#cc3311"
+    assert colour_at(ring, 0.3, 0.2) == "#cc3311"
 
 
 def test_the_hole_stays_a_hole_in_pictures_and_the_shape_is_one_path_in_svg(ring, tmp_path):
@@ -220,7 +220,7 @@ def test_a_shape_is_broken_apart_and_its_curves_are_selected(ring):
     click_row(ring, "Shape 1")
     assert not ring.action("combineCurves").isEnabled()
     ring.key(Qt.Key.Key_K, CTRL | SHIFT)
-    assert (shapes(ring), chosen(ring)) == (["", "", ""], {"Outer", "Inner"})
+    assert (shapes(ring), selected_names(ring)) == (["", "", ""], {"Outer", "Inner"})
     assert (rows(ring), undo_text(ring)) == (["Side", "Inner", "Outer"], "Break Shape 1 apart")
 
 
@@ -247,15 +247,15 @@ def test_left_and_right_open_and_fold_and_walk(ring):
     key_in_list(ring, Qt.Key.Key_Right)
     assert rows(ring) == ["Side", "Shape 1", "  Inner", "  Outer"]
     key_in_list(ring, Qt.Key.Key_Right)
-    assert chosen(ring) == {"Inner"}
+    assert selected_names(ring) == {"Inner"}
     key_in_list(ring, Qt.Key.Key_Down)
-    assert chosen(ring) == {"Outer"}
+    assert selected_names(ring) == {"Outer"}
     key_in_list(ring, Qt.Key.Key_Left)
-    assert chosen(ring) == {"Inner", "Outer"}
+    assert selected_names(ring) == {"Inner", "Outer"}
     key_in_list(ring, Qt.Key.Key_Left)
     assert rows(ring) == ["Side", "Shape 1"]
     key_in_list(ring, Qt.Key.Key_Up)
-    assert chosen(ring) == {"Side"}
+    assert selected_names(ring) == {"Side"}
 
 
 def test_an_entry_stays_open_through_changes_and_another_name(ring):
@@ -379,17 +379,17 @@ def test_a_curve_of_an_opened_shape_is_selected_and_deleted_alone(ring):
 
 def test_a_folded_entry_marks_selected_curves_inside(ring):
     """By a fainter mark with a dot, and in words; not the one that is opened, and not where all of it is."""
-    image = [seen_in_list(ring, "Shape 1")]
+    image = [row_colours(ring, "Shape 1")]
     fold(ring, "Shape 1")
     ring.session.selected.select_whole(())
     click_row(ring, "Inner")
     assert heard(ring, 1).endswith(", selected")
     fold(ring, "Shape 1")
     assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, contains selected curves"
-    image.append(seen_in_list(ring, "Shape 1"))
+    image.append(row_colours(ring, "Shape 1"))
     click_row(ring, "Shape 1")
     assert heard(ring, 1) == "Shape 1, shape of 2 curves, folded, selected"
-    image.append(seen_in_list(ring, "Shape 1"))
+    image.append(row_colours(ring, "Shape 1"))
     dots = [[each == LIGHT.accent.name() for each in row].count(True) for row in image]
     assert [dot > 2 for dot in dots] == [False, True, False]
     assert len({row[-1] for row in image}) == 3
@@ -485,11 +485,11 @@ def test_selected_curves_become_a_group_by_a_key(rings):
 def test_a_group_has_an_entry_that_selects_all(group):
     assert rows(group) == ["Group 1", "Outer"]
     click_row(group, "Group 1")
-    assert chosen(group) == {"Inner", "Side"}
+    assert selected_names(group) == {"Inner", "Side"}
     fold(group, "Group 1")
     assert rows(group) == ["Group 1", "  Side", "  Inner", "Outer"]
     group.key(Qt.Key.Key_G, CTRL | SHIFT)
-    assert (groups(group), chosen(group)) == ([(), (), ()], {"Inner", "Side"})
+    assert (groups(group), selected_names(group)) == ([(), (), ()], {"Inner", "Side"})
     assert (group.status, undo_text(group)) == ("Ungrouped Group 1.", "Ungroup Group 1")
 
 
@@ -725,10 +725,10 @@ def test_a_drag_over_the_fill_of_another_curve_is_a_rubber_band_and_a_click_edit
 
 def test_shift_click_within_a_fill_adds_its_curve(edited):
     edited.click((6.3, 0.2), keys=SHIFT)
-    assert chosen(edited) == {"Outer", "Side"}
+    assert selected_names(edited) == {"Outer", "Side"}
     edited.session.selected.activate(2)
     edited.click((2.2, 0.3), keys=SHIFT)
-    assert chosen(edited) == ALL
+    assert selected_names(edited) == ALL
 
 
 def test_the_points_of_the_other_curves_of_the_shape_are_visible(edited):

@@ -50,7 +50,7 @@ def record(keys, name, key, held=NO_KEYS):
     QTest.keyClick(keys.recorder, key, held)
 
 
-def shown(keys, name):
+def displayed_key(keys, name):
     for row in range(keys.table.rowCount()):
         if keys.table.item(row, 0).data(Qt.ItemDataRole.UserRole) == name:
             return keys.table.item(row, 1).text()
@@ -59,7 +59,7 @@ def shown(keys, name):
 
 def test_recorded_keys_work_at_once_everywhere(editor, keys):
     record(keys, "familyHermite", Qt.Key.Key_U, CTRL)
-    assert shown(keys, "familyHermite") == "Ctrl+U"
+    assert displayed_key(keys, "familyHermite") == "Ctrl+U"
     action = editor.action("familyHermite")
     assert action.toolTip().endswith("(Ctrl+U)")
     assert ("Ctrl+U", "Cubic pieces with given velocities") in editor.window.actions_by_name.shortcuts(CURVE)
@@ -90,7 +90,7 @@ def test_a_conflict_is_named_and_waits_for_an_answer(editor, keys):
     assert editor.action("fitView").shortcuts() == [QKeySequence("Ctrl+S")]
     assert editor.action("saveDocument").shortcuts() == []
     assert editor.action("saveDocument").toolTip() == "Save the document"
-    assert shown(keys, "saveDocument") == ""
+    assert displayed_key(keys, "saveDocument") == ""
     # Only the key in conflict is taken.
     record(keys, "fitView", Qt.Key.Key_Y, CTRL)
     keys.take.click()

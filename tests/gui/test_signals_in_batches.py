@@ -1,4 +1,4 @@
-"""A step changes the document, the selection and the history: actions and panels are shown once for all."""
+"""A step changes document, selection and history: actions and panels are rendered once."""
 
 import pytest
 from PySide6.QtCore import QEvent, QObject
@@ -16,7 +16,7 @@ LINE = make_curve([(3, 0), (4, 1)], family=HERMITE)
 
 
 @pytest.fixture
-def shown(editor, monkeypatch):
+def render_calls(editor, monkeypatch):
     """Return the times that actions and panels were rendered, from now on."""
     editor.session.commit(Document((SQUARE, LINE)), "Begin", active=0)
     editor.select([1, 2])
@@ -41,51 +41,51 @@ def begin_another(session):
 
 
 @pytest.mark.parametrize("do", [delete_points, delete_curve, drop_a_drag, begin_another])
-def test_a_batch_of_changes_updates_actions_and_panels_once(editor, shown, do):
+def test_a_batch_of_changes_updates_actions_and_panels_once(editor, render_calls, do):
     do(editor.session)
-    actions, panels = shown
+    actions, panels = render_calls
     assert len(actions) == 1
     assert [view.source for _commands, view in panels] == [editor.session.active_curve]
 
 
-def test_a_change_of_document_and_selection_updates_the_views_once(editor, shown):
+def test_a_change_of_document_and_selection_updates_the_views_once(editor, render_calls):
     """Of thousands of curves all was drawn, listed and enabled twice, for 170 ms."""
     session = editor.session
     session.commit(Document((SQUARE, LINE, SQUARE)), "Begin", active=0)
     session.selected.select_whole((0, 2))
-    for each in shown:
+    for each in render_calls:
         each.clear()
     editor.trigger("groupCurves")
     assert [curve.groups for curve in session.document.curves] == [(), ("Group 1",), ("Group 1",)]
     assert session.selected.whole_curves == {1, 2}
-    assert [len(each) for each in shown] == [1, 1]
+    assert [len(each) for each in render_calls] == [1, 1]
 
 
-def test_the_parts_of_the_window_show_the_state_after_the_batch(editor, shown):
+def test_the_parts_of_the_window_show_the_state_after_the_batch(editor, render_calls):
     delete_points(editor.session)
     names = editor.window.actions_by_name
     assert names["undo"].isEnabled()
     assert "Delete points" in names["undo"].text()
     editor.session.undo_stack.undo()
     assert names["redo"].isEnabled()
-    assert len(shown[0]) <= 3, "undo is told of by the session and by the history"
+    assert len(render_calls[0]) <= 3, "undo is told of by the session and by the history"
 
 
-def test_an_action_updates_actions_and_panels_once(editor, shown):
+def test_an_action_updates_actions_and_panels_once(editor, render_calls):
     editor.window.actions_by_name["deleteSelection"].trigger()
-    actions, panels = shown
+    actions, panels = render_calls
     assert len(editor.session.active_curve.points) == 2
     assert (len(actions), len(panels)) == (1, 1)
 
 
-def test_a_switch_without_effect_shows_the_option_that_is_on(editor, shown):
+def test_a_switch_without_effect_shows_the_option_that_is_on(editor, render_calls):
     switch = editor.window.actions_by_name["tangentEstimated"]
     assert switch.isChecked()
     document = editor.session.document
     switch.trigger()
     assert editor.session.document is document
     assert switch.isChecked()
-    assert not shown[0]
+    assert not render_calls[0]
 
 
 class Written(QObject):

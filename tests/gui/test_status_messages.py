@@ -38,7 +38,7 @@ def enter(widget):
     QTest.mouseMove(widget, middle.toPoint())
 
 
-def shown_t(editor):
+def displayed_t(editor):
     editor.wait_for_rest(up_to_ms=50)
     return editor.window.status_line.findChild(QLabel, "pointerT").text()
 
@@ -163,22 +163,22 @@ def test_a_drag_on_the_rail_displays_t_and_the_hint_for_escape(pair):
 def test_t_disappears_when_the_pointer_leaves_the_rail(pair):
     panel = pair.window.basis_panel
     pair.drag_parameter(1, to=0.4)
-    assert shown_t(pair).startswith("t 0.4")
+    assert displayed_t(pair).startswith("t 0.4")
     QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
-    assert shown_t(pair) == ""
+    assert displayed_t(pair) == ""
     pair.session.scrub.set(0.25)
-    assert shown_t(pair) == "t 0.25"
+    assert displayed_t(pair) == "t 0.25"
     pair.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.5, 0.5), held=False)
-    assert shown_t(pair) != "t 0.25"
+    assert displayed_t(pair) != "t 0.25"
     QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
-    assert shown_t(pair) == "t 0.25"
+    assert displayed_t(pair) == "t 0.25"
 
 
 def test_t_disappears_when_a_drag_ends_outside(pair):
     panel = pair.window.basis_panel
     start = panel.rail_pixel(pair.parameters[1])
     pair.drag_pixels(panel, start, start + QPointF(30, -900))
-    assert shown_t(pair) == ""
+    assert displayed_t(pair) == ""
 
 
 def test_t_disappears_with_the_document(pair):
@@ -187,7 +187,7 @@ def test_t_disappears_with_the_document(pair):
     session.commit(rule_edits.set_interval(session.document, session.active_index, 0.0, 20.0), "Stretch")
     pair.settle()
     # The pointer rests, and t is another one below it.
-    assert float(shown_t(pair).removeprefix("t ")) == pytest.approx(8, abs=0.1)
+    assert float(displayed_t(pair).removeprefix("t ")) == pytest.approx(8, abs=0.1)
 
 
 def test_pasting_is_confirmed_by_a_message(pair):
@@ -277,7 +277,7 @@ def test_a_family_chosen_for_several_curves_is_reported(waves):
     editor.trigger("familyQuinticHermite")
     families = [curve.family for curve in editor.session.document.curves]
     assert families == [QUINTIC_HERMITE] * 3
-    assert editor.status == "3 curves are quintic Hermite now · Ctrl+Z: undo"
+    assert editor.status == "3 curves are now quintic Hermite · Ctrl+Z: undo"
     assert editor.session.undo_stack.count() == count + 1
     assert editor.session.undo_stack.undoText() == "Switch 3 curves to quintic Hermite"
     editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)

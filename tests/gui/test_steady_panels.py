@@ -25,7 +25,7 @@ from app.widgets.frames import Scrolled
 SHOWN = (QAbstractButton, QComboBox, QLineEdit, QSlider)
 
 
-def places(editor, panel):
+def widget_positions(editor, panel):
     """Where every field and button of a panel stands that is shown, in its content."""
     editor.settle()
     dock = editor.window.findChild(QWidget, panel)
@@ -64,15 +64,15 @@ def panels(editor):
 def test_another_selection_moves_no_field_of_a_panel(panels, panel):
     """A rectangle once brought a scroll bar, and all fields of Transform went 14 pixels to the left."""
     panels.window.resize(1200, 700)
-    before = places(panels, panel)
+    before = widget_positions(panels, panel)
     assert len(before) > 12
     for chosen in ([0], [1], [0, 1], [2], [0, 1, 2], []):
         panels.session.selected.select_whole(chosen)
-        assert moved(before, places(panels, panel)) == set(), chosen
+        assert moved(before, widget_positions(panels, panel)) == set(), chosen
     panels.session.selected.select_whole([0])
     panels.session.selected.edit_selected()
     panels.session.selected.set_points([0])
-    assert moved(before, places(panels, panel)) == set()
+    assert moved(before, widget_positions(panels, panel)) == set()
 
 
 def test_neither_panel_scrolls_sideways(panels):

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 LEFT = Qt.MouseButton.LeftButton
 
 
-def seen(editor):
+def scale_and_origin(editor):
     """Return pixels per unit, and where the point 0 lies in the window."""
     canvas = editor.window.canvas
     shown = canvas.pixel_map
@@ -45,11 +45,11 @@ def test_scale_and_position_stay_when_panels_are_resized(editor, change, is_fitt
     canvas = editor.window.canvas
     if not is_fitted:
         editor.trigger("zoomIn")
-    size, before = canvas.size(), seen(editor)
+    size, before = canvas.size(), scale_and_origin(editor)
     change(editor)
     editor.settle()
     assert canvas.size() != size or canvas.rulers.thickness == 0
-    after = seen(editor)
+    after = scale_and_origin(editor)
     assert after[:2] == pytest.approx(before[:2], rel=1e-12)
     # Hiding the basis functions enlarged the drawing 1.5 times.
     assert (after[2] - before[2]).manhattanLength() <= 1
@@ -72,13 +72,13 @@ def test_a_window_of_another_size_is_fitted_again_while_nothing_was_touched(new_
     editor, canvas = new_editor, new_editor.window.canvas
     if touch:
         touch(editor)
-    before = seen(editor)
+    before = scale_and_origin(editor)
     editor.window.resize(editor.window.width() + 150, editor.window.height() + 150)
     editor.settle()
     scale, fitted = canvas.pixel_map.sx, canvas.framing.is_as_fitted
     if touch:
         assert not fitted
-        assert seen(editor) == (
+        assert scale_and_origin(editor) == (
             pytest.approx(before[0], rel=1e-12),
             pytest.approx(before[1], rel=1e-12),
             before[2],

@@ -39,7 +39,7 @@ def distance_from_chord(view, segment):
     return np.abs(curve - np.linspace(curve[0], curve[-1], 101)).max()
 
 
-def others(view, segments):
+def other_segments(view, segments):
     """The curve on all other segments."""
     t = [
         np.linspace(*view.parameters[segment : segment + 2], 50)
@@ -58,7 +58,7 @@ def test_two_neighbours_and_the_key(drawn):
         bow.key(Qt.Key.Key_4, ALT)
         after = bow.session.active_view
         assert distance_from_chord(after, 1) < 1e-14, family
-        assert others(after, [1]) == pytest.approx(others(before, [1]), abs=1e-13), family
+        assert other_segments(after, [1]) == pytest.approx(other_segments(before, [1]), abs=1e-13), family
         assert [point.corner for point in bow.curve.points] == [False, True, True, False, False], family
         for index, ahead in ((1, False), (2, True)):
             kept, old = (
@@ -111,7 +111,7 @@ def test_the_closing_segment_can_be_made_straight(drawn):
         after = bow.session.active_view
         assert bow.session.undo_stack.undoText() == "Straight segment 4–0", family
         assert distance_from_chord(after, 4) < 1e-14, family
-        assert others(after, [4]) == pytest.approx(others(before, [4]), abs=1e-13), family
+        assert other_segments(after, [4]) == pytest.approx(other_segments(before, [4]), abs=1e-13), family
 
 
 def test_the_context_menu_straightens_the_segment_under_the_pointer(drawn):

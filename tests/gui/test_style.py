@@ -85,7 +85,7 @@ def styles(editor):
     return [curve.style for curve in editor.session.document.curves]
 
 
-def seen(editor, x, y):
+def colour_at(editor, x, y):
     """Return the colour of the canvas at a point of the plane, with no pointer near."""
     canvas = editor.window.canvas
     # A view that has moved shows its picture of before, stretched, until it rests.
@@ -340,14 +340,14 @@ def pick(popup, colour):
 
 
 def test_a_colour_is_previewed_and_escape_cancels(editor, panel):
-    before, steps = seen(editor, 5.5, 1.5), editor.session.undo_stack.count()
+    before, steps = colour_at(editor, 5.5, 1.5), editor.session.undo_stack.count()
     choice = popup(panel)
     pick(choice, "#ff0000")
-    assert seen(editor, 5.5, 1.5) == "#ff0000"
+    assert colour_at(editor, 5.5, 1.5) == "#ff0000"
     QTest.keyClick(QApplication.focusWidget() or choice, Qt.Key.Key_Escape)
     editor.settle()
     assert QApplication.activePopupWidget() is None
-    assert seen(editor, 5.5, 1.5) == before
+    assert colour_at(editor, 5.5, 1.5) == before
     assert editor.session.undo_stack.count() == steps
 
 
@@ -468,20 +468,20 @@ def test_fill_and_stroke_have_their_position_and_width(editor):
     for active in (1, 0):
         editor.session.selected.activate(active)
         editor.select([])
-        assert seen(editor, 2, 2) == BLUE
-        assert [seen(editor, x, 2.7) for x in (-0.15, 0.15)] == [RED, RED]
-        assert seen(editor, 0.25, 2.7) == BLUE
-        assert seen(editor, -0.25, 2.7) == LIGHT.paper.name()
+        assert colour_at(editor, 2, 2) == BLUE
+        assert [colour_at(editor, x, 2.7) for x in (-0.15, 0.15)] == [RED, RED]
+        assert colour_at(editor, 0.25, 2.7) == BLUE
+        assert colour_at(editor, -0.25, 2.7) == LIGHT.paper.name()
     # It is a width of the plane.
     editor.wheel((0, 2.7), 2)
-    assert [seen(editor, x, 2.7) for x in (-0.15, 0.15)] == [RED, RED]
-    assert seen(editor, 0.25, 2.7) == BLUE
+    assert [colour_at(editor, x, 2.7) for x in (-0.15, 0.15)] == [RED, RED]
+    assert colour_at(editor, 0.25, 2.7) == BLUE
 
 
 def test_an_open_curve_is_filled_to_the_straight_line_between_its_ends(editor):
     arc = replace(make_curve([(0, 0), (1, 2), (3, 2), (4, 0)], name="Arc"), style=Style(fill=BLUE))
     begin(editor, arc)
-    assert (seen(editor, 2, 0.2), seen(editor, 2, -0.2)) == (BLUE, LIGHT.paper.name())
+    assert (colour_at(editor, 2, 0.2), colour_at(editor, 2, -0.2)) == (BLUE, LIGHT.paper.name())
 
 
 def test_the_edited_curve_keeps_its_order(editor):
@@ -490,11 +490,11 @@ def test_the_edited_curve_keeps_its_order(editor):
     for active in (0, 1):
         editor.session.selected.activate(active)
         editor.select([])
-        assert seen(editor, 2.5, 2.5) == RED
+        assert colour_at(editor, 2.5, 2.5) == RED
     # Where it runs below is seen all the same: a thin line.
     editor.session.selected.activate(0)
     editor.select([])
-    assert seen(editor, 4, 2.5) != RED
+    assert colour_at(editor, 4, 2.5) != RED
 
 
 def test_a_shape_is_painted_right_millions_of_pixels_from_its_end(editor):
@@ -506,7 +506,7 @@ def test_a_shape_is_painted_right_millions_of_pixels_from_its_end(editor):
         (3.995, 1e-6, {BLUE, RED}),
     ):
         editor.window.canvas.camera.show_box((x - half, x + half), (2.1 - half, 2.1 + half))
-        found = {seen(editor, x + share * half, 2.1) for share in (-0.9, -0.5, 0.5, 0.9)}
+        found = {colour_at(editor, x + share * half, 2.1) for share in (-0.9, -0.5, 0.5, 0.9)}
         assert found == colours, (x, half)
 
 
@@ -514,9 +514,9 @@ def test_fill_and_stroke_have_separate_opacities(editor):
     style = Style(stroke="#000000", width=1.0, fill="#000000", stroke_opacity=0.5, fill_opacity=0.5)
     begin(editor, square(0, 0, 4, "Leaf", style=style), make_curve([(8, 0), (9, 3)], name="Other"), active=1)
     # Half of the line lies over the fill.
-    assert seen(editor, 2, 2) == seen(editor, -0.25, 2)
-    assert 120 < QColor(seen(editor, 2, 2)).red() < 130
-    assert 60 < QColor(seen(editor, 0.25, 2)).red() < 66
+    assert colour_at(editor, 2, 2) == colour_at(editor, -0.25, 2)
+    assert 120 < QColor(colour_at(editor, 2, 2)).red() < 130
+    assert 60 < QColor(colour_at(editor, 0.25, 2)).red() < 66
 
 
 def test_dashes_begin_at_the_start_of_the_curve_at_any_zoom(editor):
@@ -527,7 +527,7 @@ def test_dashes_begin_at_the_start_of_the_curve_at_any_zoom(editor):
     for start in (0.0, 200.0, 301.3):
         canvas.camera.show_box((start, start + 12.0), (-2.0, 2.0))
         places = np.arange(np.ceil(start) + 1.0, start + 11.0)
-        found = [seen(editor, x, 0.0) == RED for x in places + 0.0 if x % 2 == 1]
+        found = [colour_at(editor, x, 0.0) == RED for x in places + 0.0 if x % 2 == 1]
         assert found == [x % 4 < 2 for x in places if x % 2 == 1]
 
 
@@ -538,7 +538,7 @@ def test_dashes_below_a_pixel_are_painted_in_the_mean_colour(editor):
         for y, dash in ((0, (1e-4, 1e-4)), (3, (1e-4, 2e-4, 3e-4)))
     ]
     begin(editor, *lines, make_curve([(0, 6), (9, 6)], name="Other"), active=2)
-    assert seen(editor, 4, 0) == seen(editor, 4, 3) not in (RED, LIGHT.paper.name())
+    assert colour_at(editor, 4, 0) == colour_at(editor, 4, 3) not in (RED, LIGHT.paper.name())
 
 
 # Views
@@ -549,7 +549,7 @@ def test_a_colour_adjusted_to_the_dark_theme_has_a_note(editor, panel):
     begin(editor, square(0, 0, 4, "Leaf", style=Style(stroke=dim, width=0.5)))
     editor.window.context.store.change(theme_mode=ThemeMode.DARK)
     editor.settle()
-    assert seen(editor, 0, 2.5) not in (dim, LIGHT.paper.name())
+    assert colour_at(editor, 0, 2.5) not in (dim, LIGHT.paper.name())
     assert f"drawn lighter than {dim}" in child(panel, QLabel, "styleNote").text()
     editor.window.context.store.change(theme_mode=ThemeMode.SYSTEM)
 

@@ -45,7 +45,7 @@ def paste(editor, keys=CTRL):
     editor.wait_for_work()
 
 
-def chosen(editor):
+def selected_names(editor):
     curves = editor.session.document.curves
     return [curves[place].name for place in sorted(editor.session.selected.curves)]
 
@@ -68,7 +68,7 @@ def test_svg_of_another_program_becomes_a_selected_curve(three, kind):
     offer(**{kind: LEAF})
     paste(three)
     assert [each.name for each in three.session.document.curves] == ["A", "B", "C", "leaf"]
-    assert chosen(three) == ["leaf"]
+    assert selected_names(three) == ["leaf"]
     assert three.curve.style.stroke == "#d55e00"
     assert three.status == "Pasted “leaf”; it is selected."
     assert undo_text(three) == "Paste leaf"
@@ -94,20 +94,20 @@ def test_path_data_alone_become_a_line_in_ink(three):
 def test_elements_out_of_a_file_are_a_drawing(three):
     three.paste_text('<path d="M0 0L4 4" stroke="red"/>\n<g><path d="M0 4L4 0"/></g>')
     paste(three)
-    assert len(chosen(three)) == 2
+    assert len(selected_names(three)) == 2
     assert undo_text(three) == "Paste 2 curves"
 
 
 def test_svg_without_declared_name_spaces_is_pasted(three):
     three.paste_text('<svg viewBox="0 0 9 9"><use xlink:href="#a"/><path id="a" d="M0 0L4 4"/></svg>')
     paste(three)
-    assert len(chosen(three)) == 2
+    assert len(selected_names(three)) == 2
 
 
 def test_a_file_with_declarations_is_a_drawing(three):
     three.paste_text('<!DOCTYPE svg [\n<!ENTITY end "0 0Z">\n] >' + LEAF.replace("0 0Z", "&end;"))
     paste(three)
-    assert chosen(three) == ["leaf"]
+    assert selected_names(three) == ["leaf"]
 
 
 @pytest.mark.parametrize("text", ["M", "Mean 5", "<html><svg/></html>", "1 2\n3 4", "<svgs/>", ""])

@@ -37,7 +37,7 @@ def painted(widget):
     return ["".join(each.itertext()) for each in root.iter("{http://www.w3.org/2000/svg}text")]
 
 
-def shown(window):
+def widget_texts(window):
     """The texts in all widgets that nobody types into, and their tooltips."""
     for widget in window.findChildren(QWidget):
         yield widget, widget.toolTip()
@@ -58,7 +58,7 @@ def shown(window):
 
 def hyphened(editor):
     window = editor.window
-    texts = [(each.objectName() or type(each).__name__, text) for each, text in shown(window)]
+    texts = [(each.objectName() or type(each).__name__, text) for each, text in widget_texts(window)]
     texts += [("canvas", text) for text in painted(window.canvas)]
     texts += [("basisPanel", text) for text in painted(window.basis_panel)]
     return [(name, text) for name, text in texts if HYPHEN.search(text)]

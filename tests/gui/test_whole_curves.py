@@ -17,7 +17,7 @@ from app.document.style import Style
 from app.families import HERMITE
 from app.features.curve_list.rows import Spot
 from tests.gui.curve_rows import click_row, heard, open_row_menu, row_named
-from tests.gui.editor_facts import chosen, moved_by, on_curve, transform
+from tests.gui.editor_facts import moved_by, on_curve, transform, whole_curve_names
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -41,7 +41,7 @@ def whole(three):
 
 def state(editor):
     """Whether a curve is edited, which curves are chosen as wholes, which is the active one."""
-    return editor.session.selected.is_editing, chosen(editor), editor.curve.name
+    return editor.session.selected.is_editing, whole_curve_names(editor), editor.curve.name
 
 
 def shows_points(editor):
@@ -103,22 +103,22 @@ def test_enter_edits_all_selected_curves_and_escape_selects_the_whole_curves(who
     whole.key(RETURN)
     assert whole.status == "Editing 2 curves."
     selected = whole.session.selected
-    assert (selected.is_editing, chosen(whole)) == (True, "AC")
+    assert (selected.is_editing, whole_curve_names(whole)) == (True, "AC")
     whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
     assert dict(selected.group.parts) == {0: {0, 1, 2, 3}, 2: {0, 1, 2, 3}}
     whole.escape()
-    assert (selected.is_editing, chosen(whole), selected.group.parts) == (True, "AC", ())
+    assert (selected.is_editing, whole_curve_names(whole), selected.group.parts) == (True, "AC", ())
     whole.escape()
-    assert (selected.is_editing, chosen(whole)) == (False, "AC")
+    assert (selected.is_editing, whole_curve_names(whole)) == (False, "AC")
     assert whole.status.startswith("2 curves are selected as wholes")
     assert whole.status.endswith("Enter edits their points.")
     # By the action it goes the same way.
     for is_editing in (True, False):
         whole.trigger("editCurve")
-        assert (selected.is_editing, chosen(whole)) == (is_editing, "AC")
+        assert (selected.is_editing, whole_curve_names(whole)) == (is_editing, "AC")
         assert whole.action("editCurve").isChecked() == is_editing
     whole.escape()
-    assert (selected.is_editing, chosen(whole)) == (False, "")
+    assert (selected.is_editing, whole_curve_names(whole)) == (False, "")
 
 
 def test_a_click_selects_and_a_double_click_edits(whole):
@@ -140,10 +140,10 @@ def test_a_double_click_on_a_point_selects_the_point(whole):
 def test_shift_click_adds_and_removes_and_a_click_elsewhere_clears_the_selection(whole):
     for row, expected in ((2, "C"), (0, "AC"), (2, "A")):
         whole.click(on_curve(whole, row), keys=SHIFT)
-        assert (whole.session.selected.is_editing, chosen(whole)) == (False, expected)
+        assert (whole.session.selected.is_editing, whole_curve_names(whole)) == (False, expected)
         assert whole.session.active_index in whole.session.selected.curves
     whole.click((-1, 4.6))
-    assert (whole.session.selected.is_editing, chosen(whole)) == (False, "")
+    assert (whole.session.selected.is_editing, whole_curve_names(whole)) == (False, "")
 
 
 @pytest.mark.parametrize("how", ["table", "menu of the list", "pen", "new document", "action"])
@@ -161,7 +161,7 @@ def test_actions_that_need_points_resume_editing(whole, how):
     else:
         whole.trigger("editCurve")
     assert whole.session.selected.is_editing
-    assert chosen(whole) == ""
+    assert whole_curve_names(whole) == ""
 
 
 def test_a_click_in_the_list_selects_as_with_the_select_tool(whole):
@@ -174,7 +174,7 @@ def test_a_click_in_the_list_selects_as_with_the_select_tool(whole):
         *(("A", NO_KEYS), ("C", SHIFT)),
     ):
         click_row(whole, name, keys)
-        found.append(chosen(whole))
+        found.append(whole_curve_names(whole))
         assert not whole.session.selected.is_editing
         assert whole.session.active_index in whole.session.selected.curves
     assert found == ["C", "A", "AC", "C", "", "A", "ABC"]
@@ -271,7 +271,7 @@ def test_a_message_on_the_selection_is_removed_with_the_selection(whole):
     whole.hover((1.5, 4.4))
     assert whole.status == "No curve is selected."
     whole.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
-    assert chosen(whole) == "ABC"
+    assert whole_curve_names(whole) == "ABC"
     assert whole.status == whole.window.status_line.hint
     whole.escape()
     whole.key(Qt.Key.Key_G)
@@ -305,12 +305,12 @@ def test_the_status_line_describes_the_effect_of_a_press(whole):
 def test_the_rubber_band_selects_the_curves_inside_live(whole):
     whole.press((-0.7, 7.6))
     whole.move((3.5, 2.5))
-    assert chosen(whole) == "BC"
+    assert whole_curve_names(whole) == "BC"
     assert whole.status.startswith("2 curves selected · Shift: add to the selection")
     whole.move((3.5, 5.5))
-    assert chosen(whole) == "C"
+    assert whole_curve_names(whole) == "C"
     whole.move((1.5, 2.5))
-    assert chosen(whole) == ""
+    assert whole_curve_names(whole) == ""
     whole.move((3.5, 2.5))
     whole.release((3.5, 2.5))
     assert state(whole)[:2] == (False, "BC")
@@ -323,7 +323,7 @@ def test_shift_adds_to_the_selection_and_escape_restores_the_selection(whole):
     for way in ("escape", "release"):
         whole.press((-0.7, 7.6), keys=SHIFT)
         whole.move((3.5, 5.5), keys=SHIFT)
-        assert chosen(whole) == "AC"
+        assert whole_curve_names(whole) == "AC"
         if way == "escape":
             whole.escape()
             assert whole.status == "Cancelled."
@@ -339,7 +339,7 @@ def test_hidden_and_locked_curves_are_not_selected(whole):
     whole.trigger("curveVisible")
     whole.session.selected.select_whole(())
     whole.drag((3.6, -0.6), (-0.7, 7.6))
-    assert chosen(whole) == "A"
+    assert whole_curve_names(whole) == "A"
 
 
 def test_while_a_curve_is_edited_the_rubber_band_selects_points(three):

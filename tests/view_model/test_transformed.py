@@ -48,7 +48,7 @@ def several(family, kind=ParametrizationKind.CENTRIPETAL, **values) -> Document:
 def test_exact_boxes_are_mapped_and_contain_the_points_to_the_last_digit(name, is_known):
     """A box took a millisecond for each curve that was moved: its curve was made and asked where it turns."""
     document = several(HERMITE)
-    before = seen(document)
+    before = extended_views(document)
     if is_known:
         compute_boxes(before)
     after = transform_group(document, whole_curves(document, range(len(before))), MAPS[name])
@@ -68,7 +68,7 @@ def test_exact_boxes_are_mapped_and_contain_the_points_to_the_last_digit(name, i
     assert ends > 3
 
 
-def seen(document: Document) -> list[CurveView]:
+def extended_views(document: Document) -> list[CurveView]:
     views = [view_of(curve) for curve in document.curves]
     assert all(len(view.extent) for view in views)
     return views
@@ -105,7 +105,7 @@ def assert_right(views: list[CurveView]) -> None:
 @pytest.mark.parametrize("family", LOCAL, ids=str)
 def test_mapped_curves_need_no_core_curve(family, kind, by):
     document = several(family, kind)
-    views = seen(document)
+    views = extended_views(document)
     for _ in range(3):
         document, views = after(document, by, views)
         assert all(view.curve_map is not None and view.is_followed for view in views)
@@ -115,8 +115,8 @@ def test_mapped_curves_need_no_core_curve(family, kind, by):
 def test_lengths_that_a_map_changes_are_computed_again():
     """Centripetal parameters are others after a skew, and equal ones are the same."""
     by_length, uniform = several(HERMITE), several(HERMITE, ParametrizationKind.UNIFORM)
-    _, made = after(by_length, SKEW, seen(by_length))
-    _, kept = after(uniform, SKEW, seen(uniform))
+    _, made = after(by_length, SKEW, extended_views(by_length))
+    _, kept = after(uniform, SKEW, extended_views(uniform))
     assert not any(view.curve_map for view in made)
     assert all(view.curve_map for view in kept)
     assert_right([*made, *kept])
@@ -126,7 +126,7 @@ def test_lengths_that_a_map_changes_are_computed_again():
 def test_a_curve_that_is_not_mapped_whole_gets_a_core_curve(family):
     rule = VelocityRule.AKIMA if family is HERMITE else VelocityRule.NATURAL_SPLINE
     document = several(family, velocity_rule=rule)
-    views = seen(document)
+    views = extended_views(document)
     _, made = after(document, MAPS["moved"], views)
     assert not any(view.curve_map for view in made)
     assert_right(made)
@@ -134,7 +134,7 @@ def test_a_curve_that_is_not_mapped_whole_gets_a_core_curve(family):
 
 def test_a_move_of_some_points_or_without_derivatives_is_no_map():
     document = several(HERMITE)
-    views = seen(document)
+    views = extended_views(document)
     some = point_edits.move_points(document, 0, {0, 1}, (0.5, 0.5))
     turned = tuple(
         replace(curve, points=tuple(replace(point, x=-point.x) for point in curve.points))
@@ -150,6 +150,6 @@ def test_a_curve_scaled_to_a_dot_is_drawn():
     points = tuple(Point(1.0, 1.0, t, (0.0, 0.0)) for t in (0.0, 1.0))
     dot = Curve("Dot", HERMITE, Parametrization(ParametrizationKind.MANUAL), points)
     document = Document((dot, dot))
-    _, views = after(document, scaling(0.0, 0.0, (1.0, 1.0)), seen(document))
+    _, views = after(document, scaling(0.0, 0.0, (1.0, 1.0)), extended_views(document))
     assert all(view.curve_map for view in views)
     assert [view.flattened(0.1).points.tolist() for view in views] == [[[1.0, 1.0]] * 2] * 2
