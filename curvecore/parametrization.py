@@ -298,7 +298,7 @@ def _power(points: FloatArray, alpha: float, rule: str) -> FloatArray:
         shares = divide(total, DoubleDouble(total.high[-1], total.low[-1]))
     parameters = np.zeros(len(points))
     parameters[1:] = shares.high
-    _check_increasing(parameters, f"{rule} parameters cannot tell these points apart: parameters")
+    _check_increasing(parameters, f"{rule} parameters cannot distinguish these points: parameters")
     return parameters
 
 

@@ -696,7 +696,7 @@ def test_a_missing_temporary_folder_is_named(monkeypatch, capsys, tmp_path):
     path.write_text("<svg/>", encoding="utf-8")
     said = refusal(capsys, "convert", str(path), "b.csv")
     missing = os.strerror(errno.ENOENT)
-    assert said == f"“a.svg” cannot be read: It cannot be passed to the process that reads it ({missing})."
+    assert said == f"“a.svg” cannot be read: The file cannot be passed to its reader process ({missing})."
 
 
 def test_ctrl_c_is_quiet(monkeypatch, capsys):

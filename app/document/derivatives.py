@@ -91,7 +91,7 @@ class VelocityRule(EstimateRule):
     MONOTONE = (
         "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
         "monotone_velocities",
-        "Velocities that keep x and y monotone where the points are, without overshoot",
+        "Velocities that keep x and y monotone between monotone points, without overshoot",
         ("points", "parameters"), "monotone_changes", _SMALL_MOVES, _AT_THESE_POINTS,
     )  # fmt: skip
     AKIMA = (

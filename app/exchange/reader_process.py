@@ -227,7 +227,7 @@ def _result_of(answer: ReadResponse) -> ImportResult:
 
 
 def _not_passed_on(problem: OSError) -> ExchangeError:
-    return ExchangeError(f"It cannot be passed to the process that reads it ({problem.strerror}).")
+    return ExchangeError(f"The file cannot be passed to its reader process ({problem.strerror}).")
 
 
 def _exit_message(code: int, seconds: float) -> str:

@@ -363,7 +363,7 @@ def _jump_sentence(view: CurveView) -> str:
         return f"double precision does not decide whether the acceleration jumps at {where}."
     if not jumping:
         is_spline = view.source.family.derivatives == 1 and _is_estimated(view)
-        why = " (its velocities are those of the natural spline; other rules jump)" if is_spline else ""
+        why = " (its velocities are those of the natural spline; others make it jump)" if is_spline else ""
         return f"no jump of acceleration{why}."
     sizes = [float(np.hypot(*joint.acceleration_jump)) for joint in jumping]
     worst = int(np.argmax(sizes))

@@ -311,9 +311,7 @@ class Fitter:
         worst = int(np.argmax(distance))
         largest = float(distance[worst])
         if not np.isfinite(largest):
-            raise CurveError(
-                f"a curve of {self._family.name} through so many points exceeds the largest number"
-            )
+            raise CurveError(f"a curve of {self._family.name} through so many points overflows")
         mean = largest * float(np.sqrt(np.mean((distance / largest) ** 2))) if largest else 0.0
         return Attempt(Fit(curve, at, largest, mean, worst), data, joints, off)
 

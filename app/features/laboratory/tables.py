@@ -133,7 +133,7 @@ class DigitsTable(QWidget):
         named(self, "digitsTable", "Computed digits")
         self._title = Label(name="digitsTitle")
         self._title.setToolTip(
-            "Move the scrub line (T) to choose t; without it, t is where the error is largest"
+            "Move the scrub line (T) to choose t; otherwise t is where the error is largest"
         )
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)

@@ -358,7 +358,7 @@ def _hint_beside(
     if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"
     else:
-        drag = "Alt: after a straight line · Drag to set its velocity"
+        drag = "Alt: straight segment · Drag to set its velocity"
     parts = (what, finish, drag, "Ctrl: steps of 15°" if index else "", keys)
     return Hint(" · ".join(part for part in parts if part))
 
