@@ -2,7 +2,7 @@
 
 A tool is a class and a record in a file of ``canvas``. This one puts points above the press:
 
-    class Raise(Drag, kw_only=True):
+    class Lift(Drag, kw_only=True):
         curve: int
         foot: Vector
 
@@ -12,21 +12,31 @@ A tool is a class and a record in a file of ``canvas``. This one puts points abo
             return insert_points(self.document, self.curve, count, [point])
 
         def undo_text(self, pointer: Pointer) -> str:
-            return "Raise point"
+            return "Lift point"
 
-    class RaiseTool(Tool):
+    class LiftTool(Tool):
         def press(self, event: ToolEvent) -> Gesture:
             session = event.session
-            return Raise(
+            return Lift(
                 document=session.document, curve=session.active_index, foot=event.pointer.position
             )
 
         def hover(self, event: ToolEvent) -> Hint:
             return Hint("Drag to put a point above where you pressed")
 
-    RAISE = ToolRecord(name="raise", make=RaiseTool, hint="Drag upwards.", action="raiseTool", title="Raise")
+    LIFT = ToolRecord(
+        name="lift",
+        make=LiftTool,
+        hint="Drag upwards.",
+        doing="lifting points",
+        gestures=(GestureRow("Drag", "put a point above where you pressed"),),
+        action="liftTool",
+        title="Lift",
+        tip="Put points above where you press",
+    )
 
-Threshold, preview, undo step, Escape and status line follow from that. A setting of the tool, such as
+Threshold, preview, undo step, Escape and status line follow from that; the sheet of keys and mouse has a row
+for each of the `gestures`. A setting of the tool, such as
 ``DETAIL`` in ``canvas/pencil``, stands in the record (``settings=(DETAIL,)``); the tool, or its gesture,
 reads it with ``event.value(DETAIL)``. Its field in the preferences, its actions and its key follow.
 """

@@ -13,7 +13,7 @@ its switch and sliders, the legend and the canvas read the record::
     DOT = LineStyle("accent")
     COUNT = Count("dotCount", "Number of dots", 20, limits=(2, 100))
 
-    def dots(data: OverlayInput) -> Figures:
+    def _dots(data: OverlayInput) -> Figures:
         curve = data.view.curve
         if curve is None:
             return Figures()
@@ -26,7 +26,7 @@ its switch and sliders, the legend and the canvas read the record::
         tip="Draw dots at equal steps of t: far apart where the curve is fast",
         group=Group.SHAPE,
         rank=55,
-        draw=dots,
+        draw=_dots,
         settings=(COUNT,),
         legend=lambda _view, _settings: [(DOT, "Equal steps of t")],
     )
