@@ -87,7 +87,7 @@ def _nearest_handle(pixel: Vector, pixel_map: PixelMap, handles: Handles) -> _Ne
     if not distances[best] <= POINT_REACH:
         return None
     nearest = handles[best]
-    hit = Hit(Part.HANDLE, nearest.index, nearest.position, ahead=nearest.ahead, order=nearest.kind)
+    hit = Hit(Part.HANDLE, nearest.index, nearest.position, ahead=nearest.ahead, order=nearest.order)
     return hit, float(distances[best])
 
 

@@ -204,7 +204,7 @@ class Editor(InputDriver):
         pixel_map = canvas.pixel_map
         facing = handles.facing(pixel_map) if index is not None else ()
         for handle in chain(handles.of_selected(pixel_map), facing):
-            if (handle.kind, handle.ahead) == (kind, ahead) and index in (None, handle.index):
+            if (handle.order, handle.ahead) == (kind, ahead) and index in (None, handle.index):
                 return handle
         raise LookupError("No such handle is shown.")
 

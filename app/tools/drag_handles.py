@@ -33,7 +33,10 @@ GESTURES = (
 
 
 def press_on_part(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
-    """Start to drag the point or the handle that was hit; see `press_on_point` for a click on a point."""
+    """Start to drag the point or the handle that was hit, of the active curve; `on_click` is of a point.
+
+    Where it was of another edited curve, the Select tool has made that the active one (`activate_pressed`).
+    """
     if hit.part is not Part.POINT:
         return press_on_handle(event, hit)
     if event.pointer.alt and event.view.source.family.derivatives:

@@ -28,9 +28,10 @@ from .tool import Gesture, ToolEvent
 
 
 def activate_pressed(event: ToolEvent) -> ToolEvent:
-    """Return the event of a press on another curve that is edited: that is the active one from then on.
+    """Make another edited curve that is pressed the active one; return the event with the hit on that curve.
 
-    A point or handle of any is pressed as one of its own; the line of one, where it is of the same shape.
+    A point or handle of any edited curve activates it; its line does where it is of the active shape. Other
+    events are returned as they are.
     """
     session, hit, pointer = event.session, event.hit, event.pointer
     if hit is not None and hit.curve >= 0:

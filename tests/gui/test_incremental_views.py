@@ -162,8 +162,8 @@ def test_handles_follow_a_dragged_point_and_are_exact_when_it_rests(family, inde
     expected = handles_of(fresh, index)
     followed = handles_of(view, index)
     assert view.is_followed
-    assert [(each.kind, each.ahead, each.explicit) for each in followed] == [
-        (each.kind, each.ahead, each.explicit) for each in expected
+    assert [(each.order, each.ahead, each.explicit) for each in followed] == [
+        (each.order, each.ahead, each.explicit) for each in expected
     ]
     for one, other in zip(followed, expected, strict=True):
         assert (one.position, one.anchor) == (

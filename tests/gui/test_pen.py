@@ -41,7 +41,7 @@ def ring(pen):
 
 def lengths(editor, index, kind=1):
     """The lengths of the velocity handles of a point, by whether they are ahead."""
-    handles = [each for each in handles_of(editor.session.active_view, index) if each.kind == kind]
+    handles = [each for each in handles_of(editor.session.active_view, index) if each.order == kind]
     return {each.ahead: math.dist(each.position, each.anchor) / editor.pixel for each in handles}
 
 
@@ -112,7 +112,7 @@ def test_the_handle_of_the_first_point_stays(pen):
             pen.release(tip)
             drawn = pen.handle().position
             pen.click(at(pen, 400, 0))
-            (handle,) = (each for each in handles_of(pen.session.active_view, 0) if each.kind == 1)
+            (handle,) = (each for each in handles_of(pen.session.active_view, 0) if each.order == 1)
             assert handle.ahead, (family, kind, span)
             assert handle.position == pytest.approx(drawn, rel=1e-12), (family, kind, span)
 

@@ -37,7 +37,7 @@ def by_table(document, view):
 def longest(document):
     """The longest velocity handle of the point that was the last."""
     handles = handles_of(view_of(document.curves[0]), 2)
-    return max(math.dist(each.position, each.anchor) for each in handles if each.kind == 1)
+    return max(math.dist(each.position, each.anchor) for each in handles if each.order == 1)
 
 
 @each_row("append", [by_pen, by_paste, by_table])

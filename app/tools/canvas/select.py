@@ -50,7 +50,9 @@ class SelectTool(Tool):
         # handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
 
-    # From the top: the pivot, points and handles, grips, guides, lines, the inside of the box
+    # A second click on a line is for that line. Else from the top: the pivot; points, handles and lines of other
+    # curves; grips; the line of the active curve; guides; the inside of the box and of fills. The plot has
+    # found the topmost of all but pivot and grips.
 
     def press(self, event: ToolEvent) -> Gesture:
         """Return the gesture that begins here."""
@@ -59,9 +61,11 @@ class SelectTool(Tool):
             return self._press_on_line(event, line, is_second=True)
         if self._is_on_pivot(event):
             return press_on_pivot(event, _click_at_pivot(event))
-        return self._press(activate_pressed(event))
+        return self._press(event)
 
     def _press(self, event: ToolEvent) -> Gesture:
+        # Another curve that is edited becomes the active one if it is pressed, and the hit is on that.
+        event = activate_pressed(event)
         hit, grip = event.hit, _grip_at(event)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
             return press_on_curve(event, hit)
@@ -69,11 +73,11 @@ class SelectTool(Tool):
             return press_on_part(event, hit, toggling_kind(event, hit))
         if grip is not None:
             return press_on_grip(event, grip)
+        if hit is not None and hit.part is Part.CURVE:
+            return self._press_on_line(event, hit)
         if hit is not None and hit.part is Part.GUIDE:
             self._guide = hit.index
             return press_on_guide(event, hit.index)
-        if hit is not None and not hit.inside:
-            return self._press_on_line(event, hit)
         return _press_inside(event, hit) if hit is not None else _press_beside(event)
 
     def _press_on_line(self, event: ToolEvent, hit: Hit, *, is_second: bool = False) -> Gesture:

@@ -31,7 +31,7 @@ class Handle(msgspec.Struct, frozen=True):
 
     Attributes
     ----------
-    kind
+    order
         The order of the derivative: 1 for a velocity.
     ahead
         Whether it belongs to the segment after the point.
@@ -45,7 +45,7 @@ class Handle(msgspec.Struct, frozen=True):
         The index of its point.
     """
 
-    kind: int
+    order: int
     ahead: bool
     position: Vector
     anchor: Vector
