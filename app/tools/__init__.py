@@ -9,16 +9,16 @@ In ``tests/gui``, ``test_tools.py`` adds a tool; it and ``test_toolbar.py``, ``t
 
 In reading order:
 
-- ``pointer``: position, modifier keys, what lies under them, what a press would do.
+- ``pointer``: position, modifier keys, what lies under them, what a press would do in words.
 - ``tool``: `ToolEvent`, `Gesture`, `Drag`, `Tool`, and the registry of those in ``canvas``.
 - ``drag_points``: the drag of points, from the press to the undo step.
 - ``toolbox``: the tools of one plot, the gesture in flight.
-- ``drag_handles``, ``bend``, ``select_curves``, ``transform``, ``move_pivot``, ``guides``, ``add_points``,
-  ``parameters``, ``reference_image``: the other gestures, each in one file from the press to the undo step.
+- ``drag_handles``, ``bend``, ``select_curves``, ``transform``, ``guides``, ``add_points``, ``parameters``,
+  ``reference_image``: the other gestures, each in one file from the press to the undo step.
 - ``canvas``: the tools that a person chooses.
 - ``nudge``: arrow keys and Tab.  ``typed_amount``: a number, or two, typed during a drag.
 - ``snapping``: what a point snaps to.  ``offsets``: offsets in the plane.
 - ``box``: the box around the selection, with grips and pivot.
-- ``marks``: what is drawn over the plot.  ``hints``: words that several hints share.
+- ``marks``: what is drawn over the plot.
 - ``editing_session``: the session as tools see it.  ``background``: work that takes longer than a moment.
 """

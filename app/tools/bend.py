@@ -14,11 +14,10 @@ from ..view_model.bend import Bend, BendWith, has_handles
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.geometry import segment_at
 from ..view_model.reshape import Reshaped, inserted_index, with_point_inserted
-from . import hints
 from .drag_points import unless_locked
 from .editing_session import EditingSession
 from .offsets import plus
-from .pointer import Cursor, Hint, Hit, Pointer
+from .pointer import Cursor, Hint, Hit, Pointer, selection_text
 from .tool import Drag, Gesture, ToolEvent
 
 _TOLERANCE = 0.05
@@ -106,7 +105,7 @@ def click_segment(event: ToolEvent, hit: Hit, *, is_added: bool) -> None:
     if ends.parts:
         selected.set_group(_toggled(selected.group, ends) if is_added else ends)
     value = f"t = {words.number(hit.t)} · c(t) = ({words.pair_text(hit.position)})"
-    session.say(f"{hints.selected(selected.group)} · {value}" if ends.parts else value)
+    session.say(f"{selection_text(selected.group)} · {value}" if ends.parts else value)
 
 
 def _ends_of(view: CurveView, curve: int, t: float) -> PointGroup:

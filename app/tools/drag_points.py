@@ -12,16 +12,25 @@ from collections.abc import Callable
 from functools import partial
 
 from ..document import point_edits, words
-from ..document.curve_edits import replace_curve
+from ..document.curve_edits import locked_message, replace_curve
 from ..document.model import Document, Vector
 from ..document.point_group import PointGroup, points_of
 from ..document.selection import SelectionState
 from ..document.several_curves import move_group
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.point_kinds import inner_points, toggled
-from . import hints
 from .offsets import along_axis, axis_held, minus, plus
-from .pointer import AXIS_KEYS, SNAP_KEY, Hint, Hit, Part, Pointer
+from .pointer import (
+    AXIS_KEYS,
+    SNAP_KEY,
+    Hint,
+    Hit,
+    Part,
+    Pointer,
+    drag_to_move,
+    selection_text,
+    snap_key_text,
+)
 from .snapping import Snapper
 from .tool import Drag, Gesture, Refusal, ToolEvent
 
@@ -76,7 +85,7 @@ def unless_locked(event: ToolEvent, drag: Drag) -> Gesture:
     source = event.view.source
     if not source.locked:
         return drag
-    return Refusal(reason=hints.LOCKED.format(source.display_name), on_click=drag.on_click)
+    return Refusal(reason=locked_message([source.display_name]), on_click=drag.on_click)
 
 
 def selecting(event: ToolEvent, index: int) -> Click:
@@ -88,7 +97,7 @@ def selecting(event: ToolEvent, index: int) -> Click:
     def toggle(click: ToolEvent) -> None:
         selected = click.session.selected
         selected.set_group(before.toggled(point))
-        click.session.say(f"{hints.selected(selected.group)}.")
+        click.session.say(f"{selection_text(selected.group)}.")
 
     return toggle
 
@@ -198,8 +207,8 @@ def label_of_moved(event: ToolEvent, hit: Hit) -> str:
 
 def hint_on_point(hit: Hit, view: CurveView, moves: str, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint over a point of which a drag `moves` something, such as "4 points"."""
-    text = f"{hints.to_move(moves, pointer)} · {AXIS_KEYS} · Shift+click: add to or remove from the selection"
-    text += f" · {hints.snap_key(snaps=snaps)}"
+    text = f"{drag_to_move(moves, pointer)} · {AXIS_KEYS} · Shift+click: add to or remove from the selection"
+    text += f" · {snap_key_text(snaps=snaps)}"
     if view.source.family.derivatives:
         text += " · Alt: pull out its velocity"
     return Hint(text, grab=True)

@@ -9,6 +9,7 @@ import msgspec
 from msgspec.structs import replace
 
 from ..document.model import Vector
+from ..document.point_group import PointGroup
 
 # Effects of keys in all drags, in hints and status line. `Pointer.is_constrained`: Ctrl or Shift is held.
 AXIS_KEYS = "Ctrl or Shift: one axis"
@@ -191,3 +192,20 @@ class Hint(msgspec.Struct, frozen=True):
     def cursor_over(self, idle: Cursor) -> Cursor:
         """Return the shape of the pointer; `idle` where a press means nothing in particular."""
         return self.cursor or (Cursor.HAND if self.grab else idle)
+
+
+def selection_text(group: PointGroup) -> str:
+    """Return "Point 3 selected", "5 points in 2 curves selected"."""
+    words = f"{group.label} selected" if group.parts else "no point selected"
+    return f"{words[0].upper()}{words[1:]}"
+
+
+def drag_to_move(what: str, pointer: Pointer) -> str:
+    """Return the effect of a drag of points or curves with the keys that are held."""
+    axis = " along one axis" if pointer.is_constrained else ""
+    return f"Drag to move {what}{axis}"
+
+
+def snap_key_text(*, snaps: bool) -> str:
+    """Return the present effect of the key for snapping."""
+    return f"%: {'no snap' if snaps else 'snap'}"

@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from curvecore.arrays import FloatArray
 
+from ..document.curve_edits import locked_message
 from ..document.group_edits import pressed_curves
 from ..document.groups import expand_to_shapes, shape_of
 from ..document.model import Vector
@@ -19,11 +20,10 @@ from ..document.point_group import NO_POINTS, PointGroup, group_points, points_o
 from ..document.selection import SelectionState
 from ..document.several_curves import common_name, name_or_count, whole_unlocked_curves
 from ..view_model.curve.curve_view import CurveView
-from . import hints
 from .drag_points import Click, press_on_group
 from .editing_session import EditingSession
 from .marks import Marks
-from .pointer import Cursor, Hint, Hit, Part
+from .pointer import Cursor, Hint, Hit, Part, drag_to_move, selection_text
 from .tool import Gesture, ToolEvent
 
 
@@ -86,7 +86,7 @@ def hint_on_curve(event: ToolEvent, hit: Hit) -> Hint:
     if hit.inside and (session.selected.is_editing or event.pointer.shift):
         return Hint(f"{_words_inside(event, hit)} · Drag: select with a rubber band", grab=True)
     click = _click_words(event, hit, is_selected=is_selected)
-    drag = hints.to_move(group.quoted_label, event.pointer)
+    drag = drag_to_move(group.quoted_label, event.pointer)
     return Hint(f"{drag} · {click}", cursor=Cursor.MOVE)
 
 
@@ -165,7 +165,7 @@ def _locked_words(event: ToolEvent) -> str:
     """Return that the curve under the pointer is locked; empty where none is."""
     document, pointer = event.session.document, event.pointer
     curve = event.canvas.locked_at(pointer) if pointer.is_there else -1
-    return hints.LOCKED.format(name_or_count(document, shape_of(document, curve))) if curve >= 0 else ""
+    return locked_message([name_or_count(document, shape_of(document, curve))]) if curve >= 0 else ""
 
 
 def _is_of_active_shape(event: ToolEvent, hit: Hit) -> bool:
@@ -307,7 +307,7 @@ class PointBand(RubberBand, kw_only=True):
 
     def status(self, event: ToolEvent) -> str:
         """Return the number of selected points."""
-        return f"{hints.selected(event.session.selected.group)} · {_BAND_KEYS} · Escape cancels"
+        return f"{selection_text(event.session.selected.group)} · {_BAND_KEYS} · Escape cancels"
 
 
 def _points_inside(view: CurveView, low: FloatArray, high: FloatArray) -> frozenset[int]:

@@ -1,14 +1,14 @@
-"""Move, scale, rotate and skew the selection: by a grip of its box, or by the keys G, S, R and Shift+R.
+"""Move, scale, rotate and skew the selection, by grips of its box or by keys; move the pivot of these.
 
-A grip is dragged with the button down. A key begins a drag that follows the pointer without a button until a
-click or Enter (`Toolbox.begin`); meanwhile digits type the amount, X and Y lock an axis, and G, S, R go on
-with another transform.
+A grip is dragged with the button down. A key (G, S, R, Shift+R) begins a drag that follows
+the pointer without a button until a click or Enter (`Toolbox.begin`); meanwhile digits type the amount, X and
+Y lock an axis, and G, S, R go on with another transform.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 
@@ -19,15 +19,15 @@ from ..document.point_group import PointGroup
 from ..document.several_curves import move_group, transform_group
 from ..document.transforms import LARGEST_SKEW, rotation, scaling, set_coordinates, skew
 from ..view_model.curve.curve_view import CurveView
+from ..view_model.pivot import Pivot
 from ..view_model.resize import stretched
-from . import hints
 from .box import Grip, TransformBox, TransformKind
 from .drag_points import MovePoints, nearest_point
 from .marks import Marks, Note
-from .offsets import longer_axis, minus, plus
-from .pointer import SNAP_KEY, STEP_KEYS, Cursor, Hint, Pointer
+from .offsets import along_axis, axis_held, longer_axis, minus, plus
+from .pointer import AXIS_KEYS, SNAP_KEY, STEP_KEYS, Cursor, Hint, Pointer, drag_to_move, snap_key_text
 from .snapping import Snapper
-from .tool import Drag, ToolEvent, TypedDrag
+from .tool import Drag, Gesture, ToolEvent, TypedDrag
 from .typed_amount import TypedAmount
 
 # By a grip of the box
@@ -485,5 +485,78 @@ def _direction(centre: Vector, position: Vector) -> float:
 
 def hint_inside_box(group: PointGroup, pointer: Pointer, *, snaps: bool) -> Hint:
     """Return the hint inside the box around a group."""
-    keys = f"Ctrl: one axis · Shift+drag: rubber band · {hints.snap_key(snaps=snaps)} · Click: deselect"
-    return Hint(f"{hints.to_move(group.quoted_label, pointer)} · {keys}", cursor=Cursor.MOVE)
+    keys = f"Ctrl: one axis · Shift+drag: rubber band · {snap_key_text(snaps=snaps)} · Click: deselect"
+    return Hint(f"{drag_to_move(group.quoted_label, pointer)} · {keys}", cursor=Cursor.MOVE)
+
+
+# The pivot: only the centre of transforms changes, nothing in the document
+
+_PIVOT_REACH = 7.0
+"""Pixels from the mark of the pivot within which a press takes it."""
+
+PIVOT_HINT = Hint(
+    "Drag the pivot, about which the selection is rotated, scaled and mirrored · "
+    "Shift+click: reset it to the middle",
+    cursor=Cursor.MOVE,
+)
+
+
+def is_on_pivot(pivot: Vector, pointer: Pointer) -> bool:
+    """Return whether a press would take the mark of a pivot."""
+    return math.dist(pivot, pointer.position) * pointer.scale <= _PIVOT_REACH
+
+
+def press_on_pivot(event: ToolEvent, on_click: Callable[[ToolEvent], object] | None) -> MovePivot:
+    """Start to drag the pivot. A double click or Shift+click puts it back; `on_click` is any other click."""
+    pointer = event.pointer
+
+    def click(release: ToolEvent) -> None:
+        if pointer.is_double or (pointer.shift and on_click is None):
+            release.box.pivot = None
+        if on_click is not None:
+            on_click(release)
+
+    return MovePivot(
+        press=pointer.position,
+        start=event.box.centre,
+        before=event.session.box.pivot,
+        snapper=event.snapping.for_pivot(event.box.bounds),
+        on_click=click,
+    )
+
+
+class MovePivot(Gesture, kw_only=True):
+    """Drag of the pivot. Ctrl or Shift keeps to one axis; it snaps to the nine positions of the box.
+
+    Attributes
+    ----------
+    press, start
+        The positions of the press and of the pivot then.
+    before
+        The pivot that was set before.
+    """
+
+    press: Vector
+    start: Vector
+    before: Pivot | None
+    snapper: Snapper
+
+    def move(self, event: ToolEvent) -> None:
+        """Let the pivot follow the pointer."""
+        pointer = event.pointer
+        offset = pointer.offset_from(self.press)
+        axis = axis_held(offset, pointer)
+        event.box.pivot = self.snapper.snap(plus(self.start, along_axis(offset, axis)), pointer, axis)
+
+    def cancel(self, event: ToolEvent) -> None:
+        """Put the pivot where it was."""
+        event.session.box.set_pivot(self.before)
+        super().cancel(event)
+
+    def status(self, event: ToolEvent) -> str:
+        """Return the position of the pivot."""
+        return f"Pivot {words.pair_text(event.box.centre)} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the frame, the pivot, and its snap."""
+        return replace(super().marks(event), snap=event.snapping.caught)

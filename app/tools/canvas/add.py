@@ -8,7 +8,13 @@ from functools import partial
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import delete_last_point, new_curve_like, reverse_curve, with_new_curve
+from ...document.curve_edits import (
+    delete_last_point,
+    locked_message,
+    new_curve_like,
+    reverse_curve,
+    with_new_curve,
+)
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
@@ -16,7 +22,6 @@ from ...view_model.append import Appending, closed_by_pen, is_quick, view_with_p
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...view_model.point_kinds import closed_by_line, with_line_appended
 from ...view_model.reshape import inserted_index
-from .. import hints
 from ..add_points import (
     AppendPoint,
     BeginCurve,
@@ -36,7 +41,7 @@ from ..drag_handles import GESTURES, hint_on_part, press_on_part
 from ..drag_points import label_of_moved
 from ..editing_session import EditingSession
 from ..marks import Marks
-from ..pointer import Hint, Hit, Pointer
+from ..pointer import Hint, Hit, Pointer, snap_key_text
 from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _ENTER = "Enter, double click: finish the curve"
@@ -139,7 +144,7 @@ class AddTool(Tool):
         if act is PenAct.BEGIN:
             return self._begin(event)
         if event.view.source.locked:
-            session.refuse(hints.LOCKED.format(event.view.source.display_name))
+            session.refuse(locked_message([event.view.source.display_name]))
             return None
         return _insert(event, hit) if act is PenAct.INSERT and hit is not None else self._append(event)
 
@@ -232,7 +237,7 @@ class AddTool(Tool):
         self._update_preview(event, act)
         snaps = event.snapping.is_on
         if view.source.locked and act is not PenAct.BEGIN:
-            return Hint(hints.LOCKED.format(view.source.display_name))
+            return Hint(locked_message([view.source.display_name]))
         if part is None:
             act, goes_on = act or PenAct.APPEND, not _begins_anew(event.session)
             return _hint_beside(act, view, _fresh(event), snaps=snaps, goes_on=goes_on)
@@ -349,7 +354,7 @@ def _hint_beside(
     """
     if act is PenAct.INSERT:
         return Hint("Click to insert a point here · Shift: add at the end")
-    keys, index = hints.snap_key(snaps=snaps), len(view.source.points)
+    keys, index = snap_key_text(snaps=snaps), len(view.source.points)
     if act is PenAct.BEGIN:
         other = "" if fresh.family == view.source.family else f", {fresh.family.title}"
         shift = f" · Shift: add point {index} to this one" if goes_on else ""

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
+from ...document.curve_edits import locked_message
 from ...document.model import Vector
 from ...document.point_group import PointGroup
 from ...view_model.curve.curve_view import CurveView
-from .. import hints
 from ..bend import hint_on_line, press_on_line
 from ..box import Grip
 from ..drag_handles import GESTURES, hint_on_part, press_on_part
 from ..drag_points import Click, kind_on_double_click, label_of_moved, press_on_group, toggling_kind
 from ..guides import hint_on_guide, press_on_guide
 from ..marks import Marks
-from ..move_pivot import PIVOT_HINT, is_on_pivot, press_on_pivot
 from ..pointer import Cursor, Hint, Hit, Part
 from ..select_curves import (
     activate_pressed,
@@ -27,7 +26,7 @@ from ..select_curves import (
     select_hit,
 )
 from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
-from ..transform import hint_inside_box, hint_on_grip, press_on_grip
+from ..transform import PIVOT_HINT, hint_inside_box, hint_on_grip, is_on_pivot, press_on_grip, press_on_pivot
 
 _ON_EMPTY = (
     "Drag to select points, Shift adds · Escape: whole curves · P adds points · Wheel zooms, Space pans"
@@ -50,9 +49,9 @@ class SelectTool(Tool):
         # handles and a box.
         self._pressed: tuple[CurveView, Hit] | None = None
 
-    # A second click on a line is for that line. Else from the top: the pivot; points, handles and lines of other
-    # curves; grips; the line of the active curve; guides; the inside of the box and of fills. The plot has
-    # found the topmost of all but pivot and grips.
+    # A second click on a line is for that line. Else from the top: the pivot; points, handles and lines of
+    # other curves; grips; the line of the active curve; guides; the inside of the box and of fills. The plot
+    # has found the topmost of all but pivot and grips.
 
     def press(self, event: ToolEvent) -> Gesture:
         """Return the gesture that begins here."""
@@ -223,7 +222,7 @@ def _hint_on_active(event: ToolEvent, hit: Hit) -> Hint:
     if hit.curve >= 0:
         view, hit = event.session.views[hit.curve], hit.on_active_curve
     if view.source.locked:
-        return Hint(hints.LOCKED.format(view.source.display_name))
+        return Hint(locked_message([view.source.display_name]))
     if hit.part is Part.CURVE:
         return hint_on_line(view, pointer)
     hint = hint_on_part(hit, view, moves, pointer, snaps=event.snapping.is_on)
