@@ -41,7 +41,7 @@ def test_many_files_are_converted_into_a_new_folder(folder, capsys):
     assert output.err.splitlines() == [f"curvebench: {name}.csv: {REMARK}" for name in "ab"]
 
 
-def test_options_may_stand_between_the_files_and_one_file_may_be_many(folder, capsys):
+def test_options_between_the_files_and_several_input_files_are_accepted(folder, capsys):
     """IN and OUT may be parted by an option, as they always could."""
     assert main(["convert", "a.csv", "--family", "lagrange", "a.curve.json"]) == 0
     assert load(folder / "a.curve.json").curves[0].family.name == "lagrange"

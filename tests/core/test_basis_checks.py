@@ -51,7 +51,7 @@ def test_nothing_is_wrong_with_the_families_of_the_core(kind, times, rng):
 
 
 @pytest.mark.parametrize("off", [0.3, -0.02, 1e-8])
-def test_a_sum_that_is_not_one(off):
+def test_a_sum_other_than_one_is_a_defect(off):
     """A bump at 0.375 of which the size is known, added to the third function."""
 
     def bumped(t, parameters):

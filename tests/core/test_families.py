@@ -59,7 +59,7 @@ def test_inputs_are_copied(family, rng):
 
 
 @every_interpolant
-def test_a_curve_goes_through_its_points_exactly(family, rng):
+def test_a_curve_passes_its_points_exactly(family, rng):
     for parameters in (PARAMETERS, PARAMETERS * 1e150, PARAMETERS * 1e-150, 1e6 + PARAMETERS, PARAMETERS / 3):
         curve = build(family, rng, parameters=parameters)
         assert (curve.evaluate(parameters) == curve.points).all()
@@ -69,7 +69,7 @@ def test_a_curve_goes_through_its_points_exactly(family, rng):
 
 @every_polynomial
 @each_row("size", [1e-300, 1e300, 1.7e308])
-def test_goes_through_extreme_points_exactly(family, size):
+def test_a_curve_passes_extreme_points_exactly(family, size):
     points = size * np.array([[1.0, -1.0], [1.0, 1.0], [1.0, -0.25], [1.0, 0.5], [1.0, 0.0]])
     data = [points, *[np.zeros_like(points)] * (width_of(family) - 1)]
     curve = CLASSES[family](*data, PARAMETERS)

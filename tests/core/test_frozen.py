@@ -78,7 +78,7 @@ def test_a_higher_degree_is_not_followed():
     assert frozen.follow(wave(4)) is not None
 
 
-def test_a_curve_that_comes_in_from_outside_the_box_is_noticed():
+def test_a_curve_entering_the_box_from_outside_is_detected():
     points = np.array([[10.0, 10.0], [12.0, 14.0], [10.0, 18.0], [13.0, 19.0]])
     curve = LagrangeCurve(points, chebyshev(4))
     frozen = FrozenFlattening(curve, TOLERANCE, BOX)

@@ -53,7 +53,7 @@ def test_a_moved_point_is_followed_within_the_tolerance(n, degree, parameters):
     assert n == 2 or followed >= 3
 
 
-def test_segments_outside_the_box_stay_coarse_until_they_enter_the_box():
+def test_segments_outside_the_box_stay_coarse_until_inside():
     left = (-0.5, -0.5, 2.0, 3.0)
     curve = curve_through(wave_points(20), 3, uniform)
     frozen = FrozenSegments(curve, TOLERANCE, left)

@@ -106,7 +106,7 @@ def test_first_derivative_where_all_functions_cancel(exact):
         assert worst(exact, curve, rng.random(10), 2) <= LIMIT
 
 
-def test_parameter_too_small_for_the_scale(exact):
+def test_a_parameter_too_small_for_the_scale_is_evaluated(exact):
     """t = 5e-324 scaled to the interval of 1e150 is 0, but is not a node."""
     parameters = 1e150 * np.arange(20) / 19
     curve = LagrangeCurve(np.ones((20, 1)), parameters)

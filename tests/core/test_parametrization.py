@@ -128,7 +128,7 @@ def test_coincident_points():
         centripetal(points)
 
 
-def test_points_too_close_for_doubles():
+def test_points_too_close_for_doubles_are_refused():
     points = [[0.0], [1.0], [1.0 + 2**-52], [3.0]]
     check(centripetal(points), 4)
     with pytest.raises(CurveError, match="parameters 1 and 2 would be equal in double precision") as caught:

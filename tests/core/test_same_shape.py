@@ -169,7 +169,7 @@ def test_other_reasons():
 
 @each_row("degree", [1, 3, 5])
 @each_row("n", [3, 7, 20, 60])
-def test_a_degree_that_surely_exceeds_the_limit(n, degree):
+def test_a_degree_surely_beyond_the_limit_is_detected(n, degree):
     """Told without the exact control points; samples of a polynomial of the degree are left to these."""
     t = times(n)
     wild = LagrangeCurve(points(n), t)

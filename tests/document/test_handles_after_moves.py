@@ -77,7 +77,7 @@ def same(a, b):
 @each_row("family", WITH_VELOCITIES)
 @each_row("closed", [False, True])
 @each_row("index", [0, 3, 5, 7])
-def test_one_moved_point_changes_the_two_segments_beside_it(rule, family, closed, index):
+def test_a_moved_point_changes_only_the_two_adjacent_segments(rule, family, closed, index):
     before = document(rule, family, closed=closed)
     for after in (
         move_points(before, 0, {index}, (2.3, 0.7)),

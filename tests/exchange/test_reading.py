@@ -25,7 +25,7 @@ BUSY = b'<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0' + b"C1 1 2 2 3 3
 
 @pytest.mark.usefixtures("drawings_read_here")
 @each_row("ending", [".curve.json", ".svg", ".dxf", ".csv", ".TSV"])
-def test_written_blocks_are_read_again(ending, sketch, tmp_path):
+def test_written_blocks_read_back_unchanged(ending, sketch, tmp_path):
     path = tmp_path / f"a{ending}"
     export(sketch, path)
     result = import_file(path)

@@ -81,7 +81,7 @@ def test_each_curve_has_its_own_colour(document):
     assert fills == ["#0072b2"] * 4 + [None] * 2
 
 
-def test_a_closed_path_is_closed_and_ends_where_it_begins(document):
+def test_a_closed_path_is_closed_and_ends_at_its_start(document):
     data = paths(document)["Pond"].get("d")
     assert data.endswith("Z")
     assert not paths(document)["Line"].get("d").endswith("Z")

@@ -305,7 +305,7 @@ def test_a_transform_is_about_a_position_in_the_nearest_view_box():
     assert np.array([first, second]) == pytest.approx(np.array([(50, 10), (50, 12)]))
 
 
-def test_a_use_is_turned_about_its_own_origin_before_it_is_shifted():
+def test_a_use_is_rotated_about_its_origin_before_its_shift():
     line = '<defs><path id="a" d="M0 0H1"/></defs>'
     copy = '<use href="#a" x="3" transform="rotate(90)" transform-origin="5 0"/>'
     ((first, second),) = placed(line + copy)

@@ -132,7 +132,7 @@ def test_columns_are_mapped_by_their_roles():
         document_of_table(table, ColumnMapping(x=0, y=8))
 
 
-def test_a_written_table_gives_the_quintic_again():
+def test_a_written_table_reads_back_as_the_same_quintic():
     curve = make_curve(np.random.default_rng(4).normal(size=(6, 2)).tolist(), family=QUINTIC_HERMITE)
     core = view_of(curve).curve
     written = sampled_table(Document((curve,)), Options(format_options={"samples": 60}))

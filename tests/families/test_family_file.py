@@ -382,7 +382,7 @@ def test_a_changed_file_changes_its_family_in_open_documents(write, registry):
 
 
 @pytest.mark.parametrize("text", ["x = (", "exit()", NEW.replace("my_bells", "hermite")])
-def test_a_mistake_leaves_the_last_good_one(write, registry, text):
+def test_a_mistake_keeps_the_last_valid_family(write, registry, text):
     path = write(GAUSSIAN)
     use_file(registry, path)
     family = registry[-1]

@@ -40,7 +40,9 @@ def test_dragging_a_tick_changes_t_and_makes_the_parameters_manual(editor, panel
 
 
 @pytest.mark.parametrize("to", [0.8, "far to the right"])
-def test_a_drag_of_the_last_tick_shows_the_new_interval_and_undo_the_old_one(editor, panel, to):
+def test_dragging_the_last_tick_changes_the_displayed_interval_and_undo_restores_the_interval(
+    editor, panel, to
+):
     """The range stayed -0.035 to 1.035, a tick at 1.4 out of sight; undo and redo showed another one."""
     before = panel.camera.t_range
     start = panel.rail_pixel(1.0)
@@ -246,7 +248,7 @@ def test_the_panel_shows_the_functions_of_the_curve(editor, panel):
                 assert values == pytest.approx(exact, abs=1e-9)
 
 
-def test_at_a_parameter_only_the_function_of_the_point_is_one(editor, panel):
+def test_at_a_parameter_only_the_function_of_the_point_equals_one(editor, panel):
     basis = panel.drawing.basis
     for index, t in enumerate(editor.parameters):
         assert basis.value_at(t, 0) == pytest.approx(np.eye(8)[index], abs=1e-14)

@@ -336,7 +336,7 @@ def test_a_reset_keeps_derivatives_beyond_those_of_the_family(qtbot):
 # What is wrong
 
 
-def test_a_problem_is_shown_with_a_warning_sign(form):
+def test_a_problem_is_displayed_with_a_warning_sign(form):
     form.session.commit(point_edits.set_position(form.session.document, 0, 1, POINTS[0]), "Move")
     assert form.message == f"⚠ {form.session.active_view.problem}"
     assert form["curveFacts"].text() == "8\N{NO-BREAK SPACE}points"

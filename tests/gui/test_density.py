@@ -41,7 +41,7 @@ def test_one_close_pair_does_not_shrink_the_others():
     assert discs_for(pixels, visible, 1.0).radius == RADIUS
 
 
-def test_neighbours_of_selected_points_are_drawn_unless_these_are_many():
+def test_neighbours_of_selected_points_are_drawn_unless_many_are_selected():
     among = np.arange(100)
     assert with_neighbours([0, 50], among).tolist() == [0, 1, 2, 48, 49, 50, 51, 52]
     assert with_neighbours(range(60), among).tolist() == []

@@ -57,7 +57,7 @@ def test_the_key_of_a_panel_raises_a_tab_behind_and_hides_a_tab_in_front(editor)
         assert is_in_front(editor, "styleDock") is not is_there
 
 
-def test_a_double_click_on_the_title_floats_a_panel_and_docks_it_in_front(editor):
+def test_a_double_click_on_the_title_floats_a_panel_and_another_docks_the_panel_in_front(editor):
     points = dock(editor, "pointsDock")
     title = points.titleBarWidget()
     for floats in (True, False):

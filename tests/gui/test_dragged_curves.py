@@ -24,7 +24,7 @@ def selected_names(editor):
     return "".join(document.curves[place].name for place in sorted(selected.whole_curves))
 
 
-def test_a_drag_selects_the_moved_curves_and_keys_act_on_them(whole):
+def test_a_drag_selects_the_moved_curves_and_keys_act_on_the_selection(whole):
     before, steps = whole.session.document, whole.session.undo_stack.count()
     x, y = on_curve(whole, 2)
     whole.press((x, y))

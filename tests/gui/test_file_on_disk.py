@@ -161,7 +161,7 @@ def test_reloading_replaces_locked_curves(saved, path, until):
     assert saved.session.document == THEIRS
 
 
-def test_files_replaced_again_and_again_are_noticed(saved, path, until):
+def test_repeatedly_replaced_files_are_detected(saved, path, until):
     """A file that is replaced by renaming loses its watch."""
     for document in (THEIRS, OTHERS, THEIRS):
         save(path, document)

@@ -129,7 +129,7 @@ def test_a_straight_segment_has_handles_of_a_single_point_only(zigzag):
     assert {(2, True), (3, False)} < {(each.index, each.ahead) for each in layer.handles}
 
 
-def test_of_very_many_selected_points_handles_are_shown_when_few_are_visible(editor):
+def test_handles_of_very_many_selected_points_are_drawn_when_few_points_are_visible(editor):
     count = 3 * MOST_POINTS
     points = [(float(abs(k % 40 - 19.5)), float(k // 20)) for k in range(count)]
     editor.session.commit(Document((make_curve(points, family=HERMITE),)), "Begin", active=0)

@@ -187,7 +187,7 @@ def test_content_that_is_not_added_with_the_curves_is_reported(editor, tmp_path,
     assert document.unit == unit
 
 
-def test_open_begins_a_document_and_import_adds_to_one(editor, tmp_path, monkeypatch):
+def test_open_begins_a_document_and_import_extends_the_document(editor, tmp_path, monkeypatch):
     """The dialog of Ctrl+O was titled “Import”; it comes where something is otherwise than drawn."""
     path = tmp_path / "poster.svg"
     path.write_text(INCH.replace("</svg>", "<foreignObject/></svg>"), encoding="utf-8")

@@ -157,7 +157,7 @@ def test_a_dragged_point_computes_the_curve_on_request_only(family):
 @pytest.mark.parametrize(
     "family", [family for family in FAMILIES if family.derivatives], ids=lambda family: family.name
 )
-def test_handles_follow_a_dragged_point_and_are_exact_when_it_rests(family, index):
+def test_handles_follow_a_dragged_point_and_are_exact_when_the_point_rests(family, index):
     view, fresh = dragged(family, (0.5, -0.25))
     expected = handles_of(fresh, index)
     followed = handles_of(view, index)

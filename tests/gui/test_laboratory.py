@@ -341,7 +341,7 @@ def test_too_many_points_are_refused_with_a_sentence(lab):
     assert "up to 200 points; this one has 201" in text(lab, "laboratoryWords")
 
 
-def test_without_a_curve_the_panel_says_why(lab):
+def test_without_a_curve_the_panel_gives_the_reason(lab):
     lab.session.commit(Document((make_curve(POINTS[:1]),)), "One")
     settled(lab)
     assert not traces_of(lab)

@@ -214,7 +214,7 @@ def test_undoing_hiding_and_combining_many_curves_computes_no_curve_again(editor
     assert combined < 350 * COUNT
 
 
-def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, monkeypatch):
+def test_many_curves_are_moved_and_mapped_without_computing_any_curve(editor, large, monkeypatch):
     """A step of a drag of 2,000 curves took 0.8 s, a flip 1.6 s: each was made and flattened anew."""
     editor.window.open_file(large)
     editor.wait_for_work()
@@ -248,7 +248,7 @@ def test_many_curves_are_moved_and_mapped_without_computing_one(editor, large, m
     assert session.undo_stack.count() == 4
 
 
-def test_many_curves_that_were_copied_here_are_pasted_without_computing_one(editor, large):
+def test_many_curves_copied_in_this_window_are_pasted_without_computing_any_curve(editor, large):
     """They were written, read, checked and computed anew, twice where they came to the pointer: for 15 s."""
     editor.window.open_file(large)
     editor.wait_for_work()

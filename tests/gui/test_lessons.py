@@ -71,7 +71,7 @@ def test_quotes_of_the_window_in_lessons_are_true(editor, qtbot):
 
 
 @pytest.mark.parametrize(("name", "number"), STEPS)
-def test_actions_and_curves_of_a_step_exist_and_its_goal_is_not_met_yet(name, number):
+def test_actions_and_curves_of_a_step_exist_and_its_goal_is_not_reached_yet(name, number):
     lesson = load_lesson(name)
     step, document = lesson.steps[number], load(lesson.document)
     assert step.text
@@ -142,7 +142,7 @@ def test_a_goal_names_a_family_by_its_title(editor, qtbot):
     assert "The family is barycentric rational" in find(editor, QLabel, "lessonGoal").text()
 
 
-def test_a_step_switches_actions_on_and_the_next_step_switches_them_off(editor, qtbot):
+def test_a_step_switches_actions_on_and_the_next_step_off(editor, qtbot):
     editor.window.commands[LessonCommands].open("01_basis_functions")
     click(qtbot, find(editor, QPushButton, "lessonNext"))
     assert editor.session.scrub.t is not None
@@ -286,7 +286,7 @@ def position_text(editor):
     return find(editor, QLabel, "lessonPlace").text()
 
 
-def test_undo_goes_back_from_the_next_lesson(editor, qtbot):
+def test_undo_returns_from_the_next_lesson(editor, qtbot):
     """Next Lesson used to drop what the student had done, and Undo with it."""
     open_step(editor, qtbot, "03_chord_length", 3)
     editor.fit()

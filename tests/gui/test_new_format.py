@@ -214,6 +214,6 @@ def test_a_flag_that_already_exists_is_an_error_that_names_the_flag():
         main(["convert", "a.svg", "b.svg"])
 
 
-def test_a_format_is_gone_after_its_test(tmp_path, capsys):
+def test_a_format_is_removed_after_its_test(tmp_path, capsys):
     assert main(["convert", str(tmp_path / "a.corners"), str(tmp_path / "b.svg")]) == 1
     assert "has no known file extension" in capsys.readouterr().err

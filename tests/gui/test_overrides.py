@@ -136,7 +136,7 @@ def test_a_failing_override_returns_an_empty_value_of_the_declared_type(qapp):
                 assert type(result).__name__ == declared.partition("[")[0].rpartition(".")[2], (cls, name)
 
 
-def test_faults_in_many_overrides_are_reported_and_the_process_goes_on(own_home):
+def test_faults_in_many_overrides_are_reported_and_the_process_continues(own_home):
     here = Path(__file__).parent
     done = subprocess.run(
         [sys.executable, here / "plant_faults.py"],
@@ -188,7 +188,7 @@ class Child(SafeOverrides, QLabel):
         self.painted += 1
 
 
-def test_code_that_calls_a_failing_override_goes_on(qtbot, faults):
+def test_code_that_calls_a_failing_override_continues(qtbot, faults):
     window = FailsToPaint()
     qtbot.addWidget(window)
     child = Child("child", window)
@@ -256,7 +256,7 @@ def test_document_and_history_agree_after_a_step_that_failed(editor, faults, mon
     session.files.give_up_changes()
 
 
-def test_a_failed_filter_lets_the_event_pass(qtbot, faults):
+def test_a_failed_filter_passes_the_event_on(qtbot, faults):
     class Filter(SafeOverrides, QObject):
         def eventFilter(self, watched, event) -> bool:
             return bool(1 / 0)

@@ -176,7 +176,7 @@ def test_escape_removes_a_point_added_near_the_curve(pen):
 # Beside a closed curve
 
 
-def test_beside_a_closed_curve_the_pen_begins_a_new_one(ring):
+def test_beside_a_closed_curve_the_pen_begins_a_new_curve(ring):
     begin(ring, rule_edits.set_parametrization(ring.session.document, 0, ParametrizationKind.CENTRIPETAL, []))
     old, steps = ring.curve, ring.session.undo_stack.count()
     ring.hover((4, 1))

@@ -106,7 +106,7 @@ def test_a_click_on_the_first_point_of_a_finished_curve_continues_from_the_start
     assert pen.curve == closed
 
 
-def test_a_drag_of_the_last_point_moves_it_and_the_curve_stays_finished(pen):
+def test_a_drag_of_the_last_point_moves_the_point_and_the_curve_stays_finished(pen):
     pen.key(Qt.Key.Key_Return)
     pen.drag(pen.point(2), at(pen, 220, 20))
     assert pen.point(2) == pytest.approx(at(pen, 220, 20), abs=2 * pen.pixel)

@@ -161,7 +161,7 @@ def test_the_smoothness_of_the_pencil_is_selected_in_the_menu_and_remembered(edi
     assert farthest(editor, line) <= 10.2
 
 
-def test_a_line_of_two_thousand_places_is_drawn_as_quickly_as_a_short_one(editor):
+def test_a_line_of_two_thousand_positions_is_drawn_as_quickly_as_a_short_line(editor):
     """Each move of the pointer takes what is new alone: the line, not the curve, is shown meanwhile."""
     places = [(100 + i % 600, 100 + i // 10) for i in range(2000)]
     draw(editor, places, release=False)

@@ -209,7 +209,7 @@ def test_a_signal_ends_the_program_while_a_dialog_is_open():
     assert len(snapshots()) == 1
 
 
-def test_damaged_snapshots_do_not_stop_a_start_and_an_unchanged_document_leaves_none():
+def test_damaged_snapshots_do_not_stop_a_start_and_an_unchanged_document_leaves_no_snapshot():
     snapshot_folder().mkdir(parents=True)
     (snapshot_folder() / "x.snapshot.json").write_bytes(b"\xff\x00{")
     process = start('def drive():\n    tell("told", 0, editor.window.findChild(RecoveryBar).text)\n')

@@ -299,7 +299,7 @@ def until_it_faded(canvas):
     until(lambda: canvas.drawing.curve.ghost_opacity == 0)
 
 
-def test_a_ghost_of_the_curve_stands_still_while_a_tick_is_dragged_and_fades(editor, panel):
+def test_a_ghost_of_the_curve_stays_while_a_tick_is_dragged_and_then_fades(editor, panel):
     canvas = editor.window.canvas
     start = panel.rail_pixel(editor.parameters[3])
     assert canvas.drawing.curve.ghost_opacity == 0

@@ -647,7 +647,7 @@ def test_shift_drag_over_a_fill_is_a_rubber_band(whole):
     assert chosen_as_wholes(whole) == {"Side"}
 
 
-def test_shapes_and_groups_are_counted_as_one(whole):
+def test_shapes_and_groups_count_as_one_item(whole):
     """A word and a circle were "15 curves"."""
     whole.session.selected.select_whole({0, 1, 2})
     whole.trigger("ungroupCurves")

@@ -46,7 +46,7 @@ def test_the_length_of_segments_inside_a_box_is_measured():
     assert covered_lengths(np.empty((0, 4)), boxes).tolist() == [0, 0]
 
 
-def test_the_label_is_right_and_below_unless_it_covers_more():
+def test_the_label_is_right_and_below_unless_another_side_covers_less():
     place = QPointF(200, 150)
 
     def centre(*segments, words=()):
@@ -63,7 +63,7 @@ def test_the_label_is_right_and_below_unless_it_covers_more():
 
 
 @pytest.mark.parametrize("place", [(395, 150), (5, 150), (200, 295), (395, 295), (2, 2)])
-def test_words_stay_inside_the_drawing(place):
+def test_the_label_stays_inside_the_drawing(place):
     box = free_corner(QPointF(*place), SIZE, (8, 7), NOTHING, SHOWN)
     assert QRectF(0, 0, 400, 300).contains(box)
     assert not box.contains(QPointF(*place))

@@ -83,7 +83,7 @@ def test_the_offered_button_disappears_with_the_reason_for_the_offer(pair, act):
     assert "A rule gives" not in pair.message + pair.status
 
 
-def test_a_tip_covers_the_status_and_restores_it_afterwards(pair):
+def test_a_tip_replaces_the_status_until_the_pointer_leaves(pair):
     pair.session.say("Something.")
     button = pair.window.toolbar.widgetForAction(pair.action("fitView"))
     QApplication.sendEvent(button, QStatusTipEvent("Show everything"))

@@ -130,7 +130,7 @@ def test_the_colours_of_the_brief():
 
 @pytest.mark.parametrize("theme", THEMES)
 @pytest.mark.parametrize("n", [1, 8, 9, 60, 1000])
-def test_every_point_stands_out_from_the_paper(theme, n):
+def test_every_point_has_contrast_to_the_paper(theme, n):
     colours = point_colours(n, theme)
     assert len(colours) == n
     assert all(colour.alpha() == 255 for colour in colours)

@@ -80,7 +80,7 @@ def test_four_points_and_four_bends_trace_an_o(traced):
 
 
 @pytest.mark.parametrize("theme", ["themeLight", "themeDark"])
-def test_handles_and_numbers_stand_out_on_the_ink(traced, theme):
+def test_handles_and_numbers_have_contrast_on_the_ink(traced, theme):
     traced.trigger(theme)
     middle = (2.0, 2.0)
     traced.add_point(middle[0] - 0.6, middle[1], (middle[0] - 0.3, middle[1]))

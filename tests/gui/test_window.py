@@ -141,7 +141,7 @@ def test_undo_and_redo_restore_every_state(editor):
         assert editor.session.document is state
 
 
-def test_save_and_open_again(editor, tmp_path):
+def test_a_saved_document_opens_unchanged(editor, tmp_path):
     path = tmp_path / "curve.curve.json"
     editor.drag_point(2, to=(0.5, 4.2))
     assert editor.window.isWindowModified()

@@ -57,7 +57,7 @@ def holds_old_alone(path):
 # kill -9
 
 
-def test_killed_at_any_step_a_save_leaves_the_old_file_or_the_new_one(tmp_path):
+def test_a_save_killed_at_any_step_leaves_the_old_or_the_new_file(tmp_path):
     child = python(Path(__file__).with_name("kill_at_every_step.py"), tmp_path)
     results = json.loads(child.communicate()[0])
     for kind, steps in results.items():
@@ -357,7 +357,7 @@ def test_extended_attributes_survive_a_save(path):
 # Two at once
 
 
-def test_two_processes_that_save_one_file_leave_a_complete_one(tmp_path):
+def test_two_processes_that_save_the_same_file_leave_a_complete_file(tmp_path):
     """Each save raises a number that was read before: if one were lost, the sum would not come out."""
     path, go = tmp_path / "drawing.curve.json", tmp_path / "go"
     save(path, Document((make_curve([(0.0, 0.0), (1.0, 0.0)]),)))
@@ -369,7 +369,7 @@ def test_two_processes_that_save_one_file_leave_a_complete_one(tmp_path):
     assert sorted(each.name for each in tmp_path.iterdir()) == [path.name, go.name]
 
 
-def test_a_change_just_before_replacing_is_noticed(path, monkeypatch):
+def test_a_change_just_before_replacing_is_detected(path, monkeypatch):
     """Somebody writes after the new file is on the disk and before it takes the place of the old one."""
     opened = OpenFile.open(path)
     real = os.fsync

@@ -55,7 +55,7 @@ def test_an_unchanged_file_reports_no_change(file):
     assert file.other_document is None
 
 
-def test_another_document_in_the_file_is_noticed(path, file):
+def test_another_document_in_the_file_is_detected(path, file):
     save(path, THEIRS)
     assert file.check() is FileChange.CHANGED
     assert file.other_document == THEIRS
@@ -81,7 +81,7 @@ def test_a_truncated_file_is_unreadable(path, file, content):
     assert file.check() is FileChange.UNREADABLE
 
 
-def test_a_deleted_file_is_reported_as_gone(path, file):
+def test_a_deleted_file_is_reported_as_missing(path, file):
     path.rename(path.with_name("moved"))
     assert file.check() is FileChange.GONE
     OpenFile.saved(path, THEIRS, file)
@@ -103,7 +103,7 @@ def test_an_unnoticed_change_is_not_overwritten(path, file):
     assert file.check() is FileChange.SAME
 
 
-def test_a_change_of_the_same_size_and_time_is_noticed(path, file):
+def test_a_change_of_the_same_size_and_time_is_detected(path, file):
     """Some copying programs keep the time; the digest tells."""
     status = path.stat()
     content = encode(MINE).replace(b"1.0", b"9.0", 1)

@@ -125,7 +125,7 @@ DETOURS = {
 
 
 @each_row("detour", DETOURS)
-def test_a_goal_is_not_met_when_its_conditions_are_broken(detour):
+def test_a_goal_is_not_reached_when_its_conditions_are_broken(detour):
     name, number, change, words = DETOURS[detour]
     goal, curve = given(name, number)
     assert result_of(dataclasses.replace(goal, conditions=()), view_of(change(curve))).is_met

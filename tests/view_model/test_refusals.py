@@ -56,7 +56,7 @@ def test_a_refused_curve_has_a_reason_in_the_terms_of_the_window(curve, sentence
     assert not re.search(r"\w\[\d|-\d|\d\.0\b", problem)
 
 
-def test_every_kind_of_entry_has_its_words():
+def test_indexed_entries_of_a_reason_are_translated_into_point_terms():
     said = in_words("points[3, 1] is nan; velocities[0, 0] = -2.50 and parameters[12] = 1e+20, at least 3")
     assert said == "y of point 3 is nan; vx of point 0 = −2.5 and t₁₂ = 1e+20, at least 3"
 
