@@ -51,7 +51,8 @@ class HistoryState(msgspec.Struct, frozen=True):
     Attributes
     ----------
     selection
-        Before a step, all that was selected; None after it.
+        Before a step, all that was selected: undo restores it where curves of it return, or where the curves
+        selected since are removed. None after the step.
     """
 
     document: Document

@@ -250,7 +250,8 @@ class Drag(Gesture, kw_only=True):
     document
         The document at the press; every move computes another one from it, never from the last move.
     selects
-        Selection from the first preview on; cancelling and undo restore the one before.
+        Selection from the first preview on. Escape restores the one before; undo restores it only where it
+        brings back curves of it, or removes all curves selected since (`Selection.select_returned`).
     refusal
         Why the last move changed nothing; empty where it did.
     keys, remark
