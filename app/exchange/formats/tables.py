@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from curvecore import ArcLength, curvature_error, flatten_pieces
 from curvecore.arrays import FloatArray
+from curvecore.bezier.flatten import segment_distance
 
 from ...document.derivatives import DERIVATIVES
 from ...document.model import Document
@@ -321,24 +322,21 @@ def _rows_of(core: ParametricCurve, t: FloatArray, lengths: ArcLength | None) ->
 def polyline_deviation(core: ParametricCurve, t: FloatArray) -> float:
     """Return about the largest distance of a curve from its chords between the parameters t (m,).
 
-    Measured at eight parameters a part, and parts end at the curve's own parameters, too; an eighth of the
-    second differences is added for what lies between the eight, as for a parabola.
+    Measured at nine parameters a part, its ends included, and parts end at the curve's own parameters, too.
+    For what lies between the nine, an eighth of the largest second difference is added, continued linearly to
+    the ends: of cubic pieces that is a bound.
     """
     inner = core.parameters[(core.parameters > t[0]) & (core.parameters < t[-1])]
     cuts = np.unique(np.concatenate([t, inner]))
-    at = (cuts[:-1, None] + np.diff(cuts)[:, None] * (np.arange(8) / 8)).ravel()
-    chord = np.clip(np.searchsorted(t, at, side="right") - 1, 0, len(t) - 2)
-    points, ends = core.evaluate(at), core.evaluate(t)
-    start, along = ends[chord], ends[chord + 1] - ends[chord]
-    offset = points - start
-    square = np.einsum("md,md->m", along, along)
+    # Both ends of a part: the farthest point may lie just before a joint.
+    nine = core.evaluate(np.linspace(cuts[:-1], cuts[1:], 9, axis=1).ravel()).reshape(-1, 9, 2)
+    ends, chord = core.evaluate(t), np.searchsorted(t, cuts[:-1], side="right") - 1
     with np.errstate(all="ignore"):
-        share = np.clip(np.nan_to_num(np.einsum("md,md->m", offset, along) / square), 0, 1)
-        distance = np.hypot(*(offset - share[:, None] * along).T)
-        eight = points.reshape(-1, 8, 2)
-        nine = np.concatenate([eight, np.append(eight[1:, :1], ends[None, -1:], axis=0)], axis=1)
-        bend = np.hypot(*np.diff(nine, n=2, axis=1).T).max(axis=0) / 8
-    return float((distance.reshape(-1, 8).max(axis=1) + bend).max())
+        distance = segment_distance(nine, ends[chord, None], ends[chord + 1, None])
+        second = np.diff(nine, n=2, axis=1)
+        at_ends = 2 * second[:, [0, -1]] - second[:, [1, -2]]
+        bend = np.hypot(*np.concatenate([second, at_ends], axis=1).T).max(axis=0) / 8
+    return float((distance.max(axis=1) + bend).max())
 
 
 def _by_length(core: ParametricCurve, lengths: ArcLength, samples: int, report: Report) -> FloatArray:
