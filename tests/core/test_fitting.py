@@ -207,6 +207,24 @@ def test_progress_grows_and_ends_the_work():
 # Data with errors
 
 
+LIMITS = dict.fromkeys(
+    [
+        "lagrange",
+        "hermite",
+        "quintic_hermite",
+        "cubic_spline",
+        "septic_hermite",
+        "floater_hormann",
+        "bezier",
+        "b_spline",
+    ],
+    (30, 20, 0.011),
+)
+"""Most points within 0.036 and 0.02 of the noisy wave, and the root mean square left, of order 4 and more."""
+ANY_FAMILY = (50, 50, 0.0142)
+"""Of any other: a hundredth of the rows, and √2 · 0.01, which the wave leaves at its own parameters."""
+
+
 @pytest.fixture(scope="module")
 def noisy():
     """Five thousand rows around a growing wave, with errors of 0.01: the farthest is off by 0.04."""
@@ -219,26 +237,28 @@ def noisy():
 def test_a_tolerance_near_the_errors_takes_few_points_and_few_rounds(family, noisy):
     """It took up to 109 points and 865 rounds, and two families more than a minute."""
     rounds = []
+    most_points, _, root_mean_square = LIMITS.get(family.name, ANY_FAMILY)
     found = fit(noisy, family, tolerance=0.036, progress=rounds.append)
     assert len(rounds) <= 250
-    assert len(found.curve.points) <= 30
+    assert len(found.curve.points) <= most_points
     # Kept, or said why not; the best curve without weights leaves 0.0385.
     assert found.deviation <= 0.036 or found.is_scattered
     assert found.deviation <= 0.0385
-    assert found.root_mean_square <= 0.011
+    assert found.root_mean_square <= root_mean_square
 
 
 @pytest.mark.parametrize("family", CLASSES)
 def test_a_tolerance_below_the_errors_gives_few_points_and_is_reported(family, noisy):
     """Hundreds of points came nearer by a tenth, in a minute."""
     rounds = []
+    _, most_points, root_mean_square = LIMITS.get(family.name, ANY_FAMILY)
     found = fit(noisy, family, tolerance=0.02, progress=rounds.append)
     assert found.is_scattered
     assert len(rounds) <= 120
-    assert len(found.curve.points) <= 20
+    assert len(found.curve.points) <= most_points
     assert found.deviation <= 0.045
     # Nothing but the errors is left: 0.01 in each direction, of which one lies along the curve.
-    assert found.root_mean_square <= 0.011
+    assert found.root_mean_square <= root_mean_square
 
 
 def test_residuals_with_a_trend_do_not_count_as_errors():
