@@ -34,7 +34,9 @@ _VISIBLE, _LOCKED = attrgetter("visible"), attrgetter("locked")
 class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     """Facts that decide about actions: equal facts, equal actions.
 
-    "The curve" is the active one. To add a fact, add a field here and read it in `ActionFacts.read`.
+    "The curve" is the active one: `point_count`, `active_selected_count` and `has_copied_derivatives` are
+    about its points alone, the other facts about points are about those of all edited curves. To add a fact,
+    add a field here and read it in `ActionFacts.read`.
 
     Attributes
     ----------
