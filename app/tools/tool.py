@@ -2,23 +2,41 @@
 
 A tool is a class and a record in a file of ``canvas``. This one puts points above the press:
 
+    # app/tools/canvas/lift.py
+    from __future__ import annotations
+
+    from ...document import words
+    from ...document.model import Document, Vector
+    from ...view_model.append import with_point_appended
+    from ...view_model.curve.curve_view import CurveView
+    from ..pointer import Hint, Pointer
+    from ..tool import Drag, Gesture, GestureRow, Tool, ToolEvent, ToolRecord
+
     class Lift(Drag, kw_only=True):
         curve: int
+        view: CurveView
         foot: Vector
 
+        def head(self, pointer: Pointer) -> Vector:
+            return (self.foot[0], pointer.position[1])
+
         def document_at(self, pointer: Pointer) -> Document:
-            count = len(self.document.curves[self.curve].points)
-            point = Point(self.foot[0], pointer.position[1])
-            return insert_points(self.document, self.curve, count, [point])
+            return with_point_appended(self.document, self.curve, self.view, self.head(pointer))
 
         def undo_text(self, pointer: Pointer) -> str:
             return "Lift point"
+
+        def amount(self, pointer: Pointer) -> str:
+            return f"Point at {words.pair_text(self.head(pointer))}"
 
     class LiftTool(Tool):
         def press(self, event: ToolEvent) -> Gesture:
             session = event.session
             return Lift(
-                document=session.document, curve=session.active_index, foot=event.pointer.position
+                document=session.document,
+                curve=session.active_index,
+                view=event.view,
+                foot=event.pointer.position,
             )
 
         def hover(self, event: ToolEvent) -> Hint:
@@ -35,10 +53,13 @@ A tool is a class and a record in a file of ``canvas``. This one puts points abo
         tip="Put points above where you press",
     )
 
-Threshold, preview, undo step, Escape and status line follow from that; the sheet of keys and mouse has a row
-for each of the `gestures`. A setting of the tool, such as
-``DETAIL`` in ``canvas/pencil``, stands in the record (``settings=(DETAIL,)``); the tool, or its gesture,
-reads it with ``event.value(DETAIL)``. Its field in the preferences, its actions and its key follow.
+Threshold, preview, undo step and Escape follow from that. The status line shows `amount` during the drag, and
+the sheet of keys and mouse has a row for each of the `gestures`.
+
+A setting of the tool, such as ``DETAIL`` in ``canvas/pencil``, stands in the record (``settings=(DETAIL,)``);
+the tool, or its gesture, reads it with ``event.value(DETAIL)``. Its field in the preferences and its key in
+the file of settings follow. The kinds are in ``app/view_model/settings.py``: `SwitchSetting` (a check box),
+`Count` (a whole number, a spin box) and `ChoiceSetting` (a box, and an action for each member).
 """
 
 from __future__ import annotations

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import re
+import textwrap
+from types import ModuleType
+
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QMenu, QSpinBox, QWidget
 
-from app.document import point_edits
+from app.document import point_edits, rule_edits
 from app.document.limits import EditError
 from app.document.model import Point
 from app.document.words import NamedEnum
 from app.testing import Editor
+from app.tools import canvas as canvas_tools
+from app.tools import tool
 from app.tools.canvas.select import SELECT
 from app.tools.marks import Marks, Ruler
 from app.tools.pointer import Cursor, Hint
@@ -258,6 +264,39 @@ def test_a_tool_can_have_a_whole_number_and_a_choice_that_is_too_long_for_a_menu
         assert window.preferences.tool_settings.value(STEPS) == 3
         assert "“13” is not a whole number from 1 to 12" in window.preferences.complaint
         dialog.hide()
+
+
+def recipe():
+    """The record of the recipe in the docstring of the tools, run as it is printed."""
+    text = re.search(r"(    # app/tools/canvas/lift.py\n.*?)\n\n\S", tool.__doc__ or "", re.DOTALL)
+    assert text is not None
+    module = ModuleType("app.tools.canvas.lift")
+    module.__package__ = canvas_tools.__name__
+    exec(compile(textwrap.dedent(text[1]), "lift.py", "exec"), module.__dict__)
+    return next(value for value in vars(module).values() if isinstance(value, ToolRecord))
+
+
+@pytest.mark.parametrize("is_manual", [False, True])
+def test_the_tool_of_the_recipe_puts_points_above_the_press(qtbot, is_manual):
+    record = recipe()
+    with TOOLS.with_record(record):
+        editor = Editor(qtbot)
+    session = editor.session
+    if is_manual:
+        t = session.active_view.parameters.tolist()
+        session.commit(rule_edits.freeze_parameters(session.document, 0, t), "Freeze")
+    editor.trigger(record.action)
+    count, steps = len(editor.curve.points), session.undo_stack.count()
+    editor.press(FOOT)
+    editor.move(HEAD)
+    assert re.fullmatch(r"Point at [12][.0-9]*, [23][.0-9]* · Escape cancels", editor.status)
+    editor.release(HEAD)
+    assert editor.point(-1) == pytest.approx((FOOT[0], HEAD[1]), abs=editor.pixel)
+    assert (len(editor.curve.points), session.undo_stack.count()) == (count + 1, steps + 1)
+    assert session.active_view.is_current
+    editor.trigger("showShortcuts")
+    words = [label.text() for label in editor.window.findChildren(QLabel)]
+    assert f"<b>Now: {record.doing}</b>" in words
 
 
 class StampTool(Tool):
