@@ -52,9 +52,9 @@ class _Conversion:
 
 @dataclass(frozen=True)
 class _Converted:
-    """Result of a conversion: the largest deviation from the true curves, if that is a bound, and remarks."""
+    """Result of a conversion: largest deviation from the true curves, whether that is a bound, remarks."""
 
-    deviation: float
+    deviation: float | None
     is_bound: bool
     remarks: list[str]
 
@@ -79,6 +79,8 @@ def _facts(result: _Converted) -> dict[str, Any]:
 
 
 def _result(target: str, result: _Converted) -> str:
+    if result.deviation is None:
+        return one_line(target)
     deviation = exchange.exported_curves.deviation_text(result.deviation, result.is_bound)
     return f"{one_line(target)}: largest deviation from the true curves {deviation}"
 
@@ -265,8 +267,9 @@ def _converted(
     )
     fitted = [f"“{fit.curve.name}”: {fit.words}" for fit in fits]
     off = max((fit.deviation for fit in fits), default=0.0)
+    deviation = written.deviation
     return _Converted(
-        rounded_up(source.deviation + off + written.deviation, 3),
+        None if deviation is None else rounded_up(source.deviation + off + deviation, 3),
         written.is_bound and not fits,
         [*source.remarks, *_on_groups(source, options.only), *fitted, *written.remarks],
     )

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
 import textwrap
 from types import ModuleType
 
 import pytest
 
+from app.cli import main
 from app.document.model import Document, make_curve
 from app.exchange import formats
 from app.exchange.files import export
-from app.exchange.formats import FORMATS, Format
+from app.exchange.formats import FORMATS, ExportResult, Format
 from app.exchange.options import Options
 
 ARCH = [(0.0, 0.0), (2.0, 1.5), (4.0, -1.0)]
@@ -45,3 +47,22 @@ def test_the_format_of_the_recipe_writes_moves_within_the_tolerance(gcode, tmp_p
     assert written.remarks == ("“dot”: A curve needs at least two points.",)
     assert shares[:-1] == sorted(shares[:-1])
     assert gcode in FORMATS.offered
+
+
+def test_a_file_without_curves_has_no_deviation(tmp_path, capsys):
+    result = ExportResult("3 points\n", None)
+    count = Format(
+        endings=(".count",),
+        title="Count",
+        description="Number of points.",
+        write=lambda _document, _options: result,
+    )
+    assert result.summary == ""
+    source, target = tmp_path / "a.csv", tmp_path / "a.count"
+    source.write_text("x,y\n0,0\n2,1\n4,0\n")
+    with FORMATS.with_record(count):
+        assert main(["convert", str(source), str(target)]) == 0
+        assert capsys.readouterr().out.splitlines() == [str(target)]
+        assert main(["convert", "--json", str(source), str(target)]) == 0
+        assert json.loads(capsys.readouterr().out)["deviation"] is None
+    assert target.read_text() == "3 points\n"

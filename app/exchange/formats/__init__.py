@@ -1,8 +1,8 @@
 r"""Formats of files, one record each: `FORMATS` finds those that the modules of this package define.
 
-Nothing else names a format: the dialogs, their filters, dropped files, the command line, the manual and the
-tests read the registry. The modules are imported when it is first asked; what takes long to import (Qt,
-ezdxf) they import when they use it.
+Dialogs, their filters, dropped files and the command line read the registry, and so do the tests: nothing
+else lists formats, except the manual. The modules are imported when it is first asked; what takes long to
+import (Qt, ezdxf) they import when they use it.
 
 To add a format, add a module here, and a row in the manual (``07_files.md``), which a test shows::
 
@@ -35,15 +35,27 @@ To add a format, add a module here, and a row in the manual (``07_files.md``), w
         endings=(".gcode",),
         title="G-code",
         description="Straight moves for a plotter.",
+        rank=125,  # after PGFPlots: lists of formats and the rows of the manual are sorted by it
         options=(TOLERANCE, FEED),
         write=write,
     )
 
-The export form makes a widget for each option and, with a `help`, the command line an argument. The deviation
-is that of the file from the true curves: 0 only if the file, read again, gives the same curves, and
-`is_bound=False` where it was measured. A format that is read has `kind`, `plural` and `read`; one whose files
-share an ending with another says by `recognises` which contents are its own. `tests/gui/test_new_format.py`
-has a format with all of that; add a round trip to `tests/exchange`.
+The export form makes a widget for each option and, with a `help`, the command line an argument. An option
+that means the same as another format's is that one, imported (`TOLERANCE`, ``tables.SAMPLES``); two different
+options of one name are refused.
+
+The deviation is that of the file from the true curves: 0 only if the file, read again, gives the same curves;
+`is_bound=False` where it was measured; None if the file holds no curves. Tests over the registry hold every
+format to these rules:
+
+- The deviation of a curve of any family is at most the tolerance, or `deviation_limit` times as large.
+- A document of one curve is written without a remark; so is a dot, a curve of length 0, unless `writes_dots`
+  is False.
+
+A format that is read has `kind`, `plural` and `read`; one whose files share an ending with another says by
+`recognises` which contents are its own. The test to copy is `tests/gui/test_new_format.py` for a format that
+is read, `tests/exchange/test_format_recipe.py` for one that is only written; add a round trip to
+`tests/exchange`.
 """
 
 from __future__ import annotations
@@ -77,7 +89,8 @@ class ExportResult:
     content
         Content of the file.
     deviation
-        Largest distance of the file's curves from the true ones, in the document's unit.
+        Largest distance of the file's curves from the true ones, in the document's unit; None if the file
+        holds no curves.
     is_bound
         Whether the deviation is a bound; otherwise it was measured at many parameters.
     remarks
@@ -87,7 +100,7 @@ class ExportResult:
     """
 
     content: str | bytes
-    deviation: float = 0.0
+    deviation: float | None = 0.0
     remarks: tuple[str, ...] = ()
     is_bound: bool = True
     pixels: tuple[int, int] | None = None
@@ -104,10 +117,12 @@ class ExportResult:
 
     @property
     def summary(self) -> str:
-        """Accuracy of the file, or the pixels of a picture, as text."""
+        """Accuracy of the file, or the pixels of a picture, as text; empty if the file holds no curves."""
         if self.pixels is not None:
             # Pixels are not exact, whatever they were painted from.
             return f"{self.pixels[0]} × {self.pixels[1]} pixels"
+        if self.deviation is None:
+            return ""
         return distance_text(self.deviation, "the true curve", is_bound=self.is_bound)
 
 
@@ -173,6 +188,11 @@ class Format(FileKind):
         `ImportResult`; it stands at the top level of its module, for another process calls it by name.
     recognises
         Test of a content in a file with the ending of another format; None for no such test.
+    deviation_limit
+        Largest deviation, in multiples of the tolerance: above 1 where the format rounds numbers, infinite
+        where its usual options ask for no tolerance.
+    writes_dots
+        Whether a curve of length 0 is written.
     """
 
     description: str = ""
@@ -185,6 +205,8 @@ class Format(FileKind):
     plural: str = ""
     read: Callable[..., Any] | None = None
     recognises: Callable[[bytes], bool] | None = None
+    deviation_limit: float = 1.0
+    writes_dots: bool = True
 
     @property
     def name(self) -> str:
@@ -200,7 +222,7 @@ class Format(FileKind):
 class FormatRegistry(Registry[Format]):
     """All formats: those of this package, and in tests one more.
 
-    No two of them write, or read, files of one ending, or have options of one name.
+    No two of them write, or read, files of one ending, or have two different options of one name.
     """
 
     @property

@@ -298,6 +298,7 @@ LATEX = Format(
     rank=100,
     options=(DIGITS,),
     write=latex_formula,
+    deviation_limit=1.5,  # that of digits
 )
 TIKZ = Format(
     endings=(".tikz", ".tikz.tex"),
@@ -306,6 +307,7 @@ TIKZ = Format(
     rank=110,
     options=(TRUE_SIZE, TOLERANCE),
     write=tikz_picture,
+    deviation_limit=1.1,  # rounded to the grid of 1e-5 cm
 )
 PGFPLOTS = Format(
     endings=(".pgfplots.tex",),

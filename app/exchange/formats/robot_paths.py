@@ -234,6 +234,7 @@ PATHWEAVER = Format(
     plural="PathWeaver paths",
     read=read_pathweaver,
     recognises=lambda data: _HEAD.match(data) is not None,
+    writes_dots=False,
 )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Iterator, Mapping
 from functools import partial
-from math import isnan, nan
+from math import inf, isnan, nan
 from typing import Any
 
 import numpy as np
@@ -361,6 +361,7 @@ _samples = partial(
     rank=50,
     options=(TOLERANCE, SPACING, SAMPLES, COLUMNS),
     hidden=_hidden,
+    deviation_limit=inf,  # as many rows as requested
 )
 CSV = _samples(
     endings=(".csv",),

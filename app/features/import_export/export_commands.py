@@ -125,7 +125,7 @@ class ExportCommands:
 
     def _say_written(self, path: Path, written: ExportResult) -> None:
         self._preferences.last_folder = path.parent
-        self._session.say(f"Wrote {path.name}, {written.summary}.")
+        self._session.say(f"Wrote {', '.join(filter(None, (path.name, written.summary)))}.")
         self._work.warn_of(written.remarks)
 
 
