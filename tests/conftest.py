@@ -58,7 +58,7 @@ from hypothesis.internal.conjecture import providers
 from pytestqt.qtbot import QtBot
 
 from app.families import FAMILIES, Family, FamilySettingValues
-from app.qt.sources import spare_sources
+from app.qt import spare_sources
 from app.tasks.garbage import Generations
 from tests.waiting import LIMIT_MS
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import PySide6
 from PySide6.QtWidgets import QApplication
 
-from ..qt.sources import spare_sources
+from ..qt import spare_sources
 from .display import why_no_window
 from .output import RefusalError
 

@@ -10,9 +10,9 @@ In reading order:
   rules and parameters.  ``curve_edits``: of whole curves.  ``straight_edits``: segments made straight.
 - ``constraints``: straight segments, ties and handles, kept while points move.
 - ``point_group``: points of several curves that change together.  ``several_curves``: edits of several
-  curves. ``transforms``: affine maps, alignment and distribution.
+  curves, and of their stroke and fill. ``transforms``: affine maps, alignment and distribution.
 - ``groups``: shapes and groups as a tree.  ``group_edits``: combine, group, reorder, rename.
-- ``style_edits``: stroke and fill of several curves.  ``plane_edits``: unit, grid, guides, reference image.
+- ``plane_edits``: unit, grid, guides, reference image.
 - ``selection``: selected curves and points, followed through a change.
 - ``differences``: what changed from one document to the next.  ``plain_numbers``: numbers of NumPy made
   plain.

@@ -5,18 +5,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import chain, islice
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from msgspec.structs import replace
 
 from .curve_edits import map_curves, refuse_locked, remove_curve, unused_copy_name, without_curve
+from .fields import fields_of
 from .group_edits import as_contained, with_unused_group_names
 from .groups import OUTSIDE, Container, expand_to_shapes, node_count_label, shape_of, tidy_shapes, whole_nodes
 from .model import Curve, Document, Vector
 from .point_edits import PointsChange, shift_points, translation
 from .point_group import PointGroup, PointsEdit
+from .style import INK, NO_PAINT, Style
 from .transforms import Affine, decimal_translation, positions_mapped, transform_points
 from .words import count_of
 
@@ -296,3 +299,43 @@ def _changed_whole(
             curves[index] = replace(curve, points=tuple(islice(new, len(curve.points))))
         document = replace(document, curves=tuple(curves))
     return replace(group, parts=tuple(rest)).apply_to_each(document, edit) if rest else document
+
+
+# Stroke and fill
+
+STYLE_WORDS: Final = {field.name: field.label for field in fields_of(Style)}
+"""Labels of the fields of a style, as steps of the history name them: "Stroke width of Leaf"."""
+
+
+def set_style(document: Document, curves: Collection[int], **fields: object) -> Document:
+    """Set some fields of the styles of curves."""
+    return map_curves(
+        document,
+        expand_to_shapes(document, curves),
+        lambda curve: replace(curve, style=replace(curve.style, **fields)),
+    )
+
+
+def colours_of(curves: Iterable[Curve]) -> list[str]:
+    """Return the colours of the fills and strokes of curves, the most frequent first."""
+    counts = Counter[str]()
+    for curve in curves:
+        counts.update([curve.style.fill, curve.style.stroke])
+    return [paint for paint, _ in counts.most_common() if paint not in (INK, NO_PAINT)]
+
+
+def swap_paints(document: Document, curves: Collection[int]) -> Document:
+    """Exchange the paints of fill and stroke of curves."""
+    return map_curves(
+        document, expand_to_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
+    )
+
+
+def common_values(styles: Iterable[Style]) -> dict[str, object]:
+    """Return the values that all of the styles have in common, by their fields; empty for no styles."""
+    styles = list(styles)
+    if not styles:
+        return {}
+    first, *others = styles
+    values = {name: getattr(first, name) for name in Style.__struct_fields__}
+    return {name: value for name, value in values.items() if all(getattr(s, name) == value for s in others)}

@@ -23,10 +23,10 @@ from app.document.several_curves import (
     remove_curves,
     reorder_curves,
     set_appearance,
+    set_style,
     transform_group,
     whole_curves,
 )
-from app.document.style_edits import set_style
 from app.document.transforms import rotation
 from app.families import HERMITE
 from tests.rows import each_row

@@ -8,8 +8,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton, QWidget
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.document.several_curves import set_style
 from app.document.style import Style
-from app.document.style_edits import set_style
 from app.families import FAMILIES, LAGRANGE
 from app.settings.preferences import Preferences
 from app.testing import Editor

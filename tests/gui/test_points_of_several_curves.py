@@ -10,8 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QLineEdit
 
 from app.document.model import Document, make_curve
+from app.document.several_curves import set_style
 from app.document.style import Style
-from app.document.style_edits import set_style
 from app.families import HERMITE
 from tests.gui.editor_facts import retype, transform, undo_text
 

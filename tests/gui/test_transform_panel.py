@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QScrollArea, QToolButton
 
 from app.document.model import Document, make_curve
+from app.document.several_curves import set_style
 from app.document.style import Style
-from app.document.style_edits import set_style
 from app.families import HERMITE
 from tests.gui.editor_facts import transform, undo_text
 

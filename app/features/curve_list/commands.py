@@ -38,11 +38,11 @@ from ...document.several_curves import (
     name_or_count,
     remove_curves,
     set_appearance,
+    set_style,
     show_all,
     unlock_all,
     unlocked_curves,
 )
-from ...document.style_edits import set_style
 from ...session import Session
 from ...tools.tool import CANCELLED
 from ...view_model.curve.curve_view import CurveView

@@ -2,5 +2,4 @@
 from . import export_dialog as export_dialog
 from . import import_drawing_dialog as import_drawing_dialog
 from . import import_table_dialog as import_table_dialog
-from . import intake as intake
 from . import work_dialog as work_dialog

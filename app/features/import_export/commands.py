@@ -25,7 +25,7 @@ from ...tasks.progress import Report
 from ...workbench.context import WindowContext
 from .. import import_export
 from .export_commands import CopyCommands, ExportCommands
-from .import_series import ImportSeries
+from .import_series import MANY_POINTS, ImportSeries, intake, points_of, rest_message
 
 if TYPE_CHECKING:
     from ...exchange.cubics_in import ImportResult
@@ -176,7 +176,7 @@ class ImportCommands:
 
     def _add_result(self, path: Path, result: ImportResult | PreparedTable, anew: bool) -> None:
         """Begin a document with the curves or add them, then go on with the next file."""
-        files, session, intake = self._context.files, self._session, import_export.intake
+        files, session = self._context.files, self._session
         assert result.document is not None
         if anew and (self._hand_over(path, result) or not files.may_discard()):
             self._end_turn()
@@ -186,7 +186,7 @@ class ImportCommands:
         rest = self._loss_message(path, result) + self._rest_message(new, anew)
 
         def work(report: Report) -> AddedCurves:
-            return intake.intake(target, new, lambda share: report(share, "Computing curves"))
+            return intake(target, new, lambda share: report(share, "Computing curves"))
 
         def done(arrival: AddedCurves) -> None:
             try:
@@ -194,7 +194,7 @@ class ImportCommands:
                     session.refuse(_NOT_IMPORTED.format(names_with_verb([path.name])))
                     return
                 if not begins and session.committed is not target:
-                    arrival = intake.intake(session.committed, new)
+                    arrival = intake(session.committed, new)
                 factor = exchange.units.factor_between(new.unit, arrival.document.unit)
                 style = session.template_curve.style
                 if self._commit_curves(path, arrival, begins=begins, anew=anew):
@@ -207,8 +207,8 @@ class ImportCommands:
                 self._end_turn()
 
         self._target_number = self._document_number
-        if intake.points_of(new) < intake.MANY_POINTS:
-            done(intake.intake(target, new))
+        if points_of(new) < MANY_POINTS:
+            done(intake(target, new))
         else:
             self._work.start(f"Importing {path.name}", work, done, path, "imported", self._series.end)
 
@@ -235,7 +235,7 @@ class ImportCommands:
         return files.blank() if anew or files.is_untouched else self._session.committed
 
     def _rest_message(self, new: Document, anew: bool) -> str:
-        return import_export.intake.rest_message(self._target(anew), new)
+        return rest_message(self._target(anew), new)
 
     def _end_turn(self) -> None:
         # The next file of the series goes to the same document.

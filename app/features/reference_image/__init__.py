@@ -1,4 +1,4 @@
 """The picture to trace.
 
-- ``commands``: add, find again, move and remove it.  ``panel``: its numbers.
+- ``commands``: the panel with its numbers; actions that add, find, move and remove it.
 """

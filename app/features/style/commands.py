@@ -20,9 +20,8 @@ from ...actions.needs import SELECTED_CURVE
 from ...appearance.theme import LIGHT, Theme
 from ...document.groups import expand_to_shapes
 from ...document.model import Curve, Document, make_curve
-from ...document.several_curves import name_or_count
+from ...document.several_curves import STYLE_WORDS, colours_of, name_or_count, set_style, swap_paints
 from ...document.style import Style
-from ...document.style_edits import STYLE_WORDS, colours_of, set_style, swap_paints
 from ...session.change import why_unsavable
 from ...session.session import Session
 from ...settings.preferences import Preferences

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QSizePolicy, QWidget
 
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
+from ...document.several_curves import common_values
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
-from ...document.style_edits import common_values
 from ...document.transforms import round_step_below
 from ...document.words import decimal_product, decimal_sum
 from ...qt.labels import Label, tip_of
