@@ -8,7 +8,8 @@
 
 To add a family to the program, add a file to ``curvecore.families``; its docstring says how. An installed
 package names its curve class as an entry point of the group ``curvebench.families``, a person names a file
-with ``--families`` or Use Family File (``family_file`` says what it holds). Nothing else lists families.
+with ``--families`` or Use Family File (``family_file`` says what it holds). The program lists families
+nowhere else; the README does, the map of `curvecore.families` and, for imports, ``curvecore/__init__.pyi``.
 """
 
 from curvecore import FamilySetting

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from curvecore import FamilySetting, ParametricCurve, hermite_functions
 from curvecore.arrays import FloatArray
+from curvecore.families.curve import ParametricCurve
+from curvecore.families.hermite import hermite_functions
+from curvecore.families.setting import FamilySetting
 
 
 class CardinalSplineCurve(ParametricCurve):
@@ -41,7 +43,7 @@ class CardinalSplineCurve(ParametricCurve):
         t, n = self.parameters, len(self.parameters)
         i = np.arange(n)
         behind, ahead = np.maximum(i - 1, 0), np.minimum(i + 1, n - 1)
-        share = (1.0 - self.chosen["tension"]) / (t[ahead] - t[behind])
+        share = (1.0 - float(self.chosen["tension"])) / (t[ahead] - t[behind])
         matrix = np.zeros((n, n))
         matrix[i, ahead] += share
         matrix[i, behind] -= share
