@@ -17,6 +17,9 @@ from .state import ActionState
 class Need(msgspec.Struct, frozen=True):
     """Condition under which an action can be used.
 
+    With ``TWO_POINTS = Need("at least two points", lambda state: state.point_count > 1)`` an action is
+    disabled while the active curve has fewer; its key then says "“Action” needs at least two points."
+
     Attributes
     ----------
     words

@@ -79,6 +79,9 @@ class DrawnCanvas(CanvasQueries):
 class Canvas(ToolPlot):
     """The drawing area: a plot of equal aspect with the tools of the toolbar, menus and rulers.
 
+    It shows the views that it is given and sends mouse and keys to its `Toolbox`; it changes no document.
+    ``canvas.to_pixel(x, y)`` and ``canvas.to_plane(pixel)`` convert positions, for tests as well.
+
     Attributes
     ----------
     drawing

@@ -84,6 +84,9 @@ class ParametrizationKind(NamedEnum):
 class Point(Value, frozen=True, gc=False):
     """Point of a curve, with the derivatives and the parameter that the person set.
 
+    What a rule computes is not stored: ``Point(1.0, 2.0)`` has an estimated velocity, and
+    ``Point(1.0, 2.0, velocity=(0.5, 0.0))`` an explicit one.
+
     Attributes
     ----------
     x, y

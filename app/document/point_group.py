@@ -19,6 +19,9 @@ PointsEdit = Callable[[Document, int, Collection[int]], Document]
 class PointGroup(msgspec.Struct, frozen=True):
     """Group of points that change together: points of one or several curves, or whole curves.
 
+    It knows its label for undo steps and messages: ``points_of(0, [2]).label`` is "point 2", and that of five
+    points of two curves "5 points in 2 curves".
+
     Attributes
     ----------
     parts

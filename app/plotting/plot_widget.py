@@ -199,7 +199,11 @@ def _with_keys(pointer: Pointer, modifiers: Qt.KeyboardModifier, **changes: bool
 
 
 class PlotWidget(PaintedPlot):
-    """A plot that pans and zooms by mouse, wheel and trackpad; a subclass handles everything else."""
+    """A plot that pans and zooms by mouse, wheel and trackpad; a subclass handles everything else.
+
+    Presses and moves that do neither arrive as a `Pointer`: position in the plane, pixel and modifier keys.
+    Everything inside the axes is drawn by its layers, see `Layer`.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

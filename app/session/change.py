@@ -23,6 +23,8 @@ _FIELD = re.compile(r"([a-z_]+)(?:\[(\d+)\])?")
 class Change(msgspec.Struct, frozen=True):
     """Result of a change of the document; true where it is a step of the history now.
 
+    So a command can go on from it: ``if session.change(text, edit): session.say("Curve closed.")``.
+
     Attributes
     ----------
     is_done

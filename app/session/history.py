@@ -104,6 +104,9 @@ class UndoStep(SafeOverrides, QUndoCommand):
 class History:
     """The steps that can be undone and redone.
 
+    A step holds the `HistoryState` before and after it, and undo restores the whole state: nothing is
+    computed backwards. Changes of one run, such as quick presses of an arrow key, become one step.
+
     Parameters
     ----------
     restore

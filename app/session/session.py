@@ -149,6 +149,13 @@ class SessionSignals(QObject):
 class Session(SessionSignals):
     """Owner of the open document: `change` changes it at once; a gesture previews a change, then commits it.
 
+    Every change is one named step of the history::
+
+        session.change("Move point 2", lambda document: move_points(document, 0, [2], (0.5, 0.0)))
+
+    It returns a `Change`, which is false and has a sentence where the edit is refused; the document is then
+    the same as before. `document_changed` reports each document that is displayed, previews included.
+
     Attributes
     ----------
     history

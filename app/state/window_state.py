@@ -47,6 +47,9 @@ class FileState(msgspec.Struct, frozen=True):
 class WindowState(msgspec.Struct, frozen=True):
     """State of a window besides its document: visible parts, tool and settings; neither saved nor undone.
 
+    Actions, docks and plots show it and ask `WindowStore` for another one; no widget is asked for its own
+    state. A switch is one field here and one action: ``store.change(grid=not store.state.grid)``.
+
     Attributes
     ----------
     tool
@@ -137,6 +140,8 @@ class WindowState(msgspec.Struct, frozen=True):
 
 class WindowStore(QObject):
     """Owner of the state of a window; fields with a preference of the same name are saved there.
+
+    ``store.change(grid=True)`` emits `changed` once with both states, or nothing where they are equal.
 
     Attributes
     ----------

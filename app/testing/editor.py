@@ -57,6 +57,14 @@ class QtBot(Protocol):
 class Editor(InputDriver):
     """One window of the editor, driven by real events.
 
+    Positions are those of the plane; each method returns when the window has been painted::
+
+        editor.add_point(1.0, 2.0)
+        editor.drag_point(0, to=(1.5, 2.5))
+        editor.trigger("undo")
+
+    An action that is disabled raises `ImpossibleError` with the reason.
+
     Parameters
     ----------
     qtbot

@@ -30,6 +30,10 @@ _Record = TypeVar("_Record", bound=Record)
 class Registry(Collection[_Record]):
     """All records of a kind, in their order.
 
+    A record is a value at the top level of a module in the package; nothing else lists it. So
+    ``OVERLAYS = Registry(Overlay, "app.view_model.analysis.overlays")`` has an `Overlay` more as soon as a
+    file with one is in that folder.
+
     Parameters
     ----------
     kind

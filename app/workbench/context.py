@@ -25,6 +25,9 @@ from .status_line import StatusLine
 class WindowContext(msgspec.Struct, frozen=True):
     """Parts of a window that its commands act on; each command set gets one.
 
+    A command set is a class with decorated methods, ``def __init__(self, context: WindowContext)``; it keeps
+    the parts that it uses.
+
     Attributes
     ----------
     session, store, preferences

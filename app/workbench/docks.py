@@ -88,6 +88,9 @@ def declared_panels(commands: type) -> Iterator[tuple[Panel, Callable[..., QWidg
 class Docks:
     """Docks of a window, built and arranged by their declarations.
 
+    ``docks["jointsDock"]`` is a dock by the object name that its `Panel` declares; where it stands, and
+    whether it is visible, is saved between starts.
+
     Parameters
     ----------
     panels

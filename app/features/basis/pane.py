@@ -53,7 +53,12 @@ class _HeaderRow(Scrolled[QWidget]):
 
 
 class BasisPane(FollowsTheme, CentralPane):
-    """The basis functions with their header: the lower third of the window."""
+    """The basis functions with their header: the lower third of the window.
+
+    The plot inside is the window's ``basis_panel``, whose x axis is t; the t-rail lies along its lower edge.
+    The header has the switches for the kinds of functions, their formulas, and a warning where functions
+    leave the visible range.
+    """
 
     def __init__(self, panel: BasisPanel, estimates: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)

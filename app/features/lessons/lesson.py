@@ -54,7 +54,11 @@ class Step(NamedTuple):
 
 
 class Lesson(NamedTuple):
-    """Text of a lesson in steps, and the path of its document."""
+    """Text of a lesson in steps, and the path of its document.
+
+    `load_lesson` reads it from a folder by name; a step may have a goal, which is measured on the curve, and
+    facts that must stay.
+    """
 
     name: str
     title: str

@@ -227,6 +227,9 @@ class Group(enum.IntEnum):
 class Overlay(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     """Something that can be drawn over the curve; compares by identity.
 
+    The record is all there is to add: menu, key, dock, legend, pictures and tests read it. The docstring of
+    ``overlays`` has an example.
+
     Attributes
     ----------
     name
