@@ -290,7 +290,7 @@ def test_several_points_show_velocities_and_a_single_point_all_derivatives(arch)
     arch.select_point(1)
     assert len(arch.window.canvas.drawing.points.handles) == 6
     arch.select([0, 1])
-    shown = [(each.index, each.ahead, each.kind) for each in arch.window.canvas.drawing.points.handles]
+    shown = [(each.index, each.ahead, each.order) for each in arch.window.canvas.drawing.points.handles]
     assert shown == [(0, True, 1), (1, True, 1), (1, False, 1)]
     arch.select([])
     assert len(arch.window.canvas.drawing.points.handles) == 0

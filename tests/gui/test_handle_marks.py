@@ -36,10 +36,10 @@ def test_marks_of_one_point_do_not_overlap(editor):
                 assert sizes[before] + sizes[after] < gap, (family, count)
                 assert min(sizes[before], sizes[after]) >= 2.0, (family, count)
         if count == 3:
-            assert all(size == (4.0, 5.5, 5.5)[each.kind - 1] for each, size in sizes.items()), family
+            assert all(size == (4.0, 5.5, 5.5)[each.order - 1] for each, size in sizes.items()), family
         for each in handles:
             editor.hover(each.position)
-            assert f"{('velocity', 'acceleration', 'jerk')[each.kind - 1]}" in editor.status, (family, count)
+            assert f"{('velocity', 'acceleration', 'jerk')[each.order - 1]}" in editor.status, (family, count)
 
 
 @pytest.fixture
