@@ -1,4 +1,4 @@
-"""Curvebench, the editor: what runs in the window.
+"""Curvebench, the editor: everything around the mathematics of `curvecore`.
 
 The layers, top to bottom; a module imports only from its own layer and those above it:
 

@@ -29,7 +29,7 @@ VAGUE = frozenset(
 
 _HEADLESS = re.compile(r"\bwhat\b", re.IGNORECASE)
 _RIDDLE = re.compile(
-    r"^(What|Whose|Who|Where|How|When|Of|That of|Those|Whether (it|they|that|this|there|one)\b)"
+    r"^(What|Whose|Who|Where|How|When|Of|That of|Those|Whether (it|they|that|this|there|one))\b"
     r"|^(Return|Yield|Tell|Say|Have|Give|Take) (what|where|who|whose|how|that of|those)\b"
     r"|\btoo\.$"
 )

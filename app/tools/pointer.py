@@ -141,7 +141,7 @@ class Pointer(msgspec.Struct, frozen=True):
 
     @property
     def is_there(self) -> bool:
-        """Whether it is over the plot."""
+        """Whether the pointer is over the plot."""
         return math.isfinite(self.position[0])
 
     def offset_from(self, position: Vector) -> Vector:

@@ -39,7 +39,7 @@ class TypedAmount(msgspec.Struct, frozen=True):
 
     @property
     def is_pair(self) -> bool:
-        """Whether there are two numbers, for x and for y."""
+        """Whether the amount has two numbers, for x and for y."""
         return len(self.fields) > 1
 
     @property

@@ -128,7 +128,7 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @cached_property
     def supports(self) -> list[slice]:
-        """Those slices of all knots."""
+        """The slices of all knots."""
         return self._inside_supports(range(self.count))
 
     def _inside_supports(self, knots: Iterable[int]) -> list[slice]:

@@ -111,7 +111,7 @@ class _Segment(msgspec.Struct, frozen=True):
 
     @property
     def is_new(self) -> bool:
-        """Whether it replaces several segments."""
+        """Whether the new segment replaces several."""
         return self.end > self.start + 1
 
 

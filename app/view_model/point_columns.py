@@ -93,12 +93,12 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def is_derivative(self) -> bool:
-        """Whether it is a derivative of the point, which a rule may estimate."""
+        """Whether the column is a derivative of the point, which a rule may estimate."""
         return self.order is not None and self.order > POSITION
 
     @property
     def is_position(self) -> bool:
-        """Whether it is a coordinate or the parameter of the point."""
+        """Whether the column is a coordinate or the parameter of the point."""
         return self.order is not None and self.order <= POSITION
 
     def at(self, index: int) -> str:

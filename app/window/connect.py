@@ -221,7 +221,7 @@ class Rendering(QObject):
             self._panels_due.start()
 
     def _settle(self) -> None:
-        """Render what waits for the end of a drag; the curves are drawn."""
+        """Render the panels that wait for the end of a drag; the curves are drawn."""
         view = self._session.active_view
         view.settle()
         self._commands.follow_drag(view)

@@ -1,4 +1,4 @@
-"""A wiggle explained: which points pull the curve at the scrub line, and what would calm it.
+"""A wiggle explained: which points pull the curve at the scrub line, and possible cures.
 
 - ``commands``: explains the curve at the scrub line, tries cures; the tool by which a click puts the line.
 - ``panel``: the explanation, the weights of the points as bars, and the cures.
