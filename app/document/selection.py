@@ -22,6 +22,8 @@ NONE_SELECTABLE = "All curves are hidden or locked. Show or unlock them in the l
 class SelectionState(msgspec.Struct, frozen=True):
     """All that is selected at a moment: a step of the history and a cancelled gesture restore it.
 
+    ``before = selected.state`` and ``selected.restore(before)`` are a pair.
+
     Attributes
     ----------
     active

@@ -46,7 +46,7 @@ class DocumentOrigin(msgspec.Struct, frozen=True, eq=False):
 
 
 class HistoryState(msgspec.Struct, frozen=True):
-    """State of the session in the history: a document, the curve that was edited, and its beginning.
+    """State of the session in the history: a document, the active curve, and the origin of the document.
 
     Attributes
     ----------

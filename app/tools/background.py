@@ -49,7 +49,7 @@ class BackgroundTask(msgspec.Struct, frozen=True):
 
 
 class Background:
-    """Errands of the tools of one plot; a result waits until no gesture is in flight.
+    """Background tasks of the tools of one plot; a result waits until no gesture is in flight.
 
     Attributes
     ----------

@@ -170,6 +170,8 @@ def box_of(views: Sequence[CurveView], group: PointGroup, *, live: bool = False)
 class SelectionBox:
     """The box around the selected points of the edited curves; with none, around the selected curves.
 
+    Its grips scale, rotate and skew `group` about the pivot, as the keys S, R and Shift+R do.
+
     Attributes
     ----------
     is_visible

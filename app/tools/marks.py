@@ -33,7 +33,9 @@ class Ruler(msgspec.Struct, frozen=True):
 
 
 class Marks(msgspec.Struct, frozen=True):
-    """All marks at once; None for those that are not drawn.
+    """All marks over the plot at once; None for those that are not drawn.
+
+    A gesture or a tool returns them, ``Marks(band=(corner, opposite))``, and the canvas draws them.
 
     Attributes
     ----------

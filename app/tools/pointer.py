@@ -61,6 +61,9 @@ class Part(Enum):
 class Hit(msgspec.Struct, frozen=True):
     """A part of the drawing under the pointer.
 
+    A tool reads it as ``event.hit``, for a press and a hover: ``if hit.part is Part.POINT``, the point
+    ``hit.index`` of the active curve is there.
+
     Attributes
     ----------
     part
@@ -108,6 +111,9 @@ class Hit(msgspec.Struct, frozen=True):
 
 class Pointer(msgspec.Struct, frozen=True):
     """One press, move or release.
+
+    Design space and screen space are apart: a gesture moves points by ``pointer.offset_from(start)``, in the
+    plane, and compares distances in ``pixel``.
 
     Attributes
     ----------
@@ -172,7 +178,7 @@ class Cursor(Enum):
 
 
 class Hint(msgspec.Struct, frozen=True):
-    """The effect of a press.
+    """The effect of a press, before it is made: ``Hint("Drag to move point 2", grab=True)``.
 
     Attributes
     ----------

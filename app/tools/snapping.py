@@ -134,6 +134,9 @@ class Targets(msgspec.Struct, frozen=True):
 class Snapper:
     """Snapping of one point to the targets near it, with the last catch.
 
+    ``snapper.snap(position, pointer)`` returns the position itself, or that of the nearest target within a
+    few pixels, which is `caught` until the next question.
+
     Attributes
     ----------
     caught
@@ -384,6 +387,9 @@ def _middles(view: CurveView, moving: Collection[int] | None, of: str = "") -> I
 
 class SnapTargets:
     """Snappers of the gestures, each made when one begins.
+
+    A press asks for one by its subject, such as ``event.snapping.for_points(group, grabbed)``; points that
+    move along are no targets.
 
     Attributes
     ----------

@@ -82,7 +82,7 @@ DOCUMENT_ENDING = ".curve.json"
 
 @dataclass(frozen=True)
 class ExportResult:
-    """Result of a writer.
+    """Result of a writer, ``ExportResult(text, deviation)``: content and accuracy of the file.
 
     Attributes
     ----------
