@@ -14,7 +14,7 @@ from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.stroke_box import around_dot
+from ..view_model.extents import around_dot
 
 if TYPE_CHECKING:
     from .scene import CanvasScene

@@ -22,7 +22,7 @@ from ..view_model.arc_lengths import lengths_of
 from ..view_model.basis import growth_of_data, growths_of_points
 from ..view_model.curve.curve_view import CurveView, ParametricCurve, view_of
 from ..view_model.curve.rounded_parameters import ParameterRounding
-from ..view_model.stroke_box import around_dot
+from ..view_model.extents import around_dot
 from .drawing.drawing import complexity_problem, refuse_out_of_range
 from .drawing.outlines import frame_around
 from .errors import ExchangeError

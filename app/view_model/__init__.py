@@ -5,7 +5,7 @@ more at the end, which is the first point again.
 
 - ``curve``: the view of a curve, and what changes while it moves; begin here.
 - ``geometry``: vectors, parameters along a curve, insides of outlines.
-- ``arc_lengths``: lengths of curves.  ``extents``: of cubic pieces.  ``stroke_box``: the box around a stroke.
+- ``arc_lengths``: lengths of curves.  ``extents``: of cubic pieces, and of strokes.
 - ``line_styles``, ``palette``: the look of lines and marks; colours of papers, curves and points.
 - ``registry``: registries that read their records off the modules of a package.  ``settings``: settings that
   an overlay or a tool owns.

@@ -1,12 +1,31 @@
-"""Extents of cubic Bézier pieces, imported where drawings are read and written."""
+"""Extents of cubic Bézier pieces, and the box around a line with its stroke.
+
+Of a stroke, width, caps, joins and miters count, dashes do not.
+
+A stroke reaches half its width to both sides of every point of the line, and at joints and ends as far as
+joins and caps do. So its extremes lie at joints, at ends, and beside the points where a coordinate of the
+line turns. Cusps of the inner side, where a line bends more tightly than half the width, are ignored.
+"""
 
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 
+import msgspec
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arithmetic import cross
+from curvecore.arrays import BoolArray, FloatArray
+
+from ..document.style import LineCap, LineJoin, Style
+from .geometry import to_the_left, unit_tangents
+
+_LEAST = 1e-12
+"""Share of the size of a piece below which the offset to a control point is no direction."""
+
+
+# Cubic pieces
 
 
 def extent_of(control_points: FloatArray) -> FloatArray:
@@ -52,3 +71,118 @@ def _cubic_values(pieces: FloatArray, s: FloatArray) -> FloatArray:
     while len(level) > 1:
         level = [(1 - s) * low + s * high for low, high in itertools.pairwise(level)]
     return level[0]
+
+
+# Lines with strokes
+
+
+class Line(msgspec.Struct, frozen=True, eq=False):
+    """Joints of a line, with its directions there, unit vectors.
+
+    Attributes
+    ----------
+    points
+        The joints, (m, 2), of an open line with its ends.
+    before, after
+        The directions in which the line enters a joint and leaves it, (m, 2). Those of an open line before
+        its first point, and after its last, have no meaning.
+    turns
+        The extreme values of x, and of y, within pieces.
+    is_closed
+        Whether the last joint is joined with the first.
+    """
+
+    points: FloatArray
+    before: FloatArray
+    after: FloatArray
+    turns: tuple[FloatArray, FloatArray]
+    is_closed: bool
+
+
+def half_width(style: Style) -> float:
+    """Return half the width of a stroke; 0 of one that is as wide at every zoom."""
+    return (style.width or 0.0) / 2.0 if style.has_stroke else 0.0
+
+
+def around_dot(position: FloatArray, style: Style) -> FloatArray:
+    """Return the corners, (2, 2), of the box around a line of no length with its caps."""
+    reach = half_width(style) if style.has_caps else 0.0
+    return np.stack([position - reach, position + reach])
+
+
+def line_of(controls: FloatArray, turns: tuple[FloatArray, FloatArray], *, is_closed: bool) -> Line | None:
+    """Return the line of Bézier pieces (k, m, 2) with these extreme x and y; None of a single point."""
+    leaving, is_long = _directions(controls)
+    coming, _ = _directions(controls[:, ::-1])
+    if not is_long.any():
+        return None
+    starts, end = controls[is_long, 0], controls[is_long, -1][-1:]
+    after, before = leaving[is_long], -coming[is_long]
+    if is_closed:
+        return Line(starts, np.roll(before, 1, axis=0), after, turns, is_closed=True)
+    before, after = np.vstack([before[:1], before]), np.vstack([after, after[-1:]])
+    return Line(np.vstack([starts, end]), before, after, turns, is_closed=False)
+
+
+def _directions(controls: FloatArray) -> tuple[FloatArray, BoolArray]:
+    """Return the unit tangents at the starts of pieces (k, m, 2), and the mask of those with any length."""
+    chords: FloatArray = controls[:, 1:] - controls[:, :1]
+    lengths = np.hypot(chords[..., 0], chords[..., 1])
+    longest = lengths.max(axis=1)
+    first = (lengths > _LEAST * longest[:, None]).argmax(axis=1)
+    return unit_tangents(chords[np.arange(len(chords)), first]), longest > 0.0
+
+
+def stroke_box(line: Line, style: Style) -> FloatArray:
+    """Return the lower left and the upper right corner, (2, 2), of a line with its stroke."""
+    half = half_width(style)
+    inner = slice(None) if line.is_closed else slice(1, -1)
+    points, before, after = line.points[inner], line.before[inner], line.after[inner]
+    reached = [*_sides(points, before, half), *_sides(points, after, half)]
+    if style.join is LineJoin.MITER:
+        reached.append(_miters(points, before, after, half, style.miter_limit))
+    discs = [(points, before, -after)] if style.join is LineJoin.ROUND else []
+    if not line.is_closed:
+        ends, out = line.points[[0, -1]], np.stack([-line.after[0], line.before[-1]])
+        reached += [*_sides(ends, out, half)]
+        if style.cap is LineCap.SQUARE:
+            reached += [*_sides(ends + half * out, out, half)]
+        elif style.cap is LineCap.ROUND:
+            discs.append((ends, out, out))
+    spots = np.vstack(reached)
+    return np.array([_along(axis, line, spots, discs, half) for axis in (0, 1)]).T
+
+
+_Disc = tuple[FloatArray, FloatArray, FloatArray]
+"""Centres (k, 2) of half discs, and for each two directions, (k, 2), between which it lies."""
+
+
+def _along(axis: int, line: Line, spots: FloatArray, discs: list[_Disc], half: float) -> tuple[float, float]:
+    """Return the least and the greatest coordinate along an axis."""
+    values = [spots[:, axis], line.turns[axis] - half, line.turns[axis] + half]
+    for centres, one, other in discs:
+        for sign in (-1.0, 1.0):
+            is_ahead = (sign * one[:, axis] >= 0.0) & (sign * other[:, axis] >= 0.0)
+            values.append(centres[is_ahead, axis] + sign * half)
+    reached = np.concatenate(values)
+    return float(reached.min()), float(reached.max())
+
+
+def _sides(points: FloatArray, directions: FloatArray, half: float) -> Iterator[FloatArray]:
+    """Yield the points half a width to the left and to the right of points."""
+    aside = half * to_the_left(directions)
+    yield points + aside
+    yield points - aside
+
+
+def _miters(
+    points: FloatArray, before: FloatArray, after: FloatArray, half: float, limit: float
+) -> FloatArray:
+    """Return the tips of miters at joints (m, 2) between directions, unit vectors, that are not too sharp."""
+    is_pointed = (1.0 + (before * after).sum(axis=1)) * limit * limit >= 2.0
+    points, before, after = points[is_pointed], before[is_pointed], after[is_pointed]
+    cosine, aside = (before * after).sum(axis=1), before + after
+    outwards = np.sign(cross(before, after))[:, None] * np.stack((aside[:, 1], -aside[:, 0]), axis=1)
+    # The tip is 1 / cos(φ/2) as far away as the sides, φ being the turn.
+    tips: FloatArray = points + half * outwards / (1.0 + cosine)[:, None]
+    return tips

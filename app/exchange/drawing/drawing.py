@@ -19,7 +19,7 @@ from ...tasks.progress import Report, part, silent, with_progress
 from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve, view_of
-from ...view_model.stroke_box import around_dot
+from ...view_model.extents import around_dot
 from ..cubics_in import letters_of
 from ..errors import ExchangeError
 from .outlines import LARGEST, Frame, Outline, by_shape, frame_around, frame_with, painted_extent

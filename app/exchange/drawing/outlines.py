@@ -12,8 +12,7 @@ import numpy as np
 from curvecore.arrays import FloatArray
 
 from ...document.style import PLAIN_STYLE, Style
-from ...view_model.extents import extent_of, turns_within
-from ...view_model.stroke_box import around_dot, half_width, line_of, stroke_box
+from ...view_model.extents import around_dot, extent_of, half_width, line_of, stroke_box, turns_within
 from ..errors import ExchangeError
 
 

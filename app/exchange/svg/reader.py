@@ -19,8 +19,7 @@ from curvecore.arrays import FloatArray
 from ...document.groups import tidy_shapes
 from ...document.style import Style
 from ...document.words import enumerated
-from ...view_model.extents import extent_of
-from ...view_model.stroke_box import half_width
+from ...view_model.extents import extent_of, half_width
 from ..cubics_in import ImportedPath, ImportResult, Look, import_paths, split_letters
 from ..drawing.outlines import Outline, painted_extent
 from ..errors import ExchangeError, Loss, Losses
