@@ -140,9 +140,10 @@ def test_the_name_of_every_rule_is_read_whole(editor_with):
         room = box.style().subControlRect(
             QStyle.ComplexControl.CC_ComboBox, combo_option(box), QStyle.SubControl.SC_ComboBoxEditField, box
         )
-        assert box.currentText() == kind.label
-        assert box.fontMetrics().horizontalAdvance(kind.label) <= room.width(), (width, kind)
-        assert slider.isVisible() or not slider.isEnabled(), (width, kind)
+        # The power has its exponent beside it.
+        assert box.currentText() == kind.label + " = 0.50" * (kind is ParametrizationKind.POWER)
+        assert box.fontMetrics().horizontalAdvance(box.currentText()) <= room.width(), (width, kind)
+        assert slider.isVisible(), (width, kind)
         assert editor.window.toolbar.sizeHint().width() <= width, (width, kind)
 
 
@@ -259,3 +260,49 @@ def test_neither_a_rule_nor_a_family_pushes_a_button_out(editor_with, width):
         editor.settle()
         assert editor.window.toolbar.sizeHint().width() <= width
         assert button_of(editor, "playMotion").isVisible()
+
+
+def positions(window):
+    """Return the geometry of each widget in the toolbar, and of each dock that is in front."""
+    toolbar = window.toolbar
+    places = {
+        each.objectName(): (each.mapTo(toolbar, QPoint(0, 0)).toTuple(), each.size().toTuple())
+        for each in toolbar.findChildren(QWidget)
+        if each.objectName() and each.isVisibleTo(toolbar)
+    }
+    in_front = {
+        (dock.x(), dock.width()) for dock in window.context.docks.side if not dock.visibleRegion().isEmpty()
+    }
+    return places, in_front
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1024, 700), (960, 540)])
+def test_rules_and_tabs_move_nothing_in_the_toolbar_and_keep_the_width_of_panels(editor_with, size):
+    """The box grew by 54 pixels for “Chebyshev”, and the slider of α shrank or went away."""
+    editor = editor_with(8, 1440)
+    editor.window.resize(*size)
+    editor.settle()
+    before = positions(editor.window)
+    assert before[0].keys() >= {"parametrizationBox", "alphaSlider"}
+    for kind in ParametrizationKind:
+        editor.choose_parametrization(kind)
+        assert positions(editor.window) == before, kind
+    for dock in editor.window.context.docks.side:
+        editor.show_dock(dock.objectName())
+        assert positions(editor.window) == before, dock.objectName()
+
+
+def test_the_box_of_rules_shows_the_exponent_that_is_dragged(editor_with):
+    editor = editor_with(8, 1440)
+    before = positions(editor.window)
+    editor.choose_parametrization(ParametrizationKind.POWER)
+    box = editor.window.findChild(QComboBox, "parametrizationBox")
+    slider = editor.window.findChild(QWidget, "alphaSlider")
+    slider.setFocus()
+    QTest.keyClick(slider, Qt.Key.Key_End)
+    editor.settle()
+    assert editor.curve.parametrization.alpha == 1.0
+    assert box.currentText() == "Power α = 1.00"
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    assert [box.itemText(index) for index in range(box.count())] == [kind.label for kind in ParametrizationKind]
+    assert positions(editor.window) == before

@@ -60,7 +60,9 @@ STEPS = 100
 
 _RULE_TIP = "Rule for the parameters t"
 _SLIDER_TIP = "Δt = |Δp|^α: 0 uniform, ½ centripetal, 1 chord length"
-_SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 96, 56
+_POWER = ParametrizationKind.POWER
+_POWER_INDEX = list(ParametrizationKind).index(_POWER)
+_SLIDER_WIDTH, _COMPACT_SLIDER_WIDTH = 84, 44
 
 
 class ParametrizationBar(ToolbarWidget):
@@ -85,9 +87,6 @@ class ParametrizationBar(ToolbarWidget):
     def __init__(self) -> None:
         super().__init__()
         self._view: CurveView | None = None
-        self._is_compact, self._has_alpha = False, True
-        # The font and the measured excess in it, cached because it is needed at every change.
-        self._measured = ("", 0)
         kinds = (kind.label for kind in ParametrizationKind)
         self.box = choice_box("parametrizationBox", "Parametrization", _RULE_TIP, kinds)
         for index, kind in enumerate(ParametrizationKind):
@@ -96,14 +95,7 @@ class ParametrizationBar(ToolbarWidget):
         self.box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._label = Label("Parameters")
         self.slider = self._make_slider()
-        policy = self.slider.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self.slider.setSizePolicy(policy)
-        self._alpha = Label("α 0.00", name="alphaValue")
-        # The size hint with text: without text the label, and the toolbar, would be a pixel narrower.
-        self._alpha.setMinimumWidth(self._alpha.sizeHint().width())
-        parts = (self._label, self.box, self.slider, self._alpha)
-        row_of(*parts, margins=(4, 0, 4, 0), spacing=6, parent=self)
+        row_of(self._label, self.box, self.slider, margins=(4, 0, 4, 0), spacing=6, parent=self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.box.activated.connect(self._choose_kind)
         self.slider.sliderPressed.connect(lambda: self.drag_changed.emit(True))
@@ -118,27 +110,8 @@ class ParametrizationBar(ToolbarWidget):
         return slider
 
     def set_compact(self, compact: bool) -> None:
-        self._is_compact = compact
         self._label.setVisible(not compact)
-        self._share_room()
-
-    def _share_room(self) -> None:
-        """Give long names of rules, which have no α, a part of the room of the slider."""
-        has_alpha, width = self._has_alpha, self.box.sizeHint().width()
-        self.box.setFixedWidth(width - self._excess if has_alpha else width)
-        slider = _COMPACT_SLIDER_WIDTH if self._is_compact else _SLIDER_WIDTH
-        self.slider.setFixedWidth(slider if has_alpha else max(slider - self._excess, 1))
-        self.slider.setVisible(has_alpha or not self._is_compact)
-
-    @property
-    def _excess(self) -> int:
-        """Excess in pixels of the longest name over the names of rules with an α."""
-        if (font := self.box.font().key()) != self._measured[0]:
-            width = self.box.fontMetrics().horizontalAdvance
-            longest = max(width(kind.label) for kind in ParametrizationKind)
-            short = max(width(kind.label) for kind in ParametrizationKind if _has_alpha(kind))
-            self._measured = font, longest - short
-        return self._measured[1]
+        self.slider.setFixedWidth(_COMPACT_SLIDER_WIDTH if compact else _SLIDER_WIDTH)
 
     def render_view(self, view: CurveView | None) -> None:
         """Show the rule of `view`; None without a curve."""
@@ -148,17 +121,19 @@ class ParametrizationBar(ToolbarWidget):
             self._render_none()
         else:
             self._render_rule(view.source.parametrization)
-        self._share_room()
 
     def _render_none(self) -> None:
-        self._has_alpha = True
         self.box.setCurrentIndex(-1)
         for part in (self.box, self.slider):
             set_tip(part, NONE_SELECTED)
         self.slider.setEnabled(False)
-        self._alpha.setText("")
 
     def _render_rule(self, rule: Parametrization) -> None:
+        is_power = rule.kind is _POWER
+        # The box has room for it: another number beside the box would push the buttons after it.
+        power = f"{_POWER.label} = {rule.alpha:.2f}" if is_power else _POWER.label
+        if self.box.itemText(_POWER_INDEX) != power:
+            self.box.setItemText(_POWER_INDEX, power)
         self.box.setCurrentIndex(list(ParametrizationKind).index(rule.kind))
         spaced = f", {rule.kind.spaced}" if rule.kind.spaced else ""
         set_tip(self.box, f"{_RULE_TIP}: {rule.kind.phrase}{spaced}")
@@ -166,11 +141,9 @@ class ParametrizationBar(ToolbarWidget):
         alpha = rule.alpha if rule.kind.alpha is None else rule.kind.alpha
         if not self.slider.isSliderDown():
             self.slider.setValue(round(alpha * STEPS))
-        self._has_alpha = _has_alpha(rule.kind)
-        self.slider.setEnabled(self._has_alpha)
-        set_tip(self.slider, _SLIDER_TIP)
-        self._alpha.setEnabled(self._has_alpha)
-        self._alpha.setText(f"α {alpha:.2f}")
+        has_alpha = is_power or rule.kind.alpha is not None
+        self.slider.setEnabled(has_alpha)
+        set_tip(self.slider, f"{_SLIDER_TIP}; now {number(alpha, 3)}" if has_alpha else _SLIDER_TIP)
 
     def _render_again(self) -> None:
         """Show the current rule again, after a choice that was refused."""
@@ -183,10 +156,6 @@ class ParametrizationBar(ToolbarWidget):
     def _end_drag(self) -> None:
         self._render_again()
         self.drag_changed.emit(False)
-
-
-def _has_alpha(kind: ParametrizationKind) -> bool:
-    return kind.alpha is not None or "alpha" in kind.takes
 
 
 _WORD, _FAMILIES_TIP = "Families", "More families of curves"
