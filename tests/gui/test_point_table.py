@@ -272,6 +272,55 @@ def test_enter_edits_a_cell_and_enter_again_moves_down(table):
     assert table.view.currentIndex().row() == 3
 
 
+def type_row(table, *texts):
+    """Type numbers from the current cell on, with Tab between them and Enter at the end."""
+    for place, text in enumerate(texts, 1):
+        for letter in text:
+            # The first letter opens the editor.
+            table.qtbot.keyClicks(table.editor or table.view, letter)
+        table.qtbot.keyClick(table.editor, Qt.Key.Key_Tab if place < len(texts) else Qt.Key.Key_Return)
+
+
+def current_cell(table):
+    index = table.view.currentIndex()
+    return index.row(), index.column()
+
+
+def test_enter_goes_on_in_the_column_in_which_typing_began(hermite):
+    """As in a spreadsheet: it went on below the last number, and x, y, x, y needed the mouse in between."""
+    hermite.click(0, X)
+    for row in range(3):
+        type_row(hermite, f"{row + 0.5}", f"{row + 0.25}")
+        assert hermite.session.active_curve.points[row].position == (row + 0.5, row + 0.25)
+        assert current_cell(hermite) == (row + 1, X)
+    # In the last row there is no further one.
+    hermite.click(7, X)
+    type_row(hermite, "1", "2")
+    assert current_cell(hermite) == (7, Y)
+
+
+def test_a_column_that_was_only_passed_is_not_the_first_that_was_typed_in(hermite):
+    hermite.edit(1, T)
+    hermite.qtbot.keyClick(hermite.editor, Qt.Key.Key_Tab)
+    hermite.editor.selectAll()
+    type_row(hermite, "1", "2", "3")
+    assert current_cell(hermite) == (2, X)
+
+
+@pytest.mark.parametrize("leave", ["click in the row", "click elsewhere", "arrow"])
+def test_a_click_or_an_arrow_begins_another_run_of_typing(hermite, leave):
+    hermite.click(0, X)
+    type_row(hermite, "1", "2")
+    if leave == "arrow":
+        hermite.qtbot.keyClick(hermite.view, Qt.Key.Key_Right)
+        hermite.qtbot.keyClick(hermite.view, Qt.Key.Key_Down)
+    else:
+        hermite.click(1 if leave == "click in the row" else 4, Y)
+    row = hermite.view.currentIndex().row()
+    type_row(hermite, "3")
+    assert current_cell(hermite) == (row + 1, Y)
+
+
 def test_tab_commits_and_edits_the_next_cell(table):
     table.type(1, X, "7", Qt.Key.Key_Tab)
     assert table.point(1).x == 7.0

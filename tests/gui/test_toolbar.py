@@ -304,5 +304,7 @@ def test_the_box_of_rules_shows_the_exponent_that_is_dragged(editor_with):
     assert editor.curve.parametrization.alpha == 1.0
     assert box.currentText() == "Power α = 1.00"
     editor.choose_parametrization(ParametrizationKind.UNIFORM)
-    assert [box.itemText(index) for index in range(box.count())] == [kind.label for kind in ParametrizationKind]
+    assert [box.itemText(index) for index in range(box.count())] == [
+        kind.label for kind in ParametrizationKind
+    ]
     assert positions(editor.window) == before

@@ -141,6 +141,8 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
     -------
     edit_began
         Typing has begun: a message about the last number is out of date.
+    number_set
+        A typed number was committed: its column.
     entered
         A number was committed with Enter.
     given_up
@@ -148,6 +150,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
     """
 
     edit_began = Signal()
+    number_set = Signal(int)
     entered = Signal()
     edit_discarded = Signal(str)
 
@@ -284,6 +287,7 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         if not self._model.setData(editor.index, text):
             return False
         editor.opened_with = text
+        self.number_set.emit(editor.index.column())
         return True
 
     def eventFilter(self, editor: QObject, event: QEvent) -> bool:
@@ -371,6 +375,11 @@ class PointTableView(ClaimsKeys, QTableView):
         self.setModel(model)
         self.setItemDelegate(self.cell_delegate)
         self.cell_delegate.entered.connect(self._move_down)
+        # The column of the first number that was typed in the current row.
+        self._first_typed: int | None = None
+        self.cell_delegate.number_set.connect(self._remember_column)
+        self.pressed.connect(self._forget_column)
+        self.selectionModel().currentChanged.connect(self._follow_row)
         self._streaming = False
         self._set_up_behaviour()
         self._set_up_headers()
@@ -544,10 +553,23 @@ class PointTableView(ClaimsKeys, QTableView):
         self.scrollTo(index)
         self.edit(index)
 
+    def _remember_column(self, column: int) -> None:
+        self._first_typed = column if self._first_typed is None else self._first_typed
+
+    def _forget_column(self) -> None:
+        self._first_typed = None
+
+    def _follow_row(self, current: QModelIndex, previous: QModelIndex) -> None:
+        if current.row() != previous.row():
+            self._forget_column()
+
     def _move_down(self) -> None:
-        current = self.currentIndex()
-        below = self.numbers.index(min(current.row() + 1, self.numbers.rowCount() - 1), current.column())
-        self.setCurrentIndex(QModelIndex(below))
+        """Go on in the next row, in the column in which typing began."""
+        current, first = self.currentIndex(), self._first_typed
+        if current.row() + 1 < self.numbers.rowCount():
+            column = current.column() if first is None else first
+            self.setCurrentIndex(self.numbers.index(current.row() + 1, column))
+            self._first_typed = first
         self.setFocus()
 
 
