@@ -7,17 +7,19 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from pixels import pixels_of
 from PySide6.QtCore import QEvent, QPointF, QSizeF, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
 from app.appearance.colours import point_colours
-from app.appearance.theme import LIGHT
+from app.appearance.theme import DARK, LIGHT
 from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.document.point_edits import move_points, set_position
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.basis.function_lines import apart, crests_of
 from app.features.basis.scene import rail_height
+from app.view_model.palette import contrast
 
 
 @pytest.fixture
@@ -263,6 +265,44 @@ def test_hovering_a_function_highlights_the_point_and_a_click_selects_the_point(
     editor.send(panel, QEvent.Type.MouseButtonRelease, pixel, held=False)
     assert editor.session.selection == {2}
     assert editor.session.scrub.t is None
+
+
+@pytest.mark.parametrize("theme", ["themeLight", "themeDark"])
+@pytest.mark.parametrize("count", [4, 60, 100], ids=["each", "ramp", "outlines"])
+def test_functions_beside_the_selected_one_have_contrast(editor, panel, theme, count):
+    """In the dark theme at 45 % of their colour they were as dark as 1.3 : 1, and gone on a projector."""
+    editor.trigger(theme)
+    points = [(x, (x * x) % 7) for x in range(count)]
+    editor.session.commit(Document((make_curve(points, family=HERMITE),)), "Begin")
+    editor.choose_parametrization(ParametrizationKind.UNIFORM)
+    panel.camera.show_t(0.5 - 2 / count, 0.5 + 2 / count)
+    editor.select([0])
+    image = panel.viewport().grab().toImage()
+    left, top = panel.to_pixel(0.5 - 0.4 / count, 0.85).toTuple()
+    right, bottom = panel.to_pixel(0.5 + 0.4 / count, 0.6).toTuple()
+    part = pixels_of(image)[top:bottom, left:right]
+    paper = (LIGHT if theme == "themeLight" else DARK).paper.name()
+    seen = {f"#{code:06x}" for code in np.unique(part).tolist()}
+    # No pixel of a slanted line has quite the colour of its pen, which has a contrast of 3.
+    assert max(contrast(colour, paper) for colour in seen) >= 2.8
+
+
+def test_the_panel_says_that_no_curve_is_selected(waves):
+    """It showed the functions of the curve that was edited last as if that were selected."""
+    editor = waves("AB")
+    note = editor.window.findChild(QLabel, "basisDrawing")
+    assert note.text() == ""
+    editor.escape()
+    # As a whole, the curve is selected.
+    assert note.text() == ""
+    editor.escape()
+    assert note.text() == "No curve is selected; functions of “B”"
+    assert note.isVisible()
+    assert note.visibleRegion().boundingRect() == note.rect()
+    editor.click((1, 1))
+    assert note.text() == ""
+    editor.new()
+    assert note.text() == ""
 
 
 def test_a_drag_from_a_function_scrubs_and_selects_nothing(editor, panel):

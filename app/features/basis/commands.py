@@ -81,6 +81,7 @@ class BasisCommands:
         waits = self._session.is_previewing and is_slow
         growth = None if waits else growth_of_points(view, self._panel.drawing.basis)
         self._context.status_line.readouts.show_lebesgue(growth, view.growth_holds)
+        self._pane.show_unselected("" if self._session.target_view else view.source.name)
         if not self._session.is_previewing or len(view.points) <= _MOST_MEASURED_LIVE:
             self._pane.show_findings(findings_of(view), remark_on(view))
 

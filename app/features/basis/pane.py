@@ -73,6 +73,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._header_key: tuple[BasisView | None, bool] = (None, False)
         # The formulas of the kinds, the note on the drawing, and the name of the functions.
         self._header_texts: tuple[tuple[str, ...], str, str] = ((), "", self._title.text())
+        self._unselected = ""
         self._reach: tuple[float, float] | None = None
         self._drawing = named(ElidedLabel(), "basisDrawing")
         self._extent = named(ElidedLabel(), "basisExtent")
@@ -152,8 +153,19 @@ class BasisPane(FollowsTheme, CentralPane):
             self._estimates.setVisible(has_estimates)
             for kind, button in enumerate(self._kinds):
                 button.setVisible(kind < len(formulas) and len(formulas) > 1)
-            self._drawing.setText(note)
+            self._write_note()
             self._write_header()
+
+    def show_unselected(self, name: str) -> None:
+        """Say that no curve is selected, and whose functions are drawn; empty for a selected curve."""
+        note = f"No curve is selected; functions of “{name}”" if name else ""
+        if note != self._unselected:
+            self._unselected = note
+            self._write_note()
+            self._write_header()
+
+    def _write_note(self) -> None:
+        self._drawing.setText(" · ".join(filter(None, (self._unselected, self._header_texts[1]))))
 
     def show_findings(self, findings: Sequence[str], remark: str) -> None:
         """Show findings and a remark about the functions below the header."""

@@ -26,6 +26,7 @@ from ...plotting.tool_plot import ToolPlot
 from ...view_model.basis import BasisView, CardinalView, basis_view, cardinal_view
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES
+from ...view_model.palette import colour_on
 from .function_lines import CrestNames, FunctionDrawing, FunctionLines, drawing_of, room_above
 
 _RAIL_HEIGHT = 34.0
@@ -36,11 +37,11 @@ def rail_height(scale: float) -> float:
     return _RAIL_HEIGHT * scale
 
 
-_FADED, _CALM = 0.45, 0.9
+_FADED, _CALM = 0.8, 0.9
 _NUMBERED_UP_TO = 40
 _MOST_EMPHASISED = 32
 _NEIGHBOURS = 2
-_OUTLINE, _FILL = 0.3, 0.07
+_OUTLINE, _FILL = 0.5, 0.07
 _MARKED_ONE_BY_ONE = 16
 """Number of ticks up to which each is drawn; more are stamped as far as there is room."""
 
@@ -314,9 +315,12 @@ class RailLayer(Layer):
 def _pens(count: int, theme: Theme, opacity: float, width: float, kind: int) -> tuple[QPen, ...]:
     """Return the pens of the functions of one kind, by point; a drag needs sixty of them in every frame.
 
-    Colours are mixed with the paper: Qt draws opaque lines a third faster than translucent ones.
+    Colours are mixed with the paper as far as their contrast allows: Qt draws opaque lines a third faster
+    than translucent ones.
     """
-    colours = (mix(colour, theme.paper, opacity) for colour in point_colours(count, theme))
+    paper = theme.paper.name()
+    mixed = (mix(colour, theme.paper, opacity).name() for colour in point_colours(count, theme))
+    colours = (QColor(colour_on(paper, colour)) for colour in mixed)
     # Square caps of one pixel take no time; of wider lines, short dashes should be round dots.
     cap = Qt.PenCapStyle.RoundCap if width > 1 and kind == 0 else Qt.PenCapStyle.SquareCap
     pens = (QPen(colour, width, Qt.PenStyle.SolidLine, cap) for colour in colours)
