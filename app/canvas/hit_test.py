@@ -21,10 +21,8 @@ from ..view_model.curve.handles import NO_HANDLES, Handles
 from ..view_model.geometry import is_inside, windings
 from .shape_painting import line_of
 
-POINT_REACH = 10.0
-"""Pixels from the pointer within which a point or a handle is grabbed."""
-
-CURVE_REACH = 8.0
+POINT_REACH, HANDLE_REACH, CURVE_REACH = 12.0, 10.0, 8.0
+"""Pixels from the pointer within which a point, a handle or a line is grabbed: beside a point, the point."""
 
 _NEAR_ENOUGH = 0.5
 _SLIDES, _SAMPLES = 3, 17
@@ -84,7 +82,7 @@ def _nearest_handle(pixel: Vector, pixel_map: PixelMap, handles: Handles) -> _Ne
     distances = np.hypot(away[:, 0], away[:, 1])
     best = int(np.argmin(distances))
     # Written so that NaN fails.
-    if not distances[best] <= POINT_REACH:
+    if not distances[best] <= HANDLE_REACH:
         return None
     nearest = handles[best]
     hit = Hit(Part.HANDLE, nearest.index, nearest.position, ahead=nearest.ahead, order=nearest.order)

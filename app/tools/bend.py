@@ -53,12 +53,18 @@ class BendCurve(Drag, kw_only=True):
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the grabbed point at its distance to the pointer."""
-        target = plus(self.hit.position, pointer.offset_from(self.start))
+        curve = self._bend(pointer).bent(self._target(pointer), _TOLERANCE / pointer.scale)
+        return self.document.with_curve(self.curve, curve)
+
+    def _target(self, pointer: Pointer) -> Vector:
+        return plus(self.hit.position, pointer.offset_from(self.start))
+
+    def _bend(self, pointer: Pointer) -> Bend:
+        """Return the bend of the data that change with the keys that are held."""
         using = bend_with(self.view, pointer)
         if using not in self.bends:
             self.bends[using] = Bend(self.view, self.hit.t, using)
-        curve = self.bends[using].bent(target, _TOLERANCE / pointer.scale)
-        return self.document.with_curve(self.curve, curve)
+        return self.bends[using]
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Bend curve at t = 0.5"."""
@@ -74,7 +80,9 @@ class BendCurve(Drag, kw_only=True):
         # Which data change most is decided by weights; the grabbed point follows exactly.
         is_weighted = self.view.linearised and bend_with(self.view, pointer) is BendWith.POINTS
         weights = f", by weights {self.view.linearised}" if is_weighted else ""
-        return f"Bend at t = {words.number(self.hit.t)}: {_effect(self.view, pointer)}{weights}"
+        is_limited = self._bend(pointer).is_limited(self._target(pointer))
+        limit = ", handles are limited so close to one" if is_limited else ""
+        return f"Bend at t = {words.number(self.hit.t)}: {_effect(self.view, pointer)}{weights}{limit}"
 
 
 def bend_with(view: CurveView, pointer: Pointer) -> BendWith:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -214,7 +214,7 @@ def answers(view, knots, orders):
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
 @pytest.mark.parametrize("using", [BendWith.ALL, BendWith.DERIVATIVES])
 @pytest.mark.parametrize("segment", [0, 1])
-@pytest.mark.parametrize("share", [0.1, 0.5, 0.83])
+@pytest.mark.parametrize("share", [0.25, 0.5, 0.72])
 def test_control_points_on_both_sides_of_the_joints_change_least(family, using, segment, share):
     document = rule_edits.set_family(Document((make_curve(POINTS),)), 0, family)
     view = view_of(rule_edits.freeze_parameters(document, 0, [0.0, 0.2, 0.7, 1.0]).curves[0])
@@ -238,6 +238,71 @@ def test_control_points_on_both_sides_of_the_joints_change_least(family, using, 
     system = np.block([[normal, weights[:, None]], [weights[None], np.zeros((1, 1))]])
     best = np.linalg.solve(system, np.vstack([np.zeros((len(weights), 2)), pull]))[:-1]
     assert control_points(after.curve) - control_points(view.curve) == pytest.approx(answer @ best, abs=1e-12)
+
+
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_press_near_a_point_means_the_point(arch, family, side):
+    """A cubic pulled by 60 pixels, 13 beside a point, had handles of 270 pixels and a loop."""
+    ruled(arch, family, ParametrizationKind.CHORD_LENGTH)
+    arch.window.canvas.camera.show_box((-1, 5), (-1, 3))
+    arch.settle()
+    before, is_point = arch.session.document, {}
+    for pixels in (5, 9, 11, 15, 30):
+        curve, pixel_map = arch.session.active_view.curve, arch.window.canvas.pixel_map
+        end = arch.parameters[1 + side]
+        t = np.linspace(arch.parameters[1], end, 2000)
+        away = np.hypot(*(pixel_map.points(curve.evaluate(t)) - pixel_map.point(*POINTS[1])).T)
+        start = tuple(curve.evaluate(t[np.argmax(away >= pixels)]).tolist())
+        arch.drag(start, (start[0], start[1] + 60 * arch.pixel))
+        is_point[pixels] = arch.point(1) != POINTS[1]
+        step = "Move point 1" if is_point[pixels] else "Bend curve at t = "
+        assert arch.session.undo_stack.undoText().startswith(step)
+        pieces = bezier_segments(arch.session.active_view.curve)
+        handles = np.vstack([pieces[:, 1] - pieces[:, 0], pieces[:, -1] - pieces[:, -2]])
+        # Before they are 47 pixels of a scale of 56 long, and no segment is shorter than 2.
+        assert np.hypot(*handles.T).max() < 47 / 56 + 2 / 2, pixels
+        arch.trigger("undo")
+        arch.session.selected.set_points([])
+        assert arch.session.document == before
+    assert is_point == {5: True, 9: True, 11: True, 15: False, 30: False}
+
+
+def grabbed(view, share, pull, segment=1):
+    """The grabbed place after a bend of the handles, and the farthest move of a handle of its segment."""
+    low, high = view.parameters[segment : segment + 2]
+    t = float(low + share * (high - low))
+    bend = Bend(view, t, BendWith.DERIVATIVES)
+    target = tuple((view.curve.evaluate(t) + pull).tolist())
+    after = view_of(bend.bent(target, 1e-9), view)
+    moved = (bezier_segments(after.curve) - bezier_segments(view.curve))[segment]
+    way = np.hypot(*(after.curve.evaluate(t) - view.curve.evaluate(t)))
+    return way / np.hypot(*pull), np.hypot(*moved.T).max(), bend.is_limited(target)
+
+
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+@pytest.mark.parametrize("way", [(0.0, 1.0), (-1.0, 0.2), (0.7, -0.7)])
+def test_a_bend_close_to_a_point_limits_its_handles_without_a_jump(family, way):
+    view = view_of(rule_edits.set_family(Document((make_curve(POINTS),)), 0, family).curves[0])
+    length = 2.2  # of the segment, at least
+    for share in (0.02, 0.1, 0.2, 0.8, 0.98):
+        # Live: the farther the pull, the farther the handles; but never by the length of the segment.
+        results = [grabbed(view, share, np.multiply(pull, way)) for pull in np.geomspace(0.01, 100.0, 60)]
+        ways = [moved for _, moved, _ in results]
+        assert all(a < b for a, b in pairwise(ways)), share
+        nearness = 1 - min(share, 1 - share) / 0.25
+        assert max(ways) < length / (2 * nearness), share
+        # A pull that moves no handle by a third of the segment is exact, but within its first tenth.
+        if 0.1 <= share <= 0.9:
+            assert all((abs(exact - 1) < 1e-9) != limited for exact, _, limited in results)
+            assert results[0][2] is False
+    # No jump where the limits begin.
+    for limit in (0.1, 0.25, 0.75, 0.9):
+        beside = [grabbed(view, limit + d, np.multiply(1.5, way))[:2] for d in (-1e-6, 1e-6)]
+        assert beside[0] == pytest.approx(beside[1], rel=1e-4)
+    # In the middle it is exact, however far.
+    for share in (0.25, 0.4, 0.75):
+        assert grabbed(view, share, np.multiply(30.0, way))[0] == pytest.approx(1.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family.derivatives])
@@ -353,7 +418,7 @@ def test_a_far_pull_ends_the_same_along_every_path(arch, family):
     ruled(arch, family, ParametrizationKind.CHORD_LENGTH)
     # Wide enough that nothing comes near the edge, where the view would scroll.
     arch.window.canvas.camera.show_box((-20, 20), (-12, 24))
-    _, start = middle(arch)
+    _, start = middle(arch, share=0.5)
     far = (start[0] - 9.0, start[1] + 13.0)
     for keys in keys_of(family, NO_KEYS, CTRL):
         results = []
