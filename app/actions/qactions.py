@@ -71,6 +71,8 @@ class Actions(QObject):
         action.setObjectName(declared.name)
         if declared.full_name:
             set_full_name(action, declared.full_name)
+        if declared.short:
+            action.setIconText(declared.short)
         if declared.keywords:
             set_keywords(action, declared.keywords)
         if declared.needs.words:

@@ -18,12 +18,12 @@ from ..document.derivatives import EstimateRule
 from ..document.group_edits import are_in_groups, nodes_of
 from ..document.groups import NodeKind, expand_to_shapes, shape_of, whole_nodes
 from ..document.model import Document, ParametrizationKind
+from ..document.point_edits import explicit_points
 from ..document.point_group import PointGroup
 from ..document.several_curves import count_label, is_blank
 from ..families import Family
 from ..session import Session
 from ..state.window_state import WindowState, WindowStore
-from ..view_model.curve.core_curve import is_explicit
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.join import link_of
 from ..view_model.point_kinds import kinds_of
@@ -74,8 +74,9 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
         The number of selected points, of all curves and of the active one.
     point_kinds
         The kinds of the selected points, as indices in `POINT_KINDS`.
-    has_explicit
-        Whether a selected point has a derivative set by hand.
+    has_explicit, has_any_explicit, has_kept
+        Whether a selected point, or any point of the selected curves, has a derivative set by hand; whether
+        the last step has set some to keep the shape.
     has_two_ends
         Whether two ends of open curves are selected and nothing else.
     can_undo, can_redo, can_go_back
@@ -120,6 +121,8 @@ class ActionState(msgspec.Struct, frozen=True, kw_only=True):
     active_selected_count: int
     point_kinds: frozenset[int]
     has_explicit: bool
+    has_any_explicit: bool
+    has_kept: bool
     has_two_ends: bool
     can_undo: bool
     can_redo: bool
@@ -180,7 +183,9 @@ class ActionFacts:
             selected_count=group.count,
             active_selected_count=len(points),
             point_kinds=_kinds(session.views, group) if has_derivative_points else frozenset(),
-            has_explicit=_has_explicit(document, group),
+            has_explicit=any(explicit_points(document.curves[curve], of) for curve, of in group.parts),
+            has_any_explicit=any(document.curves[curve].has_derivatives for curve in selected.curves),
+            has_kept=bool(session.kept.parts),
             has_two_ends=link_of(session.views, group) is not None,
             can_undo=stack.canUndo() or session.is_previewing or window.in_flight,
             can_redo=stack.canRedo(),
@@ -224,17 +229,6 @@ def _kinds(views: Sequence[CurveView], group: PointGroup) -> frozenset[int]:
     """Return the kinds that points are of, as indices in `POINT_KINDS`."""
     kinds = (kinds_of(views[curve])[sorted(indices)].tolist() for curve, indices in group.parts)
     return frozenset(chain.from_iterable(kinds))
-
-
-def _has_explicit(document: Document, group: PointGroup) -> bool:
-    """Whether any of some points has a derivative that was set by hand."""
-    return any(
-        is_explicit(document.curves[curve].points[index], order, ahead=ahead)
-        for curve, indices in group.parts
-        for index in indices
-        for order in (1, 2)
-        for ahead in (False, True)
-    )
 
 
 DERIVATIVES = "application/x-curvebench-derivatives"

@@ -171,22 +171,27 @@ def set_derivative(
     return _with_point(document, curve, index, changed)
 
 
-ALL_ORDERS = range(1, len(DERIVATIVES) + 1)
+def explicit_points(curve: Curve, indices: Collection[int]) -> frozenset[int]:
+    """Return those of the points `indices` at which a derivative that the family has is set."""
+    orders, points = range(1, curve.family.derivatives + 1), curve.points
+    return frozenset(i for i in indices if any(any(points[i].explicit_sides(order)) for order in orders))
 
 
 def clear_derivatives(
-    document: Document, curve: int, indices: Collection[int], orders: Collection[int] = ALL_ORDERS
+    document: Document, curve: int, indices: Collection[int], orders: Collection[int] | None = None
 ) -> Document:
-    """Leave the derivatives of these orders to the rules, at the points at `indices`."""
-    cleared: dict[str, object] = dict.fromkeys(name for order, name in VECTORS if order in orders)
-    if 1 in orders:
-        cleared["tied"] = False
-    points = document.curves[curve].points
-    return _with_points(
-        document,
-        curve,
-        (replace(point, **cleared) if index in indices else point for index, point in enumerate(points)),
-    )
+    """Leave the derivatives of these orders to the rules, at the points at `indices`.
+
+    Without `orders`, those that the family has. Corners stay, and each side is estimated for itself; where
+    velocities were tied the point stays smooth, with one estimate for both sides.
+    """
+    old = document.curves[curve]
+    orders = range(1, old.family.derivatives + 1) if orders is None else orders
+    points = list(old.points)
+    for index in indices:
+        cleared = replace(points[index], **dict.fromkeys(name for order, name in VECTORS if order in orders))
+        points[index] = cleared.without_corner() if 1 in orders and cleared.tied else cleared
+    return _with_points(document, curve, points)
 
 
 def make_corner(

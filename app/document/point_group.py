@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 import msgspec
 from msgspec.structs import replace
 
 from .curve_edits import locked_message
 from .limits import EditError
-from .model import Document
-from .words import count_of, points_label
+from .model import Curve, Document
+from .words import capitalized, count_of, enumerated, points_label
+
+_MOST_NAMED = 4
+"""Largest number of points that a sentence names one by one."""
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]
 """Edit of some points of one curve."""
@@ -56,6 +59,13 @@ class PointGroup(msgspec.Struct, frozen=True):
         """The number of points: "1 point", "4 points" or "5 points in 2 curves"."""
         count = count_of(self.count, "point")
         return f"{count} in {len(self.parts)} curves" if len(self.parts) > 1 else count
+
+    @property
+    def names(self) -> str:
+        """The names of few points: "point 3", "points 1, 2 and 4"; the label of many."""
+        if len(self.parts) != 1 or not 1 < self.count <= _MOST_NAMED:
+            return self.label
+        return f"points {enumerated(list(map(str, sorted(self.parts[0][1]))))}"
 
     @property
     def quoted_label(self) -> str:
@@ -119,6 +129,17 @@ class PointGroup(msgspec.Struct, frozen=True):
 
 
 NO_POINTS = PointGroup()
+
+
+def reset_message(step: str, curves: Sequence[Curve], group: PointGroup) -> str:
+    """Return the message after a step that has reset derivatives, with the points that stay corners."""
+    corners = group_points(
+        (curve, frozenset(index for index in indices if curves[curve].points[index].corner))
+        for curve, indices in group.parts
+    )
+    stay = "stays a corner" if corners.count == 1 else "stay corners"
+    sides = f" {capitalized(corners.names)} {stay}, estimated on each side." if corners.parts else ""
+    return f"{step} to estimate.{sides}"
 
 
 def points_of(curve: int, indices: Collection[int]) -> PointGroup:

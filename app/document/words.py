@@ -145,6 +145,11 @@ def points_label(indices: Collection[int]) -> str:
     return f"point {next(iter(indices))}" if len(indices) == 1 else f"{len(indices)} points"
 
 
+def capitalized(text: str) -> str:
+    """Return a text with a capital at the beginning."""
+    return text[:1].upper() + text[1:]
+
+
 def angle(degrees: float) -> str:
     """Return an angle to a tenth of a degree."""
     return f"{number(round(degrees, 1), 6)}°"

@@ -14,9 +14,11 @@ from ..document.groups import tidy_shapes
 from ..document.limits import AlreadySoError, EditError
 from ..document.model import Curve, Document
 from ..document.plain_numbers import with_plain_numbers
+from ..document.point_group import NO_POINTS, PointGroup
 from ..document.selection import SelectionState
 from ..document.several_curves import is_blank
 from ..document.style import PLAIN_STYLE
+from ..document.words import capitalized
 from ..families import Family
 from ..storage.examples import first_sketch
 from ..storage.open_file import LoadedDocument
@@ -170,6 +172,8 @@ class Session(SessionSignals):
         The pivot and the grips of the box around the selection.
     scrub
         The scrub line.
+    kept
+        Points whose estimates the last step has set to keep the shape, besides its own points.
     """
 
     def __init__(self) -> None:
@@ -182,6 +186,7 @@ class Session(SessionSignals):
         self.selected = Selection(self)
         self.box = BoxState(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
+        self.kept = NO_POINTS
         self._views = Views()
         self._committed = self._document = with_plain_numbers(first_sketch())
         # The selection before the gesture in flight; None while nothing is previewed.
@@ -196,6 +201,9 @@ class Session(SessionSignals):
 
     def _report_index(self, _index: int) -> None:
         self._follow_history()
+        if self.kept.parts:
+            self.kept = NO_POINTS
+            self.offer("")
         self.history_changed.emit()
 
     def _follow_history(self) -> None:
@@ -405,6 +413,14 @@ class Session(SessionSignals):
             self.cancel()
             self.selected.keep_previewed()
         return was_previewing
+
+    def report(self, done: str, kept: PointGroup) -> None:
+        """Say what the last step has done, and offer to reset points that it has set to keep the shape."""
+        self.kept = kept
+        if kept.parts:
+            verb = "was" if kept.count == 1 else "were"
+            self.offer(f"{capitalized(kept.names)} {verb} set to keep the shape.", "resetKept")
+        self.say(done)
 
     def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
         """Say why nothing changes; log the function that refused."""

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QFocusEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QToolButton, QWidget
 
 from app.appearance.theme import ThemeMode, apply_theme
 from app.document import curve_edits, point_edits, rule_edits
 from app.document.derivatives import AccelerationRule, VelocityRule
-from app.document.model import ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.curve_settings.panel import CurveSettings
 from app.session import MessageKind, Session
@@ -269,8 +270,6 @@ def test_a_closed_curve_with_a_corner(quintic):
     quintic.session.commit(frozen, "Freeze")
     quintic.type("intervalEnd", "4")
     assert quintic.session.active_view.parameters[-1] == 4.0
-    quintic.qtbot.mouseClick(quintic["resetAllToEstimated"], Qt.MouseButton.LeftButton)
-    assert quintic.curve.points[3].velocity_after is None
 
 
 def test_escape_discards_a_typed_text(form):
@@ -312,25 +311,28 @@ def test_choosing_rules(quintic):
     assert quintic["accelerationRule"].currentText() == "From the C² spline"
 
 
-def test_reset_all_to_estimated(quintic):
-    button = quintic.panel.findChild(QToolButton, "resetAllToEstimated")
+def test_reset_all_to_estimate_by_the_button_of_the_form(editor):
+    editor.session.commit(Document((make_curve(POINTS, family=QUINTIC_HERMITE),)), "Begin")
+    editor.show_dock("curveDock")
+    button = editor.window.findChild(QToolButton, "resetAllToEstimated")
     assert not button.isVisible()
-    document = point_edits.set_velocity(quintic.session.document, 0, 2, (3.0, 4.0))
-    quintic.session.commit(point_edits.set_derivative(document, 0, 5, 2, (5.0, 6.0)), "Set")
-    assert button.isVisible()
-    quintic.qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert all(point.velocity is None and point.acceleration is None for point in quintic.curve.points)
-    assert quintic.session.undo_stack.undoText() == "Reset all to estimated"
+    document = point_edits.set_velocity(editor.session.document, 0, 2, (3.0, 4.0))
+    editor.session.commit(point_edits.set_derivative(document, 0, 5, 2, (5.0, 6.0)), "Set")
+    assert (button.isVisible(), button.text()) == (True, "Reset All to Estimate")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert all(point.velocity is None and point.acceleration is None for point in editor.curve.points)
+    assert editor.session.undo_stack.undoText() == "Reset 2 points to estimate"
+    assert editor.status == "Reset points 2 and 5 to estimate."
     assert not button.isVisible()
 
 
-def test_a_reset_keeps_derivatives_beyond_those_of_the_family(qtbot):
-    form = Form(qtbot, HERMITE)
-    document = point_edits.set_velocity(form.session.document, 0, 2, (3.0, 4.0))
-    form.session.commit(point_edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
-    qtbot.mouseClick(form["resetAllToEstimated"], Qt.MouseButton.LeftButton)
-    assert form.curve.points[2].velocity is None
-    assert form.curve.points[2].acceleration == (5.0, 6.0)
+def test_a_reset_keeps_derivatives_beyond_those_of_the_family(editor):
+    editor.session.commit(Document((make_curve(POINTS, family=HERMITE),)), "Begin")
+    document = point_edits.set_velocity(editor.session.document, 0, 2, (3.0, 4.0))
+    editor.session.commit(point_edits.set_derivative(document, 0, 2, 2, (5.0, 6.0)), "Set")
+    editor.trigger("resetAllPoints")
+    assert editor.curve.points[2].velocity is None
+    assert editor.curve.points[2].acceleration == (5.0, 6.0)
 
 
 # What is wrong

@@ -68,10 +68,8 @@ def test_two_neighbours_and_the_key(drawn):
             assert np.array(kept) == pytest.approx(np.array(old), abs=1e-13), family
         assert bow.session.undo_stack.count() == steps + 1, family
         assert bow.session.undo_stack.undoText() == "Straight segment 1–2", family
-        assert bow.status == (
-            "Straight segment 1–2, corner at points 1 and 2. "
-            "The estimated derivatives of points 0, 3 and 4 were fixed to keep the shape."
-        )
+        assert bow.status == "Straight segment 1–2, corner at points 1 and 2."
+        assert bow.message == "Points 0, 3 and 4 were set to keep the shape."
         bow.trigger("straightSegment")
         assert bow.status == "The segment is already straight.", family
         assert bow.session.undo_stack.count() == steps + 1, family

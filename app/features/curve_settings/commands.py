@@ -79,7 +79,7 @@ class CurveSettingsCommands:
 
     def __init__(self, context: WindowContext) -> None:
         self._session, self._hold_ghost = context.session, context.central.canvas.drawing.hold_ghost
-        self._dock = context.docks["curveDock"]
+        self._dock, self._actions = context.docks["curveDock"], context.actions
         self._gestures: list[SliderGesture] = []
         self._rendered: CurveView | None = None
 
@@ -89,6 +89,7 @@ class CurveSettingsCommands:
         self._rendered = self._session.target_view
         self.panel = CurveSettings(self._rendered, parent)
         self._edits = FormEdits(self._session, self.panel)
+        self.panel.reset_button.clicked.connect(self._actions["resetAllPoints"].trigger)
         self.panel.settings.rebuilt.connect(self._connect_sliders)
         self._connect_sliders()
         return self.panel

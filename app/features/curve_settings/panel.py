@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QLayout, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
-from ...document import curve_edits, point_edits, rule_edits
+from ...document import curve_edits, rule_edits
 from ...document.derivatives import DERIVATIVES, Derivative, EstimateRule
 from ...document.model import Document
 from ...document.selection import NONE_SELECTED
@@ -222,9 +222,9 @@ class CurveSettings(FieldForm):
         self.rule_boxes = {derivative: _rule_box(derivative) for derivative in DERIVATIVES}
         self.reset_button = tool_button(
             "resetAllToEstimated",
-            "Reset all derivatives to estimated",
+            "Reset All to Estimate",
             "Reset every derivative to the estimates of the rules",
-            text="Reset all to estimated",
+            text="Reset All to Estimate",
             icon_size=ICON,
         )
         self._facts = Label(name="curveFacts", wordWrap=True)
@@ -255,7 +255,6 @@ class CurveSettings(FieldForm):
         self.end_edit.entered.connect(lambda end: self._set_interval(None, end))
         for derivative, box in self.rule_boxes.items():
             box.activated.connect(partial(self._set_rule, derivative))
-        self.reset_button.clicked.connect(self._reset_all)
         self.settings.chosen.connect(self._choose_setting)
         self.settings.rebuilt.connect(self._watch_settings)
 
@@ -351,14 +350,6 @@ class CurveSettings(FieldForm):
             lambda document, curve: rule_edits.set_family_setting(document, curve, setting.name, value),
         )
         self._render()
-
-    def _reset_all(self) -> None:
-        def edit(document: Document, curve: int) -> Document:
-            before = document.curves[curve]
-            indices, orders = range(len(before.points)), range(1, before.family.derivatives + 1)
-            return point_edits.clear_derivatives(document, curve, indices, orders)
-
-        self.edited.emit("Reset all to estimated", edit)
 
 
 def orders_set(view: CurveView) -> set[int]:

@@ -13,13 +13,21 @@ from ...actions.menus import POINT_BUTTONS, POINT_MENU, POINTS_TYPED
 from ...actions.needs import Need
 from ...document.limits import EditError
 from ...document.model import Document
+from ...document.point_group import points_of, reset_message
 from ...document.words import count_of
 from ...session import Session
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
-from .edits import computed_note_of, fill_cells, paste_block, points_with_kept_derivatives, reset_name
+from .edits import (
+    computed_note_of,
+    explicit_orders,
+    fill_cells,
+    paste_block,
+    points_with_kept_derivatives,
+    reset_name,
+)
 from .panel import PointTable
 
 
@@ -111,7 +119,12 @@ class PointTableController:
                     document = column.reset(document, self._session.active_index, rows)
             return document
 
-        self._session.change(reset_name(rows, columns), edit)
+        session, points = self._session, self._session.active_curve.points
+        orders = {column.order for column in columns if column.is_derivative and column.order}
+        rows = [row for row in rows if explicit_orders(points, [row], orders)] or rows
+        if session.change(step := reset_name(rows, columns), edit):
+            group = points_of(session.active_index, rows)
+            session.say(reset_message(step, session.document.curves, group))
 
 
 class PointTableCommands:
@@ -133,6 +146,7 @@ class PointTableCommands:
         """Return the table."""
         self.panel = PointTable(parent)
         self.panel.add_buttons(self._context.actions.in_bar(POINT_BUTTONS)[1])
+        self.panel.view.addAction(self._context.actions["resetAllPoints"])
         self._controller = PointTableController(self._session, self.panel, self._show_points)
         self._session.selection_changed.connect(self.panel.set_selection)
         return self.panel

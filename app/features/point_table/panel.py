@@ -79,9 +79,9 @@ class PointTable(FollowsTheme, QWidget):
         self._legend = Label("<i>Italic</i>: estimated", name="pointTableLegend", is_html=True)
         self._reset_button = tool_button(
             "resetToEstimated",
-            "Reset to estimated",
+            "Reset to Estimate",
             "Reset the selected velocities and accelerations to estimates (Del)",
-            text="Reset to estimated",
+            text="Reset to Estimate",
             icon_size=ICON,
             flat=True,
         )
@@ -101,9 +101,7 @@ class PointTable(FollowsTheme, QWidget):
         for action in (self._copy, self._paste):
             set_full_name(action, f"{action.text()} Cells")
         tip = self._reset_button.toolTip()
-        self._reset = self._action(
-            "resetCellsToEstimated", "Reset to Estimated", tip, self.reset_to_estimated
-        )
+        self._reset = self._action("resetCellsToEstimated", "Reset to Estimate", tip, self.reset_to_estimated)
 
     def _action(self, name: str, text: str, tip: str, handler: Callable[[], None]) -> QAction:
         action = QAction(text, self.view)
@@ -347,8 +345,8 @@ class PointTable(FollowsTheme, QWidget):
             return
         self._to_reset = indices, [column for column in self.model.columns if column.order in orders]
         sentence = keeping_sentence(indices, orders)
-        self._show_message(f'⚠ {html_of(sentence)} · <a href="reset">Reset to estimated</a>')
-        self.said.emit(f"{sentence}; click “Reset to estimated” to estimate again.")
+        self._show_message(f'⚠ {html_of(sentence)} · <a href="reset">Reset to Estimate</a>')
+        self.said.emit(f"{sentence}; click “Reset to Estimate” to estimate again.")
 
     def _reset_kept(self) -> None:
         self.reset_requested.emit(*self._to_reset)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from functools import partial
 from itertools import chain
 
 from ...actions.declaration import Action, PositionAction, action, action_for_each, also, also_for_each
 from ...actions.menus import (
     CANVAS_MENU,
     CURVE_LIST_MENU,
+    CURVE_MENU,
+    CURVE_RESETS,
     EDIT_SELECT,
     POINT_BUTTONS,
     POINT_MENU,
@@ -18,12 +21,12 @@ from ...actions.menus import (
     WHOLES_MENU,
 )
 from ...actions.needs import HERMITE_CURVE, HERMITE_POINTS, SOME_CURVE, Need
-from ...document import point_edits
 from ...document.constraints import ends_of
 from ...document.curve_edits import replace_curve
 from ...document.limits import AlreadySoError, EditError
 from ...document.model import Curve, Document
-from ...document.point_group import PointGroup, group_points, points_of
+from ...document.point_edits import clear_derivatives, explicit_points
+from ...document.point_group import PointGroup, group_points, points_of, reset_message
 from ...document.selection import NONE_SELECTABLE, all_points, selectable_curves
 from ...document.straight_edits import corners_of, straight_refusal
 from ...view_model.curve.curve_view import CurveView
@@ -46,7 +49,7 @@ _CLEAR_OF_DISC = 16.0
 """Pixels from a point at which a handle is clear of the point's disc."""
 
 _MOST_NAMED = 3
-"""Largest number of points or segments that a sentence names one by one."""
+"""Largest number of segments that a sentence names one by one."""
 
 _HAS_KINDS = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state: why_no_kinds(state.family))
 
@@ -85,7 +88,7 @@ class TangentCommands:
         )
         left_out = f"; {kind.ends}" if inner.count < group.count else ""
         if self._reshape(kind.step, kind.apply, inner if inner.parts else group):
-            self._report(f"{kind.title} at {_points_text(inner)}{left_out}.", curves, inner)
+            self._report(f"{kind.title} at {inner.names}{left_out}.", curves, inner)
 
     @action(
         "straightSegment",
@@ -140,12 +143,7 @@ class TangentCommands:
             points = zip(before[curve].points, after[curve].points, strict=True)
             changed = (index for index, (old, new) in enumerate(points) if old != new)
             fixed.append((curve, frozenset(changed) - set(indices)))
-        beside = group_points(fixed)
-        if beside.parts:
-            is_many = beside.count > _MOST_NAMED
-            points_text = f"{beside.count} other points" if is_many else _points_text(beside)
-            done = f"{done} The estimated derivatives of {points_text} were fixed to keep the shape."
-        self._session.say(done)
+        self._session.report(done, group_points(fixed))
 
     # Straight segments
 
@@ -170,7 +168,7 @@ class TangentCommands:
             both_ends = (ends_of(before[curve], segment) for segment in indices)
             ends.append((curve, frozenset(chain.from_iterable(both_ends))))
         cornered = group_points(corners)
-        at_corners = f", corner at {_points_text(cornered)}" if cornered.parts else ""
+        at_corners = f", corner at {cornered.names}" if cornered.parts else ""
         self._report(f"{text}{at_corners}.", before, group_points(ends))
 
     def _reshape(self, verb: str, reshape: _Reshape, group: PointGroup, idle: str = "") -> bool:
@@ -210,12 +208,7 @@ def _segments_text(curves: Sequence[Curve], segments: PointGroup) -> str:
     return f"Straight segment{'s' if len(names) > 1 else ''} {', '.join(names)}"
 
 
-def _points_text(group: PointGroup) -> str:
-    """Return "point 3", "points 1, 2 and 3" or "7 points"; for several curves the number."""
-    if len(group.parts) != 1 or not 1 < group.count <= _MOST_NAMED:
-        return group.label
-    *first, last = map(str, sorted(group.parts[0][1]))
-    return f"points {', '.join(first)} and {last}"
+_RESET_WORDS = "estimated automatic auto default clear velocity acceleration handle tangent"
 
 
 class PointCommands:
@@ -291,17 +284,59 @@ class PointCommands:
 
     @action(
         "resetVelocities",
-        "Reset Derivatives to Estimated",
+        "Reset to Estimate",
         POINTS_VELOCITIES,
         icon="reset",
-        needs=Need("selected points with a derivative set by hand", lambda state: state.has_explicit),
+        full_name="Reset Selected Points to Estimate",
+        needs=Need(
+            "selected points with a derivative set by hand",
+            lambda state: state.has_explicit,
+            why=lambda state: why_no_kinds(state.family),
+        ),
+        keywords=_RESET_WORDS,
     )
-    def _reset_derivatives(self) -> None:
-        """Reset the derivatives of the selected points to the estimates of the rules."""
-        group = self._session.selected.group
-        self._session.change(
-            "Reset derivatives", lambda document: group.apply(document, point_edits.clear_derivatives)
+    @also(POINT_MENU(16))
+    def _reset_selected(self) -> None:
+        """Let the rules estimate the derivatives of the selected points; corners stay corners."""
+        self._reset(self._session.selected.group)
+
+    @action(
+        "resetAllPoints",
+        "Reset All to Estimate",
+        CURVE_RESETS,
+        icon="reset",
+        full_name="Reset All Points to Estimate",
+        needs=Need("a curve with a derivative set by hand", lambda state: state.has_any_explicit),
+        keywords=_RESET_WORDS,
+    )
+    @also(CURVE_MENU(15))
+    def _reset_all(self) -> None:
+        """Let the rules estimate the derivatives of all points of the selected curves; corners stay."""
+        self._reset(all_points(self._session.document, self._session.selected.curves))
+
+    @action(
+        "resetKept",
+        "Reset Others to Estimate",
+        CURVE_RESETS,
+        icon="reset",
+        short="Reset to Estimate",
+        full_name="Reset Points Set to Keep the Shape to Estimate",
+        needs=Need("points that the last step has set to keep the shape", lambda state: state.has_kept),
+        keywords=_RESET_WORDS,
+    )
+    def _reset_kept(self) -> None:
+        """Let the rules estimate the points again that the last step has set to keep the shape."""
+        self._reset(self._session.kept)
+
+    def _reset(self, group: PointGroup) -> None:
+        session, curves = self._session, self._session.document.curves
+        reset = group_points(
+            (curve, explicit_points(curves[curve], indices)) for curve, indices in group.parts
         )
+        if not reset.parts:
+            session.refuse("All derivatives are estimates already.")
+        elif session.change(f"Reset {reset.label} to estimate", partial(reset.apply, edit=clear_derivatives)):
+            session.say(reset_message(f"Reset {reset.names}", session.document.curves, reset))
 
 
 COMMAND_SETS = (TangentCommands, PointCommands)
