@@ -94,6 +94,11 @@ def rotation(degrees: float, centre: Vector) -> Affine:
     return Affine(cos - 1.0, -sin, sin, cos - 1.0, centre)
 
 
+def polar_vector(length: float, degrees: float) -> Vector:
+    """Return the vector of this length at an angle, counterclockwise from x; exact for quarter turns."""
+    return rotation(degrees, (0.0, 0.0)).vector((length, 0.0))
+
+
 def is_mirrored(by: Affine) -> bool:
     """Return whether a map reverses orientation."""
     return (1.0 + by.xx) * (1.0 + by.yy) < by.xy * by.yx

@@ -144,6 +144,9 @@ class Preferences:
     keep_proportions = Switch("transform/keep_proportions", default=False)
     """Whether width and height are scaled together when one of them is typed."""
 
+    handle_columns = Switch("table/handles", default=False)
+    """Whether the point table shows lengths and angles of handles."""
+
     with_estimates = Switch("basis/with_estimates", default=False)
     """Whether the basis functions include the estimated derivatives."""
 

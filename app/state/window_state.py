@@ -69,7 +69,7 @@ class WindowState(msgspec.Struct, frozen=True):
         How large points, lines and type are drawn; 1 as usual.
     snap_on, snap_kinds, with_estimates, theme_mode, tool_settings
         As in the preferences.
-    transform_box, keep_proportions
+    transform_box, keep_proportions, handle_columns
         As in the preferences.
     align_to
         Reference for aligning curves.
@@ -106,6 +106,7 @@ class WindowState(msgspec.Struct, frozen=True):
     snap_kinds: frozenset[SnapKind] = frozenset(SnapKind)
     transform_box: bool = True
     keep_proportions: bool = False
+    handle_columns: bool = False
     align_to: Reference = Reference.EACH_OTHER
     with_estimates: bool = False
     theme_mode: ThemeMode = ThemeMode.SYSTEM

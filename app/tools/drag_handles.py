@@ -5,18 +5,22 @@ from __future__ import annotations
 import math
 from functools import cached_property, partial
 
+from msgspec.structs import replace
+
 from ..document import point_edits, words
 from ..document.curve_edits import replace_curve
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Document, Vector
+from ..document.transforms import polar_vector
 from ..view_model.curve.curve_view import CurveView
-from ..view_model.curve.handles import derivative_from_handle
+from ..view_model.curve.handles import derivative_from_handle, derivative_of_offset, offset_of_handle
 from ..view_model.point_kinds import is_breakable, with_corners, with_handle_retracted
 from .drag_points import Click, hint_on_point, press_on_point, selecting, unless_locked
 from .offsets import in_steps, plus
 from .pointer import SNAP_KEY, STEP_KEYS, Hint, Hit, Part, Pointer
 from .snapping import Snapper, stepped_from
-from .tool import Drag, Gesture, GestureRow, ToolEvent
+from .tool import Gesture, GestureRow, ToolEvent, TypedDrag
+from .typed_amount import TypedAmount
 
 GESTURES = (
     GestureRow("Drag a point", "move it; Ctrl or Shift keeps to one axis"),
@@ -24,6 +28,12 @@ GESTURES = (
     GestureRow(
         "Drag a handle",
         "set velocity (square), acceleration (diamond), jerk (triangle); Ctrl or Shift: 15°, Alt: break",
+        selected=True,
+        needs_derivatives=True,
+    ),
+    GestureRow(
+        "Digits, Tab while dragging a handle",
+        "type its length, its angle",
         selected=True,
         needs_derivatives=True,
     ),
@@ -57,9 +67,14 @@ def press_on_handle(event: ToolEvent, hit: Hit) -> Gesture:
         hit=hit,
         start=pointer.position,
         snapper=event.snapping.for_handle(hit.index),
+        typed=_untyped(session.document),
         on_click=on_click,
     )
     return unless_locked(event, drag)
+
+
+def _untyped(document: Document) -> TypedAmount:
+    return TypedAmount(unit=document.unit, is_polar=True)
 
 
 def _retract(event: ToolEvent, hit: Hit) -> None:
@@ -73,20 +88,55 @@ def _retract(event: ToolEvent, hit: Hit) -> None:
         session.say(f"Retracted the handle of point {hit.index}; Alt+drag the point to pull it out again.")
 
 
-class DragHandle(Drag, kw_only=True, dict=True):
-    """Drag of the handle of a derivative; handles tied to it move along, unless Alt breaks the tie.
+class HandleDrag(TypedDrag, kw_only=True):
+    """Drag of a handle to the pointer, or to a length and an angle that are typed meanwhile.
 
     Attributes
     ----------
     curve, view
         The curve and its view at the press.
+    hit
+        The handle.
     """
 
     curve: int
     view: CurveView
     hit: Hit
-    start: Vector
     snapper: Snapper
+
+    def _free(self, tip: Vector) -> Vector:
+        """Return the derivative whose handle ends at `tip`."""
+        return derivative_from_handle(self.view, self.hit.index, self.hit.order, tip, ahead=self.hit.ahead)
+
+    def _offset(self, derivative: Vector) -> Vector:
+        hit = self.hit
+        return offset_of_handle(self.view, hit.index, hit.order, derivative, ahead=hit.ahead)
+
+    def _with_typed(self, derivative: Vector) -> Vector:
+        """Return the derivative whose handle has the length and the angle that are typed."""
+        if not self.typed.counts:
+            return derivative
+        self.snapper.reset()
+        hit, (x, y) = self.hit, self._offset(derivative)
+        polar = polar_vector(*self.typed.over((math.hypot(x, y), math.degrees(math.atan2(y, x)))))
+        return derivative_of_offset(self.view, hit.index, hit.order, polar, ahead=hit.ahead)
+
+    def _sizes(self, derivative: Vector) -> str:
+        """Return length and angle of a derivative, and those of its handle, as far as typed."""
+        offset = self._offset(derivative)
+        length, angle = self.typed.texts((words.number(math.hypot(*offset)), words.direction(offset)))
+        return f"{words.polar(derivative)}, handle {length} at {angle}"
+
+    @property
+    def _typing(self) -> str:
+        """The numbers that can be typed."""
+        return self.typed.keys if self.typed.counts else "digits: length, Tab: angle"
+
+
+class DragHandle(HandleDrag, kw_only=True, dict=True):
+    """Drag of the handle of a derivative; handles tied to it move along, unless Alt breaks the tie."""
+
+    start: Vector
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the handle at the offset from the pointer that it had at the press."""
@@ -108,13 +158,13 @@ class DragHandle(Drag, kw_only=True, dict=True):
         return self.document.with_curve(self.curve, with_corners(self.view, [self.hit.index]))
 
     def _derivative_at(self, pointer: Pointer) -> Vector:
-        tip = self._snapped(plus(self.hit.position, pointer.offset_from(self.start)), pointer)
-        index, order = self.hit.index, self.hit.order
-        free = derivative_from_handle(self.view, index, order, tip, ahead=self.hit.ahead)
-        before = self.view.derivative_of(index, order, ahead=self.hit.ahead)
+        free = self._free(self._snapped(plus(self.hit.position, pointer.offset_from(self.start)), pointer))
+        before = self.view.derivative_of(self.hit.index, self.hit.order, ahead=self.hit.ahead)
         if pointer.alt and pointer.shift and before is not None and any(before):
-            return _along_direction(free, before)
-        return in_steps(free) if pointer.is_constrained else free
+            free = _along_direction(free, before)
+        elif pointer.is_constrained:
+            free = in_steps(free)
+        return self._with_typed(free)
 
     def _snapped(self, tip: Vector, pointer: Pointer) -> Vector:
         if pointer.is_constrained:
@@ -132,13 +182,13 @@ class DragHandle(Drag, kw_only=True, dict=True):
     @property
     def keys(self) -> str:
         """Effects of the modifier keys."""
-        return handle_keys(self.hit, self.view)
+        return f"{self._typing} · {handle_keys(self.hit, self.view)}"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return the derivative by its length and direction."""
+        """Return the derivative, and its handle, by length and direction."""
         label = label_of_handle(self.hit, self.view)
         broken = ", now a corner" if self._breaks(pointer) else ""
-        return f"{label[0].upper()}{label[1:]}: {words.polar(self._derivative_at(pointer))}{broken}"
+        return f"{label[0].upper()}{label[1:]}: {self._sizes(self._derivative_at(pointer))}{broken}"
 
 
 def _along_direction(v: Vector, direction: Vector) -> Vector:
@@ -178,41 +228,40 @@ def pull_velocity(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> 
         document=session.document,
         curve=session.active_index,
         view=event.view,
-        index=hit.index,
+        hit=replace(hit, order=1, ahead=True),
         snapper=event.snapping.for_handle(hit.index),
+        typed=_untyped(session.document),
         on_click=on_click,
     )
     return unless_locked(event, drag)
 
 
-class PullVelocity(Drag, kw_only=True):
+class PullVelocity(HandleDrag, kw_only=True):
     """Drag that pulls the velocity handle out of a point. Ctrl or Shift turns it in steps of 15°."""
 
-    curve: int
-    view: CurveView
-    index: int
-    snapper: Snapper
-
-    keys = f"{STEP_KEYS} · {SNAP_KEY}"
+    @property
+    def keys(self) -> str:
+        """Effects of the modifier keys."""
+        return f"{self._typing} · {STEP_KEYS} · {SNAP_KEY}"
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the handle ahead of the point under the pointer."""
-        velocity = self._velocity_at(pointer)
-        ahead = self.view.spacing(self.index, ahead=True) is not None
-        return point_edits.set_velocity(self.document, self.curve, self.index, velocity, ahead=ahead)
+        velocity, index = self._velocity_at(pointer), self.hit.index
+        ahead = self.view.spacing(index, ahead=True) is not None
+        return point_edits.set_velocity(self.document, self.curve, index, velocity, ahead=ahead)
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
-        tip = stepped_from(self.view.source.points[self.index].position, pointer, self.snapper)
-        return derivative_from_handle(self.view, self.index, 1, tip, ahead=True)
+        point = self.view.source.points[self.hit.index].position
+        return self._with_typed(self._free(stepped_from(point, pointer, self.snapper)))
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Set velocity of point 2"."""
-        return f"Set velocity of {_label_of_side(self.view, self.index, ahead=True)}"
+        return f"Set velocity of {_label_of_side(self.view, self.hit.index, ahead=True)}"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return the velocity by its length and direction."""
-        side = _label_of_side(self.view, self.index, ahead=True)
-        return f"Velocity of {side}: {words.polar(self._velocity_at(pointer))}"
+        """Return the velocity, and its handle, by length and direction."""
+        side = _label_of_side(self.view, self.hit.index, ahead=True)
+        return f"Velocity of {side}: {self._sizes(self._velocity_at(pointer))}"
 
 
 # What a press would do

@@ -356,6 +356,17 @@ class TypedDrag(Drag, kw_only=True):
 
     typed: TypedAmount = TypedAmount()
 
+    def wants_key(self, key: str) -> bool:
+        """Return whether a key is for the amount."""
+        return key in ("enter", "tab") or self.typed.claims(key)
+
+    def key(self, event: ToolEvent, key: str) -> bool:
+        """Take a character of the amount, or "tab" to the other number of two."""
+        if key != "tab":
+            return self.type(key)
+        self.typed = self.typed.after_tab(None)
+        return True
+
     def type(self, key: str) -> bool:
         """Take a character of the amount; return whether it had an effect.
 

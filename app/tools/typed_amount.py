@@ -1,8 +1,9 @@
-"""An amount typed into a drag: one number or expression, or with Tab one for x and one for y."""
+"""An amount typed into a drag: one number or expression; with Tab one for x and one for y, or an angle."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 import msgspec
 from msgspec.structs import replace
@@ -13,7 +14,6 @@ from ..document.limits import EditError
 from ..document.model import Vector
 from ..document.words import with_minus
 
-_AXES = "xy"
 _FIRST = frozenset("0123456789.-(")
 _FURTHER = frozenset("+*/)")
 _PLAIN = re.compile(r"-?[0-9.]*")
@@ -31,11 +31,19 @@ class TypedAmount(msgspec.Struct, frozen=True):
         Which of them is typed.
     unit
         The unit of the document, which lengths are in; None for a factor or an angle.
+    is_polar
+        Whether the two are a length and an angle, in place of x and y.
     """
 
     fields: tuple[str, ...] = ("",)
     at: int = 0
     unit: str | None = None
+    is_polar: bool = False
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """The names of the two numbers."""
+        return ("length", "angle") if self.is_polar else ("x", "y")
 
     @property
     def is_pair(self) -> bool:
@@ -84,10 +92,11 @@ class TypedAmount(msgspec.Struct, frozen=True):
 
     def _with_letter(self, text: str) -> str:
         """Return a text that ends with a letter of a unit; raise EditError where that has no place."""
-        if self.unit is None:
+        unit = self._unit_at(self.at)
+        if unit is None:
             raise EditError(f"A factor or an angle has no unit; type a number without “{text[-1]}”.")
         try:
-            check_unit(text, self.unit)
+            check_unit(text, unit)
         except ExpressionError as problem:
             raise EditError(str(problem)) from None
         return text
@@ -117,6 +126,11 @@ class TypedAmount(msgspec.Struct, frozen=True):
         """Return the numbers for x and y, `default` for a text that is none yet."""
         return (self._number(0, default), self._number(1, default))
 
+    def over(self, present: Vector) -> Vector:
+        """Return two numbers: those that are typed, in place of the present ones."""
+        second = self._number(1, present[1]) if self.is_pair else present[1]
+        return (self._number(0, present[0]), second)
+
     @property
     def refusal(self) -> str:
         """Why the typed text is no number yet; empty where it is one, or nothing is typed."""
@@ -135,8 +149,11 @@ class TypedAmount(msgspec.Struct, frozen=True):
             return default
 
     def _read(self, at: int) -> float:
-        text = self.fields[at]
-        return parse_number(text) if self.unit is None else typed_length(text, self.unit)
+        text, unit = self.fields[at], self._unit_at(at)
+        return parse_number(text) if unit is None else typed_length(text, unit)
+
+    def _unit_at(self, at: int) -> str | None:
+        return None if at and self.is_polar else self.unit
 
     @property
     def mark(self) -> str:
@@ -150,15 +167,23 @@ class TypedAmount(msgspec.Struct, frozen=True):
             return f" ({with_minus(text)}…)"
         return "" if _PLAIN.fullmatch(text) else f" ({with_minus(text)})"
 
+    def texts(self, present: Sequence[str]) -> list[str]:
+        """Return the texts of two numbers: as typed, with a mark where the next digit goes, or as now."""
+        texts = list(present)
+        for at, text in enumerate(self.fields):
+            if text or (self.is_pair and at == self.at):
+                texts[at] = f"{with_minus(text)}{'|' if at == self.at else ''}"
+        return texts
+
     def pair_text(self, default: str) -> str:
         """Return both numbers as typed, with a mark where the next digit goes: "x 1, y 2|"."""
         parts = []
         for at, text in enumerate(self.fields):
             displayed = f"{with_minus(text)}|" if at == self.at else with_minus(text) or default
-            parts.append(f"{_AXES[at]} {displayed}")
+            parts.append(f"{self.names[at]} {displayed}")
         return ", ".join(parts)
 
     @property
     def keys(self) -> str:
         """The number of two that is typed, and the way to the other one."""
-        return f"typing {_AXES[self.at]} · Tab: {_AXES[1 - self.at]}"
+        return f"typing {self.names[self.at]} · Tab: {self.names[1 - self.at]}"

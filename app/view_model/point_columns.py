@@ -13,7 +13,7 @@ limits it to families with derivatives. ``tests/gui/test_table_columns.py`` adds
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 
@@ -29,6 +29,7 @@ from ..document.derivatives import DERIVATIVES, Derivative
 from ..document.limits import EditError, not_after
 from ..document.model import Curve, Document, Vector
 from .curve.curve_view import CurveView
+from .curve.handles import derivative_at_angle, derivative_of_length, handle_offsets
 
 PARAMETER, POSITION = -1, 0
 """Orders of columns that are no derivatives."""
@@ -65,6 +66,10 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     after
         Returns the number after a point that is a corner, where `get` returns the one before it; None if a
         corner has one number.
+    label
+        Its name in sentences: "length of the handle ahead"; empty where `name` says it.
+    is_of_handle
+        Whether it is displayed only where handles are to be shown by length and angle.
     order, component
         The datum of a point: -1 its parameter, 0 its position, from 1 on its derivatives,
         and 0 for x, 1 for y; order None for anything else.
@@ -82,6 +87,8 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
     estimate: Callable[[Curve], str] | None = None
     reset: Callable[[Document, int, Collection[int]], Document] | None = None
     after: Callable[[CurveView, int], float] | None = None
+    label: str = ""
+    is_of_handle: bool = False
     order: int | None = None
     component: int = 0
     derivatives: int = 0
@@ -103,7 +110,7 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
 
     def at(self, index: int) -> str:
         """Return the name of its number of a point: "x of point 3"."""
-        return f"{self.name} of point {index}"
+        return f"{self.label or self.name} of point {index}"
 
     def put(self, document: Document, curve: int, view: CurveView, values: Mapping[int, float]) -> Document:
         """Return the document with other numbers, by the indices of their points.
@@ -122,9 +129,13 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         return document
 
 
-def columns_of(derivatives: int) -> tuple[Column, ...]:
+def columns_of(derivatives: int, *, with_handles: bool = False) -> tuple[Column, ...]:
     """Return the columns of a family whose points have so many derivatives."""
-    return tuple(column for column in COLUMNS if column.derivatives <= derivatives)
+    return tuple(
+        column
+        for column in COLUMNS
+        if column.derivatives <= derivatives and (with_handles or not column.is_of_handle)
+    )
 
 
 def known_titles() -> set[str]:
@@ -263,6 +274,36 @@ def _set_derivatives(
     return point_edits.set_points(document, curve, points)
 
 
+# Handles: the same derivatives, by length and angle of the line that is dragged
+
+
+def _lengths(order: int, ahead: bool, view: CurveView) -> FloatArray:
+    lengths: FloatArray = np.hypot(*handle_offsets(view, order, ahead=ahead).T)
+    return lengths
+
+
+def _angles(order: int, ahead: bool, view: CurveView) -> FloatArray:
+    """Return the degrees of handles, counterclockwise from x, (n,); NaN where the length is 0."""
+    x, y = handle_offsets(view, order, ahead=ahead).T
+    # Without a negative zero, which would be −180°.
+    angles: FloatArray = np.where((x == 0.0) & (y == 0.0), np.nan, np.degrees(np.arctan2(y + 0.0, x)))
+    return angles
+
+
+def _set_handle(
+    order: int,
+    ahead: bool,
+    derivative_of: Callable[..., Vector],
+    document: Document,
+    curve: int,
+    view: CurveView,
+    index: int,
+    value: float,
+) -> Document:
+    derivative = derivative_of(view, index, order, value, ahead=ahead)
+    return point_edits.set_derivative(document, curve, index, order, derivative, ahead=ahead)
+
+
 # The records
 
 
@@ -279,6 +320,10 @@ def _position_column(component: int) -> Column:
     )
 
 
+def _reset(order: int, document: Document, curve: int, indices: Collection[int]) -> Document:
+    return point_edits.clear_derivatives(document, curve, indices, (order,))
+
+
 def _derivative_column(derivative: Derivative, component: int) -> Column:
     order, axis = derivative.order, "xy"[component]
     set_many = partial(_set_derivatives, order, component)
@@ -290,14 +335,40 @@ def _derivative_column(derivative: Derivative, component: int) -> Column:
         set_many=set_many,
         is_estimated=lambda view: np.isnan(_given(order, 0, view)),
         estimate=lambda curve: str(getattr(curve, derivative.rule_field).estimate),
-        reset=lambda document, curve, indices: point_edits.clear_derivatives(
-            document, curve, indices, (order,)
-        ),
+        reset=partial(_reset, order),
         after=partial(_derivative_after, order, component),
         order=order,
         component=component,
         derivatives=order,
     )
+
+
+def _handle_columns(derivative: Derivative, ahead: bool) -> Iterator[Column]:
+    order, side, arrow = derivative.order, ("behind", "ahead")[ahead], "←→"[ahead]
+    kind = "handle" if order == 1 else f"{derivative.name} handle"
+    prefix = "" if order == 1 else derivative.letter
+    for sign, what, measure, derivative_of, unit in (
+        ("ℓ", "length", _lengths, derivative_of_length, "on the canvas"),
+        ("∠", "angle", _angles, derivative_at_angle, "in degrees, counterclockwise from x"),
+    ):
+        yield Column(
+            name=f"{prefix}{sign}{arrow}",
+            label=f"{what} of the {kind} {side}",
+            tip=f"{what.capitalize()} of the {kind} {side} {unit}",
+            get=partial(measure, order, ahead),
+            set=partial(_set_handle, order, ahead, derivative_of),
+            is_estimated=lambda view: np.isnan(view.arrays.given[:, int(ahead), order - 1, 0]),
+            estimate=lambda curve: str(getattr(curve, derivative.rule_field).estimate),
+            reset=partial(_reset, order),
+            is_of_handle=True,
+            derivatives=order,
+        )
+
+
+def _columns_of_derivative(derivative: Derivative) -> Iterator[Column]:
+    yield from (_derivative_column(derivative, component) for component in (0, 1))
+    for ahead in (False, True):
+        yield from _handle_columns(derivative, ahead)
 
 
 COLUMNS: Sequence[Column] = (
@@ -310,6 +381,6 @@ COLUMNS: Sequence[Column] = (
         order=PARAMETER,
     ),
     *(_position_column(component) for component in (0, 1)),
-    *(_derivative_column(each, component) for each in DERIVATIVES for component in (0, 1)),
+    *(column for each in DERIVATIVES for column in _columns_of_derivative(each)),
 )
 """All columns, in the order in which the table shows them."""

@@ -79,7 +79,8 @@ R = KAPPA + 1
 
 def names_of(derivatives):
     """Names of the columns that the program has, and of those here."""
-    return [*(column.name for column in BUILT_IN if column.derivatives <= derivatives), "kappa", "r"]
+    shown = (column for column in BUILT_IN if not column.is_of_handle)
+    return [*(column.name for column in shown if column.derivatives <= derivatives), "kappa", "r"]
 
 
 def cell(table, row, column, *, adds=False):

@@ -57,6 +57,7 @@ REMEMBERED = {
     "transform_box",
     "rulers",
     "keep_proportions",
+    "handle_columns",
     "with_estimates",
     "theme_mode",
     "basis",

@@ -8,7 +8,7 @@ from itertools import compress
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from ...actions.declaration import action, also
+from ...actions.declaration import action, also, switch
 from ...actions.menus import POINT_BUTTONS, POINT_MENU, POINTS_TYPED
 from ...actions.needs import Need
 from ...document.limits import EditError
@@ -16,6 +16,7 @@ from ...document.model import Document
 from ...document.point_group import points_of, reset_message
 from ...document.words import count_of
 from ...session import Session
+from ...state.window_state import WindowState
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column
 from ...workbench.context import WindowContext
@@ -149,7 +150,13 @@ class PointTableCommands:
         self.panel.view.addAction(self._context.actions["resetAllPoints"])
         self._controller = PointTableController(self._session, self.panel, self._show_points)
         self._session.selection_changed.connect(self.panel.set_selection)
+        self._context.store.changed.connect(self._show_state)
+        self.panel.view.addAction(self._context.actions["toggleHandleColumns"])
+        self.panel.show_handles(self._context.store.state.handle_columns)
         return self.panel
+
+    def _show_state(self, _before: WindowState, state: WindowState) -> None:
+        self.panel.show_handles(state.handle_columns)
 
     def follow_drag(self, view: CurveView) -> bool:
         """Show the points of `view`, at most every 100 ms."""
@@ -169,6 +176,17 @@ class PointTableCommands:
         """Enter the position of the selected point in the point table; Tab moves from x to y."""
         self._context.docks["pointsDock"].bring_up()
         self.panel.edit_position(min(self._session.selection))
+
+    @switch(
+        "handle_columns",
+        "toggleHandleColumns",
+        "Lengths and Angles",
+        POINTS_TYPED,
+        full_name="Lengths and Angles of Handles",
+        keywords="polar table columns tangent velocity degrees",
+    )
+    def _toggle_handles(self) -> None:
+        """Show length and angle of each handle in the point table, where they can be typed."""
 
     def _show_points(self) -> None:
         """Fit the view where points of the active curve lie outside it."""

@@ -199,7 +199,9 @@ def keeping_sentence(indices: Sequence[int], orders: Collection[int]) -> str:
 
 def reset_name(indices: Collection[int], columns: Sequence[Column]) -> str:
     """Return the name of a reset in the history."""
-    names = dict.fromkeys(_ORDER_NAMES.get(column.order or 0, column.name) for column in columns)
+    names = dict.fromkeys(
+        _ORDER_NAMES.get(column.order or 0, column.label or column.name) for column in columns
+    )
     all_are = set(_ORDER_NAMES.values()) >= names.keys()
     reset = "derivatives" if all_are and len(names) > 1 else " and ".join(names)
     if len(indices) == 1:

@@ -70,6 +70,8 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         The numbers of the table, (n, columns).
     estimated
         Which of the numbers are estimated by a rule.
+    with_handles
+        Whether lengths and angles of handles are among the columns.
     """
 
     number_entered = Signal(int, object, float)
@@ -79,6 +81,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         super().__init__(parent)
         self.setObjectName("pointTableModel")
         self._view: CurveView | None = None
+        self.with_handles = False
         self.columns = columns_of(derivatives=0)
         self._table_values = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
@@ -119,10 +122,10 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
 
     def show_view(self, view: CurveView) -> None:
         """Show the numbers of `view`; only changes are announced."""
-        if view is self._view:
+        columns = columns_of(view.source.family.derivatives, with_handles=self.with_handles)
+        if view is self._view and columns == self.columns:
             return
         self._view = view
-        columns = columns_of(view.source.family.derivatives)
         new = table_values(view, columns)
         if columns != self.columns:
             self.beginResetModel()

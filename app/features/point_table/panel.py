@@ -190,6 +190,13 @@ class PointTable(FollowsTheme, QWidget):
         self._rendering = False
         self._render_footer()
 
+    def show_handles(self, visible: bool) -> None:
+        """Show or hide the lengths and angles of handles."""
+        if visible != self.model.with_handles and self._rendered is not None:
+            (view, streaming), self._rendered = self._rendered, None
+            self.model.with_handles = visible
+            self.show_now(view, streaming=streaming)
+
     def set_selection(self, selection: frozenset[int]) -> None:
         """Select the rows of these points."""
         self._selection = selection

@@ -198,17 +198,6 @@ class DrawInBox(TypedDrag, kw_only=True):
         """Say that it takes a drag."""
         event.session.say(f"{self.drawn.hint}.")
 
-    def wants_key(self, key: str) -> bool:
-        """Return whether a key is for width and height."""
-        return key.isdigit() or key in ("enter", "tab") or self.typed.claims(key)
-
-    def key(self, event: ToolEvent, key: str) -> bool:
-        """Take a character of width or height, or "tab" to the other one."""
-        if key != "tab":
-            return self.type(key)
-        self.typed = self.typed.after_tab(None)
-        return True
-
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve in the box; raise EditError where that has no area."""
         (left, right), (low, high) = (sorted(ends) for ends in zip(*self._box(pointer), strict=True))
@@ -231,10 +220,7 @@ class DrawInBox(TypedDrag, kw_only=True):
     def amount(self, pointer: Pointer) -> str:
         """Return width × height, with a mark where a digit goes that is typed."""
         sides = [words.number(abs(side)) for side in _offset(*self._box(pointer))]
-        for at, text in enumerate(self.typed.fields):
-            if text or (self.typed.is_pair and at == self.typed.at):
-                sides[at] = f"{words.with_minus(text)}{'|' if at == self.typed.at else ''}"
-        return f"{' × '.join(sides)} {self.unit}".rstrip()
+        return f"{' × '.join(self.typed.texts(sides))} {self.unit}".rstrip()
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the snap, and width and height beside the pointer."""

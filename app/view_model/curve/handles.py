@@ -18,9 +18,11 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
+from ...document.derivatives import DERIVATIVES
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
 from ...document.point_edits import set_velocity
+from ...document.transforms import polar_vector
 from .core_curve import Sides
 from .curve_view import CurveView
 from .moving import Displacement
@@ -251,15 +253,104 @@ def derivative_from_handle(
 
     It is infinite on an interval of almost no length, where no number is large enough: edits refuse that.
     """
-    nothing, h = (0.0, 0.0), _signed_spacing(view, index, ahead=ahead)
-    below = [view.derivative_of(index, lower, ahead=ahead) or nothing for lower in range(1, order)]
-    jet = [view.source.points[index].position, *below, nothing]
-    base = _control_points(np.array([jet]), np.array([h]), _degree(view))[0, order]
+    h, base = (
+        _signed_spacing(view, index, ahead=ahead),
+        _controls_on(view, index, ahead, (0.0, 0.0), order)[-1],
+    )
     x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))
     # Not by a power of h: it may vanish where h does not.
     for _ in range(order):
         x, y = x / h, y / h
     return (x, y)
+
+
+def _controls_on(view: CurveView, index: int, ahead: bool, derivative: Vector, order: int) -> FloatArray:
+    """Return a point and its control points on one side, up to that of a derivative of an order."""
+    h = _signed_spacing(view, index, ahead=ahead)
+    below = [view.derivative_of(index, lower, ahead=ahead) or (0.0, 0.0) for lower in range(1, order)]
+    jet = [view.source.points[index].position, *below, derivative]
+    controls: FloatArray = _control_points(np.array([jet]), np.array([h]), _degree(view))[0]
+    return controls
+
+
+def offset_of_handle(view: CurveView, index: int, order: int, derivative: Vector, *, ahead: bool) -> Vector:
+    """Return the line to the handle of a derivative from its anchor: the point, or the handle below."""
+    anchor, tip = _controls_on(view, index, ahead, derivative, order)[-2:].tolist()
+    return (tip[0] - anchor[0], tip[1] - anchor[1])
+
+
+def derivative_of_offset(view: CurveView, index: int, order: int, offset: Vector, *, ahead: bool) -> Vector:
+    """Return the derivative of an order whose handle lies at an offset from its anchor."""
+    x, y = _controls_on(view, index, ahead, (0.0, 0.0), order)[-2].tolist()
+    return derivative_from_handle(view, index, order, (x + offset[0], y + offset[1]), ahead=ahead)
+
+
+def handle_offsets(view: CurveView, order: int, *, ahead: bool) -> FloatArray:
+    """Return the lines to the handles of an order on one side of all points, from their anchors, (n, 2).
+
+    NaN where a point has no such handle.
+    """
+    count = len(view.source.points)
+    sides = PointSides(np.arange(count), np.full(count, ahead))
+    offsets = np.full((count, 2), np.nan)
+    if view.is_current and view.sides is not None:
+        # Not `handles_on`, which keeps the handles of two selections alone during a drag.
+        handles = _handles_from(view, view.sides, _arms(view, sides, free=False))
+    else:
+        handles = handles_on(view, sides)
+    if len(handles):
+        arms = handles.of_arms(handles.ahead == ahead)
+        offsets[arms.indices] = arms.arms[:, order] - arms.arms[:, order - 1]
+    return offsets
+
+
+def derivative_of_length(view: CurveView, index: int, order: int, length: float, *, ahead: bool) -> Vector:
+    """Return the derivative of an order whose handle has this length, in its present direction.
+
+    A velocity of no length is pulled out along the curve's points.
+
+    Raises
+    ------
+    EditError
+        If the point has no such handle, the length is negative, or there is no direction.
+    """
+    offset, label = _offset_of(view, index, order, ahead=ahead)
+    if length < 0.0:
+        raise EditError(f"The length of {label} is 0 or more; its angle turns it round.")
+    if not any(offset) and length:
+        if order > 1:
+            raise EditError(f"{label[0].upper()}{label[1:]} has no length, and so no direction. Drag it out.")
+        x, y = _pulled(view, index, math.inf, ahead)
+        offset = (x, y) if ahead else (-x, -y)
+    share = length / (math.hypot(*offset) or 1.0)
+    scaled = (share * offset[0], share * offset[1])
+    return derivative_of_offset(view, index, order, scaled, ahead=ahead)
+
+
+def derivative_at_angle(view: CurveView, index: int, order: int, degrees: float, *, ahead: bool) -> Vector:
+    """Return the derivative of an order whose handle points there, counterclockwise from x, as long as now.
+
+    Raises
+    ------
+    EditError
+        If the point has no such handle, or it has no length.
+    """
+    offset, label = _offset_of(view, index, order, ahead=ahead)
+    if not any(offset):
+        raise EditError(
+            f"{label[0].upper()}{label[1:]} has no length, and so no angle. Set its length first."
+        )
+    turned = polar_vector(math.hypot(*offset), degrees)
+    return derivative_of_offset(view, index, order, turned, ahead=ahead)
+
+
+def _offset_of(view: CurveView, index: int, order: int, *, ahead: bool) -> tuple[Vector, str]:
+    """Return the line from its anchor to a handle, and its label; raise EditError where there is none."""
+    side = "ahead of" if ahead else "behind"
+    x, y = handle_offsets(view, order, ahead=ahead)[index].tolist()
+    if math.isnan(x):
+        raise EditError(view.problem or f"The curve ends at point {index}: there is no handle {side} it.")
+    return (x, y), f"the {DERIVATIVES[order - 1].name} handle {side} point {index}"
 
 
 def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:
