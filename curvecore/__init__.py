@@ -96,7 +96,7 @@ drag                 updates while points or parameters move:
   moved_points       polylines while some points move together
   moved_parameters   Lagrange curves and functions after a few parameters moved
 
-analysis.curvature   curvature, its inflections and extrema
+analysis.curvature   curvature, its inflections and extrema; extrema of coordinates
   bounding_boxes     the smallest boxes
   lengths            lengths within a bound, and the way back
   nearest_point      the nearest point of a curve, of all or within a reach

@@ -20,6 +20,7 @@ from curvecore.analysis.condition import vandermonde_condition as vandermonde_co
 from curvecore.analysis.continuity import Joint as Joint
 from curvecore.analysis.continuity import joint_report as joint_report
 from curvecore.analysis.curvature import CurvatureExtrema as CurvatureExtrema
+from curvecore.analysis.curvature import coordinate_extrema as coordinate_extrema
 from curvecore.analysis.curvature import curvature as curvature
 from curvecore.analysis.curvature import curvature_error as curvature_error
 from curvecore.analysis.curvature import curvature_extrema as curvature_extrema

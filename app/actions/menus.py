@@ -181,6 +181,7 @@ POINTS_EDITING = POINTS.section(needs=NOTHING)
 POINTS_KINDS = POINTS.section()
 POINTS_VELOCITIES = POINTS.section()
 POINTS_NUMBER = POINTS.section()
+POINTS_SPECIAL = POINTS.section("Add Points At", is_separated=False, also=[CURVE_MENU(15)])
 POINTS_TYPED = POINTS.section()
 
 ARRANGE = Menu("Arrange", interrupts=True)

@@ -1,4 +1,4 @@
-"""Points appended, curves closed, and points inserted in the middle of segments.
+"""Points appended, curves closed, points inserted in the middle of segments, at extrema and at inflections.
 
 A point has one velocity, and its handles lie at ±h·v/3 of the segments on its two sides: a segment that is
 ten times as long as the one before it would pull the handle ahead ten times as far out as the person did.
@@ -8,13 +8,15 @@ So handles are shortened until none is longer than it was drawn.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
+from functools import partial
 
 import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from curvecore import CurveError
+import curvecore
+from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
 from ..document.constraints import is_straight_beside, rescaled_beside
@@ -23,10 +25,20 @@ from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector, derivatives_of
 from ..document.point_edits import append_point, insert_points
+from ..document.rule_edits import freeze_parameters
+from ..document.words import number
 from .curve.core_curve import parameters_of
 from .curve.curve_view import CurveView, view_of
-from .geometry import at_knots, polygon_length
-from .reshape import Reshaped, change_of_shape, inserted_index, refuse_without_curve, with_point_inserted
+from .geometry import at_knots, polygon_length, segment_at
+from .reshape import (
+    SAME_PARAMETER,
+    Reshaped,
+    change_of_shape,
+    convert_first,
+    inserted_index,
+    refuse_without_curve,
+    with_point_inserted,
+)
 
 _MOST_LOCAL, _MOST_GLOBAL = 200, 24
 """Points up to which a preview takes a millisecond at each move of the pointer.
@@ -233,15 +245,15 @@ def appended_parameter(before: CurveView, point: Point) -> float:
 # Points inserted in the middle of segments
 
 
-class Halved(msgspec.Struct, frozen=True):
-    """A curve with segments halved, the indices of the new points, and the new indices of given points."""
+class WithPoints(msgspec.Struct, frozen=True):
+    """A curve with more points, the indices of the new points, and the new indices of given points."""
 
     reshaped: Reshaped
     new: frozenset[int]
     old: frozenset[int]
 
 
-def with_midpoints(view: CurveView, segments: Collection[int], points: Collection[int]) -> Halved:
+def with_midpoints(view: CurveView, segments: Collection[int], points: Collection[int]) -> WithPoints:
     """Return the curve with a point in the middle of each of these segments, and the new indices of `points`.
 
     Its shape is kept as far as it is by one point; see `reshape.with_point_inserted`.
@@ -251,14 +263,22 @@ def with_midpoints(view: CurveView, segments: Collection[int], points: Collectio
     EditError
         If there is no curve, or no room for a point.
     """
+    middles = (partial(_middle, segment=segment) for segment in sorted(segments, reverse=True))
+    return _inserted(view, middles, points)
+
+
+def _inserted(
+    view: CurveView, parameters: Iterable[Callable[[CurveView], float]], points: Collection[int]
+) -> WithPoints:
+    """Return the curve with more points, from the last one, each at a parameter of the view so far."""
     refuse_without_curve(view)
-    now, new, old, steps, middles = view, frozenset[int](), frozenset(points), list[Reshaped](), list[float]()
+    now, new, old, steps, at = view, frozenset[int](), frozenset(points), list[Reshaped](), list[float]()
     # From the last one: points before it keep their indices, whatever a rule makes of the parameters.
-    for segment in sorted(segments, reverse=True):
-        t = _middle(now, segment)
+    for parameter in parameters:
+        t = parameter(now)
         index = inserted_index(now, t)
         steps.append(with_point_inserted(now, t))
-        middles.append(_middle(view, segment))
+        at.append(parameter(view))
         now = view_of(steps[-1].curve)
         new = _shifted(new, index) | {index}
         old = _shifted(old, index)
@@ -268,9 +288,9 @@ def with_midpoints(view: CurveView, segments: Collection[int], points: Collectio
     # The changes of the single steps add up.
     residual = sum(step.residual for step in steps)
     if moved:
-        residual = change_of_shape(view, now, np.sort(np.append(view.parameters, middles)))
+        residual = change_of_shape(view, now, np.sort(np.append(view.parameters, at)))
     reshaped = replace(steps[-1], residual=residual, parameters_moved=moved, left_rule=left_rule)
-    return Halved(reshaped, new, old)
+    return WithPoints(reshaped, new, old)
 
 
 def _middle(view: CurveView, segment: int) -> float:
@@ -284,3 +304,111 @@ def _middle(view: CurveView, segment: int) -> float:
 def _shifted(points: frozenset[int], index: int) -> frozenset[int]:
     """Return the indices of points after one was inserted at `index`."""
     return frozenset(point + (point >= index) for point in points)
+
+
+# Points inserted at extrema and inflections
+
+
+class SpecialPoints(msgspec.Struct, frozen=True):
+    """Special points of plane curves, at which a point can be inserted.
+
+    Attributes
+    ----------
+    action
+        The name of the action that inserts them.
+    title
+        Their name in the menu.
+    keywords
+        Other words by which the command palette finds the action.
+    parameters
+        Returns their parameters on a curve.
+    """
+
+    action: str
+    title: str
+    keywords: str
+    parameters: Callable[[ParametricCurve], FloatArray]
+
+    @property
+    def name(self) -> str:
+        """The name within a sentence."""
+        return self.title.lower()
+
+
+SPECIAL_POINTS = (
+    SpecialPoints(
+        "addExtrema",
+        "Extrema of x and y",
+        "extremes nodes horizontal vertical tangents on-curve",
+        lambda curve: np.concatenate([curvecore.coordinate_extrema(curve, axis) for axis in (0, 1)]),
+    ),
+    SpecialPoints(
+        "addInflections",
+        "Inflections",
+        "nodes turning points",
+        lambda curve: curvecore.inflections(curve),  # noqa: PLW0108 - imported when it is needed
+    ),
+    SpecialPoints(
+        "addCurvatureExtrema",
+        "Extrema of Curvature",
+        "nodes vertices sharpest flattest",
+        lambda curve: curvecore.curvature_extrema(curve).parameters,
+    ),
+)
+
+
+def special_points(
+    view: CurveView, kind: SpecialPoints, segments: Collection[int] = ()
+) -> tuple[list[float], bool]:
+    """Return the parameters of special points that are no points of the curve yet, and whether some are.
+
+    Those of all segments, or of the given ones.
+
+    Raises
+    ------
+    EditError
+        If there is no curve, or it does not pass its points.
+    """
+    refuse_without_curve(view)
+    assert view.curve is not None
+    if not view.source.family.interpolates:
+        raise EditError(
+            f"{view.source.family.subject} does not pass its points: none can lie at the {kind.name}. "
+            f"{convert_first(view)}"
+        )
+    knots, free, some_taken = view.parameters, list[float](), False
+    for t in np.sort(kind.parameters(view.curve)).tolist():
+        if segments and segment_at(knots, t) not in segments:
+            continue
+        if np.abs(np.append(knots, free) - t).min() > SAME_PARAMETER * (knots[-1] - knots[0]):
+            free.append(t)
+        else:
+            some_taken = True
+    return free, some_taken
+
+
+def with_points_at(view: CurveView, parameters: Sequence[float]) -> WithPoints:
+    """Return the curve with points at these parameters, ascending, and its shape kept.
+
+    Parameters become manual, derivatives explicit as by `reshape.with_point_inserted`.
+
+    Raises
+    ------
+    EditError
+        If the shape would change.
+    """
+    frozen = view_of(freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0])
+    result = _inserted(frozen, [partial(_at, t) for t in reversed(parameters)], ())
+    if not result.reshaped.keeps_shape:
+        raise EditError(
+            f"{view.source.family.subject} changes its shape where points are inserted, by up to "
+            f"{number(result.reshaped.residual, 2)} here. {convert_first(view)}"
+        )
+    is_exact = all(piece.has_exact_pieces for piece in frozen.pieces)
+    note = "" if is_exact else "Their parameters were computed to rounding."
+    reshaped = replace(result.reshaped, left_rule=not view.source.is_manual, note=note)
+    return replace(result, reshaped=reshaped)
+
+
+def _at(t: float, _view: CurveView) -> float:
+    return t

@@ -16,6 +16,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray, IntArray
 from curvecore.families.chain import joint_of_row
 
+from .. import view_model
 from ..document.constraints import is_straight, rescaled_beside, tie_if_parallel
 from ..document.curve_edits import reverse_curve
 from ..document.limits import EditError
@@ -23,13 +24,20 @@ from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
 from ..document.point_edits import JetValue, with_jet_values
 from ..document.rule_edits import freeze_parameters
 from ..document.words import number
-from ..families import Family
+from ..families import HERMITE, Family
 from .curve.core_curve import Sides
 from .curve.curve_view import CurveView, ParametricCurve, view_of
 from .curve.distances import dense, keeps_shape, largest_distance, outcome
 
+SAME_PARAMETER = 1e-9
+"""Share of the domain up to which two parameters are those of one point."""
+
 _ROUNDING = 64 * 2.0**-53
 """Relative difference of two estimates up to which they count as the same."""
+
+
+_RESIDUE = 2.0**-44
+"""Share of the larger component of a derivative up to which the other one is a rounding residue."""
 
 
 class Reshaped(msgspec.Struct, frozen=True):
@@ -85,6 +93,13 @@ def refuse_without_curve(view: CurveView) -> None:
     """Raise EditError where the present points and rules give no curve."""
     if not view.is_current:
         raise EditError(f"There is no curve yet. {view.problem}")
+
+
+def convert_first(view: CurveView) -> str:
+    """Return the advice to convert a curve to a cubic Hermite one first, and how far that keeps its shape."""
+    within = view_model.convert.outlook(view, HERMITE).within
+    how = f"within {number(within, 1)}" if within else "keeping the shape"
+    return f"Convert it to {HERMITE.title} first, {how}."
 
 
 def with_jets(point: Point, sides: Sides, index: int) -> Point:
@@ -230,7 +245,7 @@ def _checked_index(view: CurveView, t: float) -> int:
     assert view.curve is not None
     away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
     nearest = int(np.argmin(away))
-    if away[nearest] <= 1e-9 * (knots[-1] - knots[0]):
+    if away[nearest] <= SAME_PARAMETER * (knots[-1] - knots[0]):
         point = view.owner(nearest)
         what = f"Point {point}" if view.source.family.interpolates else f"The knot at t of point {point}"
         raise EditError(f"{what} is already there.")
@@ -241,8 +256,13 @@ def _sampled(view: CurveView, t: float) -> Point:
     """Return a point on the curve at `t` with the derivatives there."""
     assert view.curve is not None
     orders = range(view.source.family.derivatives + 1)
-    position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
-    return Point(*position, t=t).with_derivatives(derivatives, ())
+    position, *derivatives = (view.curve.evaluate(t, order) for order in orders)
+    return Point(*_vector(position), t=t).with_derivatives(list(map(_without_residue, derivatives)), ())
+
+
+def _without_residue(vector: FloatArray) -> Vector:
+    """Return a vector whose component is 0 where it is a rounding residue: at an extremum of x or y."""
+    return _vector(np.where(np.abs(vector) > _RESIDUE * np.abs(vector).max(), vector, 0.0))
 
 
 def with_estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:

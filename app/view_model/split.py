@@ -13,7 +13,6 @@ from msgspec.structs import replace
 from curvecore import chebyshev
 from curvecore.parametrization import spread
 
-from .. import view_model
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, ParametrizationKind, Point
@@ -22,7 +21,14 @@ from ..document.words import number
 from ..families import HERMITE
 from .curve.curve_view import CurveView, view_of
 from .curve.distances import dense, keeps_shape, largest_distance, outcome
-from .reshape import baked, refuse_without_curve, through, with_point_inserted
+from .reshape import (
+    SAME_PARAMETER,
+    baked,
+    convert_first,
+    refuse_without_curve,
+    through,
+    with_point_inserted,
+)
 
 MOST_POINTS_SPLIT = 40
 """Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
@@ -72,11 +78,9 @@ def split(view: CurveView, *cuts: float) -> Split:
         parts = _split_polynomial(view, cuts) if of_one else _split_pieces(view, cuts)
     result = Split(parts, residual_of_parts(view, parts))
     if not family.curve_class.is_one_polynomial and not keeps_shape(result.residual, parts):
-        within = view_model.convert.outlook(view, HERMITE).within
-        how = f"within {number(within, 1)}" if within else "keeping the shape"
         raise EditError(
             f"{family.subject} cannot be split: the parts would be off by up to "
-            f"{number(result.residual, 2)}. Convert it to {HERMITE.title} first, {how}."
+            f"{number(result.residual, 2)}. {convert_first(view)}"
         )
     return result
 
@@ -133,7 +137,7 @@ def _split_pieces(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
     whole = view_of(baked(view))
     span = whole.parameters[-1] - whole.parameters[0]
     for t in cuts:
-        if np.abs(whole.parameters - t).min() > 1e-9 * span:
+        if np.abs(whole.parameters - t).min() > SAME_PARAMETER * span:
             whole = view_of(with_point_inserted(whole, t).curve)
     at = sorted({whole.owner(int(np.argmin(np.abs(whole.parameters - t)))) for t in cuts})
     points: Sequence[Point] = whole.source.points

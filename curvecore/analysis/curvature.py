@@ -1,4 +1,4 @@
-"""Speed and curvature of a curve, its inflections and extrema of curvature.
+"""Speed and curvature of a curve, its inflections, extrema of curvature and of coordinates.
 
 Signs and extrema of the curvature do not depend on how fast t runs: they are roots of
 polynomials in Bernstein form on the pieces of the curve, which are found by
@@ -337,6 +337,42 @@ def curvature_extrema(curve: ParametricCurve) -> CurvatureExtrema:
         steady |= jump <= _KINK * np.abs(after[ends % len(after)])
     t = crossings.parameters[steady]
     return CurvatureExtrema(t, curvature(curve, t), ~crossings.rising[steady])
+
+
+@np.errstate(under="ignore")
+def coordinate_extrema(curve: ParametricCurve, axis: int) -> FloatArray:
+    """Return the parameters where a coordinate has a local maximum or minimum, inside the domain.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of any family and dim.
+    axis : int
+        The coordinate: 0 for x, 1 for y.
+
+    Returns
+    -------
+    ndarray, shape (k,)
+        Ascending. A corner at which the coordinate turns back is one; a stretch on which it is constant
+        between a rise and a fall counts once, at its end.
+
+    See Also
+    --------
+    bounding_box : The box that the extrema of all coordinates define.
+
+    Notes
+    -----
+    Roots of the derivative of the coordinate; what rounding may have left of a 0 counts as 0.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, coordinate_extrema
+    >>> curve = LagrangeCurve([[0, 0], [1, 2], [4, 0]], [0, 1, 2])
+    >>> coordinate_extrema(curve, 0).tolist(), coordinate_extrema(curve, 1).tolist()
+    ([], [1.0])
+    """
+    pieces = bezier_pieces(curve)
+    return _crossings(pieces, pieces.slopes[..., axis], pieces.slope_error).parameters
 
 
 def _turn(pieces: BezierPieces) -> tuple[FloatArray, FloatArray]:

@@ -14,6 +14,7 @@ from curvecore import (
     bounding_box,
     chebyshev,
     chord_length,
+    coordinate_extrema,
     curvature,
     curvature_error,
     curvature_extrema,
@@ -216,6 +217,28 @@ def test_inflections_in_closed_form():
     assert inflections(cubic) == pytest.approx([0.3], abs=1e-12)
     assert inflections(parabola()).size == 0
     assert inflections(circle(8)).size == 0
+
+
+def test_coordinate_extrema_in_closed_form():
+    t = np.linspace(-1.0, 2.0, 4)
+    cubic = LagrangeCurve(np.stack((t, (t - 1.5) * (t - 0.25) ** 2), axis=1), t)
+    assert coordinate_extrema(cubic, 0).size == 0
+    # The derivative is (t - 1/4) (3 t - 13/4).
+    assert coordinate_extrema(cubic, 1) == pytest.approx([0.25, 13 / 12], abs=1e-14)
+
+
+def test_a_coordinate_turns_back_at_a_corner_and_once_on_a_constant_stretch():
+    roof = Chain(
+        [
+            HermiteCurve([[0, 0], [1, 1]], [[1, 1]] * 2, [0, 1]),
+            HermiteCurve([[1, 1], [2, 0]], [[1, -1]] * 2, [1, 2]),
+        ]
+    )
+    assert coordinate_extrema(roof, 1).tolist() == [1.0]
+    points = [[0, 0], [1, 1], [2, 1], [3, 0]]
+    table = HermiteCurve(points, [[1, 1], [1, 0], [1, 0], [1, -1]], [0, 1, 2, 3])
+    assert coordinate_extrema(table, 1).tolist() == [2.0]
+    assert coordinate_extrema(table, 0).size == 0
 
 
 def sign_changes(values):

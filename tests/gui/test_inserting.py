@@ -1,7 +1,8 @@
-"""Points inserted on the line, by a double click and between those selected, with real events."""
+"""Points inserted on the line, between those selected, and at special points, with real events."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import product
 
 import numpy as np
@@ -10,8 +11,10 @@ from PySide6.QtCore import Qt
 
 from app.document import rule_edits
 from app.document.model import Document, ParametrizationKind, make_curve
-from app.families import FAMILIES, HERMITE, LAGRANGE
+from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
+from app.view_model.append import SPECIAL_POINTS
 from app.view_model.curve.curve_view import view_of
+from tests.exact_pieces import at, cross, pieces_of, sign_changes, value
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 BOW = ((0, 0), (1, 2), (3, 2.5), (4, 1), (6, 0))
@@ -139,3 +142,107 @@ def test_the_parameter_rule_stays_where_the_shape_stays(editor):
     assert positions[2] == pytest.approx((4, 0), rel=2.0**-50, abs=0)
     assert editor.curve.parametrization.kind is ParametrizationKind.CHORD_LENGTH
     assert editor.status.startswith("Inserted 1 point. Shape kept")
+
+
+# At extrema, inflections and extrema of curvature
+
+SMALLEST_CHANGE = Fraction(1, 10**13)
+
+
+def exact_turns(pieces, action):
+    """The functions of t, exact up to a positive factor, whose changes of sign an action finds."""
+
+    def curvature_slope(t):
+        first, second, third = (at(pieces, t, order) for order in (1, 2, 3))
+        square, dot = first[0] ** 2 + first[1] ** 2, first[0] * second[0] + first[1] * second[1]
+        return cross(first, third) * square - 3 * cross(first, second) * dot
+
+    return {
+        "addExtrema": [lambda t: at(pieces, t, 1)[0], lambda t: at(pieces, t, 1)[1]],
+        "addInflections": [lambda t: cross(at(pieces, t, 1), at(pieces, t, 2))],
+        "addCurvatureExtrema": [curvature_slope],
+    }[action]
+
+
+WAVE = ((0, 0), (2, 2), (3, -1), (5, 3), (4, -2))
+
+
+@pytest.mark.parametrize("record", SPECIAL_POINTS, ids=lambda record: record.action)
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
+def test_the_palette_adds_points_at_special_points_of_the_exact_curve(editor, family, record):
+    begin(editor, make_curve(WAVE, family=family))
+    before, document = editor.session.active_view, editor.session.document
+    pieces, old = pieces_of(before), set(before.parameters.tolist())
+    editor.run_command(f"Add Points at {record.title}")
+    after = editor.session.active_view
+    new = [Fraction(t) for t in after.parameters.tolist() if t not in old]
+    start, end = pieces[0][0], pieces[-1][1]
+    functions = exact_turns(pieces, record.action)
+    inside = sum(sign_changes(function, *piece[:2], 400) for function in functions for piece in pieces)
+    assert len(new) == inside > 1
+    # The exact function changes its sign within a rounding of each new parameter.
+    near = Fraction(1, 10**12) * (end - start)
+    assert all(any(f(t - near) * f(t + near) < 0 for f in functions) for t in new)
+    assert set(np.flatnonzero(np.isin(after.parameters, [float(t) for t in new]))) == editor.session.selection
+    # The new pieces are parts of the old ones.
+    for start, end, points in pieces_of(after):
+        middle = value(points, Fraction(1, 3))
+        was = at(pieces, start + (end - start) / 3)
+        assert all(abs(a - b) <= SMALLEST_CHANGE for a, b in zip(middle, was, strict=True))
+    assert editor.status.startswith(f"Added {len(new)} points at {record.name}. Shape kept")
+    assert editor.session.undo_stack.undoText() == f"Add {len(new)} points at {record.name}"
+    changed = editor.session.document
+    editor.run_command(f"Add Points at {record.title}")
+    assert editor.session.document is changed
+    assert editor.status == f"All {record.name} have points already."
+    editor.trigger("undo")
+    assert editor.session.document == document
+
+
+def test_handles_at_added_extrema_are_exactly_horizontal_or_vertical(editor):
+    begin(editor, make_curve(WAVE, family=HERMITE))
+    editor.trigger("addExtrema")
+    velocities = [editor.curve.points[index].velocity for index in editor.session.selection]
+    assert len(velocities) > 3
+    assert all(0.0 in velocity for velocity in velocities)
+
+
+def test_points_are_added_on_the_selected_segments_alone(editor):
+    begin(editor, make_curve(WAVE, family=HERMITE))
+    editor.select([3, 4])
+    editor.open_menu(on_line(editor, 3))
+    editor.choose("addExtrema")
+    # x turns once and y once beyond point 3; on the other segments y turns twice.
+    assert editor.session.selection == {4, 5}
+    others = [point.position for at, point in enumerate(editor.curve.points) if at not in (4, 5)]
+    assert others == [tuple(map(float, place)) for place in WAVE]
+
+
+def test_points_are_added_to_all_selected_curves_in_one_step(editor):
+    begin(editor, make_curve(WAVE, family=HERMITE), make_curve([(0, 4), (3, 6), (6, 4)], name="Bow"))
+    editor.session.selected.select_whole([0, 1])
+    steps = editor.session.undo_stack.count()
+    editor.trigger("addExtrema")
+    assert len(editor.session.document.curves[1].points) == 3
+    assert len(editor.session.document.curves[0].points) > 6
+    assert editor.session.undo_stack.count() == steps + 1
+
+
+def test_a_curve_without_inflections_says_so(editor):
+    begin(editor, make_curve([(0, 0), (3, 2), (6, 0)], family=HERMITE))
+    editor.trigger("addInflections")
+    assert len(editor.curve.points) == 3
+    assert editor.status == "There are no inflections."
+
+
+def test_families_add_special_points_with_their_shape_or_say_why_not(editor):
+    for family in FAMILIES:
+        begin(editor, make_curve(WAVE, family=family))
+        before, document = drawn(editor), editor.session.document
+        editor.trigger("addExtrema")
+        if editor.session.document is document:
+            assert "Convert it to Hermite first" in editor.status, family
+            assert family.name in ("bezier", "b_spline", "floater_hormann"), family
+        else:
+            assert drawn(editor) == pytest.approx(before, abs=1e-8), family
+            assert "Shape kept" in editor.status, family

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from ...actions.declaration import PositionAction, action, also
+from ...actions.declaration import Action, PositionAction, action, action_for_each, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import (
     CANVAS_MENU,
@@ -17,17 +17,27 @@ from ...actions.menus import (
     CURVE_SHAPE,
     POINT_MENU,
     POINTS_NUMBER,
+    POINTS_SPECIAL,
 )
 from ...actions.needs import HERMITE_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...document import curve_edits
 from ...document.curve_edits import replace_by_parts
+from ...document.limits import AlreadySoError
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, group_points
 from ...document.several_curves import name_or_count, whole_curves
 from ...document.straight_edits import straight_refusal
 from ...document.words import count_of, number
 from ...tools.bend import insert_at
-from ...view_model.append import Halved, with_closed, with_midpoints
+from ...view_model.append import (
+    SPECIAL_POINTS,
+    SpecialPoints,
+    WithPoints,
+    special_points,
+    with_closed,
+    with_midpoints,
+    with_points_at,
+)
 from ...view_model.geometry import segment_at
 from ...view_model.point_kinds import segments_between
 from ...view_model.reshape import Reshaped, reversed_curve
@@ -97,7 +107,7 @@ class CurveCommands:
     @also(POINT_MENU(17))
     def _insert_between(self) -> None:
         """Insert a point in the middle of each segment between selected points, keeping the shape."""
-        session, views, halved = self._session, self._session.views, dict[int, Halved]()
+        session, views, grown = self._session, self._session.views, dict[int, WithPoints]()
         segments = {
             curve: segments_between(views[curve].source, indices)
             for curve, indices in session.selected.group.parts
@@ -108,15 +118,53 @@ class CurveCommands:
             return
 
         def one(document: Document, curve: int, between: Collection[int]) -> Document:
-            halved[curve] = with_midpoints(views[curve], between, session.selected.group.of(curve))
-            return curve_edits.replace_curve(document, curve, halved[curve].reshaped.curve)
+            grown[curve] = with_midpoints(views[curve], between, session.selected.group.of(curve))
+            return curve_edits.replace_curve(document, curve, grown[curve].reshaped.curve)
 
         new = count_of(group.count, "point")
         if session.change(f"Insert {new} between", lambda document: group.apply(document, one)):
-            point_sets = {curve: result.old | result.new for curve, result in halved.items()}
+            point_sets = {curve: result.old | result.new for curve, result in grown.items()}
             session.selected.set_group(group_points(point_sets.items()))
-            remarks = (result.reshaped.sentence for result in halved.values())
+            remarks = (result.reshaped.sentence for result in grown.values())
             session.say(" ".join(("Inserted", f"{new}.", *remarks)))
+
+    @action_for_each(
+        SPECIAL_POINTS,
+        lambda kind: Action(
+            kind.action,
+            kind.title,
+            POINTS_SPECIAL,
+            tip=f"Add points at the {kind.name} of the curve, or of its selected segments; its shape is kept",
+            full_name=f"Add Points at {kind.title}",
+            needs=UNLOCKED_CURVE,
+            keywords=f"insert {kind.keywords}",
+        ),
+    )
+    def _add_special(self, kind: SpecialPoints) -> None:
+        """Add points at special points of the curves, or of the segments between selected points."""
+        session, views, grown = self._session, self._session.views, dict[int, WithPoints]()
+        free, some_taken = dict[int, list[float]](), False
+        for curve in sorted(session.selected.target_curves):
+            segments = segments_between(views[curve].source, session.selected.group.of(curve))
+            free[curve], are_taken = special_points(views[curve], kind, segments)
+            some_taken |= are_taken
+
+        def edit(document: Document) -> Document:
+            for curve, parameters in free.items():
+                if parameters:
+                    grown[curve] = with_points_at(views[curve], parameters)
+                    document = curve_edits.replace_curve(document, curve, grown[curve].reshaped.curve)
+            if not grown:
+                have_points = f"All {kind.name} have points already."
+                raise AlreadySoError(have_points if some_taken else f"There are no {kind.name}.")
+            return document
+
+        new = count_of(sum(map(len, free.values())), "point")
+        if session.change(f"Add {new} at {kind.name}", edit):
+            if session.selected.is_editing:
+                session.selected.set_group(group_points((curve, row.new) for curve, row in grown.items()))
+            remarks = dict.fromkeys(row.reshaped.sentence for row in grown.values())
+            session.say(" ".join((f"Added {new} at {kind.name}.", *remarks)))
 
     @PositionAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
