@@ -337,19 +337,19 @@ class SpecialPoints(msgspec.Struct, frozen=True):
 
 SPECIAL_POINTS = (
     SpecialPoints(
-        "addExtrema",
+        "insertAtExtrema",
         "Extrema of x and y",
         "extremes nodes horizontal vertical tangents on-curve",
         lambda curve: np.concatenate([curvecore.coordinate_extrema(curve, axis) for axis in (0, 1)]),
     ),
     SpecialPoints(
-        "addInflections",
+        "insertAtInflections",
         "Inflections",
         "nodes turning points",
         lambda curve: curvecore.inflections(curve),  # noqa: PLW0108 - imported when it is needed
     ),
     SpecialPoints(
-        "addCurvatureExtrema",
+        "insertAtCurvatureExtrema",
         "Extrema of Curvature",
         "nodes vertices sharpest flattest",
         lambda curve: curvecore.curvature_extrema(curve).parameters,

@@ -158,9 +158,9 @@ def exact_turns(pieces, action):
         return cross(first, third) * square - 3 * cross(first, second) * dot
 
     return {
-        "addExtrema": [lambda t: at(pieces, t, 1)[0], lambda t: at(pieces, t, 1)[1]],
-        "addInflections": [lambda t: cross(at(pieces, t, 1), at(pieces, t, 2))],
-        "addCurvatureExtrema": [curvature_slope],
+        "insertAtExtrema": [lambda t: at(pieces, t, 1)[0], lambda t: at(pieces, t, 1)[1]],
+        "insertAtInflections": [lambda t: cross(at(pieces, t, 1), at(pieces, t, 2))],
+        "insertAtCurvatureExtrema": [curvature_slope],
     }[action]
 
 
@@ -169,11 +169,11 @@ WAVE = ((0, 0), (2, 2), (3, -1), (5, 3), (4, -2))
 
 @pytest.mark.parametrize("record", SPECIAL_POINTS, ids=lambda record: record.action)
 @pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE])
-def test_the_palette_adds_points_at_special_points_of_the_exact_curve(editor, family, record):
+def test_the_palette_inserts_points_at_special_points_of_the_exact_curve(editor, family, record):
     begin(editor, make_curve(WAVE, family=family))
     before, document = editor.session.active_view, editor.session.document
     pieces, old = pieces_of(before), set(before.parameters.tolist())
-    editor.run_command(f"Add Points at {record.title}")
+    editor.run_command(f"Insert Points at {record.title}")
     after = editor.session.active_view
     new = [Fraction(t) for t in after.parameters.tolist() if t not in old]
     start, end = pieces[0][0], pieces[-1][1]
@@ -189,40 +189,40 @@ def test_the_palette_adds_points_at_special_points_of_the_exact_curve(editor, fa
         middle = value(points, Fraction(1, 3))
         was = at(pieces, start + (end - start) / 3)
         assert all(abs(a - b) <= SMALLEST_CHANGE for a, b in zip(middle, was, strict=True))
-    assert editor.status.startswith(f"Added {len(new)} points at {record.name}. Shape kept")
-    assert editor.session.undo_stack.undoText() == f"Add {len(new)} points at {record.name}"
+    assert editor.status.startswith(f"Inserted {len(new)} points at {record.name}. Shape kept")
+    assert editor.session.undo_stack.undoText() == f"Insert {len(new)} points at {record.name}"
     changed = editor.session.document
-    editor.run_command(f"Add Points at {record.title}")
+    editor.run_command(f"Insert Points at {record.title}")
     assert editor.session.document is changed
     assert editor.status == f"All {record.name} have points already."
     editor.trigger("undo")
     assert editor.session.document == document
 
 
-def test_handles_at_added_extrema_are_exactly_horizontal_or_vertical(editor):
+def test_handles_at_inserted_extrema_are_exactly_horizontal_or_vertical(editor):
     begin(editor, make_curve(WAVE, family=HERMITE))
-    editor.trigger("addExtrema")
+    editor.trigger("insertAtExtrema")
     velocities = [editor.curve.points[index].velocity for index in editor.session.selection]
     assert len(velocities) > 3
     assert all(0.0 in velocity for velocity in velocities)
 
 
-def test_points_are_added_on_the_selected_segments_alone(editor):
+def test_points_are_inserted_on_the_selected_segments_alone(editor):
     begin(editor, make_curve(WAVE, family=HERMITE))
     editor.select([3, 4])
     editor.open_menu(on_line(editor, 3))
-    editor.choose("addExtrema")
+    editor.choose("insertAtExtrema")
     # x turns once and y once beyond point 3; on the other segments y turns twice.
     assert editor.session.selection == {4, 5}
     others = [point.position for at, point in enumerate(editor.curve.points) if at not in (4, 5)]
     assert others == [tuple(map(float, place)) for place in WAVE]
 
 
-def test_points_are_added_to_all_selected_curves_in_one_step(editor):
+def test_points_are_inserted_to_all_selected_curves_in_one_step(editor):
     begin(editor, make_curve(WAVE, family=HERMITE), make_curve([(0, 4), (3, 6), (6, 4)], name="Bow"))
     editor.session.selected.select_whole([0, 1])
     steps = editor.session.undo_stack.count()
-    editor.trigger("addExtrema")
+    editor.trigger("insertAtExtrema")
     assert len(editor.session.document.curves[1].points) == 3
     assert len(editor.session.document.curves[0].points) > 6
     assert editor.session.undo_stack.count() == steps + 1
@@ -230,16 +230,16 @@ def test_points_are_added_to_all_selected_curves_in_one_step(editor):
 
 def test_a_curve_without_inflections_says_so(editor):
     begin(editor, make_curve([(0, 0), (3, 2), (6, 0)], family=HERMITE))
-    editor.trigger("addInflections")
+    editor.trigger("insertAtInflections")
     assert len(editor.curve.points) == 3
     assert editor.status == "There are no inflections."
 
 
-def test_families_add_special_points_with_their_shape_or_say_why_not(editor):
+def test_families_insert_special_points_with_their_shape_or_say_why_not(editor):
     for family in FAMILIES:
         begin(editor, make_curve(WAVE, family=family))
         before, document = drawn(editor), editor.session.document
-        editor.trigger("addExtrema")
+        editor.trigger("insertAtExtrema")
         if editor.session.document is document:
             assert "Convert it to Hermite first" in editor.status, family
             assert family.name in ("bezier", "b_spline", "floater_hormann"), family

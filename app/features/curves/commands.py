@@ -16,6 +16,7 @@ from ...actions.menus import (
     CURVE_NEW,
     CURVE_SHAPE,
     POINT_MENU,
+    POINTS_INSERT,
     POINTS_NUMBER,
     POINTS_SPECIAL,
 )
@@ -80,7 +81,7 @@ class CurveCommands:
     @action(
         "insertPoint",
         "Insert Point at the Scrub Line",
-        POINTS_NUMBER,
+        POINTS_INSERT,
         "I",
         "add",
         needs=UNLOCKED_CURVE,
@@ -98,7 +99,7 @@ class CurveCommands:
     @action(
         "insertMidpoints",
         "Insert Points Between",
-        POINTS_NUMBER,
+        POINTS_INSERT,
         "Ins",
         "insert-points",
         needs=UNLOCKED_CURVE,
@@ -132,16 +133,16 @@ class CurveCommands:
         SPECIAL_POINTS,
         lambda kind: Action(
             kind.action,
-            kind.title,
+            f"At {kind.title}",
             POINTS_SPECIAL,
-            tip=f"Add points at the {kind.name} of the curve, or of its selected segments; its shape is kept",
-            full_name=f"Add Points at {kind.title}",
+            tip=f"Insert points at the {kind.name} of the curve, or of selected segments; its shape is kept",
+            full_name=f"Insert Points at {kind.title}",
             needs=UNLOCKED_CURVE,
-            keywords=f"insert {kind.keywords}",
+            keywords=f"add {kind.keywords}",
         ),
     )
-    def _add_special(self, kind: SpecialPoints) -> None:
-        """Add points at special points of the curves, or of the segments between selected points."""
+    def _insert_special(self, kind: SpecialPoints) -> None:
+        """Insert points at special points of the curves, or of the segments between selected points."""
         session, views, grown = self._session, self._session.views, dict[int, WithPoints]()
         free, some_taken = dict[int, list[float]](), False
         for curve in sorted(session.selected.target_curves):
@@ -160,11 +161,11 @@ class CurveCommands:
             return document
 
         new = count_of(sum(map(len, free.values())), "point")
-        if session.change(f"Add {new} at {kind.name}", edit):
+        if session.change(f"Insert {new} at {kind.name}", edit):
             if session.selected.is_editing:
                 session.selected.set_group(group_points((curve, row.new) for curve, row in grown.items()))
             remarks = dict.fromkeys(row.reshaped.sentence for row in grown.values())
-            session.say(" ".join((f"Added {new} at {kind.name}.", *remarks)))
+            session.say(" ".join((f"Inserted {new} at {kind.name}.", *remarks)))
 
     @PositionAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
