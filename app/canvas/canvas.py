@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from ..document.fields import Ranges
 from ..document.model import Axis, Vector
 from ..plotting.axes import Extent
 from ..plotting.camera import Camera
@@ -63,7 +64,7 @@ class DrawnCanvas(CanvasQueries):
         The plot, and the scene with all layers.
     """
 
-    def __init__(self, plot: ToolPlot, drawing: CanvasScene) -> None:
+    def __init__(self, plot: Canvas, drawing: CanvasScene) -> None:
         self._plot, self._drawing = plot, drawing
 
     def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
@@ -74,6 +75,9 @@ class DrawnCanvas(CanvasQueries):
 
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
+
+    def scrolled_ranges(self) -> tuple[Ranges, Ranges] | None:
+        return self._plot.scrolled_ranges
 
 
 class Canvas(ToolPlot):
@@ -114,7 +118,7 @@ class Canvas(ToolPlot):
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._menu_pointer: Pointer | None = None
-        self._edge = EdgeScroll(self.camera, self.move_again)
+        self._edge = EdgeScroll(self.camera, self.viewport(), self.move_again)
         self.camera.changed.connect(self.hover_again)
 
     # Display
@@ -130,6 +134,20 @@ class Canvas(ToolPlot):
         super()._moved(pointer)
         if self._is_held and self.tools.scrolls_view:
             self._edge.follow(pointer.pixel)
+
+    @property
+    def scrolled_ranges(self) -> tuple[Ranges, Ranges] | None:
+        """The parts of the plane visible before the drag and now; None where it has scrolled nothing."""
+        return self._edge.ranges
+
+    def cancel_gesture(self) -> bool:
+        self._edge.restore()
+        return super().cancel_gesture()
+
+    def abandon_gesture(self) -> None:
+        if self.is_dragging:
+            self._edge.restore()
+        super().abandon_gesture()
 
     def _end_gesture(self) -> None:
         self._edge.stop()
@@ -150,6 +168,7 @@ class Canvas(ToolPlot):
 
     def choose_tool(self, record: ToolRecord) -> None:
         """Choose the tool in use."""
+        self._edge.restore()
         self.tools.choose(record)
         self._show_tool()
 

@@ -27,6 +27,9 @@ import msgspec
 Vector = tuple[float, float]
 """Position or vector in the plane."""
 
+Ranges = tuple[Vector, Vector]
+"""Ranges of x and y: a part of the plane."""
+
 
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Immutable value of the document; files omit fields at their defaults."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
+from ..document.fields import Ranges
 from ..qt.overrides import SafeOverrides
 from .graphs import pg
 from .pixel_map import PixelMap
@@ -142,6 +143,12 @@ class Camera(QObject):
     def pixel_size(self) -> float:
         """The size of a pixel in the plane, along x."""
         return 1.0 / self.pixel_map.sx
+
+    @property
+    def ranges(self) -> Ranges:
+        """The visible part of the plane, as `show_box` takes it."""
+        x_min, y_min, x_max, y_max = self.pixel_map.box
+        return (x_min, x_max), (y_min, y_max)
 
     def centre(self) -> QPointF:
         """Return the middle of the plot area in viewport pixels, the centre of the zoom actions."""

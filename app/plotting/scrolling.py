@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QPointF, Qt, QTimer
+from PySide6.QtCore import QObject, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QInputDevice, QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
+from ..document.fields import Ranges
 from ..document.model import Vector
 from ..tools.tool import THRESHOLD
 from .camera import Camera
@@ -160,27 +161,31 @@ _ZONE = 10.0
 """Pixels inside the edge at which scrolling begins: no mouse leaves the edge of the screen."""
 
 _TICK_MS = 16
-_LEAST, _GAIN, _MOST = 1.5, 0.15, 30.0
-"""Pixels of a tick: the least, the gain for every pixel further out, the most."""
+_LEAST, _GAIN, _GENTLE_GAIN, _MOST = 1.5, 0.15, 0.01, 30.0
+"""Pixels of a tick: the least, the gain for every pixel further out, over a panel of the window, the most."""
 
 
 class EdgeScroll(QObject):
     """Scrolling towards a pointer at the edge of a plot, the faster the further out it is.
 
-    A press near the edge scrolls nothing until the pointer has moved outwards from there.
+    Over other panels of the window it gains little speed. A press near the edge scrolls nothing until the
+    pointer has moved outwards from there.
 
     Parameters
     ----------
     camera
         The camera of the plot.
+    viewport
+        The widget of the plot.
     scrolled
         Called after each move: the point under the pointer is another one now.
     """
 
-    def __init__(self, camera: Camera, scrolled: Callable[[], None]) -> None:
+    def __init__(self, camera: Camera, viewport: QWidget, scrolled: Callable[[], None]) -> None:
         super().__init__(camera)
-        self._camera, self._scrolled = camera, scrolled
+        self._camera, self._viewport, self._scrolled = camera, viewport, scrolled
         self._at_press = self._offset = (0.0, 0.0)
+        self._before: Ranges | None = None
         self._timer = QTimer(self, interval=_TICK_MS)
         self._timer.timeout.connect(self._scroll)
 
@@ -195,7 +200,7 @@ class EdgeScroll(QObject):
             return
         pairs = zip(self._overshoot(pixel), self._at_press, strict=True)
         x, y = (_beyond(now, before) for now, before in pairs)
-        self._offset = (_step(x), _step(y))
+        self._offset = (_step(x, self._panel(pixel[0], 0)), _step(y, self._panel(pixel[1], 1)))
         if not any(self._offset):
             self._timer.stop()
         elif not self._timer.isActive():
@@ -204,7 +209,19 @@ class EdgeScroll(QObject):
     def stop(self) -> None:
         """Stop scrolling at the end of the drag."""
         self._timer.stop()
-        self._at_press = self._offset = (0.0, 0.0)
+        self._at_press, self._offset, self._before = (0.0, 0.0), (0.0, 0.0), None
+
+    @property
+    def ranges(self) -> tuple[Ranges, Ranges] | None:
+        """The parts of the plane visible before the drag and now; None where it has scrolled nothing."""
+        return None if self._before is None else (self._before, self._camera.ranges)
+
+    def restore(self) -> None:
+        """Show what was visible before the drag."""
+        before = self._before
+        self.stop()
+        if before is not None:
+            self._camera.show_box(*before)
 
     def _overshoot(self, pixel: Vector) -> Vector:
         """Return the depth of a pixel in the zone at the edges: positive to the right and down."""
@@ -215,7 +232,19 @@ class EdgeScroll(QObject):
         )
         return (x, y)
 
+    def _panel(self, coordinate: float, axis: int) -> float:
+        """Return the part of the way of a pixel, along x (0) or y (1), that is over panels of the window."""
+        viewport, window, origin = self._viewport, self._viewport.window(), self._camera.origin
+        corner = viewport.mapTo(window, QPoint())
+        plot = (viewport.width(), viewport.height())[axis]
+        whole = (window.width(), window.height())[axis]
+        start = -(origin.x(), origin.y())[axis]
+        outer = start - (corner.x(), corner.y())[axis]
+        return abs(min(max(coordinate, outer), outer + whole) - min(max(coordinate, start), start + plot))
+
     def _scroll(self) -> None:
+        if self._before is None:
+            self._before = self._camera.ranges
         self._camera.pan(-self._offset[0], -self._offset[1])
         self._scrolled()
 
@@ -227,9 +256,10 @@ def _beyond(now: float, before: float) -> float:
     return max(now - max(before, 0.0), 0.0) + min(now - min(before, 0.0), 0.0)
 
 
-def _step(out: float) -> float:
-    """Return the pixels to scroll in a tick."""
+def _step(out: float, over_panels: float) -> float:
+    """Return the pixels to scroll in a tick for a way out, of which a part is over panels of the window."""
     if not out:
         return 0.0
-    step = min(_LEAST + _GAIN * abs(out), _MOST)
+    free = max(abs(out) - over_panels, 0.0)
+    step = min(_LEAST + _GAIN * free + _GENTLE_GAIN * over_panels, _MOST)
     return step if out > 0 else -step

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
+from ..document.fields import Ranges
 from ..document.groups import tidy_shapes
 from ..document.limits import AlreadySoError, EditError
 from ..document.model import Curve, Document
@@ -98,6 +99,8 @@ class SessionSignals(QObject):
         The document was written to its file.
     history_changed
         There is another step to undo or redo.
+    ranges_returned
+        Undo or redo of a drag that has scrolled the view: the ranges of x and y visible before or after it.
     gesture_ended
         No gesture is in flight any more: it has become a step, or another change, undo, another active curve
         or another document has dropped it. Emitted also where none was in flight; messages about the
@@ -125,6 +128,7 @@ class SessionSignals(QObject):
     left = Signal(object)
     saved = Signal()
     history_changed = Signal()
+    ranges_returned = Signal(object, object)
     gesture_ended = Signal()
     message = Signal(object)
 
@@ -361,16 +365,33 @@ class Session(SessionSignals):
             self.selected.show(selects)
         return True
 
-    def commit(self, document: Document, text: str, *, active: int | None = None) -> Change:
-        """End the gesture in flight with `document`, as the step `text` of the history; see `change`."""
+    def commit(
+        self,
+        document: Document,
+        text: str,
+        *,
+        active: int | None = None,
+        ranges: tuple[Ranges, Ranges] | None = None,
+    ) -> Change:
+        """End the gesture in flight with `document`, as the step `text` of the history; see `change`.
+
+        `ranges` are the parts of the plane visible before and after it, where it has scrolled the view.
+        """
         with self.batch:
-            return self._make_step(document, text, active)
+            return self._make_step(document, text, active, ranges=ranges)
 
     def _normalised(self, document: Document) -> Document:
         """Return the document with plain numbers, and shapes that are whole."""
         return tidy_shapes(with_plain_numbers(document, self._document), self._document)
 
-    def _make_step(self, document: Document, text: str, active: int | None, run: Hashable = None) -> Change:
+    def _make_step(
+        self,
+        document: Document,
+        text: str,
+        active: int | None,
+        run: Hashable = None,
+        ranges: tuple[Ranges | None, Ranges | None] | None = None,
+    ) -> Change:
         """Make `document` the current one, unless a locked curve changes, or no file could hold it."""
         is_previewed = document is self._asked or document is self._document
         document = self._document if is_previewed else self._normalised(document)
@@ -385,8 +406,9 @@ class Session(SessionSignals):
         self._selection_before = self._asked = self._selects = None
         if active is None:
             active = self.active_index if selects is None else selects.active
-        after = HistoryState(document, active, self.files.origin)
-        self.history.push(before, after, text, run)
+        seen, sees = ranges or (None, None)
+        after = HistoryState(document, active, self.files.origin, ranges=sees)
+        self.history.push(replace(before, ranges=seen), after, text, run)
         if selects is not None and not selects.is_editing:
             self.selected.select_whole(selects.whole_curves)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
@@ -447,6 +469,8 @@ class Session(SessionSignals):
                 self.selected.begin_opened()
             elif not self.history.is_pushing:
                 self.selected.select_returned(before, state.selection)
+                if state.ranges is not None:
+                    self.ranges_returned.emit(*state.ranges)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Hashable
 from typing import Protocol
 
+from ..document.fields import Ranges
 from ..document.model import Curve, Document
 from ..document.point_group import PointGroup
 from ..document.selection import SelectionState
@@ -139,8 +140,18 @@ class EditingSession(Protocol):
         Return whether it is shown; it is not where that curve is locked.
         """
 
-    def commit(self, document: Document, text: str, *, active: int | None = None) -> object:
-        """End the gesture with a document as a step of the history; true where it is one."""
+    def commit(
+        self,
+        document: Document,
+        text: str,
+        *,
+        active: int | None = None,
+        ranges: tuple[Ranges, Ranges] | None = None,
+    ) -> object:
+        """End the gesture with a document as a step of the history; true where it is one.
+
+        Undo and redo show the `ranges` of the plane that were visible before and after it.
+        """
 
     def change(
         self,

@@ -71,6 +71,7 @@ from typing import ClassVar
 import msgspec
 from msgspec.structs import replace
 
+from ..document.fields import Ranges
 from ..document.limits import EditError
 from ..document.model import Document, Vector
 from ..document.selection import SelectionState
@@ -115,6 +116,10 @@ class CanvasQueries:
     def grid_spacing(self) -> float:
         """Return the spacing of the grid at the present zoom."""
         return 1.0
+
+    def scrolled_ranges(self) -> tuple[Ranges, Ranges] | None:
+        """Return the parts of the plane visible before the drag and now; None where it scrolled nothing."""
+        return None
 
 
 class ToolEvent(msgspec.Struct, frozen=True, dict=True):
@@ -323,7 +328,8 @@ class Drag(Gesture, kw_only=True):
     def release(self, event: ToolEvent) -> None:
         """Make the previewed document a step; where the last move was refused, it is the last good one."""
         session = event.session
-        if session.commit(session.document, self.undo_text(event.pointer)):
+        ranges = event.canvas.scrolled_ranges()
+        if session.commit(session.document, self.undo_text(event.pointer), ranges=ranges):
             self.committed(event)
         if self.refusal:
             session.refuse(self.refusal)

@@ -153,6 +153,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         session, files = self.session, self.context.files
         self.store.changed.connect(self._show_state)
         session.gesture_ended.connect(self.status_line.reset)
+        session.ranges_returned.connect(self.canvas.camera.show_box)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
         self.canvas.pointed_at.connect(self.status_line.readouts.show_position)

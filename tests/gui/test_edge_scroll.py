@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer
 
@@ -151,6 +152,89 @@ def test_a_press_at_the_edge_scrolls_only_after_a_drag_outwards(arch):
     move_to(arch, at + QPoint(20, 40))
     until(lambda: left_edge(arch) > seen)
     release_at(arch, at + QPoint(20, 40))
+
+
+def step_at(editor, pixel):
+    """The pixels by which a tick scrolls to the right, for a pointer at a pixel of the viewport."""
+    canvas = editor.window.canvas
+    editor.send(canvas, QEvent.Type.MouseMove, pixel)
+    before = left_edge(editor)
+    if is_scrolling(editor):
+        canvas.findChild(EdgeScroll).findChild(QTimer).timeout.emit()
+    return (left_edge(editor) - before) * canvas.pixel_map.sx
+
+
+def test_scrolling_grows_with_the_distance_and_is_gentle_over_panels(arch):
+    canvas, window = arch.window.canvas, arch.window
+    assert window.point_table.isVisible()
+    edge_of_plot = canvas.camera.area.right()
+    outside = canvas.mapFrom(window, QPoint(window.width(), 0)).x()
+    panels = outside - canvas.viewport().width()
+    assert panels > 200
+    arch.press(POINTS[1])
+    y = canvas.camera.area.center().y()
+    within = [step_at(arch, QPoint(edge_of_plot + beyond, y)) for beyond in (-8, -4, 0)]
+    over = [step_at(arch, QPoint(outside - before, y)) for before in (panels - 10, panels // 2, 0)]
+    far = [step_at(arch, QPoint(outside + beyond, y)) for beyond in (20, 60, 120, 200)]
+    steps = [*within, *over, *far]
+    assert steps == sorted(set(steps))
+    # Over the table, hundreds of pixels away, it scrolled by 30 pixels a tick: twice the drawing in a second.
+    assert all(1.5 <= step < 7.5 for step in over)
+    assert over[-1] - over[0] < 0.012 * panels
+    assert far[-1] == pytest.approx(30.0)
+    # Beyond the window the speed grows fast.
+    assert far[1] - far[0] == pytest.approx(0.15 * 40)
+    arch.escape()
+    arch.release(POINTS[1])
+
+
+def test_escape_undo_and_redo_of_a_drag_that_scrolled_bring_the_view_back(arch):
+    camera = arch.window.canvas.camera
+    before, document = camera.ranges, arch.session.document
+    arch.press(POINTS[1])
+    step_at(arch, edge(arch, "right", 40))
+    assert camera.ranges != before
+    arch.escape()
+    assert np.array(camera.ranges) == pytest.approx(np.array(before))
+    arch.release(POINTS[1])
+    # A drag that is dropped by a command brings it back as well.
+    arch.press(POINTS[1])
+    step_at(arch, edge(arch, "right", 40))
+    arch.trigger("undo")
+    assert arch.session.document == document
+    assert np.array(camera.ranges) == pytest.approx(np.array(before))
+    arch.release(POINTS[1])
+    arch.press(POINTS[1])
+    for where in ("right", "top"):
+        step_at(arch, edge(arch, where, 40))
+    release_at(arch, edge(arch, "right", -200))
+    after = camera.ranges
+    assert abs(after[0][0] - before[0][0]) > 2 * arch.pixel
+    assert arch.session.undo_stack.undoText() == "Move point 1"
+    arch.trigger("undo")
+    assert np.array(camera.ranges) == pytest.approx(np.array(before))
+    arch.trigger("redo")
+    assert np.array(camera.ranges) == pytest.approx(np.array(after))
+    # Steps that have scrolled nothing leave the view where it is.
+    arch.window.canvas.camera.show_box((-4, 6), (-3, 5))
+    seen = camera.ranges
+    arch.drag_point(0, to=(0.5, 0.5))
+    arch.trigger("undo")
+    assert camera.ranges == seen
+    # What comes back is seen.
+    arch.trigger("undo")
+    assert np.array(camera.ranges) == pytest.approx(np.array(before))
+
+
+def test_a_rubber_band_that_scrolled_is_cancelled_with_its_view(arch):
+    camera = arch.window.canvas.camera
+    before = camera.ranges
+    arch.press((-1.0, 3.0))
+    step_at(arch, edge(arch, "right", 40))
+    assert camera.ranges != before
+    arch.escape()
+    assert np.array(camera.ranges) == pytest.approx(np.array(before))
+    arch.release((-1.0, 3.0))
 
 
 def test_without_a_button_the_edge_does_not_scroll(arch):
