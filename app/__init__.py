@@ -4,9 +4,9 @@ The layers, top to bottom; a module imports only from its own layer and those ab
 
 - ``families``: the curve families that there are, in a registry. No Qt.
 - ``document``: immutable values and edits. No Qt, no arrays inside the values.
-- ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
 - ``tasks``: work beside the window's thread: progress, cancelling, debouncing. No Qt in ``progress``.
 - ``view_model``: a document's curve turned into arrays to draw. No Qt; calls ``curvecore``.
+- ``storage``: documents on disk: format, migration, atomic write, locks, snapshots. No Qt.
 - ``tools``: press, move and release turned into edits. No Qt.
 - ``qt``: exceptions end in the method that Qt called; words of others as they are written; styles as pens.
 - ``exchange``: files in and out. Qt only in ``drawing``, where it paints.

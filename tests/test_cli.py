@@ -325,7 +325,7 @@ def test_render_uses_its_options(tmp_path):
 def test_bad_files_are_refused_in_one_line(tmp_path, capsys):
     bad = tmp_path / "bad.curve.json"
     for command in (["info"], ["render", "-o", str(tmp_path / "a.svg")], []):
-        bad.write_text('{"format": "curvebench",\n "version": 3, "curves": 3}', encoding="utf-8")
+        bad.write_text('{"format": "curvebench",\n "version": 4, "curves": 3}', encoding="utf-8")
         line = refusal(capsys, *command, str(bad))
         assert line == f"“{bad}” cannot be read: curves must be a list, not a whole number"
         line = refusal(capsys, *command, str(tmp_path / "gone"))
@@ -362,7 +362,7 @@ def test_other_formats_are_read_as_by_convert(tmp_path, capsys):
     capsys.readouterr()
     assert refusal(capsys, "info", str(tmp_path / "gone.csv")).startswith("There is no file “")
     broken = tmp_path / "a.json"
-    broken.write_text('{"format": "curvebench", "version": 3, "curves": 3}', encoding="utf-8")
+    broken.write_text('{"format": "curvebench", "version": 4, "curves": 3}', encoding="utf-8")
     assert refusal(capsys, "info", str(broken)).endswith("curves must be a list, not a whole number")
 
 

@@ -1,6 +1,6 @@
 """File format of documents: bytes to values and back, strictly.
 
-A file is UTF-8 JSON, ``{"format": "curvebench", "version": 3, "curves": [...]}``. `decode` accepts a file
+A file is UTF-8 JSON, ``{"format": "curvebench", "version": 4, "curves": [...]}``. `decode` accepts a file
 only if `encode` writes every float of it back bit for bit; it refuses any other file with the field and its
 requirement. `validation` has the requirements that go beyond types.
 """
@@ -23,13 +23,13 @@ from ..document.model import Curve, Document, Point
 from ..document.style import PLAIN_STYLE
 from .coding import decode_hook, encode_hook
 from .format_error import FormatError, foreign_content_clause, in_words, line_and_column, not_json, quoted
-from .migration import NOTHING, LeftOut, can_migrate, migrated
+from .migration import NOTHING, LeftOut, can_migrate, migrated, with_shapes_kept
 from .validation import settings_problem, validate, without_default_settings
 
 Values = TypeVar("Values", bound=Value)
 
 FORMAT = "curvebench"
-VERSION = 3
+VERSION = 4
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _POINTS_AT_ONCE = 10_000
@@ -48,7 +48,7 @@ class _File(Document, frozen=True, kw_only=True):
     """Complete file of this version."""
 
     format: Literal["curvebench"]
-    version: Literal[3]
+    version: Literal[4]
 
     @property
     def document(self) -> Document:
@@ -192,7 +192,7 @@ def decode_counting(data: bytes) -> Decoded:
     validate(document)
     if any(curve.settings or curve.other_settings for curve in document.curves):
         document = replace(document, curves=tuple(map(_with_settings_checked, count(), document.curves)))
-    return Decoded(document, left_out)
+    return Decoded(*with_shapes_kept(document, header.version, left_out))
 
 
 def _with_settings_checked(index: int, curve: Curve) -> Curve:

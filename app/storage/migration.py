@@ -16,8 +16,11 @@ from functools import partial
 from typing import Any, Final
 
 import msgspec
+from msgspec.structs import replace
 
-from ..document.words import enumerated
+from .. import view_model
+from ..document.model import Document
+from ..document.words import count_of, enumerated
 
 Values = dict[str, Any]
 """Plain values of an object in a file."""
@@ -35,13 +38,16 @@ class LeftOut(msgspec.Struct, frozen=True):
         Their numbers, by the noun for one.
     words
         The same in words: "2 texts".
+    points_set
+        The number of points whose estimates were set, because the rules of this version estimate others.
     """
 
     counts: Mapping[str, int] = {}
     words: tuple[str, ...] = ()
+    points_set: int = 0
 
     def __bool__(self) -> bool:
-        return bool(self.words)
+        return bool(self.words or self.points_set)
 
     @property
     def is_one(self) -> bool:
@@ -54,8 +60,12 @@ class LeftOut(msgspec.Struct, frozen=True):
 
     def message_about(self, subject: str) -> str:
         """Return the message about any subject: "It was made with …"."""
+        points, are_set = count_of(self.points_set, "point"), "was" if self.points_set == 1 else "were"
+        kept = f"{points} {are_set} set to keep the shape." if self.points_set else ""
+        if not self.words:
+            return f"{subject} was made with an older version: {kept}"
         verb = "was" if self.is_one else "were"
-        lost = f"{enumerated(self.words)} {verb} left out."
+        lost = f"{enumerated(self.words)} {verb} left out. {kept}".rstrip()
         return f"{subject} was made with a version that had more features: {lost}"
 
 
@@ -235,8 +245,19 @@ def _with_style(curve: Values) -> Values:
     return {**rest, "style": {"stroke": curve["colour"]}} if "colour" in curve else rest
 
 
-MIGRATIONS: dict[int, Migration] = {1: _with_styles, 2: lambda values: values}
+MIGRATIONS: dict[int, Migration] = {1: _with_styles, 2: lambda values: values, 3: lambda values: values}
 """Migrations by the version that they start from; fields in `DROPPED` are left out after the last one."""
+
+_ESTIMATES_FOLLOW = 4
+"""The version from which on rules estimate derivatives from those that are set, besides the points."""
+
+
+def with_shapes_kept(document: Document, version: int, left_out: LeftOut) -> tuple[Document, LeftOut]:
+    """Return a document of an older version with those estimates set that its rules now change."""
+    if version >= _ESTIMATES_FOLLOW:
+        return document, left_out
+    document, count = view_model.reshape.with_older_estimates(document)
+    return document, replace(left_out, points_set=count)
 
 
 def can_migrate(version: int, to: int) -> bool:

@@ -27,7 +27,6 @@ from ..document.point_group import PointGroup
 from ..document.rule_edits import freeze_parameters, set_interval
 from ..document.several_curves import add_curves, is_blank, move_group, whole_curves
 from ..document.words import number
-from ..storage.validation import prevalidate
 from .append import appended_parameter, with_points_appended
 from .boxes import around
 from .curve.curve_view import CurveView, view_of
@@ -266,7 +265,7 @@ class PasteTarget(msgspec.Struct, frozen=True):
     def filled(
         self, curves: Sequence[Curve], progress: Callable[[float], object] | None = None
     ) -> AddedCurves:
-        """Return the document with the curves; with `progress` it is validated, and has views."""
+        """Return the document with the curves; with `progress` it has views."""
         added = with_curves(self.document, curves)
         known = {id(view.source.points): view for view in self.views}
         originals = [known.get(id(curve.points)) for curve in added.curves]
@@ -275,7 +274,6 @@ class PasteTarget(msgspec.Struct, frozen=True):
             added = replace(added, document=moved_there)
         if progress is None:
             return added
-        prevalidate(self.document, added.document)
         return replace(added, views=tuple(views_ahead(added.curves, progress, originals)))
 
 

@@ -8,6 +8,7 @@ result has the largest distance by which a point of the curve moved.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 
 import msgspec
 import numpy as np
@@ -25,7 +26,7 @@ from ..document.point_edits import JetValue, with_jet_values
 from ..document.rule_edits import freeze_parameters
 from ..document.words import number
 from ..families import HERMITE, Family
-from .curve.core_curve import Sides
+from .curve.core_curve import Sides, sides_of
 from .curve.curve_view import CurveView, ParametricCurve, view_of
 from .curve.distances import dense, keeps_shape, largest_distance, outcome
 
@@ -270,18 +271,49 @@ def with_estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: I
 
     The points `old` of the curve before are the points `new` of the changed one.
     """
+    return changed if before.sides is None else _with_sides_kept(before.sides, changed, old, new)
+
+
+def _with_sides_kept(before: Sides, changed: Curve, old: IntArray, new: IntArray) -> Curve:
     after = view_of(changed)
     refuse_without_curve(after)
-    if before.sides is None or after.sides is None:
-        return changed
+    assert after.sides is not None
     values = []
-    for ahead, was, now in zip((False, True), before.sides, after.sides, strict=True):
+    for ahead, was, now in zip((False, True), before, after.sides, strict=True):
         scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
         moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
+        moved[~np.isnan(after.arrays.given[new, int(ahead), : moved.shape[1]])] = False
         for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):
             value = _vector(was[old[row], below + 1])
             values.append(JetValue(int(new[row]), below + 1, ahead, value))
-    return with_jet_values(changed, values)
+    # A derivative that is set may change other estimates.
+    return _with_sides_kept(before, with_jet_values(changed, values), old, new) if values else changed
+
+
+def with_older_estimates(document: Document) -> tuple[Document, int]:
+    """Return a document as it looked when estimates ignored what is set, and the number of points set for it.
+
+    Until version 3 of the file format the rules estimated derivatives from the points alone.
+    """
+    curves = tuple(_with_older_estimates(curve) for curve in document.curves)
+    count = sum(
+        sum(new is not old for old, new in zip(before.points, after.points, strict=True))
+        for before, after in zip(document.curves, curves, strict=True)
+        if after is not before
+    )
+    return (replace(document, curves=curves), count) if count else (document, 0)
+
+
+def _with_older_estimates(curve: Curve) -> Curve:
+    view = view_of(curve) if curve.has_derivatives else None
+    if view is None or view.sides is None:
+        return curve
+    nothing_given = replace(view.arrays, given=np.full_like(view.arrays.given, np.nan))
+    older = sides_of(curve, view.at_knots, view.parameters, nothing_given)
+    every = np.arange(len(curve.points))
+    with suppress(EditError):
+        return _with_sides_kept(older, curve, every, every)
+    return curve
 
 
 def _stretched_along(before: CurveView, grown: Curve, index: int, t: float) -> Curve:

@@ -185,7 +185,7 @@ def test_rows_without_numbers_are_left_out_or_end_the_curve(missing, curves, gap
         ("a.json", "[1, 2, 3]", "The JSON file is not a table; it can be a list of points"),
         ("a.json", '{"type": "LineString"}', "The GeoJSON is damaged: a LineString without coordinates"),
         ("a.json", '{"type": "Point", "coordinates": [1, 2]}', "file contains no lines. Left out: 1 Point"),
-        ("a.json", '{"format": "curvebench", "version": 3, "curves": []}', "curves must hold at least"),
+        ("a.json", '{"format": "curvebench", "version": 4, "curves": []}', "curves must hold at least"),
     ],
 )  # fmt: skip
 def test_files_that_are_no_table_are_refused(name, content, sentence, tmp_path):

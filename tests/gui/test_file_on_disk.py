@@ -759,7 +759,7 @@ def test_a_failed_save_does_not_hide_a_change_on_disk(saved, path, monkeypatch):
 
 def test_a_newer_version_on_disk_is_never_replaced(saved, path):
     document = edit(saved)
-    newer = encode(THEIRS).replace(b'"version": 3', b'"version": 4')
+    newer = encode(THEIRS).replace(b'"version": 4', b'"version": 5')
     path.write_bytes(newer)
     saved.trigger("saveDocument")
     saved.file_bar.answer("overwriteFile")
@@ -778,7 +778,7 @@ def test_a_newer_version_on_disk_is_never_replaced(saved, path):
 
 def test_an_older_version_is_reported_and_backed_up(editor, path, monkeypatch):
     monkeypatch.setitem(MIGRATIONS, 0, lambda values: values)
-    old = encode(THEIRS).replace(b'"version": 3', b'"version": 0')
+    old = encode(THEIRS).replace(b'"version": 4', b'"version": 0')
     path.write_bytes(old)
     editor.window.open_file(path)
     assert editor.session.document == THEIRS
@@ -794,7 +794,7 @@ def test_an_older_version_is_reported_and_backed_up(editor, path, monkeypatch):
 
 
 def test_features_left_out_of_an_older_version_are_reported_before_saving(editor, path):
-    curves = encode(THEIRS).replace(b'"version": 3', b'"version": 2')
+    curves = encode(THEIRS).replace(b'"version": 4', b'"version": 2')
     old = curves.replace(b'"curves"', b'"kept_texts": [{}, {}], "kept_pictures": [{}], "curves"')
     path.write_bytes(old)
     editor.window.open_file(path)

@@ -89,7 +89,7 @@ def test_the_log_contains_no_personal_data(editor, folder, debug, monkeypatch):
     save(folder / "heirloom.curve.json", telling(9.0))
     editor.trigger("saveDocument")  # changed on the disk
     (folder / "broken heirloom.curve.json").write_text(
-        '{"format": "curvebench", "version": 3, "letters": 71.25}'
+        '{"format": "curvebench", "version": 4, "letters": 71.25}'
     )
     for name in ("broken heirloom.curve.json", "missing heirloom.curve.json"):
         window.open_file(folder / name)
@@ -121,7 +121,7 @@ def test_the_log_contains_no_personal_data(editor, folder, debug, monkeypatch):
     for word in SECRET:
         assert word not in text
     for what in (
-        "opened a document, version 3, 1 curves, 3 points",
+        "opened a document, version 4, 1 curves, 3 points",
         "its lock is ours",
         "its lock is of another window",
         "saved a document: 1 curves, 3 points",

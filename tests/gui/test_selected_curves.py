@@ -651,7 +651,7 @@ def test_data_of_older_versions_on_the_clipboard_are_reported(five):
     data = QMimeData()
     content = encode(Document((make_curve([(0.0, 0.0), (1.0, 1.0)], name="Old"),)))
     more = b'"version": 2, "kept_texts": [{}, {}],'
-    data.setData(CURVES, content.replace(b'"version": 3,', more))
+    data.setData(CURVES, content.replace(b'"version": 4,', more))
     QApplication.clipboard().setMimeData(data)
     five.key(Qt.Key.Key_V, CTRL)
     assert "Old" in [curve.name for curve in five.session.document.curves]

@@ -157,7 +157,7 @@ def test_a_saved_document_opens_unchanged(editor, tmp_path):
 
 def test_a_bad_file_is_explained_and_the_open_document_stays(editor, tmp_path):
     path = tmp_path / "bad.curve.json"
-    path.write_text('{"format": "curvebench", "version": 3, "curves": [{"name": 3}]}')
+    path.write_text('{"format": "curvebench", "version": 4, "curves": [{"name": 3}]}')
     document = editor.session.document
     editor.window.open_file(path)
     assert "bad.curve.json was not opened" in editor.message
@@ -512,7 +512,7 @@ def test_undo_reads_well(editor):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        ('{"format": "curvebench", "version": 3, "curves": [', "it is not JSON; the file ends too early."),
+        ('{"format": "curvebench", "version": 4, "curves": [', "it is not JSON; the file ends too early."),
         ("", "the file is empty."),
         (None, "There is no file"),
     ],

@@ -106,7 +106,7 @@ if __name__ == "__main__":
     # What a killed process has written is there whether or not it is on the disk; this is a step as well.
     os.fsync = os.fstat
     MIGRATIONS[0] = lambda values: values
-    older = encode(OLD).replace(b'"version": 3', b'"version": 0')
+    older = encode(OLD).replace(b'"version": 4', b'"version": 0')
     results = {
         "present": run(target, encode(OLD), while_opening=True),
         "older": run(target, older, while_opening=False),

@@ -63,7 +63,7 @@ def test_an_invalid_document_is_not_written(target):
 
 
 def test_loading_a_bad_file_names_the_field(target):
-    target.write_bytes(b'{"format": "curvebench", "version": 3, "curves": []}')
+    target.write_bytes(b'{"format": "curvebench", "version": 4, "curves": []}')
     with pytest.raises(FormatError, match="curves must hold at least one curve"):
         load(target)
 

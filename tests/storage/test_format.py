@@ -121,7 +121,7 @@ def test_a_file_has_one_line_per_member_and_point():
     assert encode(Document((curve,))).decode() == (
         "{\n"
         '  "format": "curvebench",\n'
-        '  "version": 3,\n'
+        '  "version": 4,\n'
         '  "curves": [\n'
         "    {\n"
         '      "name": "Größe ‖c′‖",\n'
@@ -186,7 +186,7 @@ def good():
     points = [{"x": float(i), "y": 0.0, "t": i / 4} for i in range(4)]
     rule = {"kind": "manual", "alpha": 0.5, "start": 0.0, "end": 1.0}
     curve = {"name": "a", "family": "hermite", "parametrization": rule, "points": points}
-    return {"format": "curvebench", "version": 3, "curves": [curve]}
+    return {"format": "curvebench", "version": 4, "curves": [curve]}
 
 
 def spoiled(path, value):
@@ -214,10 +214,10 @@ REFUSED_VALUES = [
     (
         ("version",),
         7,
-        "it was written by a newer version of Curvebench (format version 7; this program reads 3)",
+        "it was written by a newer version of Curvebench (format version 7; this program reads 4)",
     ),
-    (("version",), 0, "version must be 3, not 0"),
-    (("version",), 10**400, "version must be 3, not a number of many digits"),
+    (("version",), 0, "version must be 4, not 0"),
+    (("version",), 10**400, "version must be 4, not a number of many digits"),
     (("version",), True, "version must be a whole number, not true or false"),
     (("version",), "1", "version must be a whole number, not text"),
     (("curves",), ..., "curves is missing"),
@@ -323,7 +323,7 @@ REFUSED_TEXTS = [
     (b'{"format":\n "\xc3\xa4\xff"}', "it is not UTF-8 text; line 2, column 4"),
     (b'{\n  "format": xx\n}', "it is not JSON; line 2, column 13: invalid character"),
     (b"[]", "the file must be an object {…}, not a list"),
-    (b'{"format": "curvebench", "version": 3, "curves": [', "it is not JSON; the file ends too early"),
+    (b'{"format": "curvebench", "version": 4, "curves": [', "it is not JSON; the file ends too early"),
     (json.dumps(good()).encode() + b"\x00", "it is not JSON; line 1, column "),
     (json.dumps(good()).encode() + b"{}", "it is not JSON; line 1, column "),
     (with_number("NaN"), "it is not JSON; line 1, column "),
@@ -340,7 +340,7 @@ REFUSED_TEXTS = [
     ),
     (b'{"q": ' + b"[" * 10**5, "it is not a Curvebench document; it is nested too deeply"),
     (
-        json.dumps(good()).replace('"version": 3', '"version": 3, "version": 3').encode(),
+        json.dumps(good()).replace('"version": 4', '"version": 4, "version": 4').encode(),
         "version appears twice; each key may appear only once",
     ),
 ]

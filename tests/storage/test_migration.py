@@ -127,7 +127,7 @@ def test_a_number_beyond_the_limits_is_refused_with_its_field(version, number):
 
 def test_a_file_of_this_version_with_dropped_fields_is_refused():
     with pytest.raises(FormatError, match="kept_texts"):
-        decode(older(**KEPT).replace(b'"version": 2', b'"version": 3'))
+        decode(older(**KEPT).replace(b'"version": 2', b'"version": 4'))
 
 
 def test_fields_of_curves_styles_and_guides_are_dropped_and_counted(with_rows):

@@ -281,7 +281,7 @@ def draft(tmp_path, monkeypatch):
 
 
 def test_without_a_migration_an_older_version_is_refused(tmp_path):
-    with pytest.raises(FormatError, match="version must be 3, not 0"):
+    with pytest.raises(FormatError, match="version must be 4, not 0"):
         decode(old_content())
 
 
@@ -364,7 +364,7 @@ def test_an_old_file_is_not_replaced_without_a_backup(draft, monkeypatch):
 
 
 def test_a_newer_version_is_neither_opened_nor_replaced(path, file):
-    newer = encode(MINE).replace(b'"version": 3', b'"version": 4')
+    newer = encode(MINE).replace(b'"version": 4', b'"version": 5')
     path.write_bytes(newer)
     with pytest.raises(FormatError, match="newer version of Curvebench"):
         OpenFile.open(path)

@@ -66,7 +66,7 @@ def test_a_colour_of_version_1_becomes_the_stroke():
     ]
     found = decode(json.dumps({"format": "curvebench", "version": 1, "curves": curves}).encode())
     assert [curve.style for curve in found.curves] == [Style(stroke="#0072b2"), Style()]
-    assert json.loads(encode(found))["version"] == 3
+    assert json.loads(encode(found))["version"] == 4
 
 
 @each_row(

@@ -24,6 +24,7 @@ from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block
 from ...storage.format import Decoded, decode_counting
 from ...storage.format_error import FormatError
+from ...storage.validation import prevalidate
 from ...tasks.progress import Report, part, silent
 from ...view_model.paste import (
     AddedCurves,
@@ -222,7 +223,10 @@ def _filled(
 ) -> AddedCurves:
     """Return the target with the imported curves, in the unit of the document."""
     sized = exchange.units.in_unit(result.document, target.document.unit)
-    return target.filled(sized.curves, report)
+    added = target.filled(sized.curves, report)
+    if report is not None:
+        prevalidate(target.document, added.document)
+    return added
 
 
 # Content of the clipboard

@@ -422,10 +422,9 @@ def left_out_notice(name: str, left_out: LeftOut) -> Notice | None:
     if not left_out:
         return None
     them = "it" if left_out.is_one else "them"
-    text = (
-        f"{left_out.sentence(name)} Saving removes {them} from the file, and keeps a backup of the old file."
-    )
-    return Notice(text, ("saveDocumentAs",))
+    removes = f"removes {them} from the file, and " if left_out.words else ""
+    text = f"{left_out.sentence(name)} Saving {removes}keeps a backup of the old file."
+    return Notice(text, ("saveDocumentAs",), warns=bool(left_out.words))
 
 
 def refusal_notice(name: str, sentence: str, problem: StorageError, *, is_own_file: bool) -> Notice:
