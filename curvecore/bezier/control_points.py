@@ -9,6 +9,8 @@ References
    interpolation.
 .. [3] H. Ehlich and K. Zeller, "Schwankung von Polynomen zwischen Gitterpunkten", Mathematische Zeitschrift
    86 (1964) 41-44: max |p| <= max |p| at N Chebyshev points over cos(pi m / 2 N) for degree m < N.
+.. [4] C. de Boor, K. Hollig and M. Sabin, "High accuracy geometric Hermite interpolation", Computer Aided
+   Geometric Design 4 (1987) 269-278: free lengths of handles follow a shape with an error of order h**6.
 """
 
 from __future__ import annotations
@@ -32,6 +34,9 @@ _MARGIN = 1.25  # on the measured deviation, for what lies between the samples
 _HIGHEST_PROVED = 30  # degree up to which so many samples are taken that their margin is proved
 _ROUNDING = 1e-12  # of the coordinates: differences below this are those of rounding, which has no degree
 _ROUNDS = 24
+_NODES = 0.5 - 0.5 * np.cos((np.arange(9) + 0.5) * (np.pi / 9))  # where lengths of handles are fitted
+_WARP_DEGREE = 5  # of the polynomial that maps s of a cubic piece to t of the curve
+_DENSE = 31  # samples of a piece of what is no polynomial of a degree that is proved
 
 
 class CubicPath(NamedTuple):
@@ -229,6 +234,168 @@ def _measured_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
         parameters = finer
     worst = float(deviation.max())
     return CubicPath(pieces, parameters, worst, is_bound and worst > _ROUNDING * float(np.abs(pieces).max()))
+
+
+def cubic_shape(curve: ParametricCurve, tolerance: float) -> CubicPath:
+    """Return few cubic Bezier pieces that follow the shape of a curve within a tolerance.
+
+    The pieces have the curve's directions at their ends, but handles of any length [4]_: they run through the
+    shape at a speed of their own, and half as many and fewer follow it. Every point of the curve at which
+    pieces of the curve itself meet stays the end of a piece; between two of them all pieces have about the
+    same deviation, so that fewer would not do.
+
+    Parameters
+    ----------
+    curve : ParametricCurve
+        Of any family and dim.
+    tolerance : float
+        Largest allowed distance between the shapes, greater than 0.
+
+    Returns
+    -------
+    CubicPath
+        Its `deviation` bounds the distance of each point of either shape from the other, and is proved as
+        that of `cubic_path`; the parameters are those of the curve at the ends of the pieces.
+
+    Raises
+    ------
+    CurveError
+        If the tolerance is not a positive number.
+
+    See Also
+    --------
+    cubic_path : Pieces that keep the curve's speed, too.
+
+    Examples
+    --------
+    >>> from curvecore import QuinticHermiteCurve, cubic_path
+    >>> from curvecore.bezier.control_points import cubic_shape
+    >>> curve = QuinticHermiteCurve([[0, 0], [1, 0]], [[0, 3], [0, -3]], [[9, 0], [-9, 0]], [0, 1])
+    >>> [len(path(curve, 1e-4).control_points) for path in (cubic_path, cubic_shape)]
+    [10, 4]
+    """
+    limit = tolerance_value(tolerance)
+    if len(curve.pieces) > 1:
+        paths = [cubic_shape(piece, limit) for piece in curve.pieces]
+        points, parameters, deviations, bounds = zip(*paths, strict=True)
+        return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations), all(bounds))
+    joints, is_cubic = all_joints(curve), curve.degree is not None and curve.degree <= 3
+    if (is_cubic and curve.bezier_pieces() is not None) or len(joints) > MAX_PIECES:
+        return cubic_path(curve, limit)
+    with np.errstate(all="ignore"):
+        return _shape_between(curve, joints, limit) or cubic_path(curve, limit)
+
+
+def _shape_between(curve: ParametricCurve, joints: FloatArray, tolerance: float) -> CubicPath | None:
+    """Return the fewest pieces found between all joints; None where these would be too many."""
+    is_proved = curve.degree is not None and curve.degree <= _HIGHEST_PROVED
+    samples, margin = (
+        chebyshev_samples(_WARP_DEGREE * (curve.degree or 0))
+        if is_proved
+        else (
+            np.linspace(0.0, 1.0, _DENSE + 2)[1:-1],
+            _MARGIN,
+        )
+    )
+    parameters, count = joints, np.ones(len(joints) - 1, dtype=np.intp)
+    is_spread = np.ones(len(count), dtype=bool)
+    for _ in range(2 * _ROUNDS):
+        pieces, deviation = _nearest_pieces(curve, parameters, samples, margin)
+        first = np.cumsum(count) - count
+        worst = np.maximum.reduceat(deviation, first)
+        if (worst <= tolerance).all():
+            size = float(np.abs(pieces).max())
+            is_bound = is_proved and float(worst.max()) > _ROUNDING * size
+            return CubicPath(pieces, parameters, float(worst.max()), is_bound)
+        # As many pieces again with equal deviations, which are of order h**6; then more of them.
+        expected = np.maximum(count + is_spread, np.floor(0.8 * count * (worst / tolerance) ** (1 / 6)))
+        wanted = np.where(worst > tolerance, expected, count)
+        if not wanted.sum() <= MAX_PIECES:
+            return None
+        is_spread, before = wanted == count, count
+        count = wanted.astype(np.intp)
+        share = np.maximum(deviation, 1e-3 * np.repeat(worst, before)) ** (1 / 6)
+        share[np.repeat(worst <= tolerance, before)] = 1.0
+        share *= np.repeat(count / np.add.reduceat(share, first), before)
+        ends = np.append(0, np.cumsum(count))
+        reached = np.append(0.0, np.cumsum(share))
+        reached[np.append(first, len(share))] = ends
+        parameters = np.interp(np.arange(ends[-1] + 1), reached, parameters)
+        parameters[ends] = joints
+        if not (np.diff(parameters) > 0.0).all():
+            return None
+    return None
+
+
+def _nearest_pieces(
+    curve: ParametricCurve, parameters: FloatArray, samples: FloatArray, margin: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return a cubic piece for each stretch, the better of two, and how far it is from the curve at most.
+
+    One has the curve's velocities. The handles of the other are lengthened so that it is nearest across the
+    curve, by least squares at `_NODES`; a polynomial t(s) with the speeds of its ends, a "warp" of
+    `_WARP_DEGREE`, says for each of its points which one of the curve is near. As t(s) takes all values of
+    the stretch and no others, |piece(s) - curve(t(s))|, a polynomial again, bounds the distance of the
+    shapes.
+    """
+    plain, steps = _pieces(curve, parameters), np.diff(parameters)[:, None]
+    factors, warps = _longer_handles(curve, parameters, plain)
+    pieces = _lengthened(plain, factors)
+    worst = []
+    for piece, factor, warp in ((plain, np.ones_like(factors), 0.0 * warps), (pieces, factors, warps)):
+        share = _warped(np.broadcast_to(samples, (len(plain), len(samples))), factor, warp)
+        t = parameters[:-1, None] + steps * np.clip(share, 0.0, 1.0)
+        exact = np.clip(curve.evaluate(t.ravel()).reshape(*t.shape, -1), -LIMIT, LIMIT)
+        distance = margin * vector_lengths(weights(samples, 3) @ piece - exact).max(axis=1)
+        worst.append(np.where(np.abs(share - 0.5).max(axis=1) <= 0.5, distance, np.inf))
+    is_plain = ~(worst[1] < worst[0])
+    return np.where(is_plain[:, None, None], plain, pieces), np.where(is_plain, *worst)
+
+
+def _longer_handles(
+    curve: ParametricCurve, parameters: FloatArray, plain: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return factors of the handles of cubic pieces, (k, 2), and the two coefficients of their warps."""
+    t = parameters[:-1, None] + np.diff(parameters)[:, None] * _NODES
+    exact, along = (curve.evaluate(t.ravel(), order).reshape(*t.shape, -1) for order in (0, 1))
+    along = along / np.maximum(vector_lengths(along), 1 / LIMIT)[..., None]
+    handles = np.stack([plain[:, 1] - plain[:, 0], plain[:, 2] - plain[:, 3]], axis=1)
+    # Where a length changes nothing, as on a straight line, it stays.
+    least = 1e-9 * np.square(handles).sum(axis=(1, 2))[:, None, None] * np.eye(2) + np.eye(2) / LIMIT
+    s, factors = np.broadcast_to(_NODES, t.shape), np.ones((len(plain), 2))
+    for _ in range(6):
+        bernstein = weights(s.ravel(), 3).reshape(*s.shape, 4)
+        moves = bernstein[..., 1:3, None] * handles[:, None]
+        off = np.concatenate([moves, (exact - bernstein @ plain)[..., None, :]], axis=2)
+        off = off - np.einsum("kmid,kmd->kmi", off, along)[..., None] * along[..., None, :]
+        moves, off = off[:, :, :2], off[:, :, 2]
+        square = np.einsum("kmid,kmjd->kij", moves, moves) + least
+        change = np.linalg.solve(square, np.einsum("kmid,kmd->ki", moves, off)[..., None])[..., 0]
+        factors = np.clip(1.0 + change, 0.05, 5.0)
+        pieces = _lengthened(plain, factors)
+        velocities = weights(s.ravel(), 2).reshape(*s.shape, 3) @ (3.0 * np.diff(pieces, axis=1))
+        ahead = np.einsum("kmd,kmd->km", exact - bernstein @ pieces, velocities)
+        s = np.clip(s + ahead / np.maximum(np.square(velocities).sum(axis=2), 1 / LIMIT), 0.0, 1.0)
+    bumps = np.stack([(s * (1 - s)) ** 2, s**3 * (1 - s) ** 2], axis=2)
+    square = np.einsum("kmi,kmj->kij", bumps, bumps) + 1e-12 * np.eye(2)
+    missing = _NODES - _warped(s, factors, np.zeros_like(factors))
+    warps: FloatArray = np.linalg.solve(square, np.einsum("kmi,km->ki", bumps, missing)[..., None])[..., 0]
+    return factors, warps
+
+
+def _lengthened(pieces: FloatArray, factors: FloatArray) -> FloatArray:
+    """Return cubic pieces (k, 4, dim) with handles as many times as long, (k, 2)."""
+    ends = pieces[:, ::3]
+    handles = ends + factors[:, :, None] * (pieces[:, 1:3] - ends)
+    return np.concatenate([ends[:, :1], handles, ends[:, 1:]], axis=1)
+
+
+def _warped(s: FloatArray, factors: FloatArray, warps: FloatArray) -> FloatArray:
+    """Return t(s) on [0, 1] with these speeds at the ends, and two coefficients of what is 0 there."""
+    r = 1.0 - s
+    start, end, level, slope = (column[:, None] for column in (*factors.T, *warps.T))
+    cubic = r * r * s * start + r * s * s * (3.0 - end) + s**3
+    return np.asarray(cubic + (r * s) ** 2 * (level + slope * s))
 
 
 def chebyshev_samples(degree: int) -> tuple[FloatArray, float]:

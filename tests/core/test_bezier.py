@@ -17,7 +17,7 @@ from curvecore import (
     cubic_path,
     uniform,
 )
-from curvecore.bezier.control_points import chebyshev_samples
+from curvecore.bezier.control_points import _nearest_pieces, chebyshev_samples, cubic_shape
 from tests.core.made_curves import de_casteljau
 
 T = np.array([0.0, 0.25, 1.0, 1.5])
@@ -149,6 +149,74 @@ def test_pieces_grow_like_the_fourth_root(rng):
     curve = curves(rng)[1]
     counts = [len(cubic_path(curve, tolerance).control_points) for tolerance in (1e-4, 1e-8)]
     assert 8 <= counts[1] / counts[0] <= 12
+
+
+def distance(points, curve, start, end):
+    """The largest distance of points from a stretch: the nearest of many, then Newton's steps."""
+    t = np.linspace(start, end, 801)
+    apart = np.linalg.norm(points[:, None] - curve.evaluate(t), axis=2)
+    t, nearest = t[np.argmin(apart, axis=1)], apart.min(axis=1)
+    for _ in range(6):
+        velocity = curve.evaluate(t, 1)
+        ahead = np.einsum("kd,kd->k", points - curve.evaluate(t), velocity)
+        t = np.clip(t + ahead / np.maximum(np.square(velocity).sum(axis=1), 1e-300), start, end)
+    return np.minimum(nearest, np.linalg.norm(points - curve.evaluate(t), axis=1)).max()
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5, 1e-7])
+def test_a_cubic_shape_keeps_the_tolerance_both_ways(rng, tolerance):
+    points = rng.standard_normal((8, 2))
+    for curve in (
+        *curves(rng)[1:],
+        LagrangeCurve(points, uniform(8)),
+        FloaterHormannCurve(points, uniform(8)),
+    ):
+        path = cubic_shape(curve, tolerance)
+        assert path.deviation <= tolerance
+        controls, t = path.control_points, path.parameters
+        assert (controls[1:, 0] == controls[:-1, 3]).all()
+        assert np.isin(curve.breaks, t).all()
+        np.testing.assert_array_equal(controls[:, 0], curve.evaluate(t[:-1]))
+        s = np.linspace(0.0, 1.0, 65)[:, None]
+        weights = np.hstack(((1 - s) ** 3, 3 * s * (1 - s) ** 2, 3 * s**2 * (1 - s), s**3))
+        for piece, start, end in zip(controls, t[:-1], t[1:], strict=True):
+            there = distance(weights @ piece, curve, start, end)
+            cubic = HermiteCurve(piece[::3], 3 * (piece[1::2] - piece[::2]), [0.0, 1.0])
+            back = distance(curve.evaluate(np.linspace(start, end, 65)), cubic, 0.0, 1.0)
+            assert max(there, back) <= path.deviation * (1 + 1e-9) + 1e-14
+        # Smooth: the handles on both sides of a joint point the same way.
+        ahead, behind = controls[1:, 1] - controls[1:, 0], controls[:-1, 3] - controls[:-1, 2]
+        size = np.linalg.norm(ahead, axis=1) * np.linalg.norm(behind, axis=1)
+        assert (np.einsum("kd,kd->k", ahead, behind) >= (1 - 1e-9) * size - 1e-15).all()
+
+
+def test_a_shape_takes_less_than_half_of_the_pieces_and_grows_like_the_sixth_root(rng):
+    """A thousandth of the tolerance takes 3.2 times the pieces, not 5.6 (de Boor, Höllig and Sabin)."""
+    curve = curves(rng)[1]
+    pieces = {tolerance: len(cubic_shape(curve, tolerance).control_points) for tolerance in (1e-5, 1e-8)}
+    assert 2 * pieces[1e-5] < len(cubic_path(curve, 1e-5).control_points)
+    assert pieces[1e-8] <= 4 * pieces[1e-5]
+
+
+def test_a_shape_takes_as_few_pieces_as_the_best_of_random_divisions(rng):
+    """With one piece fewer, two thousand random divisions of the same stretch are all too far away."""
+    velocities, accelerations = [[1.0, 3.0], [2.0, -3.0]], [[0.0, -9.0], [4.0, 20.0]]
+    curve = QuinticHermiteCurve([[0.0, 0.0], [3.0, 1.0]], velocities, accelerations, [0.0, 1.0])
+    count = len(cubic_shape(curve, 1e-4).control_points)
+    assert count >= 3
+    samples, margin = chebyshev_samples(25)
+    for _ in range(2000):
+        inner = np.sort(rng.uniform(0.0, 1.0, count - 2))
+        deviation = _nearest_pieces(curve, np.array([0.0, *inner, 1.0]), samples, margin)[1]
+        assert deviation.max() > 1e-4
+
+
+def test_a_wild_shape_gives_an_honest_deviation(rng):
+    curve = LagrangeCurve(1e12 * rng.standard_normal((40, 2)), uniform(40))
+    path = cubic_shape(curve, 1e-3)
+    assert np.isfinite(path.control_points).all()
+    assert len(path.control_points) <= 4096
+    assert path.deviation > 1e-3
 
 
 def test_a_wild_curve_gives_an_honest_deviation(rng):

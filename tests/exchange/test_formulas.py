@@ -13,13 +13,14 @@ from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
 from app.exchange.errors import ExchangeError
-from app.exchange.exported_curves import beziers_of, cubics_of, curves_of
+from app.exchange.exported_curves import beziers_of, curves_of
 from app.exchange.formats.code import python_code, scipy_code
 from app.exchange.formats.formulas import coefficients_json, desmos_expressions, svg_path_data
 from app.exchange.formats.latex import DIGITS, PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.options import Options
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.curve_view import view_of
+from curvecore.bezier.control_points import cubic_shape
 from tests.rows import each_row
 
 S = np.linspace(0, 1, 21)
@@ -129,7 +130,7 @@ def test_path_data_are_cubics_with_y_down(kind):
     numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MCZ]", " ", written.text))]
     points = np.array(numbers).reshape(-1, 2) * [1, -1]
     (source,) = curves_of(kind)
-    path = cubics_of(source.core, 1e-3)
+    path = cubic_shape(source.core, 1e-3)
     # Within 8 eps of a decimal of up to 12 digits that decimal is written.
     np.testing.assert_allclose(
         points[1:].reshape(-1, 3, 2), path.control_points[:, 1:], rtol=8 * 2.0**-52, atol=0
@@ -281,7 +282,7 @@ def drawn(text):
 def test_pgfplots_draws_the_curve(kind):
     written = pgfplots_axis(kind, Options(tolerance=1e-3))
     (pieces,) = drawn(written.text)
-    path = cubics_of(core(kind), 1e-3)
+    path = cubic_shape(core(kind), 1e-3)
     np.testing.assert_array_equal(pieces, path.control_points)
     assert stated(written.text) >= written.deviation == path.deviation
 
@@ -292,7 +293,7 @@ def test_tikz_draws_the_curve_to_scale_within_the_stated_deviation(kind):
     assert pieces[:, [0, 3]].min() >= 0
     assert pieces[:, [0, 3]].max() <= PICTURE_SIDE
     scale = float(re.search(r"One centimetre is (\S+) of", written.text)[1])
-    path = cubics_of(core(kind), 1e-4)
+    path = cubic_shape(core(kind), 1e-4)
     moved = pieces * scale
     true = path.control_points
     offset = (true - moved).reshape(-1, 2).mean(axis=0)

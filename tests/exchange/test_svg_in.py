@@ -22,7 +22,8 @@ from app.exchange.svg.xml_tree import parse_xml
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
 from app.view_model.point_kinds import kind_at
-from curvecore import bezier_segments, cubic_path, joint_report
+from curvecore import bezier_segments, joint_report
+from curvecore.bezier.control_points import cubic_shape
 from tests.effort import calls_of
 from tests.rows import each_row
 
@@ -217,7 +218,7 @@ def test_a_written_svg_is_read_within_the_stated_deviation(kind):
     result = read_svg(svg_of(kind, Options(tolerance=1e-4, points=True, style=DARK)).data)
     (back,) = result.document.curves
     core, copy = view_of(curve).curve, view_of(back).curve
-    path = cubic_path(core, 1e-4)
+    path = cubic_shape(core, 1e-4)
     assert back.name == curve.name
     assert len(copy.parameters) == len(path.parameters)
     size = np.abs(core.points).max()

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from curvecore import CurveError
 from curvecore.arrays import FloatArray
-from curvecore.bezier.control_points import cubic_path
+from curvecore.bezier.control_points import cubic_shape
 
 from ...document.model import Curve, Document
 from ...document.style import USUAL_WIDTH, Style
@@ -266,7 +266,7 @@ def refuse_out_of_range(curve: Curve, samples: FloatArray) -> None:
 
 def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     try:
-        path = cubic_path(core, tolerance)
+        path = cubic_shape(core, tolerance)
     except CurveError as problem:
         raise ExchangeError(f"“{curve.display_name}” cannot be drawn: {in_words(str(problem))}.") from problem
     points = core.points[: len(curve.points)]
