@@ -237,6 +237,9 @@ def tied_to_straight_segment(curve: Curve, index: int) -> Point:
     before, after = point.velocity, point.velocity_after
     if before is None or after is None or angle_between(before, after) > HAND_DRAWN_ANGLE:
         return point
+    if not (any(before) and any(after)):
+        # A retracted handle has no direction to continue the line in.
+        return point
     behind, ahead = (is_straight_beside(curve, index, ahead=side) for side in (False, True))
     if behind is ahead:
         return point

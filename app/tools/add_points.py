@@ -13,7 +13,7 @@ from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..document.point_group import points_of
 from ..document.selection import SelectionState
-from ..view_model.append import Appending, with_point_appended
+from ..view_model.append import Appending, with_bare_corner, with_point_appended
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
 from ..view_model.reshape import Reshaped, with_point_inserted
@@ -208,8 +208,10 @@ class AppendPoint(Drag, kw_only=True):
             return document
         velocity = self._velocity_at(pointer)
         if pointer.alt:
-            return self._with_handle_ahead(document, index, velocity)
-        return point_edits.set_velocity(document, self.curve, index, velocity)
+            document = self._with_handle_ahead(document, index, velocity)
+        else:
+            document = point_edits.set_velocity(document, self.curve, index, velocity)
+        return with_bare_corner(document, self.curve, index - 1) if index else document
 
     @property
     def _index(self) -> int:
@@ -275,8 +277,9 @@ class AppendPoint(Drag, kw_only=True):
         if self.view.source.is_closed:
             return text
         # What will hold when the next point comes.
-        is_first = not self.view.source.points
-        return f"{text} · {'the handle stays here' if is_first else 'handles stay at most this long'}"
+        source = self.view.source
+        both = "both handles stay" if source.family.derivatives == 1 else "handles stay at most this long"
+        return f"{text} · {both if source.points else 'the handle stays here'}"
 
     def committed(self, event: ToolEvent) -> None:
         """Note that the pen draws the curve; not before: Escape leaves a finished curve finished."""

@@ -2,7 +2,12 @@
 
 A point has one velocity, and its handles lie at ±h·v/3 of the segments on its two sides: a segment that is
 ten times as long as the one before it would pull the handle ahead ten times as far out as the person did.
-So handles are shortened until none is longer than it was drawn.
+So the pen gives a cubic two velocities of one direction there, with which both handles are as long as drawn.
+Elsewhere, and where the rules estimate higher derivatives, which two velocities would divide, the velocity
+shrinks until neither handle is longer than drawn.
+
+A corner that was clicked has no handle: beside a handle that was pulled its own is retracted, and elsewhere
+the rules estimate it, until it is pulled out.
 """
 
 from __future__ import annotations
@@ -19,12 +24,12 @@ import curvecore
 from curvecore import CurveError, ParametricCurve
 from curvecore.arrays import FloatArray
 
-from ..document.constraints import is_straight_beside, rescaled_beside
+from ..document.constraints import ends_of, is_straight_beside, rescaled_beside
 from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector, derivatives_of
-from ..document.point_edits import append_point, insert_points
+from ..document.point_edits import JetValue, append_point, insert_points, with_jet_values
 from ..document.rule_edits import freeze_parameters
 from ..document.words import number
 from .curve.core_curve import parameters_of
@@ -51,8 +56,8 @@ def with_point_appended(document: Document, curve: int, view: CurveView, positio
     """Return the document with a new last point on its curve `curve`, which `view` shows.
 
     Derivatives that were set are rescaled so that handles stay. The point that was the last one of an open
-    curve gets a segment on its other side, and its velocity shrinks until neither handle is longer than it
-    was drawn. The handle of the only point of a curve is the one ahead of it, and stays.
+    curve gets a segment on its other side, and a handle there as long as the one that was drawn. The handle
+    of the only point of a curve is the one ahead of it, and stays.
 
     Raises
     ------
@@ -60,7 +65,7 @@ def with_point_appended(document: Document, curve: int, view: CurveView, positio
         If a document may not hold the position.
     """
     t = appended_parameter(view, Point(*position)) if view.source.is_manual else None
-    return with_points_appended(document, curve, view, [Point(*position, t=t)])
+    return with_points_appended(document, curve, view, [Point(*position, t=t)], by_pen=True)
 
 
 Appending = Callable[[Document, int, CurveView, Vector], Document]
@@ -68,9 +73,11 @@ Appending = Callable[[Document, int, CurveView, Vector], Document]
 
 
 def with_points_appended(
-    document: Document, curve: int, view: CurveView, points: Sequence[Point]
+    document: Document, curve: int, view: CurveView, points: Sequence[Point], *, by_pen: bool = False
 ) -> Document:
     """Return the document with `points` at the end of its curve `curve`; handles as by `with_point_appended`.
+
+    Unless `by_pen`, the point before them keeps one velocity: neither handle is longer than it was.
 
     Raises
     ------
@@ -83,7 +90,7 @@ def with_points_appended(
     document = insert_points(document, curve, count + 1, points[1:])
     if view.source.is_closed:
         return document
-    return _with_short_handles(document, curve, view, [count - 1])
+    return _with_handles_as_drawn(document, curve, view, [count - 1], by_pen=by_pen)
 
 
 def is_quick(view: CurveView) -> bool:
@@ -140,22 +147,53 @@ def _ends_where_it_starts(curve: Curve) -> bool:
 
 
 def closed_by_pen(document: Document, curve: int, view: CurveView) -> Document:
-    """Return the document with its curve `curve`, which `view` shows, closed; handles at its ends stay short.
+    """Return the document with its curve `curve`, which `view` shows, closed; handles at its ends as drawn.
 
     Raises
     ------
     EditError
         If the curve cannot be closed.
     """
+    last = len(view.source.points) - 1
     document = with_closed(document, curve, view, closed=True)
-    return _with_short_handles(document, curve, view, [0, len(view.source.points) - 1])
+    document = _with_handles_as_drawn(document, curve, view, [0, last], by_pen=True)
+    return with_bare_corner(document, curve, last)
 
 
-def _with_short_handles(document: Document, curve: int, view: CurveView, ends: Collection[int]) -> Document:
-    """Return the document with short handles at the ends of `view`, which have one more segment now.
+def with_bare_corner(document: Document, curve: int, segment: int) -> Document:
+    """Return the document with no handle at a corner at one end of a segment, where the other end has one.
 
-    Derivatives shrink by the longer of the two segments. The handles of a corner are independent, and both
-    stay as they were drawn.
+    A corner whose velocity was set, also to zero, stays as it is.
+    """
+    source = document.curves[curve]
+    start, end = ends_of(source, segment)
+    points = source.points[start], source.points[end]
+    sides = points[0].explicit_sides(1)[1], points[1].explicit_sides(1)[0]
+    retracted = [
+        JetValue(index, 1, not is_end, (0.0, 0.0))
+        for is_end, index in enumerate((start, end))
+        if points[is_end].corner and sides[is_end] is None and sides[not is_end] is not None
+    ]
+    return document.with_curve(curve, with_jet_values(source, retracted)) if retracted else document
+
+
+def has_pulled_handle(curve: Curve) -> bool:
+    """Whether a handle was pulled out ahead of the last point: no rule, and no line before, has set it."""
+    if not (curve.points and curve.family.derivatives):
+        return False
+    point, last = curve.points[-1], len(curve.points) - 1
+    velocity = point.explicit_sides(1)[1]
+    is_of_line = not point.corner and is_straight_beside(curve, last, ahead=False)
+    return velocity is not None and any(velocity) and not is_of_line
+
+
+def _with_handles_as_drawn(
+    document: Document, curve: int, view: CurveView, ends: Collection[int], *, by_pen: bool
+) -> Document:
+    """Return the document with the handles drawn at the ends of `view`, which have one more segment now.
+
+    Both handles of a corner are independent, and stay. So do those of a cubic that is drawn `by_pen`, by two
+    velocities of one direction; else a velocity shrinks by the longer of the two segments.
     """
     grown = document.curves[curve]
     ends = [index for index in ends if _is_set(view.source, index)]
@@ -172,8 +210,11 @@ def _with_short_handles(document: Document, curve: int, view: CurveView, ends: C
             # From the handle as drawn, not as the new parameters have changed it: the factor is for both.
             behind, ahead = (float(length) / drawn for length in (h[index - 1], h[index]))
             point = _corner_beside_line(view.source, index)
-            if not point.corner:
-                behind = ahead = max(behind, ahead)
+            if not point.corner and not math.isclose(behind, ahead):
+                if by_pen and grown.family.derivatives == 1 and any(point.velocity or ()):
+                    point = replace(point.as_corner(), tied=True, even=True)
+                else:
+                    behind = ahead = max(behind, ahead)
             points[index] = rescaled_beside(point, behind, ahead)
     return document.with_curve(curve, replace(grown, points=tuple(points)))
 

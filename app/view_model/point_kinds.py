@@ -27,12 +27,13 @@ from ..document.constraints import (
     turned_along,
     untie,
 )
+from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_edits import JetValue, clear_derivatives, make_smooth, with_jet_values
 from ..document.straight_edits import corners_of, straight_refusal, straighten
 from ..families import Family, titles_with_derivatives
-from .append import closed_by_pen, with_point_appended
+from .append import closed_by_pen, has_pulled_handle, with_bare_corner, with_point_appended
 from .curve.curve_view import CurveView, view_of
 from .curve.handles import offset_past, pulled_out
 from .curve.point_arrays import PointArrays
@@ -226,35 +227,57 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     return straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
 
 
-def with_line_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
-    """Return the document with a new last point on its curve `curve`, which `view` shows, after a line.
+def with_corner_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:
+    """Return the document with a new last point on its curve `curve`, which `view` shows, a corner.
 
-    As `with_point_appended` where the family has no straight segments, or there was no point.
+    The segment before it goes by the handle that was pulled out of the point before, if there is one, and
+    else straight. As `with_point_appended` where the family has no corners.
 
     Raises
     ------
     EditError
-        If a document may not hold the position, or the line would have no length.
+        If a document may not hold the position, or a line would have no length.
     """
-    return _with_last_straight(with_point_appended(document, curve, view, position), curve, view)
+    document, count = with_point_appended(document, curve, view, position), len(view.source.points)
+    if not view.source.family.derivatives:
+        return document
+    if count and not has_pulled_handle(view.source):
+        return _with_last_straight(document, curve, view)
+    return with_bare_corner(_with_clicked_corner(document, curve, count), curve, count - 1)
 
 
-def closed_by_line(document: Document, curve: int, view: CurveView) -> Document:
-    """Return the document with its curve `curve`, which `view` shows, closed by a straight line.
+def closed_by_corner(document: Document, curve: int, view: CurveView) -> Document:
+    """Return the document with its curve `curve`, which `view` shows, closed with a corner at point 0.
+
+    The closing segment goes by the handle that was pulled out of the last point, or else straight.
 
     Raises
     ------
     EditError
         If the curve cannot be closed.
     """
-    return _with_last_straight(closed_by_pen(document, curve, view), curve, view)
+    document = closed_by_pen(document, curve, view)
+    if not view.source.family.derivatives:
+        return document
+    document = _with_clicked_corner(document, curve, 0)
+    if has_pulled_handle(view.source):
+        return with_bare_corner(document, curve, len(view.source.points) - 1)
+    return _with_last_straight(document, curve, view)
+
+
+def _with_clicked_corner(document: Document, curve: int, index: int) -> Document:
+    """Return the document with a corner at a point, without a handle behind it; the one ahead stays."""
+    source = document.curves[curve]
+    point = source.points[index]
+    point = untie(point if point.corner else point.as_corner())
+    point = replace(point, **dict.fromkeys(row.name for row in DERIVATIVES))
+    points = (*source.points[:index], point, *source.points[index + 1 :])
+    return document.with_curve(curve, replace(source, points=points))
 
 
 def _with_last_straight(document: Document, curve: int, before: CurveView) -> Document:
     """Return the document with a straight segment behind the last point of `before`."""
     last = len(before.source.points) - 1
-    if last < 0 or straight_refusal(before.source.family):
-        return document
     straightened = with_straight_segments(view_of(document.curves[curve]), [last])
     points = list(straightened.points)
     for index in corners_of(straightened, [last]):
@@ -423,7 +446,7 @@ def kinds_of(view: CurveView) -> IntArray:
         kinds = np.argmax(holds, axis=0)
         for end in () if view.source.is_closed else (0, last):
             if POINT_KINDS[kinds[end]].ends:
-                kinds[end] = POINT_KINDS.index(SYMMETRIC)
+                kinds[end] = POINT_KINDS.index(SYMMETRIC if SYMMETRIC.are_of(view.arrays)[end] else ESTIMATED)
     return kinds
 
 

@@ -18,11 +18,12 @@ from app.document.constraints import (
     is_straight,
     is_straight_beside,
     tie,
+    tied_to_straight_segment,
     turned_along,
     untie,
 )
 from app.document.curve_edits import reverse_curve
-from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point
+from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
 from app.document.plain_numbers import with_plain_numbers
 from app.document.point_edits import JetValue, with_jet_values
 from app.document.point_group import points_of
@@ -279,3 +280,13 @@ def test_an_untied_even_point_is_refused_in_a_file_and_mended_in_a_change():
     with pytest.raises(FormatError, match=r"points\[0\]\.even needs a tied point"):
         encode(wrong)
     assert with_plain_numbers(wrong).curves[0].points[0] == Point(0.0, 0.0)
+
+
+def test_a_retracted_handle_continues_no_straight_segment():
+    """It has no direction: a corner between a handle of length 0 and a line became smooth."""
+    start = Point(-1.0, 0.0, velocity=(1.0, 1.0))
+    corner = Point(0.0, 1.0, corner=True, velocity=(0.0, 0.0), velocity_after=(4.0, -2.0))
+    end = Point(2.0, 0.0, velocity=(4.0, -2.0))
+    curve = replace(make_curve([], family=HERMITE), points=(start, corner, end))
+    assert is_straight(curve, 1)
+    assert tied_to_straight_segment(curve, 1) is corner

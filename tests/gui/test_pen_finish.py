@@ -218,7 +218,7 @@ def test_a_key_turns_the_velocity_drawn_out_in_steps(pen, keys):
     assert direction(pen, 3) == pytest.approx(26.6, abs=1.5)
     pen.move(at(pen, 360, 180), keys=keys)
     assert direction(pen, 3) == pytest.approx(30, abs=1e-9)
-    assert "velocity at 30° · handles stay at most this long · Ctrl or Shift: steps of 15°" in pen.status
+    assert "velocity at 30° · both handles stay · Ctrl or Shift: steps of 15°" in pen.status
     assert "%" not in pen.status
     assert math.dist(pen.handle().position, place) == pytest.approx(
         math.dist(at(pen, 360, 180), place), abs=2 * pen.pixel

@@ -112,8 +112,7 @@ def test_the_hint_over_the_first_point_mentions_closing(pen):
         pen.click(at(pen, *place))
     pen.hover(pen.point(0))
     assert (
-        pen.window.status_line.hint
-        == "Click to close the curve · Alt: by a straight line · Drag to move point 0"
+        pen.window.status_line.hint == "Click to close the curve · Alt: straight line · Drag to move point 0"
     )
 
 

@@ -18,9 +18,16 @@ from ...document.curve_edits import (
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
 from ...document.point_group import NO_POINTS, points_of
-from ...view_model.append import Appending, closed_by_pen, is_quick, view_with_point, with_point_appended
+from ...view_model.append import (
+    Appending,
+    closed_by_pen,
+    has_pulled_handle,
+    is_quick,
+    view_with_point,
+    with_point_appended,
+)
 from ...view_model.curve.curve_view import CurveView, view_of
-from ...view_model.point_kinds import closed_by_line, with_line_appended
+from ...view_model.point_kinds import closed_by_corner, with_corner_appended
 from ...view_model.reshape import inserted_index
 from ..add_points import (
     AppendPoint,
@@ -160,7 +167,7 @@ class AddTool(Tool):
         if self._pen.goes_on_at(hit, event.session):
             on_click = partial(self._go_on, index=hit.index)
         elif can_end_at(hit, event.view):
-            on_click = partial(self._close, by_line=event.pointer.alt)
+            on_click = partial(self._close, by_corner=event.pointer.alt)
         elif event.pointer.is_double and self._ends_at(hit, event.session):
             on_click = self._finish
         return press_on_part(event, hit, on_click)
@@ -186,14 +193,14 @@ class AddTool(Tool):
             key_of_curve=key_of(session),
         )
 
-    def _close(self, event: ToolEvent, *, by_line: bool) -> None:
+    def _close(self, event: ToolEvent, *, by_corner: bool) -> None:
         """Close the active curve, or say why it cannot be closed."""
         session, name = event.session, event.view.source.name
-        session.change(f"Close {name}", lambda _document: self._closed(event, by_line=by_line))
+        session.change(f"Close {name}", lambda _document: self._closed(event, by_corner=by_corner))
 
-    def _closed(self, event: ToolEvent, *, by_line: bool) -> Document:
+    def _closed(self, event: ToolEvent, *, by_corner: bool) -> Document:
         document, view = self._start(event)
-        close = closed_by_line if by_line else closed_by_pen
+        close = closed_by_corner if by_corner else closed_by_pen
         return close(document, event.session.active_index, view)
 
     def _start(self, event: ToolEvent) -> tuple[Document, CurveView]:
@@ -271,7 +278,7 @@ class AddTool(Tool):
             return None
         try:
             closed = view_of(
-                self._closed(event, by_line=event.pointer.alt).curves[event.session.active_index],
+                self._closed(event, by_corner=event.pointer.alt).curves[event.session.active_index],
                 self._preview,
             )
         except EditError:
@@ -290,7 +297,12 @@ class AddTool(Tool):
 
 def _appending(event: ToolEvent) -> Appending:
     """Return the edit of a click: with Alt a point after a straight line."""
-    return with_line_appended if event.pointer.alt else with_point_appended
+    return with_corner_appended if event.pointer.alt else with_point_appended
+
+
+def _alt_words(curve: Curve) -> str:
+    """Return the segment that a click with Alt makes."""
+    return "corner by the handle" if has_pulled_handle(curve) else "straight line"
 
 
 def _fresh(event: ToolEvent) -> Curve:
@@ -335,8 +347,8 @@ def _hint_on_part(
         if not view.source.family.curve_class.can_close:
             # A click says why, and which families can.
             return Hint(f"Drag to move point 0 · {view.source.family.subject} cannot be closed", grab=True)
-        line = " · Alt: by a straight line" if view.source.family.derivatives else ""
-        return Hint(f"Click to close the curve{line} · Drag to move point 0", grab=True)
+        corner = f" · Alt: {_alt_words(view.source)}" if view.source.family.derivatives else ""
+        return Hint(f"Click to close the curve{corner} · Drag to move point 0", grab=True)
     return hint_on_part(hit, view, dragged, pointer, snaps=snaps)
 
 
@@ -363,7 +375,7 @@ def _hint_beside(
     if not view.source.family.derivatives:
         drag = "On the curve: insert between neighbours"
     else:
-        drag = "Alt: straight segment · Drag to set its velocity"
+        drag = f"Alt: {_alt_words(view.source)} · Drag to set its velocity"
     parts = (what, finish, drag, "Ctrl: steps of 15°" if index else "", keys)
     return Hint(" · ".join(part for part in parts if part))
 
@@ -382,7 +394,9 @@ ADD = ToolRecord(
             needs_derivatives=True,
         ),
         GestureRow("Ctrl+click", "add a point at a multiple of 15° from the last one"),
-        GestureRow("Alt+click", "a corner after a straight line", needs_derivatives=True),
+        GestureRow(
+            "Alt+click", "a corner, by the handle that was pulled or a straight line", needs_derivatives=True
+        ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, even on the curve or if it is closed"),
         GestureRow("Enter, double click", "finish the curve; click either end to continue it"),
