@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -167,16 +168,15 @@ class MarksLayer(Layer):
 
     # Snapping, axis and ruler
 
-    def _paint_axis(self, painter: QPainter, pixel_map: PixelMap, through: Vector, axis: int) -> None:
-        x, y = pixel_map.point(*through)
-        if not _is_drawable(x, y):
+    def _paint_axis(self, painter: QPainter, pixel_map: PixelMap, through: Vector, along: Vector) -> None:
+        pixel = pixel_map.point(*through)
+        direction = QPointF(along[0], -along[1]) / (math.hypot(*along) or 1.0)
+        if not _is_drawable(*pixel):
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, all(along))
         painter.setPen(self._pen(style=Qt.PenStyle.DotLine))
-        if axis == 0:
-            painter.drawLine(QPointF(0, y), QPointF(pixel_map.width, y))
-        else:
-            painter.drawLine(QPointF(x, 0), QPointF(x, pixel_map.height))
+        reach = direction * (math.dist(pixel, (0.0, 0.0)) + pixel_map.width + pixel_map.height)
+        painter.drawLine(QPointF(*pixel) - reach, QPointF(*pixel) + reach)
 
     def _paint_snap(self, painter: QPainter, pixel_map: PixelMap, snap: Snap) -> None:
         target = pixel_map.point(*snap.position)

@@ -84,6 +84,25 @@ def reflection(axis: int, centre: Vector) -> Affine:
     return scaling(*((-1.0, 1.0) if axis == 0 else (1.0, -1.0)), centre)
 
 
+def reflection_about(start: Vector, end: Vector) -> Affine:
+    """Return the mirror image about the line through two positions; exact along the axes and at 45°.
+
+    Raises
+    ------
+    EditError
+        If they are the same.
+    """
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    longer = max(abs(dx), abs(dy))
+    if not longer:
+        raise EditError("The mirror line needs two different positions.")
+    # Scaled first, because the squares of small numbers underflow.
+    dx, dy = dx / longer, dy / longer
+    square = dx * dx + dy * dy
+    across = 2.0 * dx * dy / square
+    return Affine(-2.0 * dy * dy / square, across, across, -2.0 * dx * dx / square, start)
+
+
 def rotation(degrees: float, centre: Vector) -> Affine:
     """Return the rotation by `degrees`, counterclockwise, about `centre`; exact for quarter turns."""
     quarters, rest = divmod(degrees, 90.0)

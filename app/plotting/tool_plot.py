@@ -186,7 +186,8 @@ class ToolPlot(PlotWidget):
 
     def _released(self, pointer: Pointer) -> None:
         self.tools.release(pointer)
-        self._end_gesture()
+        if not self.tools.is_pressed:
+            self._end_gesture()
         x, y = pointer.pixel
         if 0 <= x <= self.pixel_map.width and 0 <= y <= self.pixel_map.height:
             self._hovered_at(pointer)

@@ -33,6 +33,10 @@ class EditingSelection(Protocol):
         """The curves that are selected as wholes."""
 
     @property
+    def target_curves(self) -> frozenset[int]:
+        """Target of actions on curves."""
+
+    @property
     def state(self) -> SelectionState:
         """The present selection."""
 

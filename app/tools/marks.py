@@ -54,7 +54,7 @@ class Marks(msgspec.Struct, frozen=True):
     note
         The amount of a transform, beside the pointer.
     axis
-        The locked axis (0 or 1) and a point on it.
+        A position on the locked axis, or on the mirror line, and its direction.
     preview_curve
         The curve as it would be with a point where the pen is.
     spot
@@ -75,7 +75,7 @@ class Marks(msgspec.Struct, frozen=True):
     snap: Snap | None = None
     ruler: Ruler | None = None
     note: Note | None = None
-    axis: tuple[Vector, int] | None = None
+    axis: tuple[Vector, Vector] | None = None
     preview_curve: CurveView | None = None
     spot: Vector | None = None
     line: tuple[Vector, ...] = ()

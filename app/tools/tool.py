@@ -215,6 +215,8 @@ class Gesture(msgspec.Struct, kw_only=True):
     ----------
     starts_at_press
         Whether it moves from the press on, and is never a click: the pen, whose effect is visible at once.
+    follows_click
+        Whether it goes on after a click, follows the pointer without a button, and ends with the next one.
     scrolls_view
         Whether the view moves on where the pointer comes to the edge.
     on_click
@@ -224,6 +226,7 @@ class Gesture(msgspec.Struct, kw_only=True):
     """
 
     starts_at_press: ClassVar[bool] = False
+    follows_click: ClassVar[bool] = False
     scrolls_view: ClassVar[bool] = True
     on_click: Callable[[ToolEvent], object] | None = None
     pressed_at: Vector = (0.0, 0.0)

@@ -156,6 +156,9 @@ class Toolbox:
         """End the gesture: a drag where it has moved, else a click."""
         if pointer != self._pointer:
             self.move(pointer)
+        if self._gesture is not None and self._gesture.follows_click and not self._gesture.has_moved:
+            self._is_buttonless = self._gesture.has_moved = True
+            return
         gesture = self._end()
         if gesture is not None and gesture.has_moved:
             gesture.release(self.event)

@@ -475,7 +475,7 @@ class Transform(TypedDrag, kw_only=True):
             pivot=event.box.pivot if self.kind is TransformKind.MOVE else self.centre,
             snap=event.snapping.caught,
             note=_note(event, self),
-            axis=(self.centre, self.axis) if is_axis_drawn and self.axis is not None else None,
+            axis=(self.centre, along_axis((1.0, 1.0), self.axis)) if is_axis_drawn else None,
         )
 
 

@@ -8,12 +8,13 @@ from typing import NamedTuple, TypeVar
 from ...actions.declaration import Action, action, action_for_each, also_for_each, switch
 from ...actions.menus import ARRANGE_BOX, ARRANGE_TRANSFORM, CURVE_MENU, TRANSFORM_BUTTONS
 from ...actions.needs import CURVE_WITH_POINTS, Need
-from ...document.model import Vector
+from ...document.model import Axis, Vector
 from ...document.several_curves import transform_group
 from ...document.transforms import Affine, reflection, rotation
 from ...document.words import number
 from ...state.window_state import WindowState
 from ...tools.box import TransformKind
+from ...tools.canvas.mirror import MIRROR_RESULT, MirrorResult, mirror_about_axis
 from ...workbench.context import WindowContext
 from .align_commands import AlignCommands
 from .panel_commands import TransformPanelCommands
@@ -82,6 +83,13 @@ _BOX = Need(
     lambda state: state.active_selected_count > 1 or state.whole_count > 0,
 )
 
+_MIRRORED = {MirrorResult.COPY: "a Copy ", MirrorResult.IN_PLACE: ""}
+
+
+def _result(state: WindowState) -> MirrorResult:
+    return state.tool_settings.value(MIRROR_RESULT)
+
+
 _Amount = TypeVar("_Amount", int, float)
 
 
@@ -138,6 +146,22 @@ class SelectionCommands:
     @also_for_each(lambda flip: (CURVE_MENU(16 + flip.axis), TRANSFORM_BUTTONS(10 + flip.axis)))
     def _flip(self, flip: _Flip) -> None:
         self._map(f"Flip {{}} {flip.direction}", reflection, flip.axis)
+
+    @action_for_each(
+        [*Axis],
+        lambda axis: Action(
+            f"mirror{axis.upper()}Axis",
+            f"Mirror about the {axis} Axis",
+            ARRANGE_TRANSFORM,
+            icon="mirror",
+            title=lambda state: f"Mirror {_MIRRORED[_result(state.window)]}about the {axis} Axis",
+            tip=f"Mirror the selection about the {axis} axis; as a copy or in place, like the Mirror tool",
+            needs=CURVE_WITH_POINTS,
+            keywords="flip reflect symmetry copy",
+        ),
+    )
+    def _mirror(self, axis: Axis) -> None:
+        mirror_about_axis(self._session, self._target, _result(self._context.store.state), axis)
 
     @action_for_each(
         _TURNS,

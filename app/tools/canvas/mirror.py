@@ -1,0 +1,214 @@
+"""The tool that mirrors the selection about a line, by two clicks or a drag; in place or as a copy."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ...document import words
+from ...document.limits import EditError
+from ...document.model import Axis, Document, Vector
+from ...document.point_group import NO_POINTS, PointGroup
+from ...document.selection import SelectionState
+from ...document.several_curves import duplicate_curves, name_or_count, transform_group, whole_curves
+from ...document.transforms import reflection_about
+from ...document.words import NamedEnum
+from ...view_model.settings import ChoiceSetting
+from ..box import SelectionBox
+from ..editing_session import EditingSession
+from ..marks import Marks
+from ..offsets import minus
+from ..pointer import SNAP_KEY, STEP_KEYS, Hint, Pointer
+from ..snapping import Snapper, stepped_from
+from ..tool import Drag, GestureRow, Tool, ToolEvent, ToolRecord
+
+_AXES = {"x": Axis.X, "y": Axis.Y}
+
+
+_ONE_POSITION = "Click another position: the mirror line goes through two."
+
+
+class MirrorResult(NamedEnum):
+    """Whether mirror images are copies, or take the place of the original."""
+
+    COPY = "copy", "Copy"
+    IN_PLACE = "in_place", "In Place"
+
+
+MIRROR_RESULT = ChoiceSetting(
+    "mirrorBox",
+    "Mirror",
+    MirrorResult.COPY,
+    tip="Mirror a copy of the curves, or the selection itself",
+    stored_as="mirror/result",
+)
+
+
+class _Subject(NamedTuple):
+    """What is mirrored: points of the document, or of copies in it; and the selection from then on."""
+
+    document: Document
+    group: PointGroup
+    selects: SelectionState | None = None
+
+
+def _label(session: EditingSession, box: SelectionBox, result: MirrorResult) -> str:
+    """Return the label of what is mirrored, "a copy of Leaf" or "all 5 points".
+
+    Raises
+    ------
+    EditError
+        If nothing is selected, or in place a part of it is locked.
+    """
+    if box.is_nothing or (result is MirrorResult.IN_PLACE and box.refusal_of_keys):
+        raise EditError(box.refusal_of_keys)
+    if result is MirrorResult.IN_PLACE:
+        return box.words
+    curves = session.selected.target_curves
+    return f"{'a copy' if len(curves) == 1 else 'copies'} of {name_or_count(session.document, curves)}"
+
+
+def _subject(session: EditingSession, box: SelectionBox, result: MirrorResult) -> _Subject:
+    """Return the points that flips act on, or copies of the whole curves that they are of."""
+    document, selected = session.document, session.selected
+    if result is MirrorResult.IN_PLACE:
+        return _Subject(document, box.for_keys)
+    copied, copies = duplicate_curves(document, selected.target_curves)
+    chosen, is_editing = frozenset(copies), selected.is_editing and len(copies) == 1
+    whole = frozenset[int]() if is_editing else chosen
+    selects = SelectionState(copies[-1], NO_POINTS, chosen, whole, is_editing)
+    return _Subject(copied, whole_curves(copied, copies), selects)
+
+
+def mirror_about_axis(session: EditingSession, box: SelectionBox, result: MirrorResult, axis: Axis) -> None:
+    """Mirror the selection about the x axis or the y axis of the plane."""
+    by = reflection_about((0.0, 0.0), (1.0, 0.0) if axis is Axis.X else (0.0, 1.0))
+    try:
+        text = f"Mirror {_label(session, box, result)} about the {axis} axis"
+        document, group, selects = _subject(session, box, result)
+        session.preview(transform_group(document, group, by), selects=selects)
+    except EditError as reason:
+        session.refuse(str(reason))
+        return
+    if session.commit(session.document, text):
+        session.say(f"{group.remark or text.replace('Mirror', 'Mirrored', 1)}.")
+
+
+class MirrorLine(Drag, kw_only=True):
+    """A line from the press to the pointer, about which the selection is mirrored.
+
+    A click sets the first position; then it follows the pointer until the next click.
+
+    Attributes
+    ----------
+    group, label
+        The points that are mirrored, and what they are.
+    start
+        The first position.
+    """
+
+    follows_click = True
+    group: PointGroup
+    label: str
+    start: Vector
+    snapper: Snapper
+    refusal: str = _ONE_POSITION
+
+    keys = f"click or release: done · {STEP_KEYS} · {SNAP_KEY}"
+
+    def _end(self, pointer: Pointer) -> Vector:
+        return stepped_from(self.start, pointer, self.snapper)
+
+    def move(self, event: ToolEvent) -> None:
+        """Preview the mirror image, as soon as there is a line."""
+        if self._end(event.pointer) != self.start:
+            super().move(event)
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the mirror image about the line to the pointer."""
+        by = reflection_about(self.start, self._end(pointer))
+        return transform_group(self.document, self.group, by)
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Mirror a copy of Leaf"."""
+        return f"Mirror {self.label}"
+
+    @property
+    def remark(self) -> str:
+        """The locked part of the selection."""
+        return self.group.remark
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return what is mirrored, and the direction of the line."""
+        line = words.direction(minus(self._end(pointer), self.start))
+        return f"{self.undo_text(pointer)} about a line at {line}"
+
+    def marks(self, event: ToolEvent) -> Marks:
+        """Return the mirror line, and the snap of its end."""
+        along = minus(self._end(event.pointer), self.start)
+        return Marks(axis=(self.start, along), spot=self.start, snap=event.snapping.caught)
+
+
+class MirrorTool(Tool):
+    """Tool that mirrors the selection about a line."""
+
+    hits = frozenset()
+    edits_points = False
+
+    def press(self, event: ToolEvent) -> MirrorLine:
+        """Begin the mirror line here."""
+        session, box, result = event.session, event.box, event.value(MIRROR_RESULT)
+        label, snapper = _label(session, box, result), event.snapping.for_new_point(-1)
+        document, group, selects = _subject(session, box, result)
+        return MirrorLine(
+            document=document,
+            selects=selects,
+            group=group,
+            label=label,
+            start=snapper.at(event.pointer),
+            snapper=snapper,
+        )
+
+    def wants_key(self, event: ToolEvent, key: str) -> bool:
+        """Return whether a key names an axis to mirror about."""
+        return key in _AXES
+
+    def key(self, event: ToolEvent, key: str) -> bool:
+        """Mirror about the x axis or the y axis."""
+        if key not in _AXES:
+            return super().key(event, key)
+        mirror_about_axis(event.session, event.box, event.value(MIRROR_RESULT), _AXES[key])
+        return True
+
+    def hover(self, event: ToolEvent) -> Hint:
+        """Return the hint, and preview the snap."""
+        event.preview_snap(-1)
+        try:
+            label = _label(event.session, event.box, event.value(MIRROR_RESULT))
+        except EditError as reason:
+            return Hint(str(reason))
+        return Hint(
+            f"Click two positions of a line, or drag along it, to mirror {label} · X, Y: about that axis · "
+            f"Edit › Tools: copy or in place · {SNAP_KEY}"
+        )
+
+
+MIRROR = ToolRecord(
+    name="mirror",
+    make=MirrorTool,
+    hint="Click two positions of the mirror line; V or Escape returns to Select.",
+    doing="mirroring",
+    gestures=(
+        GestureRow("Click twice, or drag", "mirror about the line; Ctrl or Shift: 15° steps"),
+        GestureRow("X, Y", "mirror about the x axis, the y axis"),
+        GestureRow("Escape", "cancel the line"),
+    ),
+    rank=28,
+    action="mirrorTool",
+    title="Mirror",
+    full_name="Mirror Tool",
+    key="Shift+M",
+    icon="mirror",
+    tip="Mirror the selection about a line through two positions, as a copy or in place",
+    keywords="reflect flip symmetry half",
+    settings=(MIRROR_RESULT,),
+)
