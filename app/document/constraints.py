@@ -231,11 +231,11 @@ HAND_DRAWN_ANGLE = math.radians(5)
 """Largest angle to a straight line at which a handle drawn by hand is meant to continue the line."""
 
 
-def tied_to_straight_segment(curve: Curve, index: int) -> Point:
-    """Return point `index` of a curve, tied if its handle nearly continues a straight segment beside it."""
+def tied_to_straight_segment(curve: Curve, index: int, angle: float = HAND_DRAWN_ANGLE) -> Point:
+    """Return point `index` of a curve, tied if its handle continues a straight segment, up to an angle."""
     point = curve.points[index]
     before, after = point.velocity, point.velocity_after
-    if before is None or after is None or angle_between(before, after) > HAND_DRAWN_ANGLE:
+    if before is None or after is None or angle_between(before, after) > angle:
         return point
     if not (any(before) and any(after)):
         # A retracted handle has no direction to continue the line in.

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from ..document.constraints import tie_if_parallel
+from ..document.constraints import PARALLEL, tie_if_parallel
 from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
@@ -84,7 +84,7 @@ def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
     if curve.family.derivatives and (lines := [*_bridges(parts, waits)]):
-        curve = with_straight_segments(view_of(curve), lines)
+        curve = with_straight_segments(view_of(curve), lines, PARALLEL)
     residual = _residual_of(views, view_of(curve), shifts)
     _refuse_another_shape(views, residual)
     return Joined(curve, residual, seams=frozenset(seams))

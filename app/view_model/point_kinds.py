@@ -20,6 +20,7 @@ from msgspec.structs import replace
 from curvecore.arrays import BoolArray, IntArray
 
 from ..document.constraints import (
+    HAND_DRAWN_ANGLE,
     ends_of,
     is_straight_beside,
     tie,
@@ -211,8 +212,13 @@ def jolts_of(view: CurveView) -> list[int]:
 # Straight segments and retracted handles
 
 
-def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
-    """Return the curve with these segments straight, and nothing else changed.
+def with_straight_segments(
+    view: CurveView, segments: Collection[int], angle: float = HAND_DRAWN_ANGLE
+) -> Curve:
+    """Return the curve with these segments straight, and corners at their ends.
+
+    A smooth point whose tangent is in line with one, up to an angle, keeps it: it is tied to the line.
+    Nothing else changes.
 
     Raises
     ------
@@ -224,7 +230,12 @@ def with_straight_segments(view: CurveView, segments: Collection[int]) -> Curve:
     refuse_without_curve(view)
     corners = [index for index in corners_of(view.source, segments) if not view.source.points[index].tied]
     cornered = with_corners(view, corners) if corners else view.source
-    return straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
+    curve = straighten(Document((cornered,)), 0, segments, view.parameters.tolist()).curves[0]
+    points = list(curve.points)
+    for index in corners:
+        if not view.source.points[index].corner:
+            points[index] = tied_to_straight_segment(curve, index, angle)
+    return replace(curve, points=tuple(points))
 
 
 def with_corner_appended(document: Document, curve: int, view: CurveView, position: Vector) -> Document:

@@ -77,6 +77,40 @@ def test_two_neighbours_and_the_key(drawn):
         assert bow.session.document.curves[0] == before.source, family
 
 
+def test_a_smooth_point_keeps_a_tangent_that_is_in_line(drawn):
+    """It became a corner, and the next drag of its handle made a kink."""
+    for family in WITH_VELOCITIES:
+        bow = drawn(family)
+        for degrees, tied in ((0.0, True), (2.0, True), (15.0, False)):
+            document = bow.session.committed
+            bow.select([1])
+            # In line with the segment from (1, 2) to (3, 2.5), as a person drags it.
+            along = np.array([2.0, 0.5]) / np.hypot(2.0, 0.5)
+            turn = np.deg2rad(degrees)
+            x, y = along * np.cos(turn) + np.array([-along[1], along[0]]) * np.sin(turn)
+            bow.drag_handle((1 + 0.9 * x, 2 + 0.9 * y))
+            before = bow.session.active_view
+            bow.select([1, 2])
+            bow.trigger("straightSegment")
+            after = bow.session.active_view
+            point = bow.curve.points[1]
+            assert distance_from_chord(after, 1) < 1e-14
+            assert point.tied == tied, (family, degrees)
+            assert bow.status.startswith(
+                "Straight segment 1–2, corner at point 2, tangent at point 1."
+                if tied
+                else "Straight segment 1–2, corner at points 1 and 2."
+            )
+            # The other side is as long as it was, and in line with the segment.
+            was, now = (view.velocity_of(1, ahead=False) for view in (before, after))
+            assert np.hypot(*now) == pytest.approx(np.hypot(*was))
+            if tied:
+                assert np.array(now) / np.hypot(*now) == pytest.approx(along)
+            else:
+                assert now == pytest.approx(was)
+            bow.session.commit(document, "Again", active=0)
+
+
 def test_an_end_gets_no_corner(drawn):
     for family in WITH_VELOCITIES:
         bow = drawn(family)

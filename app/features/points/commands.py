@@ -104,7 +104,7 @@ class TangentCommands:
     )
     @also(POINT_MENU(15), POINT_BUTTONS(15))
     def _straighten_selected(self) -> None:
-        """Make the segments between neighbouring selected points straight, with corners at their ends."""
+        """Make the segments between neighbouring selected points straight; tangents in line stay."""
         session, curves = self._session, self._session.document.curves
         segments = group_points(
             (curve, frozenset(segments_between(curves[curve], indices)))
@@ -160,16 +160,20 @@ class TangentCommands:
         text = _segments_text(before, segments)
         if not self._change(text, with_straight_segments, segments, "The segment is already straight."):
             return
-        after, corners, ends = self._session.document.curves, [], []
+        after, corners, tangents, ends = self._session.document.curves, [], [], []
         for curve, indices in segments.parts:
             new_corners = frozenset(corners_of(before[curve], sorted(indices)))
-            untied = frozenset(index for index in new_corners if not after[curve].points[index].tied)
-            corners.append((curve, untied))
+            tied = frozenset(index for index in new_corners if after[curve].points[index].tied)
+            corners.append((curve, new_corners - tied))
+            tangents.append((curve, tied))
             both_ends = (ends_of(before[curve], segment) for segment in indices)
             ends.append((curve, frozenset(chain.from_iterable(both_ends))))
-        cornered = group_points(corners)
-        at_corners = f", corner at {cornered.names}" if cornered.parts else ""
-        self._report(f"{text}{at_corners}.", before, group_points(ends))
+        kinds = [
+            f", {kind} at {group.names}"
+            for kind, points in (("corner", corners), ("tangent", tangents))
+            if (group := group_points(points)).parts
+        ]
+        self._report(f"{text}{''.join(kinds)}.", before, group_points(ends))
 
     def _reshape(self, verb: str, reshape: _Reshape, group: PointGroup, idle: str = "") -> bool:
         """Replace curves by those that `reshape` returns for some of their points.
