@@ -123,7 +123,7 @@ def _click_words(event: ToolEvent, hit: Hit, *, is_selected: bool) -> str:
         click = f"Click: grips that {grips} · " if _turns_grips(event, hit) else ""
         edit = f"Double-click to edit “{name}” · "
         return f"{click}{edit}Shift: one axis, a click removes it from the selection"
-    later = "" if is_editing else ", double-click to edit it"
+    later = f", double-click to {'insert a point' if is_editing else 'edit it'}"
     return f"click to {_verb(session)} it{later} · Shift+click: add it to the selection"
 
 

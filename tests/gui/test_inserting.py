@@ -7,6 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import rule_edits
@@ -61,14 +62,53 @@ def test_a_double_click_on_the_line_inserts_a_point(editor):
     assert "shape kept" in editor.status.lower()
 
 
-def test_two_clicks_at_different_positions_insert_nothing(editor):
-    begin(editor, make_curve(BOW, family=HERMITE), make_curve([(0, 4), (3, 5), (6, 4)], name="Other"))
+def test_a_double_click_with_shift_inserts_nothing(editor):
+    begin(editor, make_curve(BOW, family=HERMITE))
     editor.double_click(on_line(editor, 1), keys=SHIFT)
     assert len(editor.curve.points) == 5
-    # The first click goes to the other curve, which was not edited: the second one changes nothing.
-    editor.double_click(tuple(editor.session.views[1].curve.evaluate(0.2).tolist()))
+
+
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE, LAGRANGE])
+def test_a_double_click_inserts_a_point_on_any_curve(editor, family):
+    """On a curve that was not edited it did nothing but edit it."""
+    other = make_curve([(0, 4), (3, 5), (6, 4)], name="Other", family=family)
+    begin(editor, make_curve(BOW, family=HERMITE), other)
+    editor.select([1, 2])
+    place = tuple(editor.session.views[1].curve.evaluate(0.2).tolist())
+    editor.hover(place)
+    assert "click to edit it, double-click to insert a point" in editor.status
+    before, steps = editor.session.views[1], editor.session.undo_stack.count()
+    editor.double_click(place)
     assert editor.session.active_index == 1
-    assert [len(curve.points) for curve in editor.session.document.curves] == [5, 3]
+    assert [len(curve.points) for curve in editor.session.document.curves] == [5, 4]
+    assert editor.session.selected.points == {1}
+    assert editor.curve.points[1].position == pytest.approx(place, abs=0.05)
+    shape = before.curve.evaluate(np.linspace(*before.curve.domain, 301))
+    assert drawn(editor) == pytest.approx(shape, abs=1e-9)
+    assert editor.session.undo_stack.count() == steps + 1
+    editor.trigger("undo")
+    assert editor.session.document.curves[1] == other
+    # Two clicks far apart are no double click.
+    editor.session.selected.activate(0)
+    editor.click(place)
+    assert editor.session.active_index == 1
+    editor.double_click(tuple(editor.session.views[0].curve.evaluate(0.3).tolist()))
+    assert [len(curve.points) for curve in editor.session.document.curves] == [6, 3]
+
+
+def test_a_double_click_inserts_nothing_on_curves_that_are_locked_or_selected_as_wholes(editor):
+    locked = replace(make_curve([(0, 4), (3, 5), (6, 4)], name="Other"), locked=True)
+    begin(editor, make_curve(BOW, family=HERMITE), locked)
+    editor.double_click(tuple(editor.session.views[1].curve.evaluate(0.2).tolist()))
+    assert editor.session.document.curves[1] == locked
+    # While none is edited, a double click edits one, as its hint says; the next one inserts.
+    editor.session.selected.select_whole([])
+    place = on_line(editor, 1)
+    editor.double_click(place)
+    assert editor.session.selected.is_editing
+    assert len(editor.curve.points) == 5
+    editor.double_click(place)
+    assert len(editor.curve.points) == 6
 
 
 def is_as_told(editor, before):

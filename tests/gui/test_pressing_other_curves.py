@@ -54,7 +54,10 @@ def test_a_drag_on_another_curve_moves_the_whole_curve_without_editing(three, at
 def test_the_hint_before_the_press_names_the_other_curve(three):
     line, at = three.window.status_line, on_curve(three, 2)
     three.hover(at)
-    assert line.hint == "Drag to move “C” · click to edit it · Shift+click: add it to the selection"
+    assert line.hint == (
+        "Drag to move “C” · click to edit it, double-click to insert a point · "
+        "Shift+click: add it to the selection"
+    )
     assert three.window.canvas.viewport().cursor().shape() == Qt.CursorShape.SizeAllCursor
     three.move(at, held=False, keys=SHIFT)
     assert line.hint == "Drag to move “C” along one axis · click to add it to the selection"

@@ -67,6 +67,8 @@ class SelectTool(Tool):
         event = activate_pressed(event)
         hit, grip = event.hit, _grip_at(event)
         if hit is not None and hit.part is Part.OTHER_CURVE and not hit.inside:
+            if event.session.selected.is_editing:
+                self._pressed = (event.session.views[hit.index], hit)
             return press_on_curve(event, hit)
         if hit is not None and not _is_below_grips(hit):
             return press_on_part(event, hit, toggling_kind(event, hit))
@@ -89,7 +91,10 @@ class SelectTool(Tool):
         if not pointer.is_double or pointer.shift or pointer.ctrl or pointer.alt or pressed is None:
             return None
         view, hit = pressed
-        return hit if view is event.view else None
+        if hit.part is Part.OTHER_CURVE:
+            # The first click has made that curve the active one.
+            hit = event.hit if event.hit is not None and event.hit.part is Part.CURVE else hit
+        return hit if view is event.view and hit.part is Part.CURVE else None
 
     @staticmethod
     def _is_on_pivot(event: ToolEvent) -> bool:
@@ -277,7 +282,7 @@ SELECT = ToolRecord(
         GestureRow(
             "Drag another curve", "move the whole curve; select it if none is edited; Ctrl, Shift: one axis"
         ),
-        GestureRow("Click another curve", "edit it"),
+        GestureRow("Click another curve", "edit it; double click: insert a point"),
         GestureRow("Shift+click another curve", "add to or remove from the selection"),
         GestureRow("With no curve edited", "a click selects a curve, a double click or Enter edits it"),
         GestureRow("Ctrl+click, no curve edited", "select a shape without its group"),
