@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
@@ -186,6 +186,7 @@ class JointsPanel(FollowsTheme, QWidget):
         super().__init__(parent)
         self.setObjectName("jointsPanel")
         self._model = JointsModel(self)
+        self._t_text: Callable[[float, str], str] = lambda t, _mark: str(t)
         self.view = JointsView(self._model)
         self._summary = Label(name="jointsSummary", label="Summary of the joints", wordWrap=True)
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -215,8 +216,9 @@ class JointsPanel(FollowsTheme, QWidget):
         """Rows of the table."""
         return list(self._model.rows)
 
-    def render_certificate(self, certificate: Certificate) -> None:
-        """Show a certificate; without joints only its summary."""
+    def render_certificate(self, certificate: Certificate, t_text: Callable[[float, str], str]) -> None:
+        """Show a certificate, with parameters written by `t_text`; without joints only its summary."""
+        self._t_text = t_text
         self._model.render(certificate.rows)
         has_rows = bool(certificate.rows)
         # The worst of all joints; kinds are listed from smooth to broken.
@@ -248,7 +250,7 @@ class JointsPanel(FollowsTheme, QWidget):
             self._detail.setText(_HOW)
             return
         row = self._model.rows[row_number]
-        t = number(row.t, 4, decimal_mark())
+        t = self._t_text(row.t, decimal_mark())
         # Only a closed curve has a joint at its first point.
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
         facts = " · ".join(filter(None, (row.smoothness, row.measured)))
