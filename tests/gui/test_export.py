@@ -381,6 +381,29 @@ def test_the_name_typed_decides_the_format(ending, typed, written, format_ending
     assert with_ending(Path("folder", typed), form) == Path("folder", written)
 
 
+def test_the_automatic_tolerance_says_its_number(editor, tmp_path, monkeypatch):
+    """5e-5 of the longer side, rounded down to one digit; with a unit at most 0.01 mm."""
+    points = [(0.0, 0.0), (3.0, 4.0), (9.0, 1.0)]
+    editor.session.change("Draw", lambda _: Document((make_curve(points, family=QUINTIC_HERMITE),)))
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    field = dialog.form.fields["tolerance"].widget
+    assert field.text() == "automatic (0.0004)"
+    text = export(editor, dialog, tmp_path / "a.svg", monkeypatch).read_text(encoding="utf-8")
+    assert "(tolerance 0.0004)" in text
+    dialog = measured(editor, "m")
+    field = dialog.form.fields["tolerance"].widget
+    assert field.text() == "automatic (1e-05)"
+    for typed, shown in (("0.5", "0.5"), ("Automatic", "automatic (1e-05)")):
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, typed)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        assert field.text() == shown
+    dialog.close()
+
+
 def test_a_csv_typed_under_tsv_is_a_csv(editor, dialog, tmp_path, monkeypatch):
     choose_format(dialog, ".tsv")
     path = export(editor, dialog, tmp_path / "path.csv", monkeypatch)
