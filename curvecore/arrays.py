@@ -147,6 +147,18 @@ def point_array(points: ArrayLike) -> FloatArray:
     return data_array(points, "points")
 
 
+def rows_or_nan(values: ArrayLike, name: str, shape: tuple[int, ...]) -> FloatArray:
+    """Check rows of numbers, (n, dim), each of which is finite, or NaN throughout where nothing is given."""
+    array = number_array(values, name)
+    if array.shape != shape:
+        raise CurveError(f"{name} must have the shape {shape}, not {array.shape}")
+    is_usable = np.isfinite(array).all(axis=1) | np.isnan(array).all(axis=1)
+    if not is_usable.all():
+        i = int(np.argmin(is_usable))
+        raise CurveError(f"{name}[{i}] must be finite, or NaN throughout, not {array[i].tolist()}", (i,))
+    return array
+
+
 def stacked_jets(points: ArrayLike, **derivatives: ArrayLike) -> FloatArray:
     """Check points and derivatives by their names, each (n, dim); return them as jets, (n, R, dim)."""
     position = point_array(points)

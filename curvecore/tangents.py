@@ -1,7 +1,18 @@
-"""Rules that estimate velocities, accelerations and jerks from the points alone.
+"""Rules that estimate velocities, accelerations and jerks from the points, and from what is set.
 
 All results are per unit of t of the given parameters. Two points always give
 the straight line at constant velocity.
+
+What is set is given to the rule. The natural spline has one equation for each
+velocity, that of continuous c'' or of a natural end, and a velocity that is set
+replaces its own equation, as at a clamped end [1]_. So the spline is twice
+continuously differentiable wherever nothing is set, and the estimates are linear
+in the points and in what is set, d_r = E_r p + F_r s. Accelerations are the c'' of
+the cubics with these velocities, at a velocity that is set the mean of both sides;
+jerks are slopes of the accelerations, set or estimated, and neither has an effect on
+derivatives of lower order. As no other equation depends on what is set, setting a
+derivative to its estimate changes nothing. Local rules estimate from the points, and
+their velocities at an end from the neighbour's velocity, set or estimated.
 
 References
 ----------
@@ -24,14 +35,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arithmetic import SMALLEST
-from curvecore.arrays import FloatArray, parameter_array, point_array, read_only
+from curvecore.arrays import BoolArray, FloatArray, parameter_array, point_array, read_only, rows_or_nan
 from curvecore.errors import CurveError
 from curvecore.families.cubic_spline import solve_dominant
 from curvecore.parametrization import Spaced, relative_spacing
 
 _Arguments = ParamSpec("_Arguments")
 _FEW = 48  # segments, up to which a spline under a hand, its parameters at rest, is a matrix that is kept
-_Linear: TypeAlias = Callable[[FloatArray, FloatArray], FloatArray]
+_Linear: TypeAlias = Callable[[FloatArray, FloatArray, BoolArray | None], FloatArray]
 
 
 def in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, FloatArray]:
@@ -69,10 +80,15 @@ class Steps(NamedTuple):
 
 
 def steps_of(points: ArrayLike, parameters: ArrayLike) -> Steps:
-    """Check points, (n, dim), and parameters, (n,), and return their differences."""
+    """Check points, (n, dim), and parameters, (n,), and return their differences.
+
+    A distance of 0, which `Spaced` parameters may have between two rows of one point, is a break: there one
+    spline ends and the next one begins. Its slope is 0.
+    """
     positions = point_array(points)
     if isinstance(parameters, Spaced):
-        return differences(positions, parameters.spacing)
+        h, change = parameters.spacing[:, None], positions[1:] - positions[:-1]
+        return Steps(h, np.divide(change, h, out=np.zeros_like(change), where=h > 0.0))
     return differences(positions, np.diff(parameter_array(parameters, len(positions))))
 
 
@@ -123,11 +139,14 @@ def finite_difference_velocities(points: ArrayLike, parameters: ArrayLike) -> Fl
 
 
 @in_range
-def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
+def bessel_velocities(
+    points: ArrayLike, parameters: ArrayLike, *, velocities: ArrayLike | None = None
+) -> FloatArray:
     """Return the velocities of the parabolas through three neighbouring points.
 
-    At the ends the parabola of the first or last three points is used.
-    Exact for parabolas; see [1]_ of the module, chapter IV, (9).
+    At the ends the parabola with the end chord and the neighbour's velocity, that
+    of the first or last three points unless that velocity is set. Exact for
+    parabolas; see [1]_ of the module, chapter IV, (9).
 
     Parameters
     ----------
@@ -135,6 +154,8 @@ def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
         p_i; n >= 2.
     parameters : array_like, shape (n,)
         t_i, strictly increasing.
+    velocities : array_like, shape (n, dim), optional
+        Velocities that are set, per unit of t, and NaN in the rows of the others.
 
     Returns
     -------
@@ -157,7 +178,7 @@ def bessel_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
     [[0.0], [2.0], [6.0]]
     """
     steps = steps_of(points, parameters)
-    return _with_ends(_parabola_velocities(steps), steps.slope)
+    return _with_ends(_parabola_velocities(steps), steps.slope, velocities)
 
 
 def _parabola_velocities(steps: Steps) -> FloatArray:
@@ -167,16 +188,32 @@ def _parabola_velocities(steps: Steps) -> FloatArray:
     return slope[:-1] + h[:-1] / (h[:-1] + h[1:]) * (slope[1:] - slope[:-1])
 
 
-def _with_ends(inner: FloatArray, slope: FloatArray) -> FloatArray:
-    """Add the velocities at both ends, of the parabola with the end chord and the neighbour's velocity."""
-    # For two points these are the only velocities, and both are the slope.
-    near = inner if len(inner) else slope
-    return np.concatenate((2.0 * slope[:1] - near[:1], inner, 2.0 * slope[-1:] - near[-1:]))
+def _with_ends(inner: FloatArray, slope: FloatArray, velocities: ArrayLike | None) -> FloatArray:
+    """Return velocities with those set, and at free ends that of the parabola with the end chord.
+
+    That parabola has the velocity of the end's neighbour.
+    """
+    # Of two points neither has another neighbour: the slope stands for an estimate of the other velocity.
+    result = np.concatenate((slope[:1], inner, slope[-1:]))
+    given = _given(velocities, result.shape)
+    is_free = np.ones(len(result), dtype=np.bool_) if given is None else ~given.is_set
+    if given is not None:
+        result = np.where(is_free[:, None], result, given.rows)
+    ends = 2.0 * slope[[0, -1]] - result[[1, -2]]
+    for end in (0, -1):
+        if is_free[end]:
+            result[end] = ends[end]
+    return result
 
 
 @in_range
 def catmull_rom_velocities(
-    points: ArrayLike, parameters: ArrayLike, alpha: float = 0.5, *, knots_of: ArrayLike | None = None
+    points: ArrayLike,
+    parameters: ArrayLike,
+    alpha: float = 0.5,
+    *,
+    knots_of: ArrayLike | None = None,
+    velocities: ArrayLike | None = None,
 ) -> FloatArray:
     """Return Catmull-Rom velocities with knots spaced by distance ** alpha.
 
@@ -198,6 +235,8 @@ def catmull_rom_velocities(
     knots_of : array_like, shape (n, any), optional
         Points whose distances space the knots; those given, if left out. With it, the velocities are
         linear in the points, as those of the other rules are.
+    velocities : array_like, shape (n, dim), optional
+        Velocities that are set, per unit of t, and NaN in the rows of the others.
 
     Returns
     -------
@@ -227,11 +266,16 @@ def catmull_rom_velocities(
     knots = np.maximum(relative_spacing(apart, alpha, "Catmull-Rom"), SMALLEST)
     inner = _parabola_velocities(differences(positions, knots))
     inner *= (knots[:-1] + knots[1:])[:, None] / (h[:-1] + h[1:])
-    return _with_ends(inner, slope)
+    return _with_ends(inner, slope, velocities)
 
 
 def catmull_rom_changes(
-    points: ArrayLike, parameters: ArrayLike, moves: ArrayLike, alpha: float = 0.5
+    points: ArrayLike,
+    parameters: ArrayLike,
+    moves: ArrayLike,
+    alpha: float = 0.5,
+    *,
+    velocities: ArrayLike | None = None,
 ) -> FloatArray:
     """Return the effects of moves of the points on `catmull_rom_velocities` at fixed knots, exactly.
 
@@ -245,6 +289,8 @@ def catmull_rom_changes(
         Each column moves a coordinate of every point.
     alpha : float, optional
         At least 0; 0 uniform, 1/2 centripetal, 1 chordal knots.
+    velocities : array_like, shape (n, k), optional
+        Changes of the velocities that are set, and NaN in the rows of the others.
 
     Returns
     -------
@@ -262,15 +308,19 @@ def catmull_rom_changes(
     >>> catmull_rom_changes([[0], [1], [2]], [0, 1, 2], np.eye(3))[1, 0].round(9).tolist()
     [-0.5, 0.0, 0.5]
     """
-    return catmull_rom_velocities(moves, parameters, alpha, knots_of=points)[:, None]
+    changes = catmull_rom_velocities(moves, parameters, alpha, knots_of=points, velocities=velocities)
+    return changes[:, None]
 
 
 @in_range
-def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
-    """Return the velocities of the natural cubic spline.
+def natural_spline_velocities(
+    points: ArrayLike, parameters: ArrayLike, *, velocities: ArrayLike | None = None
+) -> FloatArray:
+    """Return the velocities of the natural cubic spline, or of the one with the velocities that are set.
 
-    The twice continuously differentiable piecewise cubic through the points
-    with c'' = 0 at both ends; O(n).
+    The piecewise cubic through the points that is twice continuously
+    differentiable at every joint where no velocity is set, with c'' = 0 at ends
+    without one; O(n).
 
     Parameters
     ----------
@@ -278,43 +328,68 @@ def natural_spline_velocities(points: ArrayLike, parameters: ArrayLike) -> Float
         p_i; n >= 2.
     parameters : array_like, shape (n,)
         t_i, strictly increasing.
+    velocities : array_like, shape (n, dim), optional
+        Velocities that are set, per unit of t, and NaN in the rows of the others.
 
     Returns
     -------
     ndarray, shape (n, dim)
-        Velocities per unit of t.
+        Velocities per unit of t; those set are as given.
 
     Raises
     ------
     CurveError
-        For points or parameters that are no curve's.
+        For points or parameters that are no curve's, or a row of `velocities` that is partly NaN.
 
     See Also
     --------
     bessel_velocities, catmull_rom_velocities, finite_difference_velocities : Other rules.
     natural_spline_accelerations : Its accelerations.
 
+    Notes
+    -----
+    With velocities set at both ends alone this is SciPy's ``CubicSpline`` with first derivatives for its
+    ``bc_type``. Setting a velocity to what it is estimated as changes no other one.
+
     Examples
     --------
+    >>> import numpy as np
     >>> from curvecore import natural_spline_velocities
     >>> natural_spline_velocities([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
     [[1.5], [0.0], [-1.5]]
+    >>> clamped = [[0], [np.nan], [np.nan]]
+    >>> natural_spline_velocities([[0], [1], [0]], [0, 1, 2], velocities=clamped).round(9).tolist()
+    [[0.0], [0.428571429], [-1.714285714]]
     """
     h, slope = steps_of(points, parameters)
-    return _applied(_natural_velocities, h, slope)
+    given = _given(velocities, (len(h) + 1, slope.shape[1]))
+    if given is None:
+        return _applied(_natural_velocities, h, slope, None)
+    return _applied(_natural_velocities, h, np.concatenate((slope, given.rows)), given.is_set)
 
 
-def _natural_velocities(h: FloatArray, slope: FloatArray) -> FloatArray:
-    share, zero, half = h[:-1] / (h[:-1] + h[1:]), np.zeros((1, 1)), np.full((1, 1), 0.5)
-    before = np.concatenate((zero, 0.5 * (1.0 - share), half))
-    after = np.concatenate((half, 0.5 * share, zero))
-    inner = 3.0 * (before[1:-1] * slope[:-1] + after[1:-1] * slope[1:])
-    return solve_dominant(before, after, np.concatenate((1.5 * slope[:1], inner, 1.5 * slope[-1:])))
+def _natural_velocities(h: FloatArray, data: FloatArray, is_set: BoolArray | None) -> FloatArray:
+    """Solve for the velocities; `data` are the slopes, and behind them what is set."""
+    left, right = _beside(h)
+    slope_before, slope_after = _beside(data[: len(h)])
+    # At an end, also at a break, all of the weight is on the only segment.
+    share = np.where((left > 0.0) & (right > 0.0), left / (left + right), left == 0.0)
+    before, after = 0.5 * (1.0 - share), 0.5 * share
+    right_side = 3.0 * (before * slope_before + after * slope_after)
+    if is_set is not None:
+        before[is_set] = after[is_set] = 0.0
+        right_side[is_set] = data[len(h) :][is_set]
+    return solve_dominant(before, after, right_side)
 
 
 @in_range
-def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
-    """Return the second derivatives of the natural cubic spline at the joints.
+def natural_spline_accelerations(
+    points: ArrayLike, parameters: ArrayLike, *, velocities: ArrayLike | None = None
+) -> FloatArray:
+    """Return the second derivatives at the joints of the cubic spline of `natural_spline_velocities`.
+
+    Where a velocity is set c'' jumps: the mean of both sides, of which the one with the shorter segment
+    counts more.
 
     Parameters
     ----------
@@ -322,16 +397,18 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
         p_i; n >= 2.
     parameters : array_like, shape (n,)
         t_i, strictly increasing.
+    velocities : array_like, shape (n, dim), optional
+        Velocities that are set, per unit of t, and NaN in the rows of the others.
 
     Returns
     -------
     ndarray, shape (n, dim)
-        Accelerations per unit of t squared; 0 at both ends.
+        Accelerations per unit of t squared; 0 at ends without a velocity that is set.
 
     Raises
     ------
     CurveError
-        For points or parameters that are no curve's.
+        For points or parameters that are no curve's, or a row of `velocities` that is partly NaN.
 
     See Also
     --------
@@ -340,37 +417,101 @@ def natural_spline_accelerations(points: ArrayLike, parameters: ArrayLike) -> Fl
 
     Examples
     --------
+    >>> import numpy as np
     >>> from curvecore import natural_spline_accelerations
     >>> natural_spline_accelerations([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
     [[0.0], [-3.0], [0.0]]
+    >>> clamped = [[0], [np.nan], [np.nan]]
+    >>> natural_spline_accelerations([[0], [1], [0]], [0, 1, 2], velocities=clamped).round(9).tolist()
+    [[5.142857143], [-4.285714286], [0.0]]
     """
     h, slope = steps_of(points, parameters)
-    return _applied(_natural_accelerations, h, slope[1:] - slope[:-1])
+    given = _given(velocities, (len(h) + 1, slope.shape[1]))
+    left, right = _beside(h)
+    if given is None:
+        return _applied(_natural_accelerations, h, _jumps(h, slope, 0.0), None)
+    # Where a velocity is set between two segments one spline ends, and another one begins.
+    rows = np.repeat(np.arange(len(left)), 1 + (given.is_set & (left > 0.0)[:, 0] & (right > 0.0)[:, 0]))
+    is_segment = (rows[1:] > rows[:-1])[:, None]
+    lengths = np.where(is_segment, h[rows[:-1].clip(max=len(h) - 1)], 0.0)
+    slopes = np.where(is_segment, slope[rows[:-1].clip(max=len(h) - 1)], 0.0)
+    jumps = _jumps(lengths, slopes, given.rows[rows])
+    bends = _applied(_natural_accelerations, lengths, jumps, given.is_set[rows])
+    last = np.searchsorted(rows, np.arange(len(left)), side="right") - 1
+    before, after = bends[np.searchsorted(rows, np.arange(len(left)))], bends[last]
+    return before + left / (left + right) * (after - before)
 
 
-def _natural_accelerations(h: FloatArray, bend: FloatArray) -> FloatArray:
-    length, zero = h[:-1] + h[1:], np.zeros((1, 1))
-    before = np.concatenate((zero, 0.5 * (h[:-1] / length), zero))
-    after = np.concatenate((zero, 0.5 * (h[1:] / length), zero))
-    none = np.zeros((1, bend.shape[1]))
-    return solve_dominant(before, after, np.concatenate((none, 3.0 * (bend / length), none)))
+def _jumps(h: FloatArray, slope: FloatArray, velocities: FloatArray | float) -> FloatArray:
+    """Return the jumps of the slopes at the joints; at ends and breaks those from or to the velocities."""
+    left, right = _beside(h)
+    before, after = _beside(slope)
+    return np.where(right > 0.0, after, velocities) - np.where(left > 0.0, before, velocities)
 
 
-def _applied(rule: _Linear, h: FloatArray, given: FloatArray) -> FloatArray:
-    """Return ``rule(h, given)``; for few segments by a matrix that is kept for those lengths h."""
+def _natural_accelerations(h: FloatArray, jumps: FloatArray, is_set: BoolArray | None) -> FloatArray:
+    """Solve for the accelerations; beyond an end whose velocity is set lies a segment of length 0."""
+    left, right = _beside(h)
+    length = left + right
+    is_natural = ((left == 0.0) | (right == 0.0))[:, 0]
+    if is_set is not None:
+        is_natural &= ~is_set
+    before, after, right_side = 0.5 * (left / length), 0.5 * (right / length), 3.0 * (jumps / length)
+    before[is_natural] = after[is_natural] = right_side[is_natural] = 0.0
+    return solve_dominant(before, after, right_side)
+
+
+class _Given(NamedTuple):
+    """Derivatives that are set.
+
+    Attributes
+    ----------
+    is_set : ndarray of bool, shape (n,)
+    rows : ndarray, shape (n, dim)
+        0 where nothing is set.
+    """
+
+    is_set: BoolArray
+    rows: FloatArray
+
+
+def _given(values: ArrayLike | None, shape: tuple[int, ...], name: str = "velocities") -> _Given | None:
+    """Return the derivatives that are set, of shape (n, dim); None where none is."""
+    if values is None:
+        return None
+    rows = rows_or_nan(values, name, shape)
+    is_set = ~np.isnan(rows[:, 0])
+    return _Given(is_set, np.where(is_set[:, None], rows, 0.0)) if is_set.any() else None
+
+
+def _beside(segments: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the values of the segments before and after each joint; 0 beyond the ends."""
+    none = np.zeros((1, segments.shape[1]))
+    return np.concatenate((none, segments)), np.concatenate((segments, none))
+
+
+def _applied(rule: _Linear, h: FloatArray, given: FloatArray, is_set: BoolArray | None) -> FloatArray:
+    """Return ``rule(h, given, is_set)``; for few segments by a matrix that is kept for those lengths h."""
     if len(h) > _FEW:
-        return rule(h, given)
-    return _matrix_of(rule, len(given), h.tobytes()) @ given
+        return rule(h, given, is_set)
+    return _matrix_of(rule, len(given), h.tobytes(), b"" if is_set is None else is_set.tobytes()) @ given
 
 
 @lru_cache(maxsize=16)
-def _matrix_of(rule: _Linear, count: int, lengths: bytes) -> FloatArray:
-    return read_only(rule(np.frombuffer(lengths)[:, None], np.eye(count)))
+def _matrix_of(rule: _Linear, count: int, lengths: bytes, is_set: bytes) -> FloatArray:
+    mask = np.frombuffer(is_set, dtype=np.bool_) if is_set else None
+    return read_only(rule(np.frombuffer(lengths)[:, None], np.eye(count), mask))
 
 
 @in_range
-def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray:
-    """Return the third derivatives of the natural cubic spline at the joints.
+def natural_spline_jerks(
+    points: ArrayLike,
+    parameters: ArrayLike,
+    *,
+    velocities: ArrayLike | None = None,
+    accelerations: ArrayLike | None = None,
+) -> FloatArray:
+    """Return the third derivatives at the joints of the cubic spline of `natural_spline_velocities`.
 
     Where that jumps, at all joints but the ends, the derivative of the parabola through three neighbouring
     accelerations: of the two sides the one with the shorter segment counts more.
@@ -381,6 +522,10 @@ def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray
         p_i; n >= 2.
     parameters : array_like, shape (n,)
         t_i, strictly increasing.
+    velocities : array_like, shape (n, dim), optional
+        Velocities that are set, per unit of t, and NaN in the rows of the others.
+    accelerations : array_like, shape (n, dim), optional
+        Accelerations that are set, and NaN in the rows of those of the spline.
 
     Returns
     -------
@@ -390,7 +535,7 @@ def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray
     Raises
     ------
     CurveError
-        For points or parameters that are no curve's.
+        For points or parameters that are no curve's, or a row of what is set that is partly NaN.
 
     See Also
     --------
@@ -402,8 +547,14 @@ def natural_spline_jerks(points: ArrayLike, parameters: ArrayLike) -> FloatArray
     >>> natural_spline_jerks([[0], [1], [0]], [0, 1, 2]).round(9).tolist()
     [[-3.0], [0.0], [3.0]]
     """
-    steps = steps_of(natural_spline_accelerations(points, parameters), parameters)
-    return np.concatenate((steps.slope[:1], _parabola_velocities(steps), steps.slope[-1:]))
+    bends = natural_spline_accelerations(points, parameters, velocities=velocities)
+    given = _given(accelerations, bends.shape, "accelerations")
+    if given is not None:
+        bends = np.where(given.is_set[:, None], given.rows, bends)
+    h, slope = steps_of(bends, parameters)
+    (left, right), (before, after) = _beside(h), _beside(slope)
+    inner = before + left / (left + right) * (after - before)
+    return np.where(left == 0.0, after, np.where(right == 0.0, before, inner))
 
 
 def zero_accelerations(points: ArrayLike) -> FloatArray:

@@ -36,9 +36,9 @@ def noted_calls(monkeypatch: pytest.MonkeyPatch, owner: object, name: str) -> li
     calls: list[tuple[object, ...]] = []
     work = getattr(owner, name)
 
-    def recording(*arguments: object) -> object:
+    def recording(*arguments: object, **named: object) -> object:
         calls.append(arguments)
-        return work(*arguments)
+        return work(*arguments, **named)
 
     monkeypatch.setattr(owner, name, recording)
     return calls

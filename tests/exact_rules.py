@@ -73,3 +73,70 @@ def growth(rule, points, t, closed, samples):
         moved += h[:, None] * s * r * (r * velocities[:-1, None] - s * velocities[1:, None])
         best = max(best, float(np.abs(moved).max()))
     return best
+
+
+def spline_velocities(points, t, given=None):
+    """The velocities of the C² spline with those given; the others make c'' continuous, or 0 at an end.
+
+    Of one coordinate, by elimination in exact fractions; `given` are velocities by their joints.
+    """
+    h = [v - u for u, v in pairwise(t)]
+    slopes = [(q - p) / each for (p, q), each in zip(pairwise(points), h, strict=True)]
+    rows = []
+    for i in range(len(points)):
+        row, right = [Fraction(0)] * len(points), Fraction(0)
+        if i in (given or {}):
+            row[i], right = Fraction(1), Fraction(given[i])
+        else:
+            # c'' at the end of the segment before, and at the beginning of the one after.
+            for j, k in ((i, i - 1), (i, i + 1)):
+                if 0 <= k < len(points):
+                    segment = min(j, k)
+                    row[j] += 4 / h[segment]
+                    row[k] += 2 / h[segment]
+                    right += 6 * slopes[segment] / h[segment]
+        rows.append([*row, right])
+    return solved(rows)
+
+
+def solved(rows):
+    """The solution of linear equations, each with its right side behind it."""
+    for i in range(len(rows)):
+        pivot = next(k for k in range(i, len(rows)) if rows[k][i])
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        rows[i] = [each / rows[i][i] for each in rows[i]]
+        for k, row in enumerate(rows):
+            if k != i and row[i]:
+                rows[k] = [a - row[i] * b for a, b in zip(row, rows[i], strict=True)]
+    return [row[-1] for row in rows]
+
+
+def bends_beside(points, t, velocities):
+    """c'' of the cubic Hermite segments at the joints, before and after each; None beyond the ends."""
+    before, after = [None], []
+    for (p, q), (u, w), (s, e) in zip(pairwise(points), pairwise(velocities), pairwise(t), strict=True):
+        h = e - s
+        slope = (q - p) / h
+        after.append((6 * slope - 4 * u - 2 * w) / h)
+        before.append((2 * u + 4 * w - 6 * slope) / h)
+    return before, [*after, None]
+
+
+def spline_accelerations(points, t, velocities):
+    """The mean of both sides' c'': of two, that of the shorter segment counts more."""
+    h = [v - u for u, v in pairwise(t)]
+    found = []
+    for i, (left, right) in enumerate(zip(*bends_beside(points, t, velocities), strict=True)):
+        if left is None or right is None:
+            found.append(right if left is None else left)
+        else:
+            found.append((h[i] * left + h[i - 1] * right) / (h[i - 1] + h[i]))
+    return found
+
+
+def spline_jerks(t, accelerations):
+    """The slopes of the accelerations; between two segments their mean in the same way."""
+    h = [v - u for u, v in pairwise(t)]
+    slopes = [(b - a) / each for (a, b), each in zip(pairwise(accelerations), h, strict=True)]
+    inner = [(k * a + g * b) / (g + k) for (a, b), (g, k) in zip(pairwise(slopes), pairwise(h), strict=True)]
+    return [slopes[0], *inner, slopes[-1]]

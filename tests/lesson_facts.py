@@ -81,8 +81,10 @@ class LessonFacts:
     def with_setting(self, curve, **settings):
         return replace(curve, settings=FamilySettingValues(settings))
 
-    def with_estimated_velocities(self, curve):
-        return replace(curve, points=tuple(replace(point, velocity=None) for point in curve.points))
+    def with_estimated_velocities(self, curve, which):
+        points = list(curve.points)
+        points[which] = [replace(point, velocity=None) for point in points[which]]
+        return replace(curve, points=tuple(points))
 
     def with_uniform_points(self, curve, count):
         return replace(curve, points=tuple(replace(curve.points[0], x=float(i)) for i in range(count)))

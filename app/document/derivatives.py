@@ -1,5 +1,7 @@
 """Derivatives of points, and the rules that estimate them where they are not explicit.
 
+A rule is given what is set beside the points: a spline as conditions, a local rule for its ends.
+
 To add a rule: a function of ``curvecore`` that computes the estimates (its name stands in the late names of
 ``curvecore/__init__.pyi``), and a member of `VelocityRule`, `AccelerationRule` or `JerkRule` below; menus,
 the palette, boxes, files and views read the member. A rule that is not linear in the points names with
@@ -31,7 +33,8 @@ class EstimateRule(NamedEnum):
     tip
         One-line explanation of the rule.
     takes
-        Arguments of the function: ``points``, ``parameters``, ``alpha``.
+        Arguments of the function: ``points``, ``parameters``, ``alpha``, and by the plurals of the
+        derivatives what is set: ``velocities`` is NaN in the rows that are estimated.
     changes
         Name of the function in ``curvecore`` for the change of estimates when points move, with an additional
         argument ``moves``, (n, k). Empty for a rule that is linear in the points: its estimates change as the
@@ -60,6 +63,11 @@ class EstimateRule(NamedEnum):
         self.changes, self.linearised, self.growth_holds = changes, linearised, growth_holds
 
     @property
+    def is_spline(self) -> bool:
+        """Whether one spline estimates all points: a corner is a break of it, and what is set a condition."""
+        return bool(self.value == "natural_spline")
+
+    @property
     def is_linear(self) -> bool:
         """Whether estimates are linear in the points, at given parameters."""
         return not self.changes
@@ -71,11 +79,13 @@ class VelocityRule(EstimateRule):
     NATURAL_SPLINE = (
         "natural_spline", "Natural C² spline", "estimated by the natural spline rule",
         "natural_spline_velocities",
-        "Velocities with continuous acceleration at all points and zero acceleration at the ends",
+        "Velocities with continuous acceleration wherever none is set, and zero acceleration at free ends",
+        ("points", "parameters", "velocities"),
     )  # fmt: skip
     BESSEL = (
         "bessel", "Bessel (parabola)", "estimated by the Bessel (parabola) rule", "bessel_velocities",
         "The velocity of the parabola through a point and its two neighbours",
+        ("points", "parameters", "velocities"),
     )  # fmt: skip
     FINITE_DIFFERENCE = (
         "finite_difference", "Finite difference", "estimated by the finite difference rule",
@@ -86,7 +96,7 @@ class VelocityRule(EstimateRule):
         "catmull_rom", "Catmull–Rom", "estimated by the Catmull–Rom rule",
         "catmull_rom_velocities",
         "The velocity of a Catmull–Rom spline with knots spaced by distances to the power of α",
-        ("points", "parameters", "alpha"), "catmull_rom_changes", "for fixed knots",
+        ("points", "parameters", "alpha", "velocities"), "catmull_rom_changes", "for fixed knots",
     )  # fmt: skip
     MONOTONE = (
         "monotone", "Monotone (PCHIP)", "estimated by the monotone rule of Fritsch and Carlson",
@@ -106,7 +116,9 @@ class AccelerationRule(EstimateRule):
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_accelerations", "The accelerations of the natural C² spline through the points",
+        "natural_spline_accelerations",
+        "The accelerations of the C² spline, where a velocity is set averaged over both sides",
+        ("points", "parameters", "velocities"),
     )  # fmt: skip
     ZERO = (
         "zero", "Zero", "estimated as zero", "zero_accelerations", "Zero acceleration", ("points",)
@@ -118,7 +130,8 @@ class JerkRule(EstimateRule):
 
     NATURAL_SPLINE = (
         "natural_spline", "From the C² spline", "estimated by the natural spline rule",
-        "natural_spline_jerks", "The jerks of the natural C² spline, averaged over both sides of a point",
+        "natural_spline_jerks", "The jerks of the C² spline, averaged over both sides of a point",
+        ("points", "parameters", "velocities", "accelerations"),
     )  # fmt: skip
     ZERO = "zero", "Zero", "estimated as zero", "zero_accelerations", "Zero jerk", ("points",)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from ..document import words
 from ..document.model import Vector
 from ..document.point_group import PointGroup, points_of
@@ -28,7 +26,7 @@ def nudge(session: EditingSession, group: PointGroup, step: Vector) -> None:
     text, one = f"{group.label} nudged", group.only_point
     if one is not None:
         curve, index = one
-        text = words.point_at(index, session.document.curves[curve].points[index].position, math.hypot(*step))
+        text = words.point_at(index, session.document.curves[curve].points[index].position)
     session.say(" · ".join(filter(None, (f"{text} · step {words.pair_text(step)}", group.remark))))
 
 

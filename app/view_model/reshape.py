@@ -242,7 +242,7 @@ def _given(curve: ParametricCurve, count: int, *, has_corner: bool) -> Iterator[
 def _checked_index(view: CurveView, t: float) -> int:
     knots = view.parameters
     if not knots[0] < t < knots[-1]:
-        raise EditError(f"No point can be inserted at t = {view.t_text(t)}: it is not inside the curve.")
+        raise EditError(f"No point can be inserted at t = {number(t, 6)}: it is not inside the curve.")
     assert view.curve is not None
     away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
     nearest = int(np.argmin(away))
@@ -286,8 +286,12 @@ def _with_sides_kept(before: Sides, changed: Curve, old: IntArray, new: IntArray
         for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):
             value = _vector(was[old[row], below + 1])
             values.append(JetValue(int(new[row]), below + 1, ahead, value))
-    # A derivative that is set may change other estimates.
-    return _with_sides_kept(before, with_jet_values(changed, values), old, new) if values else changed
+    if not values:
+        return changed
+    # Others of its order and of higher ones are estimated from a derivative that is set.
+    lowest = min(value.order for value in values)
+    fewest = [value for value in values if value.order == lowest]
+    return _with_sides_kept(before, with_jet_values(changed, fewest), old, new)
 
 
 def with_older_estimates(document: Document) -> tuple[Document, int]:

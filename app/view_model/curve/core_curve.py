@@ -1,9 +1,10 @@
 """The core's curve through the points of a document's curve, under its rules.
 
 `core_curve` makes it. Of a Hermite curve its data are the derivatives that the person set and the estimates
-of the rules for the rest, `Sides`. A corner divides the curve into pieces, and each piece is estimated for
-itself; a closed curve without a corner is estimated as the periodic curve it is. Where the velocities at a
-point are tied the curve is smooth, and the estimates go through.
+of the rules for the rest, `Sides`. What is set is given to the rules: in a spline it is a condition. A corner
+divides the curve into pieces, and each piece is estimated for itself; a closed curve without a corner is
+estimated as the periodic curve it is. Where the velocities at a point are tied the curve is smooth: while
+they are free the estimates go through.
 
 `Cardinals` are the cardinal functions of the points, estimates included. `refusal_of` puts a refusal of the
 core into the program's words: the core counts arguments and indices, as its callers do, while a person sees
@@ -17,11 +18,11 @@ import re
 from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 import curvecore
 from curvecore import Chain, CurveError, ParametricCurve, lebesgue_constant, parametrization
@@ -123,7 +124,8 @@ def checked_parameters(curve: Curve, knots: FloatArray, arrays: PointArrays) -> 
 
 # Derivatives at the knots
 
-Estimate = Callable[[FloatArray, ArrayLike], FloatArray]
+Estimate = Callable[..., FloatArray]
+"""Points (m, dim), their parameters and by name what is set, each (m, dim), to derivatives (m, dim)."""
 
 _REACH = 64
 """Knots after which an estimate has forgotten the data: a natural spline forgets half at every knot."""
@@ -141,24 +143,9 @@ def sides_of(curve: Curve, points: FloatArray, parameters: FloatArray, arrays: P
     before = np.zeros((len(points), curve.family.derivatives + 1, 2))
     before[:, 0] = points
     after = before.copy()
-    corners = _dividing_knots(arrays, len(points))
-    has_given = not np.isnan(arrays.given).all()
-    for order, rule in enumerate(curve.rules, start=1):
-        estimate = _estimate_by(rule, curve)
-        is_given = [_is_given(arrays, side, order, len(points)) for side in (0, 1)] if has_given else None
-        _estimate(
-            before[:, order],
-            after[:, order],
-            points,
-            parameters,
-            corners,
-            estimate,
-            curve.is_closed,
-            is_given,
-        )
-        for side, jets in enumerate((before, after) if has_given else ()):
-            rows = _given_rows(arrays, side, order, len(jets))
-            jets[rows, order] = arrays.given[rows % len(arrays.given), side, order - 1]
+    estimates = [_estimate_by(rule, curve) for rule in curve.rules]
+    given = None if np.isnan(arrays.given).all() else _at_knots(arrays.given, len(points))
+    _estimate(curve, Sides(before[:, 1:], after[:, 1:]), points, parameters, arrays, estimates, given)
     return Sides(before, after)
 
 
@@ -175,19 +162,16 @@ def moved_with_points(
     the estimates are linear in the points; of others they are the changes by small moves, as a mean or of one
     coordinate. Derivatives that the person set do not change.
     """
-    corners = _dividing_knots(arrays, len(points))
+    changes = [_of_moves(rule, curve, coordinate) for rule in curve.rules]
+    given = None if np.isnan(arrays.given).all() else 0.0 * _at_knots(arrays.given[..., :1], len(points))
 
     def moved(moves: FloatArray) -> tuple[FloatArray, FloatArray]:
         # The moves are cut and unrolled with the points.
         both = np.hstack([points, at_knots(moves, closed=curve.is_closed)])
         before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
-        after = before.copy()
-        for order, rule in enumerate(curve.rules):
-            change = _of_moves(rule, curve, coordinate)
-            _estimate(before[:, order], after[:, order], both, parameters, corners, change, curve.is_closed)
-            for side, derivatives in enumerate((before, after)):
-                derivatives[_given_rows(arrays, side, order + 1, len(points)), order] = 0.0
-        return before, after
+        sides = Sides(before, before.copy())
+        _estimate(curve, sides, both, parameters, arrays, changes, given)
+        return sides
 
     return moved
 
@@ -200,14 +184,16 @@ def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estim
     coordinate, the change on that side of a kink to which the moves lead.
     """
     if rule.is_linear:
-        return lambda both, t: _estimate_by(rule, curve)(both[:, 2:], t)
+        return lambda both, t, **given: _estimate_by(rule, curve)(both[:, 2:], t, **given)
     function = getattr(curvecore, rule.changes)
 
-    def changes(both: FloatArray, t: ArrayLike) -> FloatArray:
+    def changes(both: FloatArray, t: ArrayLike, **given: FloatArray) -> FloatArray:
         if coordinate is not None:
             one: FloatArray = function(both[:, [coordinate]], t, both[:, 2:], one_sided=True)[:, 0]
             return one
-        mean: FloatArray = function(both[:, :2], t, both[:, 2:], **_further(rule, curve)).mean(axis=1)
+        mean: FloatArray = function(both[:, :2], t, both[:, 2:], **_further(rule, curve), **given).mean(
+            axis=1
+        )
         return mean
 
     return changes
@@ -218,87 +204,165 @@ def two_sided_knots(arrays: PointArrays, count: int) -> list[int]:
     return _knots_where(arrays.corners, count)
 
 
-def _dividing_knots(arrays: PointArrays, count: int) -> list[int]:
-    """Return the knots, of `count`, that divide the estimates: corners whose velocities are free."""
-    return _knots_where(arrays.corners & ~arrays.ties, count)
-
-
 def _knots_where(holds: BoolArray, count: int) -> list[int]:
-    knots: list[int] = holds.nonzero()[0].tolist()
-    if count > len(holds) and holds[0]:
-        knots.append(count - 1)
+    knots: list[int] = _at_knots(holds, count).nonzero()[0].tolist()
     return knots
+
+
+def _at_knots(rows: NDArray[Any], count: int) -> NDArray[Any]:
+    """Return rows of points at the knots, of `count`; a closed curve ends at its first point."""
+    return rows if len(rows) == count else np.concatenate([rows, rows[:1]])
 
 
 def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
     function = getattr(curvecore, rule.function)
 
-    def estimate(points: FloatArray, t: ArrayLike) -> FloatArray:
+    def estimate(points: FloatArray, t: ArrayLike, **given: FloatArray) -> FloatArray:
         data = (points, t) if "parameters" in rule.takes else (points,)
-        estimates: FloatArray = function(*data, **_further(rule, curve))
+        estimates: FloatArray = function(*data, **_further(rule, curve), **given)
         return estimates
 
     return estimate
 
 
 def _further(rule: EstimateRule, curve: Curve) -> dict[str, float]:
-    """Return the arguments of a rule beside points and parameters."""
+    """Return the arguments of a rule beside points, parameters and what is set."""
     return {"alpha": curve.parametrization.alpha} if "alpha" in rule.takes else {}
 
 
 def _estimate(
-    before: FloatArray,
-    after: FloatArray,
-    points: FloatArray,
+    curve: Curve,
+    sides: Sides,
+    data: FloatArray,
     parameters: FloatArray,
-    corners: Sequence[int],
-    estimate: Estimate,
-    closed: bool,
-    is_given: Sequence[BoolArray] | None = None,
+    arrays: PointArrays,
+    estimates: Sequence[Estimate],
+    given: FloatArray | None,
 ) -> None:
-    """Estimate from corner to corner; a closed curve is unrolled and goes on where it ends.
+    """Fill the derivatives at both sides of the knots, (k, R - 1, dim): those given, and the estimates.
 
-    Where all derivatives between two corners `is_given`, before and after the knots, nothing is estimated.
+    `data` are what is estimated from, (k, any); `given` is NaN where a derivative is to be estimated, by side
+    and order, (k, 2, R - 1, dim or 1).
     """
-    if not closed and not corners:
-        after[:] = before[:] = estimate(points, parameters)
-        return
-    count = len(points) - closed
-    spacing = parameters[1:] - parameters[:-1]
-    is_endless = closed and not corners
-    cuts = sorted({0, count - 1, *corners})
-    if is_endless:
-        cuts = [-_REACH, count + _REACH]
-    elif closed:
-        cuts = sorted({corner % count for corner in corners})
-        cuts.append(cuts[0] + count)
-    for start, end in pairwise(cuts):
-        indices = np.arange(start, end + 1)
-        knots = indices % count
-        if is_given is not None and is_given[0][knots[1:]].all() and is_given[1][knots[:-1]].all():
+    count, closed = len(data), curve.is_closed
+    corners, ties = (_at_knots(column, count) for column in (arrays.corners, arrays.ties & arrays.corners))
+    for order, (rule, estimate) in enumerate(zip(curve.rules, estimates, strict=True)):
+        if given is None and not corners.any() and not closed:
+            sides.before[:, order] = sides.after[:, order] = estimate(data, parameters)
             continue
-        piece = estimate(points[knots], Spaced(spacing[knots[:-1]]))
-        wanted = (indices >= 0) & (indices < count) | (not is_endless)
-        after[knots[:-1][wanted[:-1]]] = piece[:-1][wanted[:-1]]
-        before[knots[1:][wanted[1:]]] = piece[1:][wanted[1:]]
-    if closed:
-        before[count], after[count] = before[0], after[0]
-    else:
-        # The ends have one side only; the other is never used.
-        before[0], after[-1] = after[0], before[-1]
+        known = _known(curve.rules, order, sides, given, ties)
+        # Where velocities are tied and free the curve is smooth, and goes on.
+        is_free = np.isnan(known["velocities"][:, 0, 0]) if "velocities" in known else True
+        divides = corners & ~(ties & is_free)
+        rows = _rows_of(parameters, divides, closed=closed)
+        for run in [rows] if rule.is_spline else rows.runs():
+            if given is not None and run.is_all_set(given[:, :, order, 0]):
+                continue
+            at = {name: values[run.knots, run.sides] for name, values in known.items()}
+            piece = estimate(data[run.knots], Spaced(run.spacing), **at)
+            sides.before[run.knots[run.before], order] = piece[run.before]
+            sides.after[run.knots[run.after], order] = piece[run.after]
+        if order > 1 and ties.any():
+            # Of a point that stays smooth when its velocities are tied: the mean, as of one that is not tied.
+            h = np.diff(parameters)
+            share = (np.append(h[-1], h) / (np.append(h[-1], h) + np.append(h, h[0])))[ties, None]
+            before, after = (derivatives[ties, order] for derivatives in sides)
+            for derivatives in sides:
+                derivatives[ties, order] = before + share * (after - before)
+        if closed:
+            for derivatives in sides:
+                derivatives[-1, order] = derivatives[0, order]
+        if given is None:
+            continue
+        for side, derivatives in enumerate(sides):
+            is_set = ~np.isnan(given[:, side, order, 0])
+            derivatives[is_set, order] = given[is_set, side, order]
 
 
-def _given_rows(arrays: PointArrays, side: int, order: int, count: int) -> IntArray:
-    """Return the knots, of `count`, whose derivative was set; a closed curve ends at its first point."""
-    (rows,) = (~np.isnan(arrays.given[:, side, order - 1, 0])).nonzero()
-    return np.append(rows, count - 1) if len(rows) and rows[0] == 0 and count > len(arrays.given) else rows
+def _known(
+    rules: Sequence[EstimateRule], order: int, sides: Sides, given: FloatArray | None, ties: BoolArray
+) -> dict[str, FloatArray]:
+    """Return what is given to the rule of an order, from 0: by name the values on both sides, (k, 2, dim)."""
+    known: dict[str, FloatArray] = {}
+    has_ties = bool(ties.any())
+    for lower, derivative in enumerate(DERIVATIVES[: len(rules)]):
+        if derivative.plural not in rules[order].takes or (given is None and not has_ties):
+            continue
+        if lower < order and not rules[lower].is_spline:
+            continue  # a local rule has velocities of its own
+        values = np.stack([derivatives[:, lower] for derivatives in sides], axis=1)
+        present = values.copy()
+        values[:] = np.nan if given is None else given[:, :, lower]
+        if has_ties and lower == 0 and rules[0].is_spline:
+            # What is set on one side counts on both; the next orders know the velocities themselves.
+            at_ties = present if order else values[:, ::-1]
+            values = np.where(ties[:, None, None] & np.isnan(values), at_ties, values)
+        elif has_ties and lower == 0:
+            values[ties] = np.nan
+        known[derivative.plural] = values
+    return known
 
 
-def _is_given(arrays: PointArrays, side: int, order: int, count: int) -> BoolArray:
-    """Return the mask of the knots, of `count`, whose derivative was set."""
-    is_given = np.zeros(count, dtype=np.bool_)
-    is_given[_given_rows(arrays, side, order, count)] = True
-    return is_given
+class _Rows(NamedTuple):
+    """Rows of an estimate, along the curve: one for a knot, two for a corner that divides it.
+
+    Attributes
+    ----------
+    knots
+        The knot of each row, (m,).
+    spacing
+        Distances in t, (m - 1,); 0 between the rows of a corner.
+    before, after
+        Whether a row is the estimate on that side of its knot, (m,).
+    """
+
+    knots: IntArray
+    spacing: FloatArray
+    before: BoolArray
+    after: BoolArray
+
+    @property
+    def sides(self) -> IntArray:
+        """The side of its knot on which what is set counts for a row, (m,)."""
+        sides = (~self.before).astype(np.intp)
+        # At the start of an open curve only that side is used.
+        sides[0] = 1
+        return sides
+
+    def is_all_set(self, given: FloatArray) -> bool:
+        """Whether nothing is to be estimated: of both sides of the knots, (k, 2), all are given."""
+        missing = np.isnan(given)
+        return not (missing[self.knots[self.before], 0].any() or missing[self.knots[self.after], 1].any())
+
+    def runs(self) -> list[_Rows]:
+        """Return the rows from corner to corner."""
+        cuts = (self.spacing == 0.0).nonzero()[0] + 1
+        return [
+            _Rows(self.knots[i:j], self.spacing[i : j - 1], self.before[i:j], self.after[i:j])
+            for i, j in pairwise([0, *cuts.tolist(), len(self.knots)])
+        ]
+
+
+def _rows_of(parameters: FloatArray, divides: BoolArray, *, closed: bool) -> _Rows:
+    """Return the rows of a curve; a closed one begins at a corner, or is unrolled without one."""
+    count, spacing = len(parameters) - closed, parameters[1:] - parameters[:-1]
+    if closed and not divides.any():
+        at = np.arange(-_REACH, count + _REACH + 1)
+        is_inside = (at >= 0) & (at < count)
+        return _Rows(at % count, spacing[at[:-1] % count], is_inside, is_inside)
+    first = int(np.argmax(divides)) if closed else 0
+    at = np.arange(first, first + len(parameters))
+    is_twice = divides[at % count]
+    is_twice[[0, -1]] = False
+    at = np.repeat(at, 1 + is_twice)
+    is_step = at[1:] > at[:-1]
+    knots = at % count
+    return _Rows(
+        knots,
+        np.where(is_step, spacing[knots[:-1]], 0.0),
+        np.insert(is_step, 0, not closed),
+        np.append(is_step, not closed),
+    )
 
 
 def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
