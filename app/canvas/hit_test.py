@@ -127,6 +127,41 @@ class PixelPoints:
         return NearestPart(Hit(Part.OTHER_POINT, index, position, curve=curve), minimum)
 
 
+class EndFinder:
+    """Finder of the ends of open curves that are visible and unlocked."""
+
+    def __init__(self) -> None:
+        self._views: Sequence[CurveView] = ()
+        # Found at the first hit test, and valid as long as the views are the same.
+        self._ends: list[Hit] | None = None
+
+    def render(self, views: Sequence[CurveView]) -> None:
+        """Find ends of these views from now on."""
+        if views is not self._views:
+            self._views, self._ends = views, None
+
+    def nearest(self, active: int | None, pixel: Vector, pixel_map: PixelMap) -> NearestPart | None:
+        """Return the end within reach of a point that is nearest to `pixel`, not one of the active curve."""
+        if self._ends is None:
+            self._ends = [end for index, view in enumerate(self._views) for end in _ends(index, view)]
+        others = [end for end in self._ends if end.curve != active]
+        if not others:
+            return None
+        distances = np.hypot(*(pixel_map.points(np.array([end.position for end in others])) - pixel).T)
+        best = int(np.argmin(distances))
+        # Written so that NaN fails.
+        return NearestPart(others[best], float(distances[best])) if distances[best] <= POINT_REACH else None
+
+
+def _ends(index: int, view: CurveView) -> list[Hit]:
+    """Return the ends of a curve that can be continued."""
+    curve = view.source
+    if curve.is_closed or not curve.is_selectable or not view.has_curve:
+        return []
+    ends = (0, len(curve.points) - 1)
+    return [Hit(Part.OTHER_END, end, curve.points[end].position, curve=index) for end in ends]
+
+
 def handle_or_point(
     pixel: Vector,
     pixel_map: PixelMap,

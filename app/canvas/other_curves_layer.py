@@ -25,11 +25,11 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps, Sheets, transparent
 from ..plotting.wide_line import RoundLine
-from ..tools.pointer import Hit
+from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
 from .curve_layer import CASING, FAINT_WIDTH, CurveLayer, EditedShapeLayer, is_faint
-from .hit_test import FilledAreas, LineFinder, pixels_of
+from .hit_test import EndFinder, FilledAreas, LineFinder, NearestPart, pixels_of
 from .point_layer import opacity_of
 from .shape_painting import Shape, is_plain, line_of, line_width, paint_shape
 
@@ -437,6 +437,7 @@ class DrawnCurves:
         self.siblings = SiblingCurvesLayer(plot)
         self.curve = CurveLayer(plot)
         self.areas = FilledAreas()
+        self._ends = EndFinder()
         self._locked = LineFinder()
         # The indices of the curves of the edited shape, unless it is a plain line.
         self._edited_indices = range(0)
@@ -453,6 +454,7 @@ class DrawnCurves:
         """Show the curves of a document: the active one if it is edited, the selected and the edited ones."""
         before, self._rendered = self._rendered, (views, active, selected, edited)
         self.areas.render(views)
+        self._ends.render(views)
         if not self._only_active_moved_since(*before):
             self._render_all()
         elif self._edited_indices:
@@ -544,6 +546,15 @@ class DrawnCurves:
         _, active, *_ = self._rendered
         line = self.selected.hit(pixel, pixel_map) or self.others.hit(pixel, pixel_map)
         return self.areas.hit(pixel, pixel_map, active, line)
+
+    def nearest_end(self, pixel: Vector, pixel_map: PixelMap) -> NearestPart | None:
+        """Return the end of another open curve at `pixel`, unless a fill covers it."""
+        _, active, *_ = self._rendered
+        nearest = self._ends.nearest(active, pixel, pixel_map)
+        if nearest is None:
+            return None
+        end = Hit(Part.OTHER_CURVE, nearest.hit.curve, nearest.hit.position)
+        return nearest if self.areas.hit(pixel, pixel_map, active, end) is end else None
 
     def locked_at(self, pixel: Vector, pixel_map: PixelMap) -> int:
         """Return the index of the locked curve at `pixel`, −1 for none; a press passes through it."""

@@ -231,6 +231,8 @@ class CanvasScene:
             hit = hit_test(pixel, pixel_map, self.view, polyline, points.selection, *both_handles)
             if Part.OTHER_POINT in parts:
                 hit = nearer(self.other_points.nearest(pixel, pixel_map), hit, pixel, pixel_map)
+        if Part.OTHER_END in parts:
+            hit = nearer(self.curves.nearest_end(pixel, pixel_map), hit, pixel, pixel_map)
         if hit is None and Part.OTHER_CURVE in parts:
             hit = self.curves.hit(pixel, pixel_map)
         if Part.GUIDE in parts and (hit is None or hit.inside):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from enum import Enum, auto
 from functools import cached_property
 
@@ -16,6 +17,7 @@ from ..document.selection import SelectionState
 from ..view_model.append import Appending, with_bare_corner, with_point_appended
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
+from ..view_model.join import End, PenJoin, joined_by_pen
 from ..view_model.reshape import Reshaped, with_point_inserted
 from .editing_session import EditingSession
 from .offsets import in_steps, plus
@@ -33,7 +35,8 @@ class PenSession:
     """
 
     def __init__(self) -> None:
-        self._finished: set[CurveKey] = set()
+        # From how many points on each is finished: undo of what has finished it leaves fewer.
+        self._finished: dict[CurveKey, int] = {}
         # How many points each had when the pen began to draw it.
         self._drawn: dict[CurveKey, int] = {}
 
@@ -53,7 +56,8 @@ class PenSession:
 
     def is_finished(self, session: EditingSession) -> bool:
         """Return whether the active curve is finished: the next press begins another one."""
-        return key_of(session) in self._finished and can_finish(session.active_view)
+        view = session.active_view
+        return can_finish(view) and len(view.source.points) >= self._finished.get(key_of(session), math.inf)
 
     def goes_on_at(self, hit: Hit, session: EditingSession) -> bool:
         """Return whether a click continues the curve: on either end of one that the pen is not drawing."""
@@ -67,15 +71,19 @@ class PenSession:
             session.selected.is_editing and key_of(session) in self._drawn and not self.is_finished(session)
         )
 
-    def finish(self, session: EditingSession) -> None:
-        """Finish the active curve."""
-        self._finished.add(key_of(session))
+    def joins(self, session: EditingSession) -> bool:
+        """Return whether a click on an end of another curve joins the active one to it, being drawn."""
+        source = session.active_view.source
+        return self.is_drawn(session) and bool(source.points) and not (source.is_closed or source.locked)
+
+    def finish(self, session: EditingSession, count: int = 0) -> None:
+        """Finish the active curve, as long as it has `count` points or more."""
+        self._finished[key_of(session)] = count
 
     def draw(self, key: CurveKey, count: int) -> None:
         """Begin to draw a curve, which has had `count` points before."""
-        if key in self._finished:
+        if self._finished.pop(key, None) is not None:
             self._drawn.pop(key, None)
-        self._finished.discard(key)
         self._drawn.setdefault(key, count)
 
     def drawn_points(self, session: EditingSession) -> int:
@@ -117,8 +125,8 @@ def is_end(hit: Hit, view: CurveView) -> bool:
 
 
 def is_no_part(hit: Hit | None) -> bool:
-    """Return whether neither a point nor a handle is hit: the curve itself, or nothing."""
-    return hit is None or hit.part is Part.CURVE
+    """Return whether neither a point nor a handle of the active curve is hit."""
+    return hit is None or hit.part in (Part.CURVE, Part.OTHER_END)
 
 
 class PenAct(Enum):
@@ -293,6 +301,98 @@ class BeginCurve(AppendPoint, kw_only=True):
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Begin Curve 2"."""
         return f"Begin {self.view.source.name}"
+
+
+class PressOnEnd(AppendPoint, kw_only=True):
+    """Press on an end of another curve, out of which a drag pulls a handle."""
+
+    keys = STEP_KEYS
+
+    def amount(self, pointer: Pointer) -> str:
+        """Return the direction of the handle that is pulled out."""
+        text = self.undo_text(pointer)
+        if not self._sets_velocity(pointer):
+            return text
+        return f"{text}, handle at {words.direction(self._offset(pointer, self._position(pointer)))}"
+
+
+class GoOn(PressOnEnd, kw_only=True):
+    """Press by which the pen goes on with another curve, from the last point of `view`.
+
+    The document has the curve reversed where that was its first point. The curve keeps its shape.
+    """
+
+    starts_at_press = False
+    move = Drag.move
+
+    def document_at(self, pointer: Pointer) -> Document:
+        """Return the document with the handle ahead under the pointer."""
+        if not self._sets_velocity(pointer):
+            return self.document
+        return self._with_handle_ahead(self.document, self._index, self._velocity_at(pointer))
+
+    @property
+    def _index(self) -> int:
+        return len(self.view.source.points) - 1
+
+    def _position(self, pointer: Pointer) -> Vector:
+        return self.view.source.points[-1].position
+
+    def release(self, event: ToolEvent) -> None:
+        """Set the handle; go on without one where none was pulled out."""
+        if self._sets_velocity(event.pointer):
+            super().release(event)
+        else:
+            self.click(event)
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Continue Curve 2"."""
+        return f"Continue {self.view.source.name}"
+
+    def committed(self, event: ToolEvent) -> None:
+        """Note that the pen draws the curve."""
+        self.pen.draw(self.key_of_curve, self._index + 1)
+
+
+class JoinEnd(PressOnEnd, kw_only=True):
+    """Last point at an end of another open curve: at the release both become one curve, in one step.
+
+    The curve that is drawn keeps its name, its style and its rules, the other one its shape. The pen has then
+    finished.
+    """
+
+    end: Hit
+
+    def _position(self, pointer: Pointer) -> Vector:
+        return self.end.position
+
+    def release(self, event: ToolEvent) -> None:
+        """Join the curves, or say why they cannot be joined."""
+        session, results, drawn = event.session, list[PenJoin](), event.session.document
+        name = drawn.curves[self.end.curve].name
+        active = self.curve - (self.end.curve < self.curve)
+
+        def edit(_document: Document) -> Document:
+            results.append(joined_at(self.end, self.curve, drawn))
+            return results[0].document
+
+        if session.change(self.undo_text(event.pointer), edit, active=active):
+            self.pen.finish(session, len(session.active_view.source.points))
+            session.selected.set_points([])
+            side = "end" if self.end.index else "start"
+            outcome = results[0].joined.outcome
+            session.say(
+                f"Joined with “{name}” at its {side}: {outcome}; the next press begins another curve."
+            )
+
+    def undo_text(self, pointer: Pointer) -> str:
+        """Return "Join Curve 2 and Curve 1"."""
+        return f"Join {self.view.source.name} and {self.document.curves[self.end.curve].name}"
+
+
+def joined_at(end: Hit, curve: int, drawn: Document) -> PenJoin:
+    """Return the document with a curve, whose last point lies there, joined to the end that was hit."""
+    return joined_by_pen(drawn, curve, End(end.curve, is_last=end.index > 0))
 
 
 class InsertPoint(Drag, kw_only=True, dict=True):

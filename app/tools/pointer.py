@@ -40,6 +40,8 @@ class Part(Enum):
         The line of another curve than the active one, or its fill.
     OTHER_POINT
         A point of another curve that is edited; `Hit.on_active_curve` makes it POINT.
+    OTHER_END
+        The first or the last point of another curve, one that is open, visible and unlocked; likewise.
     GUIDE
         A guide, a line that a person has dragged out of a ruler.
     """
@@ -55,6 +57,7 @@ class Part(Enum):
     IMAGE_CORNER = auto()
     OTHER_CURVE = auto()
     OTHER_POINT = auto()
+    OTHER_END = auto()
     GUIDE = auto()
 
 
@@ -106,7 +109,8 @@ class Hit(msgspec.Struct, frozen=True):
     @property
     def on_active_curve(self) -> Hit:
         """The same point or handle, once its curve is the active one."""
-        return replace(self, part=Part.POINT if self.part is Part.OTHER_POINT else self.part, curve=-1)
+        is_point = self.part in (Part.OTHER_POINT, Part.OTHER_END)
+        return replace(self, part=Part.POINT if is_point else self.part, curve=-1)
 
 
 class Pointer(msgspec.Struct, frozen=True):

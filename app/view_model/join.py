@@ -11,12 +11,13 @@ import numpy as np
 from msgspec.structs import replace
 
 from ..document.constraints import PARALLEL, tie_if_parallel
-from ..document.curve_edits import set_closed
+from ..document.curve_edits import replace_curve, set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_edits import set_position
 from ..document.point_group import PointGroup
+from ..document.several_curves import remove_curves
 from ..document.words import number
 from ..families import titles_with_derivatives
 from .curve.curve_view import CurveView, view_of
@@ -43,6 +44,12 @@ class Joined(Reshaped, frozen=True):
     """
 
     seams: frozenset[int] = frozenset()
+
+    @property
+    def outcome(self) -> str:
+        """The outcome for the shapes, to follow a colon."""
+        shapes = "shapes kept" if keeps_shape(self.residual, (self.curve,)) else "shapes changed"
+        return f"{shapes}, largest change {number(self.residual, 2)}"
 
 
 # End to start
@@ -184,7 +191,9 @@ def _merged(end: Point, start: Point) -> Point:
     before, after = ([getattr(point, name) for name in names] for point in (end, start))
     if all(map(_alike, before, after)):
         return end
-    return tie_if_parallel(end.as_corner().with_derivatives(before, after))
+    point = end.as_corner().with_derivatives(before, after)
+    # A retracted handle has no direction.
+    return tie_if_parallel(point) if any(before[0]) and any(after[0]) else point
 
 
 def _alike(x: Vector | None, y: Vector | None) -> bool:
@@ -296,6 +305,54 @@ def joined_by(
     residual = max(whole.residual, *(residual for _, residual in runs))
     _refuse_another_shape(chain, residual)
     return replace(whole, residual=residual)
+
+
+class PenJoin(NamedTuple):
+    """A document in which a curve drawn by the pen was joined to another; the curve, and its index."""
+
+    document: Document
+    curve_index: int
+    joined: Joined
+
+
+def joined_by_pen(document: Document, curve: int, end: End) -> PenJoin:
+    """Join a curve whose last point lies at an end of another one, which keeps its shape.
+
+    The other curve is reversed where that is its last point. A family without derivatives that cannot keep
+    the shapes, such as one polynomial, joins them by its rule.
+
+    Raises
+    ------
+    EditError
+        As `joined`, for two families, or one with derivatives.
+    """
+    one, other = (view_of(document.curves[index]) for index in (curve, end.curve))
+    if end.is_last:
+        other, _ = _turned(other)
+    family = one.source.family
+    try:
+        result = joined(one, other)
+    except EditError:
+        if family != other.source.family or family.derivatives or not family.interpolates:
+            raise
+        result = _joined_by_rule(one, other)
+    document = remove_curves(replace_curve(document, curve, result.curve), {end.curve})
+    return PenJoin(document, curve - (end.curve < curve), result)
+
+
+def _joined_by_rule(one: CurveView, other: CurveView) -> Joined:
+    """Return one curve through the points of two that meet, whose shapes its rule changes."""
+    seam, shift = len(one.points) - 1, float(one.parameters[-1] - other.parameters[0])
+    later = [
+        replace(point, t=t + shift if one.source.is_manual else None)
+        for point, t in zip(other.source.points, other.parameters.tolist(), strict=True)
+    ]
+    curve = replace(one.source, points=(*one.source.points, *later[1:]))
+    whole = view_of(curve)
+    refuse_without_curve(whole)
+    pieces = (one, whole.parameters[: seam + 1]), (other, whole.parameters[seam:])
+    residual = max(largest_distance(view, dense(view.parameters), whole, dense(t)) for view, t in pieces)
+    return Joined(curve, residual, seams=frozenset({seam}))
 
 
 def brought_together(views: Sequence[CurveView], link: Link) -> tuple[list[CurveView], float]:

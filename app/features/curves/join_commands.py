@@ -23,7 +23,6 @@ from ...document.several_curves import remove_curves
 from ...document.words import number
 from ...view_model.append import with_closed
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.curve.distances import keeps_shape
 from ...view_model.join import (
     End,
     Joined,
@@ -164,8 +163,7 @@ class JoinCommands:
         else:
             session.selected.select_whole([session.active_index])
         what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
-        shapes = "shapes kept" if keeps_shape(results[0].residual, (results[0].curve,)) else "shapes changed"
-        session.say(f"Joined {what}: {shapes}, largest change {number(results[0].residual, 2)}.")
+        session.say(f"Joined {what}: {results[0].outcome}.")
         return True
 
 

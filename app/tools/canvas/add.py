@@ -32,13 +32,16 @@ from ...view_model.reshape import inserted_index
 from ..add_points import (
     AppendPoint,
     BeginCurve,
+    GoOn,
     InsertPoint,
+    JoinEnd,
     PenAct,
     PenSession,
     can_end_at,
     can_finish,
     is_end,
     is_no_part,
+    joined_at,
     key_of,
     pen_act,
     position_in_steps,
@@ -48,7 +51,7 @@ from ..drag_handles import GESTURES, hint_on_part, press_on_part
 from ..drag_points import label_of_moved
 from ..editing_session import EditingSession
 from ..marks import Marks
-from ..pointer import Hint, Hit, Pointer, snap_key_text
+from ..pointer import Hint, Hit, Part, Pointer, snap_key_text
 from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 _ENTER = "Enter, double click: finish the curve"
@@ -64,6 +67,7 @@ class AddTool(Tool):
     means.
     """
 
+    hits = Tool.hits | {Part.OTHER_END}
     shows_new_handle = True
 
     def __init__(self) -> None:
@@ -126,10 +130,12 @@ class AddTool(Tool):
         view = session.active_view
         return is_end(hit, view) and can_finish(view) and not self._pen.is_finished(session)
 
-    def _go_on(self, event: ToolEvent, index: int) -> None:
+    def _go_on(self, event: ToolEvent, curve: int, index: int) -> None:
         """Continue a curve from its end at point `index`; from the first point it is reversed."""
         session = event.session
-        curve, view = session.active_index, session.active_view
+        if curve != session.active_index or not session.selected.is_editing:
+            session.selected.activate(curve)
+        view = session.active_view
         last = len(view.source.points) - 1
         if index != last:
             text = f"Continue from point {index}"
@@ -147,6 +153,8 @@ class AddTool(Tool):
         session, hit = event.session, event.hit
         if (part := self._part(event)) is not None:
             return self._press_on_part(event, part)
+        if (end := _other_end(event)) is not None:
+            return self._append(event, end) if self._pen.joins(session) else self._press_on_end(event, end)
         act = self._act(event)
         if act is PenAct.BEGIN:
             return self._begin(event)
@@ -165,12 +173,32 @@ class AddTool(Tool):
     def _press_on_part(self, event: ToolEvent, hit: Hit) -> Gesture:
         on_click: Callable[[ToolEvent], object] | None = None
         if self._pen.goes_on_at(hit, event.session):
-            on_click = partial(self._go_on, index=hit.index)
+            on_click = partial(self._go_on, curve=event.session.active_index, index=hit.index)
         elif can_end_at(hit, event.view):
             on_click = partial(self._close, by_corner=event.pointer.alt)
         elif event.pointer.is_double and self._ends_at(hit, event.session):
             on_click = self._finish
         return press_on_part(event, hit, on_click)
+
+    def _press_on_end(self, event: ToolEvent, hit: Hit) -> Gesture:
+        """Go on with another curve from the end that is pressed."""
+        document, view = event.session.document, event.session.views[hit.curve]
+        if hit.index == 0:
+            document = reverse_curve(document, hit.curve, view.parameters.tolist())
+            view = view_of(document.curves[hit.curve])
+        last = len(view.source.points) - 1
+        return GoOn(
+            document=document,
+            selects=selection_of(hit.curve, last),
+            curve=hit.curve,
+            view=view,
+            press=event.pointer,
+            snapper=event.snapping.for_new_point(-1),
+            append=lambda document, _curve, _view, _position: document,
+            pen=self._pen,
+            key_of_curve=(hit.curve, view.source.name),
+            on_click=partial(self._go_on, curve=hit.curve, index=hit.index),
+        )
 
     def _act(self, event: ToolEvent) -> PenAct:
         if _begins_anew(event.session):
@@ -178,10 +206,12 @@ class AddTool(Tool):
         finished = self._pen.is_finished(event.session)
         return pen_act(event.hit, event.view, shift=event.pointer.shift, finished=finished)
 
-    def _append(self, event: ToolEvent) -> Gesture:
+    def _append(self, event: ToolEvent, end: Hit | None = None) -> AppendPoint:
+        """Add a point, or the one that joins the curve to an end of another."""
         session, index = event.session, len(event.view.source.points)
         snapper, (document, view) = event.snapping.for_new_point(index), self._start(event)
-        return AppendPoint(
+        kind = AppendPoint if end is None else partial(JoinEnd, end=end)
+        return kind(
             document=document,
             selects=selection_of(session.active_index, index),
             curve=session.active_index,
@@ -235,6 +265,8 @@ class AddTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint, and preview the curve with the point."""
         view = event.view
+        if (end := _other_end(event)) is not None:
+            return self._hint_on_end(event, end)
         part = self._part(event)
         act = self._act(event) if part is None else None
         index = len(view.source.points) if act is PenAct.APPEND else -1 if act is PenAct.BEGIN else None
@@ -251,6 +283,26 @@ class AddTool(Tool):
         pointer = event.pointer
         dragged, goes_on = label_of_moved(event, part), self._pen.goes_on_at(part, event.session)
         return _hint_on_part(part, view, dragged, pointer, snaps=snaps, goes_on=goes_on)
+
+    def _hint_on_end(self, event: ToolEvent, end: Hit) -> Hint:
+        """Return the hint on an end of another curve; preview the curve that a click joins to it."""
+        session, joins = event.session, self._pen.joins(event.session)
+        other = session.views[end.curve]
+        self._spot, self._previewed, self._preview = end.position, event.view, None
+        name = other.source.display_name
+        if not joins:
+            pull = " · Drag to pull out its handle" if other.source.family.derivatives else ""
+            start = "" if end.index else " from its first point"
+            return Hint(f"Click to continue “{name}”{start}{pull}", grab=True)
+        if is_quick(event.view) and is_quick(other):
+            try:
+                drag = self._append(event, end)
+                result = joined_at(end, drag.curve, drag.document_at(event.pointer))
+            except EditError as reason:
+                return Hint(str(reason))
+            self._preview = view_of(result.joined.curve)
+        alt = f" · Alt: {_alt_words(event.view.source)}" if event.view.source.family.derivatives else ""
+        return Hint(f"Click to join with “{name}”{alt}", grab=True)
 
     def _update_preview(self, event: ToolEvent, act: PenAct | None) -> None:
         """Compute the curve as a press here would make it."""
@@ -298,6 +350,12 @@ class AddTool(Tool):
 def _appending(event: ToolEvent) -> Appending:
     """Return the edit of a click: with Alt a point after a straight line."""
     return with_corner_appended if event.pointer.alt else with_point_appended
+
+
+def _other_end(event: ToolEvent) -> Hit | None:
+    """Return the end of another open curve that is hit; with Shift a point may be put over it."""
+    hit = event.hit
+    return hit if hit is not None and hit.part is Part.OTHER_END and not event.pointer.shift else None
 
 
 def _alt_words(curve: Curve) -> str:
@@ -399,7 +457,8 @@ ADD = ToolRecord(
         ),
         GestureRow("Click the curve", "insert a point between its neighbours"),
         GestureRow("Shift+click", "add a point at the end, even on the curve or if it is closed"),
-        GestureRow("Enter, double click", "finish the curve; click either end to continue it"),
+        GestureRow("Enter, double click", "finish the curve"),
+        GestureRow("Click an end of any open curve", "continue that curve; while drawing, join with it"),
         GestureRow("Backspace, Delete", "remove the last point"),
         GestureRow("Click the first point", "close the curve"),
         GestureRow("Click beside a closed or finished curve", "begin another curve"),
