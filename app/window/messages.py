@@ -122,12 +122,13 @@ class Messages(QObject):
 
     def _sentence(self, view: CurveView) -> tuple[str, bool]:
         """Return the most urgent message, empty for none, and whether it is a warning."""
-        if len(view.points) < 2:
-            return self._before_a_curve(view)
-        if view.problem:
+        has_curve = len(view.points) >= 2
+        if has_curve and view.problem:
             return view.problem, True
         if self._offered is not None:
             return self._offered[0], False
+        if not has_curve:
+            return self._before_a_curve(view)
         if self._image_problem:
             return self._image_problem, True
         if view.source.visible or not self._session.selected.is_editing:

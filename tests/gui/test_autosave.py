@@ -12,7 +12,7 @@ import pytest
 from msgspec.structs import replace
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QToolButton
+from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QPushButton, QScrollArea, QToolButton
 
 from app.appearance.theme import ThemeMode
 from app.document.model import Document, make_curve
@@ -428,7 +428,7 @@ def test_two_snapshots_of_one_file_are_distinguished(editor, tmp_path):
     assert len(set(names)) == len(names) == 15
 
 
-def test_discard_deletes_and_later_keeps(editor):
+def test_discard_deletes_when_the_window_is_closed_and_later_keeps(editor):
     leave_behind()
     leave_behind()
     editor.window.commands[RecoveryCommands].offer_unsaved_work()
@@ -437,12 +437,60 @@ def test_discard_deletes_and_later_keeps(editor):
     assert bar(editor).text == "A document with unsaved work from the last session:"
     press(editor, "laterWork0")
     assert not bar(editor).isVisible()
+    editor.window.close()
     assert len(files()) == 1
-    editor.trigger("recoverWork")
-    assert bar(editor).isVisible()
-    press(editor, "closeRecovery")
+
+
+@pytest.mark.parametrize("is_empty", [False, True])
+def test_discard_can_be_undone(editor, is_empty):
+    """The only copy of an hour of work was deleted by one click."""
+    if is_empty:
+        editor.new()
+        editor.settle()
+    leave_behind()
+    leave_behind(Document((make_curve([(5, 5), (6, 6)]),)))
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
+    press(editor, "discardWork1")
+    press(editor, "discardWork0")
     assert not bar(editor).isVisible()
-    assert len(files()) == 1
+    assert editor.message == "The unsaved work was discarded. It is deleted when the window is closed."
+    press(editor, "offeredAction")
+    assert "discarded" not in editor.message
+    assert bar(editor).text == "2 documents with unsaved work from the last session:"
+    # Without the message the menu does it as well.
+    press(editor, "discardWork0")
+    editor.session.offer("")
+    editor.trigger("recoverWork")
+    assert bar(editor).text == "2 documents with unsaved work from the last session:"
+    press(editor, "restoreWork1")
+    assert editor.session.document == SKETCH
+    assert bar(editor).text == "A document with unsaved work from the last session:"
+    press(editor, "discardWork0")
+    # Nobody else is offered what is discarded here; the snapshot of what is open now is of no use to it.
+    (other,) = list_snapshots(snapshot_folder()).snapshots
+    assert other.document == SKETCH
+    other.leave()
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (960, 540)])
+@pytest.mark.parametrize("number", [1, 2, 5])
+def test_the_recovery_bar_covers_at_most_a_quarter_of_the_canvas(qtbot, tmp_path, size, number):
+    editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"), size=size)
+    for _ in range(number):
+        leave_behind()
+    (snapshot_folder() / f"x{SUFFIX}").write_bytes(b"damaged")
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
+    editor.settle()
+    shown, canvas = bar(editor), editor.window.canvas
+    assert 4 * shown.width() * shown.height() <= canvas.width() * canvas.height()
+    assert canvas.rect().contains(shown.geometry())
+    # What does not fit scrolls; one row is always seen.
+    area = shown.findChild(QScrollArea, "recoveryRows")
+    assert area.height() >= 36
+    button = shown.findChild(QPushButton, f"discardWork{number - 1}")
+    area.ensureWidgetVisible(button)
+    editor.settle()
+    assert area.viewport().rect().contains(button.mapTo(area.viewport(), button.rect().center()))
 
 
 def test_the_recovery_bar_works_with_the_keyboard(editor):

@@ -40,7 +40,10 @@ from ...widgets.frames import OverlayFrame
 from ...workbench.document_files import NEW_NAME
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
-_PICTURE = (88, 56)
+_PICTURE = (57, 36)
+_MOST_COVERED = 1 / 4
+"""Largest share of the canvas that the bar covers; more scrolls."""
+
 _AROUND_TEXT = 26
 
 
@@ -66,7 +69,7 @@ class RecoveryBar(OverlayFrame):
         self._unsaved: tuple[UnsavedWork, ...] = ()
         self._pictures: list[Label] = []
         self._title = Label(name="recoveryTitle", wordWrap=True)
-        self._note = Label(name="recoveryNote", wordWrap=True)
+        self._note: Label | None = None
         tip = "Decide later: the next start asks again"
         self._close = tool_button("closeRecovery", "Decide later", tip, flat=True)
         self._close.clicked.connect(self.closed)
@@ -75,9 +78,8 @@ class RecoveryBar(OverlayFrame):
         self._rows.setFrameShape(QFrame.Shape.NoFrame)
         self._rows.setWidgetResizable(True)
         self._rows.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        words = column_of(self._title, self._note, margins=(0, 4, 0, 0))
-        head = row_of((words, 1), (self._close, Qt.AlignmentFlag.AlignTop))
-        column_of(head, self._rows, margins=(14, 6, 8, 12), spacing=8, parent=self)
+        head = row_of((self._title, 1), (self._close, Qt.AlignmentFlag.AlignTop))
+        column_of(head, self._rows, margins=(14, 4, 8, 8), spacing=2, parent=self)
         self.follow_theme()
 
     def render(self, unsaved: Sequence[UnsavedWork], note: str = "") -> None:  # type: ignore[override]
@@ -89,9 +91,7 @@ class RecoveryBar(OverlayFrame):
         number = "A document" if len(unsaved) == 1 else count_of(len(unsaved), "document")
         self._title.setText(f"{number} with unsaved work from the last session:")
         self._title.setVisible(bool(unsaved))
-        self._note.setText(note)
-        self._note.setVisible(bool(note))
-        self._build_rows()
+        self._build_rows(note)
         self.setVisible(bool(unsaved or note))
         if unsaved or note:
             self.place()
@@ -99,20 +99,21 @@ class RecoveryBar(OverlayFrame):
 
     @property
     def text(self) -> str:
-        """The texts at the top; empty while the bar is hidden."""
-        texts = [label.text() for label in (self._title, self._note) if not label.isHidden()]
+        """The title and the note; empty while the bar is hidden."""
+        texts = [label.text() for label in (self._title, self._note) if label and not label.isHidden()]
         return "" if self.isHidden() else "\n".join(texts)
 
-    def _build_rows(self) -> None:
+    def _build_rows(self, note: str) -> None:
         content = QWidget()
         self._pictures.clear()
+        self._note = Label(note, name="recoveryNote", wordWrap=True) if note else None
+        notes = [self._note] if self._note is not None else []
         rows = [self._row(index, work) for index, work in enumerate(self._unsaved)]
-        column_of(*rows, 1, margins=(0, 0, 6, 0), spacing=8, parent=content)
+        column_of(*notes, *rows, 1, margins=(0, 0, 6, 0), spacing=4, parent=content)
         self._paint_pictures()
         self._rows.setWidget(content)
         content.setAutoFillBackground(False)
         self._rows.viewport().setAutoFillBackground(False)
-        self._rows.setVisible(bool(self._unsaved))
 
     def _row(self, index: int, work: UnsavedWork) -> QHBoxLayout:
         picture = Label(name=f"recoveryPicture{index}", label=f"Picture of {work.name}")
@@ -126,13 +127,13 @@ class RecoveryBar(OverlayFrame):
         details.setText(work.details)
         details.setObjectName("recoveryTold")
         name.setToolTip(tip_of(work.tip or work.name))
-        words = column_of(1, name, details, 1, spacing=2)
+        words = column_of(1, name, details, 1, spacing=0)
         return row_of(picture, (words, 1), *self._buttons(index, work.name), spacing=10)
 
     def _buttons(self, index: int, name: str) -> Iterator[QPushButton]:
         for key, text, tip, asked in (
             ("restoreWork", "Restore", f"Open the unsaved work on {name}", self.restore_asked),
-            ("discardWork", "Discard", f"Delete the unsaved work on {name}", self.discard_asked),
+            ("discardWork", "Discard", f"Discard the unsaved work on {name}", self.discard_asked),
             ("laterWork", "Later", f"Keep the unsaved work on {name} for the next start", self.later_asked),
         ):
             button = push_button(f"{key}{index}", text, tip_of(tip), tip)
@@ -141,15 +142,19 @@ class RecoveryBar(OverlayFrame):
             yield button
 
     def place(self) -> None:
-        """Move to the bottom, centred; at most half of the canvas is covered, rows scroll."""
-        below = self.below
+        """Move to the bottom, centred; at most a quarter of the canvas is covered, and rows scroll."""
+        below, content = self.below, self._rows.widget()
         width = min(below.width() - 2 * _SIDE, _WIDEST)
-        content = self._rows.widget()
-        row_height = content.sizeHint().height() if self._unsaved and content is not None else 0
-        self._rows.setFixedHeight(min(row_height, max(below.height() // 2, _PICTURE[1])))
+        if content is None:
+            return
+        rows = max(content.heightForWidth(width), content.sizeHint().height())
+        self._rows.setFixedHeight(rows)
+        most = int(_MOST_COVERED * below.width() * below.height() / max(width, 1))
         height = max(self.heightForWidth(width), self.minimumSizeHint().height())
-        top = max(below.height() - height - _BELOW, 0)
-        self.setGeometry((below.width() - width) // 2, top, width, height)
+        scrolled = max(min(height - most, rows - _PICTURE[1]), 0)
+        self._rows.setFixedHeight(rows - scrolled)
+        top = max(below.height() - height + scrolled - _BELOW, 0)
+        self.setGeometry((below.width() - width) // 2, top, width, height - scrolled)
 
     def take_focus(self) -> None:
         """Focus the first button."""

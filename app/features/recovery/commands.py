@@ -25,6 +25,8 @@ class RecoveryCommands:
         self._context = context
         self._bar: recovery.bar.RecoveryBar | None = None
         self._listing = SnapshotListing()
+        # Deleted when the window is closed; until then "recoverWork" offers them again.
+        self._discarded: list[Snapshot] = []
         self._autosave: Autosave | None = None
         self._open_beside: OpenBeside | None = None
         self._set_aside: SetAside | None = None
@@ -35,14 +37,20 @@ class RecoveryCommands:
         self._set_aside = SetAside(self._context.session, snapshot_folder(), self._context.window)
 
     def close(self) -> None:
-        """Keep undecided snapshots, and documents that only the history holds, for the next start."""
+        """Keep undecided snapshots, and documents that only the history holds, for the next start.
+
+        Discarded snapshots are deleted.
+        """
         self.leave()
+        for snapshot in self._discarded:
+            snapshot.discard()
         if self._set_aside is not None:
             self._set_aside.leave()
 
     @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
     def _offer_again(self) -> None:
-        """Show unsaved work from earlier sessions."""
+        """Show unsaved work from earlier sessions, also what was discarded in this one."""
+        self._context.session.offer("")
         self.offer_unsaved_work()
         if not self._listing.snapshots and not self._listing.damaged:
             self._context.session.say("There is no unsaved work.")
@@ -52,6 +60,9 @@ class RecoveryCommands:
     def offer_unsaved_work(self) -> None:
         """Offer unsaved work, if there is any."""
         self.leave()
+        for snapshot in self._discarded:
+            snapshot.leave()
+        self._discarded = []
         self._listing = list_snapshots(snapshot_folder())
         if self._listing.snapshots or self._listing.damaged:
             self._render()
@@ -108,8 +119,9 @@ class RecoveryCommands:
         session.say(message)
 
     def _discard(self, index: int) -> None:
-        self._take(index).discard()
-        self._context.session.say("The unsaved work was deleted.")
+        self._discarded.append(self._take(index))
+        text = "The unsaved work was discarded. It is deleted when the window is closed."
+        self._context.session.offer(text, "recoverWork")
 
     def _later(self, index: int) -> None:
         self._take(index).leave()
