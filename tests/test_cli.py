@@ -946,7 +946,9 @@ def test_convert_states_whether_the_deviation_is_a_bound(capsys, tmp_path):
     for family, word in (("lagrange", ""), ("floater_hormann", "about ")):
         assert main(["convert", str(source), out, "--family", family]) == 0
         said = capsys.readouterr().out.strip()
-        assert re.search(rf"largest deviation from the true curves {word}[\d.e-]+$", said)
+        assert re.search(
+            rf"largest deviation from the true curves {word}[\d.e-]+ \(automatic tolerance 0\.0002\)$", said
+        )
         assert f"true curves: {word}" in Path(out).read_text(encoding="utf-8")
         assert main(["convert", str(source), out, "--family", family, "--json"]) == 0
         assert json.loads(capsys.readouterr().out)["deviation_is_bound"] is (not word)

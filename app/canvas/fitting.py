@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 _FIT_MARGIN = 0.12
 
+_LEAST_SHARE = 1e-12
+"""Least size of a visible part, relative to its coordinates: some thousand floats lie on it."""
+
 _REVEAL_MARGIN = 40.0
 """Pixels between the edge and a point to which the view was moved."""
 
@@ -192,6 +195,6 @@ def _boxes_to_show(views: Sequence[CurveView]) -> tuple[FloatArray, FloatArray]:
     size = np.ptp(points, axis=1).max(axis=1)
     low = np.maximum(curves[:, 0], points[:, 0] - size[:, None])
     high = np.minimum(curves[:, 1], points[:, 1] + size[:, None])
-    visible = np.maximum(1e-6 * np.abs(high).max(axis=1), 1e-7)
+    visible = np.maximum(_LEAST_SHARE * np.maximum(np.abs(low), np.abs(high)).max(axis=1), 1e-7)
     counts = np.where(size > 0.0, np.maximum((high - low).max(axis=1), visible), 4.0)
     return np.stack([low, high], axis=1), counts

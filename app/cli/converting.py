@@ -19,6 +19,7 @@ from ..document.words import rounded_up
 from ..exchange.errors import ExchangeError
 from ..exchange.files import ImportOptions, begin_import, export, import_file
 from ..exchange.formats import FORMATS, ContentKind, ending_in, format_of
+from ..exchange.options import TOLERANCE, automatic_tolerance
 from ..exchange.table.columns import FamilyCell, read_family_cell
 from ..families import HERMITE
 from ..storage.files import StorageError
@@ -52,11 +53,15 @@ class _Conversion:
 
 @dataclass(frozen=True)
 class _Converted:
-    """Result of a conversion: largest deviation from the true curves, whether that is a bound, remarks."""
+    """Result of a conversion: largest deviation from the true curves, whether that is a bound, remarks.
+
+    `automatic` is the tolerance where the format has one that nobody set.
+    """
 
     deviation: float | None
     is_bound: bool
     remarks: list[str]
+    automatic: float | None = None
 
 
 def convert(options: argparse.Namespace) -> int:
@@ -75,14 +80,16 @@ def convert(options: argparse.Namespace) -> int:
 
 
 def _facts(result: _Converted) -> dict[str, Any]:
-    return {"deviation": result.deviation, "deviation_is_bound": result.is_bound, "remarks": result.remarks}
+    facts = {"deviation": result.deviation, "deviation_is_bound": result.is_bound, "remarks": result.remarks}
+    return facts if result.automatic is None else facts | {"automatic_tolerance": result.automatic}
 
 
 def _result(target: str, result: _Converted) -> str:
     if result.deviation is None:
         return one_line(target)
     deviation = exchange.exported_curves.deviation_text(result.deviation, result.is_bound)
-    return f"{one_line(target)}: largest deviation from the true curves {deviation}"
+    allowed = "" if result.automatic is None else f" (automatic tolerance {result.automatic:g})"
+    return f"{one_line(target)}: largest deviation from the true curves {deviation}{allowed}"
 
 
 def _convert_many(options: argparse.Namespace) -> int:
@@ -253,7 +260,8 @@ def _converted(
     finally:
         if reader is not None and following is not None:
             begin_import(following, wanted, reader)
-    if format_of(conversion.target, FORMATS.written).kind is not ContentKind.DOCUMENT:
+    form = format_of(conversion.target, FORMATS.written)
+    if form.kind is not ContentKind.DOCUMENT:
         source = source.with_curves()
     document, fits = _fitted(source.document, options, word, part(report, 0.4, 0.7))
     written = export(
@@ -272,6 +280,7 @@ def _converted(
         None if deviation is None else rounded_up(source.deviation + off + deviation, 3),
         written.is_bound and not fits,
         [*source.remarks, *_on_groups(source, options.only), *fitted, *written.remarks],
+        automatic_tolerance(document) if options.tolerance is None and TOLERANCE in form.options else None,
     )
 
 

@@ -14,7 +14,7 @@ from ..exchange.drawing.styles import DARK, LIGHT
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, Format, endings_of
 from ..exchange.formats.tables import COLUMNS
-from ..exchange.options import Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
+from ..exchange.options import AUTOMATIC, Check, OneOf, Option, Options, Real, SomeOf, Whole, all_options
 from ..families import FAMILIES, HERMITE
 
 STYLES = {"light": LIGHT, "dark": DARK}
@@ -178,7 +178,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
         "--tolerance",
         type=positive_number,
         metavar="X",
-        help="largest deviation where a format cannot hold the curve itself (default: 1e-5 of its size)",
+        help=f"largest deviation where a format cannot hold the curve itself (default: {AUTOMATIC})",
     )
     add(
         "--json",

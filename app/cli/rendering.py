@@ -13,6 +13,7 @@ from ..document.words import enumerated
 from ..exchange.drawing.film import FILMS, Film, first_round, write_film
 from ..exchange.files import export
 from ..exchange.formats import FORMATS, endings_of
+from ..exchange.options import AUTOMATIC
 from ..view_model.motion_settings import Pace, Repeat
 from .documents import document_of
 from .options import (
@@ -44,7 +45,7 @@ def add_options(render: argparse.ArgumentParser) -> None:
         "--tolerance",
         type=positive_number,
         metavar="X",
-        help="largest deviation from the true curves, in the document's unit (default: 1e-5 of its size)",
+        help=f"largest deviation from the true curves, in the document's unit (default: {AUTOMATIC})",
     )
     add_picture_options(render)
     add_format_options(render, FORMATS.pictures)

@@ -53,5 +53,5 @@ def are_within(values: Sequence[float]) -> bool:
 def not_after(index: int, before: float) -> EditError:
     """Return the error that the t of a point is not greater than that of the point before it."""
     return EditError(
-        f"The t of point {index} must be greater than {number(before, 6)}, the t of point {index - 1}."
+        f"The t of point {index} must be greater than {number(before, 15)}, the t of point {index - 1}."
     )

@@ -23,7 +23,7 @@ def set_grid_spacing(document: Document, spacing: float) -> Document:
 
 # Guides
 
-_DIGITS = 9
+_DIGITS = 15
 
 
 def guide_label(guide: Guide, unit: str = "") -> str:

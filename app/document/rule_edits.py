@@ -108,7 +108,7 @@ def set_parameter(
             if index + 1 < len(document.curves[curve].points)
             else "the t at which the curve returns to its first point"
         )
-        raise EditError(f"The t of point {index} must be less than {number(after, 6)}, {neighbour}.")
+        raise EditError(f"The t of point {index} must be less than {number(after, 15)}, {neighbour}.")
     return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
 
 
@@ -121,8 +121,8 @@ def set_interval(document: Document, curve: int, start: float, end: float) -> Do
     start, end = checked(start, "The start of the interval"), checked(end, "The end of the interval")
     if not start < end:
         raise EditError(
-            f"The end of the interval must be greater than its start; {number(end, 6)} is not greater than "
-            f"{number(start, 6)}."
+            f"The end of the interval must be greater than its start; {number(end, 15)} is not greater than "
+            f"{number(start, 15)}."
         )
     old = document.curves[curve]
     old_start, old_end = old.interval

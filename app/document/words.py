@@ -18,6 +18,9 @@ NOTHING = "–"
 """Text in place of a missing number."""
 
 _SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_MOST_DIGITS = 15
+"""Digits that every float can show exactly."""
+
 _THIN = "\N{NARROW NO-BREAK SPACE}"
 
 
@@ -43,9 +46,20 @@ class NamedEnum(StrEnum):
         self.label = label
 
 
-def number(value: float, digits: int = 4, mark: str = ".") -> str:
-    """Return the text of a number: `digits` significant digits, a true minus, a short exponent."""
-    return typographic(f"{value:.{digits}g}", mark) if math.isfinite(value) else NOTHING
+def number(value: float, digits: int = 4, mark: str = ".", step: float = 0.0) -> str:
+    """Return the text of a number: `digits` significant digits, a true minus, a short exponent.
+
+    There are more digits where numbers a `step` apart would look alike.
+
+    >>> number(1000000.25), number(1000000.25, step=0.01)
+    ('1e6', '1000000.25')
+    """
+    if not math.isfinite(value):
+        return NOTHING
+    if abs(value) > step > 0.0:
+        whole_digits = math.floor(math.log10(abs(value))) + 1
+        digits = min(max(digits, whole_digits + math.ceil(-math.log10(step))), _MOST_DIGITS)
+    return typographic(f"{value:.{digits}g}", mark)
 
 
 def rounded_up(value: float, digits: int) -> float:
@@ -120,14 +134,14 @@ def power(exponent: float) -> str:
     return f"10{str(round(exponent)).translate(_SUPERSCRIPTS)}"
 
 
-def pair_text(value: tuple[float, float]) -> str:
-    """Return the text of two numbers: coordinates of a position or components of a vector."""
-    return f"{number(value[0])}, {number(value[1])}"
+def pair_text(value: tuple[float, float], step: float = 0.0) -> str:
+    """Return the text of two numbers: coordinates of a position or components of a vector; see `number`."""
+    return f"{number(value[0], step=step)}, {number(value[1], step=step)}"
 
 
-def point_at(index: int, position: tuple[float, float]) -> str:
-    """Return "Point 3 at 2.4, 5.158"."""
-    return f"Point {index} at {pair_text(position)}"
+def point_at(index: int, position: tuple[float, float], step: float = 0.0) -> str:
+    """Return "Point 3 at 2.4, 5.158"; see `number`."""
+    return f"Point {index} at {pair_text(position, step)}"
 
 
 def direction(vector: tuple[float, float]) -> str:

@@ -52,7 +52,7 @@ class ExportChoice:
     @property
     def format(self) -> Format:
         """The record of the format."""
-        return next(form for form in FORMATS.offered if form.ending == self.ending)
+        return next(form for form in FORMATS.written if form.ending == self.ending)
 
     def of_selected(self) -> ExportChoice:
         """Return the same choice for the selected curves only."""

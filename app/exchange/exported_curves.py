@@ -25,6 +25,7 @@ from curvecore import (
 )
 from curvecore.arithmetic import LARGEST
 from curvecore.arrays import FloatArray
+from curvecore.bezier.control_points import CubicPath
 
 from .. import __version__
 from ..document.model import Curve, Document
@@ -35,7 +36,7 @@ from ..view_model.curve.core_curve import in_words
 from ..view_model.curve.curve_view import ParametricCurve
 from .drawing.drawing import drawable_curves
 from .errors import ExchangeError
-from .options import DEFAULT, Options
+from .options import DEFAULT, Options, automatic_tolerance
 from .unique_names import UniqueNames
 
 HIGHEST_DEGREE = 10
@@ -164,11 +165,14 @@ class ExportedCurves:
         A sentence for each curve that is left out.
     options
         Options of the export.
+    document
+        The document that they are of.
     """
 
     curves: tuple[ExportedCurve, ...]
     remarks: tuple[str, ...]
     options: Options
+    document: Document
 
     def __iter__(self) -> Iterator[ExportedCurve]:
         for curve, report in self.with_reports():
@@ -184,8 +188,19 @@ class ExportedCurves:
 
     @property
     def tolerance(self) -> float:
-        """The largest deviation allowed; see `tolerance_for`."""
-        return tolerance_for(self.curves, self.options)
+        """The largest deviation allowed, by default `automatic_tolerance`.
+
+        Raises
+        ------
+        ExchangeError
+            Unless it is positive and finite.
+        """
+        tolerance = self.options.tolerance
+        if tolerance is None:
+            tolerance = automatic_tolerance(self.document)
+        if not 0 < tolerance < np.inf:
+            raise ExchangeError("The tolerance must be a positive number.")
+        return tolerance
 
 
 def curves_of(document: Document, options: Options = DEFAULT) -> ExportedCurves:
@@ -206,22 +221,7 @@ def curves_of(document: Document, options: Options = DEFAULT) -> ExportedCurves:
         ExportedCurve(source, core, names.unique(" ".join(source.name.split()) or "Curve"))
         for source, core in usable
     )
-    return ExportedCurves(curves, remarks, options)
-
-
-def tolerance_for(curves: Iterable[ExportedCurve], options: Options) -> float:
-    """Return the tolerance of the options, or a hundred-thousandth of the largest curve's size.
-
-    Raises
-    ------
-    ExchangeError
-        Unless it is positive and finite.
-    """
-    if options.tolerance is None:
-        return RELATIVE_TOLERANCE * max(1e-300, *(curve.size for curve in curves))
-    if not 0 < options.tolerance < np.inf:
-        raise ExchangeError("The tolerance must be a positive number.")
-    return options.tolerance
+    return ExportedCurves(curves, remarks, options, document)
 
 
 def deviation_text(deviation: float, is_bound: bool) -> str:
@@ -337,10 +337,14 @@ def _spline_of(path: Beziers) -> HermiteCurve:
     return HermiteCurve(np.concatenate([controls[:, 0], controls[-1:, 3]]), velocities, path.parameters)
 
 
-def cubics_of(piece: ParametricCurve, tolerance: float) -> Beziers:
-    """Return the cubic Bézier pieces of a curve within a tolerance."""
+def cubics_of(
+    piece: ParametricCurve,
+    tolerance: float,
+    follow: Callable[[ParametricCurve, float], CubicPath] = cubic_path,
+) -> Beziers:
+    """Return cubic Bézier pieces within a tolerance, which keep the speed of the curve or only its shape."""
     try:
-        path = cubic_path(piece, tolerance)
+        path = follow(piece, tolerance)
     except CurveError as problem:
         raise ExchangeError(f"The curve cannot be written: {in_words(str(problem))}.") from problem
     return Beziers(path.control_points, path.parameters, float(path.deviation), path.is_bound)

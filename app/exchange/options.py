@@ -13,7 +13,8 @@ from typing import Any, Generic, TypeVar
 import msgspec
 from msgspec.structs import replace
 
-from ..document.lengths import known_unit
+from ..document.lengths import MILLIMETRES, known_unit
+from ..document.model import Document
 from ..document.words import NamedEnum
 from ..tasks.progress import Report, silent
 from .drawing.styles import INK, LIGHT, PictureStyle
@@ -227,6 +228,28 @@ PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
 """Options of all pictures."""
 
 
+_OF_SIDE, _OF_CUT = 5e-5, 0.01
+
+AUTOMATIC = f"{_OF_SIDE:g} of its size, with a unit at most {_OF_CUT:g} mm"
+"""Rule of the automatic tolerance of a drawing, for help texts."""
+
+
+def automatic_tolerance(document: Document) -> float:
+    """Return the tolerance called “automatic”, in the document's unit, rounded down to one digit.
+
+    It is what an eye needs, 5e-5 of the longer side of the box around the visible points: a fifth of a pixel
+    where the drawing fills a screen of 3840. With a unit of length it is at most what a laser cutter needs,
+    0.01 mm, a tenth of the width of its cut.
+    """
+    points = [point.position for curve in document.curves if curve.visible for point in curve.points]
+    side = max((max(values) - min(values) for values in zip(*points, strict=True)), default=0.0)
+    tolerance = _OF_SIDE * (side or 1.0)
+    if unit := known_unit(document.unit):
+        tolerance = min(tolerance, _OF_CUT / MILLIMETRES[unit])
+    power = 10.0 ** math.floor(math.log10(tolerance))
+    return float(f"{math.floor(tolerance / power * (1 + 1e-9)) * power:.0e}") or tolerance
+
+
 class Options(msgspec.Struct, frozen=True, kw_only=True):
     """Options of exports; each format uses those that concern it.
 
@@ -236,7 +259,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         Pictures: width in pixels (PNG, SVG) or points of 1/72 inch (PDF); the height follows.
     tolerance
         Largest deviation allowed, in the document's unit, of formats that cannot hold the curve itself; by
-        default a hundred-thousandth of the drawing's longer side.
+        default `automatic_tolerance`.
     style
         Pictures: colours; by default dark ink, on light paper in a PNG and on none in SVG and PDF.
     points

@@ -113,6 +113,10 @@ def tick_labels(values: Sequence[float], scale: float, spacing: float) -> list[s
     exact = [round(value / spacing) * spacing * scale for value in values]
     largest = max((abs(value / spacing) for value in values), default=1.0)
     digits = min(max(_USUAL_DIGITS, math.ceil(math.log10(max(largest, 1.0))) + 1), _MOST_DIGITS)
+    if digits > _USUAL_DIGITS:
+        # All as plain decimals: 1e9 between 999999950 and 1000000050 would be read as another scale.
+        most = max(map(abs, exact))
+        digits = min(max(digits, math.floor(math.log10(most)) + 1), _MOST_DIGITS)
     return [number(value, digits) for value in exact]
 
 

@@ -276,7 +276,7 @@ class AppendPoint(Drag, kw_only=True):
     def amount(self, pointer: Pointer) -> str:
         """Return the position of the new point and the direction of its velocity."""
         position = self._position(pointer)
-        text = f"{self.undo_text(pointer)} at {words.pair_text(position)}"
+        text = f"{self.undo_text(pointer)} at {words.pair_text(position, pointer.pixel_size)}"
         if not self._sets_velocity(pointer):
             return text
         text = f"{text}, velocity at {words.direction(self._offset(pointer, position))}"
@@ -434,8 +434,8 @@ class InsertPoint(Drag, kw_only=True, dict=True):
     def amount(self, pointer: Pointer) -> str:
         """Return the position of the new point, or its parameter on the curve."""
         if self._is_on_curve(pointer):
-            return f"{self.undo_text(pointer)} at t = {words.number(self.hit.t)}"
-        return f"{self.undo_text(pointer)} at {words.pair_text(self.snapper.at(pointer))}"
+            return f"{self.undo_text(pointer)} at t = {self.view.t_text(self.hit.t)}"
+        return f"{self.undo_text(pointer)} at {words.pair_text(self.snapper.at(pointer), pointer.pixel_size)}"
 
     def committed(self, event: ToolEvent) -> None:
         """Say whether the shape was kept, unless the point was dragged off the curve."""

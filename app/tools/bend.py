@@ -68,7 +68,7 @@ class BendCurve(Drag, kw_only=True):
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Bend curve at t = 0.5"."""
-        return f"Bend curve at t = {words.number(self.hit.t)}"
+        return f"Bend curve at t = {self.view.t_text(self.hit.t)}"
 
     @property
     def keys(self) -> str:
@@ -82,7 +82,7 @@ class BendCurve(Drag, kw_only=True):
         weights = f", by weights {self.view.linearised}" if is_weighted else ""
         is_limited = self._bend(pointer).is_limited(self._target(pointer))
         limit = ", handles are limited so close to one" if is_limited else ""
-        return f"Bend at t = {words.number(self.hit.t)}: {_effect(self.view, pointer)}{weights}{limit}"
+        return f"Bend at t = {self.view.t_text(self.hit.t)}: {_effect(self.view, pointer)}{weights}{limit}"
 
 
 def bend_with(view: CurveView, pointer: Pointer) -> BendWith:
@@ -112,7 +112,8 @@ def click_segment(event: ToolEvent, hit: Hit, *, is_added: bool) -> None:
     ends = _ends_of(session.active_view, session.active_index, hit.t)
     if ends.parts:
         selected.set_group(_toggled(selected.group, ends) if is_added else ends)
-    value = f"t = {words.number(hit.t)} · c(t) = ({words.pair_text(hit.position)})"
+    position = words.pair_text(hit.position, event.pointer.pixel_size)
+    value = f"t = {event.session.active_view.t_text(hit.t)} · c(t) = ({position})"
     session.say(f"{selection_text(selected.group)} · {value}" if ends.parts else value)
 
 

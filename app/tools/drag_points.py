@@ -188,7 +188,7 @@ class MovePoints(Drag, kw_only=True):
         offset, one = words.pair_text(self.offset(pointer)), self.group.only_point
         if one is None:
             return f"Move {self.group.label} by {offset}"
-        return f"{words.point_at(one[1], self.position_at(pointer))} · moved {offset}"
+        return f"{words.point_at(one[1], self.position_at(pointer), pointer.pixel_size)} · moved {offset}"
 
 
 # What a press would do

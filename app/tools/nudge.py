@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ..document import words
 from ..document.model import Vector
 from ..document.point_group import PointGroup, points_of
@@ -26,7 +28,7 @@ def nudge(session: EditingSession, group: PointGroup, step: Vector) -> None:
     text, one = f"{group.label} nudged", group.only_point
     if one is not None:
         curve, index = one
-        text = words.point_at(index, session.document.curves[curve].points[index].position)
+        text = words.point_at(index, session.document.curves[curve].points[index].position, math.hypot(*step))
     session.say(" · ".join(filter(None, (f"{text} · step {words.pair_text(step)}", group.remark))))
 
 

@@ -140,7 +140,7 @@ class RailTool(ScrubTool):
         if hit.part is Part.DOT:
             return Hint(
                 f"The dot of point {hit.index}: its influence is largest near "
-                f"t = {words.number(hit.position[0])} · "
+                f"t = {event.view.t_text(hit.position[0])} · "
                 "Drag to scrub"
             )
         kind = f"{DERIVATIVES[hit.order - 1].name} function" if hit.order else "basis function"
@@ -264,7 +264,8 @@ class DragTicks(Drag, kw_only=True):
         by, moving = self._offset(pointer)
         if moving <= self.idle:
             return _idle_words(self.point)
-        text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by)}"
+        step = (self.parameters[-1] - self.parameters[0]) / 1000.0
+        text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by, step=step)}"
         if len(moving) > 1:
             text = f"{text}, {len(moving)} ticks by {words.number(by)}"
         if adjusted := self._adjusted(moving):

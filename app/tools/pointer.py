@@ -145,6 +145,11 @@ class Pointer(msgspec.Struct, frozen=True):
     is_double: bool = False
 
     @property
+    def pixel_size(self) -> float:
+        """The size of a pixel in the plane."""
+        return 1.0 / self.scale
+
+    @property
     def is_constrained(self) -> bool:
         """Whether Ctrl or Shift is held: a drag keeps to one axis, or an angle to steps of 15°."""
         return self.ctrl or self.shift

@@ -436,7 +436,7 @@ class Transform(TypedDrag, kw_only=True):
             return f"All {self.group.label}: {text[0].lower()}{text[1:]}"
         if one is None or self.kind is not TransformKind.MOVE:
             return text
-        return f"{text} · {words.point_at(one[1], self._moved(self._offset(pointer)))}"
+        return f"{text} · {words.point_at(one[1], self._moved(self._offset(pointer)), pointer.pixel_size)}"
 
     def _amount_at(self, pointer: Pointer) -> str:
         """Return the amount in words; with the typed text where that is an expression, or no number yet."""
@@ -555,7 +555,8 @@ class MovePivot(Gesture, kw_only=True):
 
     def status(self, event: ToolEvent) -> str:
         """Return the position of the pivot."""
-        return f"Pivot {words.pair_text(event.box.centre)} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
+        centre = words.pair_text(event.box.centre, event.pointer.pixel_size)
+        return f"Pivot {centre} · {AXIS_KEYS} · {SNAP_KEY} · Escape cancels"
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the frame, the pivot, and its snap."""

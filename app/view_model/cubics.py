@@ -201,7 +201,7 @@ def _pairs(values: FloatArray) -> list[Vector]:
 
 
 RELATIVE_TOLERANCE = 1e-5
-"""Usual tolerance against a drawing's larger side: a fiftieth of a pixel on a screen of 2000."""
+"""Usual tolerance of what is computed further, against the larger side of a curve."""
 
 # A control point moves the curve by at most the largest value of its Bernstein polynomial.
 _INFLUENCE = 4.0 / 9.0

@@ -99,8 +99,8 @@ def appended_with_parameters(view: CurveView, pasted: Sequence[Point], first_row
     new = [point.t or 0.0 for point in pasted]
     if present and not new[0] > present[-1]:
         raise EditError(
-            f"Row {first_row}: t must be greater than {number(present[-1], 6)}, the t of the last point, "
-            f"not {number(new[0], 6)}."
+            f"Row {first_row}: t must be greater than {number(present[-1], 15)}, the t of the last point, "
+            f"not {number(new[0], 15)}."
         )
     document = insert_points(Document((view.source,)), 0, count, pasted)
     return freeze_parameters(document, 0, [*present, *new]).curves[0]
@@ -111,8 +111,8 @@ def refuse_unordered(pasted: Sequence[Point], first_row: int) -> None:
     for row, (before, t) in enumerate(pairwise(point.t or 0.0 for point in pasted), start=first_row + 1):
         if not t > before:
             raise EditError(
-                f"Row {row}: t must be greater than {number(before, 6)}, the t of the row before it, "
-                f"not {number(t, 6)}."
+                f"Row {row}: t must be greater than {number(before, 15)}, the t of the row before it, "
+                f"not {number(t, 15)}."
             )
 
 

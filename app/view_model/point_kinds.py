@@ -12,6 +12,7 @@ are made of corners.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Mapping
 
 import msgspec
@@ -36,6 +37,7 @@ from ..document.point_edits import JetValue, clear_derivatives, make_smooth, wit
 from ..document.straight_edits import corners_of, straight_refusal, straighten
 from ..families import Family, titles_with_derivatives
 from .append import closed_by_pen, has_pulled_handle, with_bare_corner, with_point_appended
+from .curve.core_curve import Sides
 from .curve.curve_view import CurveView, view_of
 from .curve.handles import offset_past, pulled_out
 from .curve.point_arrays import PointArrays
@@ -100,25 +102,52 @@ def with_smooth_points(view: CurveView, indices: Collection[int]) -> Curve:
 
 
 def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve with one velocity, and one of each further derivative, on both sides of these points.
+    """Return the curve with handles that mirror each other at these points.
 
-    Each is the mean of the two; where they are alike already, the shape stays.
+    On segments of one length in t a point has one velocity, the mean of the two, and one of each further
+    derivative. Between segments of different lengths that would be handles of different lengths: there the
+    handles are the mean of the two, and so are the derivatives per unit of a segment, which keeps the
+    curvature continuous. Where handles cancel each other, they turn to one direction first.
 
     Raises
     ------
     EditError
         If there is no curve.
     """
-    document = Document((view.source,))
-    corners = [index for index in indices if view.source.points[index].corner]
+    points, changed = list(view.source.points), []
     for index in indices:
         _refuse_without_tangent(view, index)
-        document = make_smooth(document, 0, index, _mean(view, index, 1))
-    points = list(document.curves[0].points)
-    for index in corners:
-        means = [_mean(view, index, order) for order in range(1, view.source.family.derivatives + 1)]
-        points[index] = points[index].with_derivatives(means, ())
-    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), corners)
+        point, lengths = points[index], _lengths_beside(view, index)
+        if point.corner or not math.isclose(*lengths):
+            points[index] = _symmetric(view, index, lengths)
+            changed.append(index)
+        else:
+            points[index] = replace(point, velocity=_velocity(view, index, ahead=True))
+    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), changed)
+
+
+def _lengths_beside(view: CurveView, index: int) -> tuple[float, float]:
+    """Return the lengths in t of the segments before and after a point; at an end, that of its one side."""
+    before, after = (view.spacing(index, ahead=ahead) for ahead in (False, True))
+    return before or after or 1.0, after or before or 1.0
+
+
+def _symmetric(view: CurveView, index: int, lengths: tuple[float, float]) -> Point:
+    """Return a point with handles that mirror each other between segments of these lengths in t."""
+    assert view.sides is not None
+    before, after = (jets[index, 1:].copy() for jets in view.sides)
+    if not inner_points(view.source, [index]):
+        before = after = before if index else after
+    scales = [h ** np.arange(1, len(before) + 1)[:, None] for h in lengths]
+    if not (scales[0] * before + scales[1] * after)[0].any():
+        velocities = (_velocity(view, index, ahead=ahead) for ahead in (False, True))
+        before[0], after[0] = _in_one_direction(view, index, *velocities)
+    mean, position = (scales[0] * before + scales[1] * after) / 2, np.zeros((1, 2))
+    sides = Sides(*(np.vstack([position, mean / scale])[None] for scale in scales))
+    point = view.source.points[index].without_corner()
+    if not math.isclose(*lengths):
+        point = replace(point.as_corner(), tied=True, even=True)
+    return with_jets(point, sides, 0)
 
 
 def with_estimated_points(view: CurveView, indices: Collection[int]) -> Curve:
@@ -179,18 +208,6 @@ def _in_one_direction(view: CurveView, index: int, before: Vector, after: Vector
 def _refuse_without_tangent(view: CurveView, index: int) -> None:
     if view.sides is None:
         raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
-
-
-def _mean(view: CurveView, index: int, order: int) -> Vector:
-    """Return the mean of a derivative before and after a point; at an end, that of its one side."""
-    assert view.sides is not None
-    before, after = (jets[index, order] for jets in view.sides)
-    if not view.source.is_closed and index == 0:
-        before = after
-    elif not view.source.is_closed and index == len(view.source.points) - 1:
-        after = before
-    x, y = ((before + after) / 2).tolist()
-    return (x, y)
 
 
 def _with_estimates_kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
@@ -420,7 +437,7 @@ SYMMETRIC = PointKind(
     title="Symmetric",
     action="tangentSymmetric",
     key="Shift+Y, Alt+1",
-    tip="Give the selected points one velocity on both sides, their mean; the handles mirror each other",
+    tip="Give the two handles of each selected point one direction and one length, their mean",
     keywords="smooth C1 mirror equal handles length",
     step="Symmetric",
     one="symmetric",

@@ -242,7 +242,7 @@ def _given(curve: ParametricCurve, count: int, *, has_corner: bool) -> Iterator[
 def _checked_index(view: CurveView, t: float) -> int:
     knots = view.parameters
     if not knots[0] < t < knots[-1]:
-        raise EditError(f"No point can be inserted at t = {number(t, 6)}: it is not inside the curve.")
+        raise EditError(f"No point can be inserted at t = {view.t_text(t)}: it is not inside the curve.")
     assert view.curve is not None
     away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
     nearest = int(np.argmin(away))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import msgspec
 import numpy as np
@@ -16,12 +17,18 @@ from ..document.words import NOTHING, number, typographic
 NEGLIGIBLE = 1e-12
 """Share of the greatest number of a column below which a number is a rounding residue, shown as 0."""
 
+EXACT = 1e-14
+"""Such a share of numbers that were not computed: of positions, which a rotation may have rounded."""
+
 _WHOLE_DIGITS = 4
 
-_FIELD_DIGITS, _FIELD_DECIMALS = 7, 4
-"""Digits of a number in a field without the focus, and decimals among them."""
+_FIELD_DIGITS, _FIELD_DECIMALS, _LEAST_DECIMALS = 7, 4, 3
+"""Digits of a number in a field without the focus, decimals among them, and decimals of a large number."""
 
 _ANGLE_DECIMALS = 3
+
+_MOST_DIGITS = 15
+"""Digits that every float can show exactly."""
 
 _ROUNDED_UP = 2e-4
 """Decades by which a number may be rounded up: 9.996 may become 10.00."""
@@ -50,7 +57,8 @@ def typed_text(value: float) -> str:
 def field_text(value: float) -> str:
     """Return a number short enough for a field, in the user's locale: 80.6367, 1234.568, 0.001235."""
     whole = _whole_digits(abs(value)) if 1 <= abs(value) < math.inf else 0
-    return number(value, min(whole + _FIELD_DECIMALS, _FIELD_DIGITS), decimal_mark())
+    digits = max(min(whole + _FIELD_DECIMALS, _FIELD_DIGITS), whole + _LEAST_DECIMALS)
+    return number(value, min(digits, _MOST_DIGITS), decimal_mark())
 
 
 def angle_text(degrees: float) -> str:
@@ -93,8 +101,11 @@ class ColumnNumbers(msgspec.Struct, frozen=True):
         return NEGLIGIBLE * self.greatest
 
 
-def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
-    """Return the magnitude, extent and digits of each column of `values`, (n, columns)."""
+def numbers_of_columns(values: FloatArray, residues: Sequence[float] = ()) -> list[ColumnNumbers]:
+    """Return the magnitude, extent and digits of each column of `values`, (n, columns).
+
+    Numbers of a column that differ by less than its share in `residues` of the greatest count as equal.
+    """
     magnitudes, are_finite = np.abs(values), np.isfinite(values)
     magnitudes[~are_finite] = 0.0
     greatest = magnitudes.max(axis=0, initial=0.0)
@@ -110,11 +121,16 @@ def numbers_of_columns(values: FloatArray) -> list[ColumnNumbers]:
     for column, sign, decade in zip(*(indices.tolist() for indices in np.nonzero(grid)), strict=True):
         signs_and_decades[column].append((-1 if sign else 1, decade + _LEAST_DECADE))
     is_signed = np.atleast_1d(np.any(values < 0, axis=0))
+    with np.errstate(invalid="ignore", over="ignore"):
+        between_rows = np.abs(np.diff(values, axis=0))
+    tolerances = greatest * (residues or NEGLIGIBLE)
+    differ = between_rows > tolerances
+    steps = between_rows.min(axis=0, initial=math.inf, where=differ).tolist()
     return [
         ColumnNumbers(
             maximum,
             _extent_of(signs_and_decades[column], maximum, is_signed=bool(is_signed[column])),
-            distinguishing_digits(spread[column], maximum),
+            distinguishing_digits(spread[column], maximum, steps[column], tolerances[column]),
         )
         for column, maximum in enumerate(greatest.tolist())
     ]
@@ -135,21 +151,24 @@ def column_decimals(values: FloatArray, digits: int) -> int:
     """
     finite = values[np.isfinite(values)]
     greatest = float(np.abs(finite).max(initial=0.0))
-    maximum, slack = most_decimals(_whole_digits(greatest), digits), NEGLIGIBLE * greatest
+    maximum = most_decimals(_whole_digits(greatest), digits)
+    slack = min(NEGLIGIBLE * greatest, 0.5 * 10.0**-maximum)
     # The algorithm of np.round, for all decimals at once.
     tens = 10.0 ** np.arange(maximum)[:, np.newaxis]
     are_exact = (np.abs(np.rint(finite * tens) / tens - finite) <= slack).all(axis=1)
     return next((decimals for decimals, is_exact in enumerate(are_exact.tolist()) if is_exact), maximum)
 
 
-def distinguishing_digits(spread: float, greatest: float) -> int:
-    """Return the digits that tell numbers apart, three of their spread: 12 for 1700000000.04.
+def distinguishing_digits(spread: float, greatest: float, step: float, tolerance: float) -> int:
+    """Return the digits that tell numbers apart: 12 for 1700000000.04, of which three are of the spread.
 
-    0 without a spread, or with one beyond all floats.
+    `step` is the least difference of two neighbours, which differ in the last digit at least. 0 without a
+    spread above the `tolerance`, or with one beyond all floats.
     """
-    if not NEGLIGIBLE * greatest < spread < math.inf:
+    if not tolerance < spread < math.inf:
         return 0
-    return _whole_digits(greatest) + max(2 - math.floor(math.log10(spread)), 0)
+    decimals = max(2 - math.floor(math.log10(spread)), math.ceil(-math.log10(min(step, spread))), 0)
+    return min(_whole_digits(greatest) + decimals, _MOST_DIGITS)
 
 
 def most_decimals(whole_digits: int, digits: int) -> int:

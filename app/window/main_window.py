@@ -156,7 +156,10 @@ class MainWindow(SafeOverrides, QMainWindow):
         session.ranges_returned.connect(self.canvas.camera.show_box)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
-        self.canvas.pointed_at.connect(self.status_line.readouts.show_position)
+        readouts = self.status_line.readouts
+        readouts.pixel_size = lambda: self.canvas.camera.pixel_size
+        readouts.view = lambda: session.active_view
+        self.canvas.pointed_at.connect(readouts.show_position)
         FieldShortcuts(self)
         self.menus.fill_with_files(self.preferences, files.open_beside, files.open_example)
         ends = (files.remember_rules, files.release, self.commands.close)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QPainter, QPaintEvent
@@ -13,6 +14,7 @@ from ..document.model import Vector
 from ..document.words import number
 from ..qt.labels import set_tip
 from ..qt.overrides import SafeOverrides
+from ..view_model.curve.curve_view import CurveView
 from ..widgets.controls import named
 from ..widgets.elided_label import ElidedLabel, SteadyLabel
 
@@ -173,6 +175,8 @@ class Readouts:
     ----------
     unit
         What is written behind the place.
+    pixel_size, view
+        Return the size of a pixel of the canvas, and the curve of t.
     """
 
     def __init__(self, line: QStatusBar) -> None:
@@ -187,6 +191,8 @@ class Readouts:
         self._lebesgue: float | None = math.nan
         self._lebesgue_holds = ""
         self.unit = ""
+        self.pixel_size: Callable[[], float] = lambda: 0.0
+        self.view: Callable[[], CurveView]
         self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self.render)
 
@@ -235,15 +241,15 @@ class Readouts:
         self._soon.stop()
         self._position_label.setText(self._position_text())
         t = self._t_scrub if self._t_here is None else self._t_here
-        self._t_label.setText("" if t is None else f"t {number(t)}")
+        self._t_label.setText("" if t is None else f"t {self.view().t_text(t)}")
         self._lebesgue_label.setText(self._lebesgue_text())
 
     def _position_text(self) -> str:
         if self._position is None:
             return ""
-        x, y = self._position
+        x, y = (number(coordinate, step=self.pixel_size()) for coordinate in self._position)
         unit = f" {self.unit}" if self.unit else ""
-        return f"x {number(x)}{unit}   y {number(y)}{unit}"
+        return f"x {x}{unit}   y {y}{unit}"
 
     def _lebesgue_text(self) -> str:
         if self._lebesgue is None:

@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 
+from app.document.model import Document, make_curve
 from app.exchange.drawing.drawing import drawing_of
+from app.exchange.options import automatic_tolerance
 from app.view_model.extents import extent_of
+from tests.rows import each_row
 
 
 def cubic(pieces, s):
@@ -42,3 +45,22 @@ def test_fitting_keeps_the_shape_and_centres(sketch):
     middle = (frame.left + frame.width / 2, frame.bottom + frame.height / 2)
     np.testing.assert_allclose(after[0] - (250, 1000), scale * (before[0] - middle), atol=1e-9)
     assert fitted.deviation == drawing.deviation
+
+
+@each_row(
+    ("size", "unit", "tolerance"),
+    [
+        (9.0, "", 4e-4),
+        (10.0, "", 5e-4),
+        (800.0, "px", 0.03),  # 0.01 mm are 0.0378 px
+        (100.0, "mm", 0.005),
+        (200.0, "mm", 0.01),
+        (2000.0, "mm", 0.01),
+        (2.0, "m", 1e-5),
+        (1e-9, "", 5e-14),
+        (0.0, "", 5e-5),
+    ],
+)
+def test_the_automatic_tolerance_is_what_an_eye_and_a_laser_cutter_need(size, unit, tolerance):
+    document = Document((make_curve([(0.0, 0.0), (size, size / 2)]),), unit=unit)
+    assert automatic_tolerance(document) == tolerance

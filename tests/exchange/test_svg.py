@@ -21,7 +21,6 @@ from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
 from app.exchange.svg.writer import number, svg_of
 from app.families import HERMITE
-from app.view_model.cubics import RELATIVE_TOLERANCE
 from app.view_model.curve.curve_view import view_of
 from curvecore.bezier.control_points import bezier_segments, cubic_shape
 from tests.rows import each_row
@@ -96,7 +95,7 @@ def test_the_default_tolerance_is_relative_to_the_size(example):
     deviation, tolerance = stated(text)
     (pieces,) = paths(text)
     size = np.ptp(pieces.reshape(-1, 2), axis=0).max()
-    assert 0.5 * RELATIVE_TOLERANCE * size < tolerance < 2 * RELATIVE_TOLERANCE * size
+    assert 0.5e-5 * size < tolerance < 1e-4 * size
     assert deviation <= tolerance * 1.01
 
 

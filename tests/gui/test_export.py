@@ -19,7 +19,7 @@ from app.document.group_edits import group_curves
 from app.document.model import NEVER_EXPORTED, Document, Export, make_curve
 from app.exchange.export_choice import ExportChoice, choice_from, choice_of, export_record, text_of
 from app.exchange.files import import_file
-from app.exchange.formats import FORMATS, format_of, with_ending
+from app.exchange.formats import FORMATS, format_of, typed_format, with_ending
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.settings.preferences import Preferences
 from app.storage.files import load
@@ -354,24 +354,63 @@ def test_handles_lie_inside_the_picture_and_above_the_functions(editor, tmp_path
 
 
 @pytest.mark.parametrize(
-    ("ending", "typed", "written"),
+    ("ending", "typed", "written", "format_ending"),
     [
-        (".points.csv", "p.csv", "p.points.csv"),
-        (".points.csv", "p", "p.points.csv"),
-        (".points.csv", "P.POINTS.CSV", "P.POINTS.CSV"),
-        (".csv", "p.points.csv", "p.csv"),
-        (".scipy.py", "sp.py", "sp.scipy.py"),
-        (".py", "sp.scipy.py", "sp.py"),
-        (".path.txt", "path.txt", "path.path.txt"),
-        (".desmos.txt", "a.path.txt", "a.desmos.txt"),
-        (".coefficients.json", "a.json", "a.coefficients.json"),
-        (".svg", "a.b", "a.b.svg"),
-        (".svg", "a.csv", "a.csv.svg"),
-        (".points.csv", ".csv", ".csv.points.csv"),
+        (".points.csv", "p.csv", "p.points.csv", ".points.csv"),
+        (".points.csv", "p", "p.points.csv", ".points.csv"),
+        (".points.csv", "P.POINTS.CSV", "P.POINTS.CSV", ".points.csv"),
+        (".points.csv", "p.tsv", "p.points.tsv", ".points.csv"),
+        (".points.csv", "p.points.tsv", "p.points.tsv", ".points.csv"),
+        (".csv", "p.points.csv", "p.points.csv", ".points.csv"),
+        (".tsv", "path.csv", "path.csv", ".csv"),
+        (".tsv", "path.CSV", "path.CSV", ".csv"),
+        (".scipy.py", "sp.py", "sp.scipy.py", ".scipy.py"),
+        (".py", "sp.scipy.py", "sp.scipy.py", ".scipy.py"),
+        (".path.txt", "path.txt", "path.path.txt", ".path.txt"),
+        (".desmos.txt", "a.path.txt", "a.path.txt", ".path.txt"),
+        (".coefficients.json", "a.json", "a.coefficients.json", ".coefficients.json"),
+        (".svg", "a.b", "a.b.svg", ".svg"),
+        (".svg", "a.csv", "a.csv", ".csv"),
+        (".png", "a.curve.json", "a.curve.json", ".curve.json"),
+        (".points.csv", ".csv", ".csv.points.csv", ".points.csv"),
     ],
 )
-def test_the_ending_of_the_format_replaces_a_typed_ending(ending, typed, written):
-    assert with_ending(Path("folder", typed), ending) == Path("folder", written)
+def test_the_name_typed_decides_the_format(ending, typed, written, format_ending):
+    form = typed_format(Path(typed), format_of(f"a{ending}", FORMATS.written))
+    assert form.ending == format_ending
+    assert with_ending(Path("folder", typed), form) == Path("folder", written)
+
+
+def test_the_automatic_tolerance_says_its_number(editor, tmp_path, monkeypatch):
+    """5e-5 of the longer side, rounded down to one digit; with a unit at most 0.01 mm."""
+    points = [(0.0, 0.0), (3.0, 4.0), (9.0, 1.0)]
+    editor.session.change("Draw", lambda _: Document((make_curve(points, family=QUINTIC_HERMITE),)))
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    field = dialog.form.fields["tolerance"].widget
+    assert field.text() == "automatic (0.0004)"
+    text = export(editor, dialog, tmp_path / "a.svg", monkeypatch).read_text(encoding="utf-8")
+    assert "(tolerance 0.0004)" in text
+    dialog = measured(editor, "m")
+    field = dialog.form.fields["tolerance"].widget
+    assert field.text() == "automatic (1e-05)"
+    for typed, shown in (("0.5", "0.5"), ("Automatic", "automatic (1e-05)")):
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, typed)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        assert field.text() == shown
+    dialog.close()
+
+
+def test_a_csv_typed_under_tsv_is_a_csv(editor, dialog, tmp_path, monkeypatch):
+    choose_format(dialog, ".tsv")
+    path = export(editor, dialog, tmp_path / "path.csv", monkeypatch)
+    assert [each.name for each in tmp_path.glob("path*")] == ["path.csv"]
+    assert path.read_text(encoding="utf-8").splitlines()[0].count(",") > 3
+    assert editor.session.files.last_export.ending == ".csv"
+    assert editor.status.startswith("Wrote path.csv")
 
 
 def test_the_file_has_the_ending_of_its_format_once(editor, dialog, tmp_path, monkeypatch):

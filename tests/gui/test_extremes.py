@@ -7,13 +7,15 @@ import re
 import numpy as np
 import pytest
 from msgspec.structs import replace
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from app.canvas.hit_test import PixelOutline
 from app.document.constraints import rescaled
 from app.document.limits import EditError
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from app.document.words import number
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN
 from app.plotting.pixel_map import PixelMap
@@ -160,3 +162,90 @@ def test_a_line_with_too_few_vertices_has_a_note_on_its_deviation(opened):
     opened(make_curve(points[:5].tolist()))
     canvas.grab()
     assert canvas.drawing.curve.deviation_text == ""
+
+
+WAVE = ((0.0, 0.0), (0.25, 0.3), (0.5, 0.05), (0.55, 0.2), (1.0, 0.25))
+FAR_AWAY = [(0.0, 1.0), (1e6, 1.0), (-1e6, 1.0), (1e9, 1.0), (1e6, 1e-6), (0.0, 1e-6), (1e11, 1.0)]
+
+
+@pytest.mark.parametrize(("far", "size"), FAR_AWAY)
+def test_a_small_curve_far_away_fills_the_view_and_its_numbers_differ(opened, far, size):
+    """Around 1e9 a curve of one unit was a dot, and the column of x showed “1e6” five times."""
+    points = [(far + size * x, far + size * y) for x, y in WAVE]
+    editor = opened(make_curve(points, family=HERMITE))
+    canvas, table = editor.window.canvas, editor.window.point_table
+    seen = canvas.pixel_map.box[2] - canvas.pixel_map.box[0]
+    assert seen == pytest.approx(1.24 * size, rel=0.01)
+    left, right = (canvas.to_pixel(*points[k]).x() for k in (0, -1))
+    assert right - left > 0.7 * canvas.viewport().width()
+    for side in ("left", "bottom"):
+        labels = canvas.getAxis(side).ticks_in(canvas.pixel_map).labels
+        texts = [text for _, text in labels]
+        assert len(texts) == len(set(texts)) >= 2
+        # One scale for all: “1e9” between “999999950” and “1000000050” looked like another one.
+        assert len({"e" in text for text in texts if text != "0"}) == 1
+    for column in range(3):
+        rows = range(len(points))
+        texts = [table.cell_delegate.text(row, column) for row in rows]
+        spoken = [table.model().index(row, column).data() for row in rows]
+        for row in rows[1:]:
+            differ = table.model().values[row, column] != table.model().values[row - 1, column]
+            assert (texts[row] != texts[row - 1], spoken[row] != spoken[row - 1]) == (differ, differ)
+        width = table.fontMetrics().horizontalAdvance(max(texts, key=len))
+        assert width < table.columnWidth(column)
+
+
+@pytest.mark.parametrize(("far", "size"), FAR_AWAY)
+def test_positions_of_neighbouring_pixels_look_different(opened, far, size):
+    """With four digits the status line said “x 1e6” wherever the pointer was."""
+    editor = opened(make_curve([(far + size * x, far + size * y) for x, y in WAVE], family=HERMITE))
+    place = editor.window.findChild(QWidget, "pointerPlace")
+    start = editor.window.canvas.to_pixel(*editor.point(1))
+    texts = []
+    for step in (0, 8, 16):
+        editor.hover(editor.window.canvas.to_plane(start + QPoint(step, step)))
+        editor.window.status_line.readouts.render()
+        texts.append(re.split(r"\s+", place.text().replace("x ", "").replace("y ", "")))
+    assert all(len(set(axis)) == 3 for axis in zip(*texts, strict=True)), texts
+    editor.select([1])
+    said = []
+    for _ in range(2):
+        QTest.keyClick(editor.window.canvas, Qt.Key.Key_Right)
+        said.append(editor.status)
+    assert len(set(said)) == 2
+
+
+@pytest.mark.parametrize("start", [0.0, 1e6, 1.7e9])
+def test_a_t_of_a_large_interval_has_the_digits_to_tell_it_apart(opened, start):
+    """A single t near 1e6 had four digits: “t 1e6” at the rail, in the status line and in messages."""
+    interval = Parametrization(start=start, end=start + 1)
+    points = tuple(Point(x, y) for x, y in WAVE)
+    editor = opened(Curve("Time", HERMITE, interval, points))
+    readout = editor.window.findChild(QWidget, "pointerT")
+    panel = editor.window.basis_panel
+    texts = []
+    for t in (start + 0.612, start + 0.615):
+        editor.session.scrub.set(t)
+        editor.settle()
+        editor.window.status_line.readouts.render()
+        assert readout.text() == f"t {t:.15g}"
+        texts.append(panel.viewport().grab().toImage())
+    assert texts[0] != texts[1]
+    editor.trigger("splitCurve")
+    assert f"at t = {start + 0.615:.15g}:" in editor.status
+
+
+@pytest.mark.parametrize(
+    ("value", "step", "text"),
+    [
+        (1000000.25, 0.0, "1e6"),
+        (1000000.25, 0.01, "1000000.25"),
+        (-1000000.25, 0.25, "−1000000.2"),
+        (12.4031, 0.01, "12.4"),
+        (1e6, 1e-30, "1000000"),
+        (0.0, 1e-6, "0"),
+        (1e-9, 1.0, "1e−9"),
+    ],
+)
+def test_a_number_has_the_digits_that_show_a_step(value, step, text):
+    assert number(value, step=step) == text

@@ -61,7 +61,7 @@ def test_the_dot_is_the_velocity_at_the_scrub_line(editor, hodograph):
     t, value = hodograph.scrub
     assert t == editor.session.scrub.t
     assert value == pytest.approx(tuple(editor.session.active_view.curve.evaluate(t, 1)))
-    assert panel(editor).findChild(QWidget, "hodographValue").text().startswith(f"c′({t:.3g}) = (")
+    assert panel(editor).findChild(QWidget, "hodographValue").text().startswith(f"c′({t:.4g}) = (")
 
 
 def test_a_drag_along_the_hodograph_scrubs_and_escape_reverts(editor, hodograph):

@@ -468,16 +468,55 @@ def test_corners_and_smooth_points_keep_the_shape(family, rule, closed, chosen):
     cornered = view_of(with_corners(before, chosen))
     assert [index for index, point in enumerate(cornered.source.points) if point.corner] == chosen
     assert distance(before, cornered) < ROUNDING
+    # The segments differ in length, and with them the handles, which become equally long.
     symmetric = view_of(with_symmetric_points(cornered, chosen))
-    assert not any(point.corner for point in symmetric.source.points)
-    assert distance(before, symmetric) < ROUNDING
+    assert all(are_mirrored(symmetric, index) for index in chosen)
+    assert distance(symmetric, view_of(with_symmetric_points(symmetric, chosen))) < ROUNDING
+    assert distance(symmetric, view_of(with_symmetric_points(before, chosen))) < ROUNDING
     # Handles that lie on a line are tied as they are, from a corner as from a point that is none.
-    for start in (before, cornered, symmetric):
+    for start, shape in ((before, before), (cornered, before), (symmetric, symmetric)):
         smooth = view_of(with_smooth_points(start, chosen))
         assert [index for index, point in enumerate(smooth.source.points) if point.tied] == chosen
-        assert distance(before, smooth) < ROUNDING
-        assert distance(before, view_of(with_corners(smooth, chosen))) < ROUNDING
-        assert distance(before, view_of(with_symmetric_points(smooth, chosen))) < ROUNDING
+        assert distance(shape, smooth) < ROUNDING
+        assert distance(shape, view_of(with_corners(smooth, chosen))) < ROUNDING
+        assert distance(symmetric, view_of(with_symmetric_points(smooth, chosen))) < ROUNDING
+
+
+def are_mirrored(shown, index):
+    """Whether all derivatives at a point, per unit of the segment on each side, are the same."""
+    before, after = (
+        [
+            np.array(shown.derivative_of(index, order, ahead=ahead))
+            * shown.spacing(index, ahead=ahead) ** order
+            for order in range(1, shown.source.family.derivatives + 1)
+        ]
+        for ahead in (False, True)
+    )
+    return np.allclose(before, after, rtol=1e-12, atol=1e-12)
+
+
+@each_row("family", WITH_VELOCITIES)
+def test_symmetric_points_between_equal_segments_have_one_velocity(family):
+    before = view(family, points=[(0, 0), (1, 2), (2, 0), (3, 2), (4, 0)], manual=False)
+    for start in (before, view_of(with_corners(before, [2]))):
+        symmetric = view_of(with_symmetric_points(start, [2]))
+        assert not symmetric.source.points[2].corner
+        assert symmetric.source.points[2].velocity == pytest.approx(before.velocity_of(2))
+        assert distance(before, symmetric) < ROUNDING
+
+
+def test_symmetric_handles_that_cancel_each_other_get_one_direction():
+    """Their mean was zero: a point without a tangent."""
+    cornered = with_corners(view(manual=False), [2])
+    point, ahead = cornered.points[2], view(manual=False).spacing(2, ahead=True)
+    behind = view(manual=False).spacing(2, ahead=False)
+    turned = replace(
+        point, velocity=(-3.0 / behind, -1.0 / behind), velocity_after=(3.0 / ahead, 1.0 / ahead)
+    )
+    start = view_of(replace(cornered, points=(*cornered.points[:2], turned, *cornered.points[3:])))
+    symmetric = view_of(with_symmetric_points(start, [2]))
+    assert are_mirrored(symmetric, 2)
+    assert np.multiply(symmetric.velocity_of(2), ahead) == pytest.approx((3.0, 1.0))
 
 
 def test_the_start_of_a_closed_curve_may_be_a_corner():
@@ -485,7 +524,7 @@ def test_the_start_of_a_closed_curve_may_be_a_corner():
     cornered = view_of(with_corners(before, [0]))
     assert cornered.source.points[0].velocity_after == before.velocity_of(0)
     assert distance(before, cornered) < ROUNDING
-    assert distance(before, view_of(with_symmetric_points(cornered, [0]))) < ROUNDING
+    assert are_mirrored(view_of(with_symmetric_points(cornered, [0])), 0)
     assert distance(before, view_of(with_smooth_points(cornered, [0]))) < ROUNDING
 
 

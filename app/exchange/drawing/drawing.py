@@ -16,12 +16,12 @@ from curvecore.bezier.control_points import cubic_shape
 from ...document.model import Curve, Document
 from ...document.style import USUAL_WIDTH, Style
 from ...tasks.progress import Report, part, silent, with_progress
-from ...view_model.cubics import RELATIVE_TOLERANCE
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.extents import around_dot
 from ..cubics_in import letters_of
 from ..errors import ExchangeError
+from ..options import automatic_tolerance
 from .outlines import LARGEST, Frame, Outline, by_shape, frame_around, frame_with, painted_extent
 
 POINT_RADIUS = 0.006
@@ -168,8 +168,8 @@ def drawing_of(
     document
         A document with at least one curve that can be drawn.
     tolerance
-        Largest deviation allowed, positive, in the document's unit; by default `RELATIVE_TOLERANCE` of
-        the drawing's larger side.
+        Largest deviation allowed, positive, in the document's unit; by default
+        `automatic_tolerance`.
     report
         Called with the progress.
     with_hidden
@@ -185,7 +185,8 @@ def drawing_of(
         raise ExchangeError("The tolerance must be a positive number.")
     curves, remarks = _some_drawable(document, part(report, 0.0, 0.3))
     samples = [_samples(*pair) for pair in with_progress(curves, part(report, 0.3, 0.5), "Computing curves")]
-    allowed = tolerance if tolerance is not None else RELATIVE_TOLERANCE * frame_around(samples).side
+    frame_around(samples)  # refuses what no picture can hold, before the work
+    allowed = automatic_tolerance(document) if tolerance is None else tolerance
     drawn = with_progress(curves, part(report, 0.5, 1.0), "Drawing curves")
     outlines = tuple(_outline(curve, core, allowed) for curve, core in drawn)
     hidden = tuple(_hidden(document, [curve for curve, _ in curves], allowed)) if with_hidden else ()

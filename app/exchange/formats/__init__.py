@@ -306,19 +306,28 @@ def ending_in(path: str | os.PathLike[str], known: Format) -> str:
     return _longest(Path(path).name, known.endings)
 
 
-def with_ending(path: Path, ending: str) -> Path:
-    """Return `path` with the ending of a format.
+def typed_format(path: Path, chosen: Format) -> Format:
+    """Return the format that the ending of a typed name stands for.
 
-    An ending of the same kind is replaced: p.csv and p.points.csv are one name in two formats.
+    That is the chosen one if the name has no known ending, or the last part of the chosen one's: p.csv is the
+    name of a table of points (``.points.csv``) where that was chosen.
     """
-    known = _longest(path.name, endings_of(FORMATS.written))
-    if known == ending:
+    typed = _longest(path.name, endings_of(FORMATS.written))
+    if not typed or any(ending.endswith(typed) for ending in chosen.endings):
+        return chosen
+    return next(form for form in FORMATS.written if typed in form.endings)
+
+
+def with_ending(path: Path, form: Format) -> Path:
+    """Return `path` with an ending of a format; the last part of one is completed."""
+    if ending_in(path, form):
         return path
-    kind = ending[ending.rindex(".") :]
-    replaced = known if known.endswith(kind) else kind if path.name.lower().endswith(kind) else ""
-    stem = path.name[: len(path.name) - len(replaced)]
-    # A name that is only an ending is the name of a file as well.
-    return path.with_name((stem or path.name) + ending)
+    typed = path.suffix.lower()
+    for ending in form.endings:
+        # A name that is only an ending is the name of a file as well, and has no suffix.
+        if typed and ending.endswith(typed):
+            return path.with_name(path.stem + ending)
+    return path.with_name(path.name + form.ending)
 
 
 _DOCUMENT_MARK = re.compile(rb'"format"\s*:\s*"curvebench"')

@@ -18,6 +18,7 @@ from msgspec.structs import replace
 
 from curvecore import LagrangeCurve, chebyshev, cubic_path
 from curvecore.arrays import FloatArray
+from curvecore.bezier.control_points import cubic_shape
 
 from ... import exchange
 from ...document.model import Document
@@ -122,7 +123,9 @@ class _ReportingStream(io.StringIO):
 
 def _pieces(curve: ExportedCurve, tolerance: float, cubic: bool) -> list[Beziers]:
     return [
-        cubics_of(piece, tolerance) if cubic and _is_high(piece) else beziers_of(piece, tolerance)
+        cubics_of(piece, tolerance, cubic_shape)
+        if cubic and _is_high(piece)
+        else beziers_of(piece, tolerance)
         for piece in curve.core.pieces
     ]
 

@@ -28,7 +28,7 @@ from ...families import QUINTIC_HERMITE
 from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import ImportedPath, ImportResult, Look, import_paths
 from ..errors import ExchangeError, Loss, Losses
-from ..exported_curves import ExportedCurve, bezier_values, cell_of_number, curves_of, tolerance_for
+from ..exported_curves import ExportedCurve, bezier_values, cell_of_number, curves_of
 from ..options import DEFAULT, TOLERANCE, Options
 from ..table.columns import AFTER, ROLES, mapping_of
 from ..table.table import RowProblem, Table, TextLayout, table_of
@@ -161,11 +161,10 @@ def path_table(document: Document, options: Options = DEFAULT) -> ExportResult:
     """
     curves = curves_of(document, options)
     remarks, (first, *_) = curves.remarks, curves.curves
-    tolerance = tolerance_for([first], options)
     rows, deviation = list[str](), 0.0
     for curve in curves:
         if curve is first:
-            rows, deviation = _rows_of(curve, tolerance)
+            rows, deviation = _rows_of(curve, curves.tolerance)
         else:
             remarks = (*remarks, f"“{curve.name}” was left out: a PathWeaver file has one path.")
     is_bound = not deviation or (first.core.degree or math.inf) <= _MOST_SAMPLED

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -15,7 +15,6 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import Theme, mix
-from ...document.words import number
 from ...plotting.camera import GREATEST_SPAN, CameraOverT
 from ...plotting.layers import Layer
 from ...plotting.pens import with_dashes
@@ -183,6 +182,7 @@ class RailLayer(Layer):
         self.hovered = -1
         self.scrub: float | None = None
         self.parameters: FloatArray = np.empty(0)
+        self._t_text: Callable[[float], str] = str
         # Nodes (Greville abscissae) of control points, None for points on the curve; ticks without effect.
         self.nodes: FloatArray | None = None
         self._idle: BoolArray = np.empty(0, dtype=np.bool_)
@@ -191,7 +191,7 @@ class RailLayer(Layer):
 
     def render(self, view: CurveView) -> None:
         """Draw a tick at every knot from the next paint on."""
-        self.parameters = view.ticks
+        self.parameters, self._t_text = view.ticks, view.t_text
         self._count = len(view.source.points)
         curve = view.curve if view.is_current else None
         self.nodes = None if curve is None or curve.interpolates else curve.nodes
@@ -305,10 +305,12 @@ class RailLayer(Layer):
         painter.setBrush(self.theme.accent)
         painter.drawPolygon(QPolygonF([QPointF(x - size, 0), QPointF(x + size, 0), QPointF(x, 1.5 * size)]))
         painter.setPen(self.theme.accent)
-        left = x > pixel_map.width - 90 * self.scale
-        box = QRectF(x - 98 if left else x + 8, 2, 90, 18 * self.scale)
+        text = f"t = {self._t_text(t)}"
+        width = painter.fontMetrics().horizontalAdvance(text) + 2.0
+        left = x > pixel_map.width - width - 8
+        box = QRectF(x - 8 - width if left else x + 8, 2, width, 18 * self.scale)
         side = Qt.AlignmentFlag.AlignRight if left else Qt.AlignmentFlag.AlignLeft
-        painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), f"t = {number(t)}")
+        painter.drawText(box, int(side | Qt.AlignmentFlag.AlignTop), text)
 
 
 @lru_cache(maxsize=_MOST_PEN_SETS)

@@ -28,7 +28,7 @@ from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, group_points
 from ...document.several_curves import name_or_count, whole_curves
 from ...document.straight_edits import straight_refusal
-from ...document.words import count_of, number
+from ...document.words import count_of
 from ...tools.bend import insert_at
 from ...view_model.append import (
     SPECIAL_POINTS,
@@ -171,6 +171,7 @@ class CurveCommands:
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
         session, done = self._session, list[Split]()
+        t_text = session.active_view.t_text(t)
 
         def edit(document: Document) -> Document:
             done.append(split(session.active_view, t))
@@ -178,7 +179,7 @@ class CurveCommands:
 
         if session.change(f"Split {session.active_curve.name}", edit):
             verb = "Split" if len(done[0].curves) > 1 else "Opened"
-            session.say(f"{verb} at t = {number(t)}: {done[0].sentence}")
+            session.say(f"{verb} at t = {t_text}: {done[0].sentence}")
 
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub.t

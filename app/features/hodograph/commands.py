@@ -14,6 +14,7 @@ from ...tools.parameters import SCRUB_ALONG
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
 from ...view_model.curve.curve_view import CurveView
+from ...widgets.number_text import decimal_mark
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
 from .. import hodograph
@@ -81,10 +82,11 @@ class HodographCommands:
         panel, view = self._visible_panel, self._context.session.active_view
         if panel is None:
             return
-        known = t is not None and view.is_current
-        panel.show_value(
-            t, analysis.hodograph.derivative_at(view, t, panel.order) if known and t is not None else None
-        )
+        if t is None or not view.is_current:
+            panel.show_value(t, None)
+            return
+        value = analysis.hodograph.derivative_at(view, t, panel.order)
+        panel.show_value(t, value, view.t_text(t, decimal_mark()))
 
 
 COMMAND_SETS = (HodographCommands,)

@@ -220,7 +220,7 @@ class HodographPanel(FollowsTheme, QWidget):
         self.plot.is_fitted = True
         self.changed.emit()
 
-    def show_value(self, t: float | None, value: tuple[float, float] | None) -> None:
+    def show_value(self, t: float | None, value: tuple[float, float] | None, t_text: str = "") -> None:
         """Write and draw the derivative at the scrub line; None without one."""
         if t is None or value is None:
             self.plot.scrub = None
@@ -230,7 +230,7 @@ class HodographPanel(FollowsTheme, QWidget):
             mark, gap = decimal_mark(), "; " if decimal_mark() == "," else ", "
             x, y = (number(component, 4, mark) for component in value)
             angle = number(float(np.degrees(np.arctan2(value[1], value[0]))), 3, mark)
-            name = f"{_NAMES[self.order][0]}({number(t, 3, mark)})"
+            name = f"{_NAMES[self.order][0]}({t_text})"
             self._value.setText(f"{name} = ({x}{gap}{y}), {angle}°")
         self.plot.refresh()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +17,7 @@ from ...actions.menus import EDIT_COPY_AS, FILE_EXCHANGE
 from ...actions.needs import Need
 from ...document.model import Document
 from ...document.several_curves import extract_curves, name_or_count
-from ...exchange.formats import ExportResult, with_ending
+from ...exchange.formats import ExportResult, typed_format, with_ending
 from ...storage.files import StorageError
 from ...tasks.progress import Report, part
 from ...workbench.clipboard import SVG, put_on_clipboard
@@ -96,7 +97,8 @@ class ExportCommands:
         name, _ = QFileDialog.getSaveFileName(self._context.window, "Export", start, kind)
         if not name:
             return
-        path = with_ending(Path(name), choice.ending)
+        form = typed_format(Path(name), choice.format)
+        path, choice = with_ending(Path(name), form), replace(choice, ending=form.ending)
         if path != Path(name) and path.exists():
             # The file dialog asked about the typed name only, not about the one with an ending.
             there = StorageError("The file already exists. Select it in the list to replace it.")

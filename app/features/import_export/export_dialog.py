@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import singledispatch
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, Generic
@@ -22,6 +23,7 @@ from ...exchange.formats import FORMATS
 from ...exchange.options import (
     DARK_PAPER,
     EXTENT,
+    TOLERANCE,
     TRUE_SIZE,
     Check,
     Extent,
@@ -31,6 +33,7 @@ from ...exchange.options import (
     SomeOf,
     Value,
     Whole,
+    automatic_tolerance,
 )
 from ...qt.labels import Label
 from ...tasks.progress import Report
@@ -100,7 +103,15 @@ class ExportDialog(WorkDialog):
         self._document, self._active, self._selected = document, active, selected
         self._with_estimates = with_estimates
         self.form.show_document(document, has_selection=bool(selected))
+        with suppress(ExpressionError):  # shown already
+            self._show_automatic(self.form.choice())
         self._soon.start()
+
+    def _show_automatic(self, choice: ExportChoice) -> None:
+        """Show the number of the automatic tolerance of what would be exported."""
+        if self._document is not None:
+            part = choice.request(self._document, self._active, self._selected).document
+            self.form.fields[TOLERANCE.name].show_automatic(automatic_tolerance(part))
 
     def _render(self) -> None:
         """Show the problem and the preview of the present choice."""
@@ -111,6 +122,7 @@ class ExportDialog(WorkDialog):
             self.ok.setEnabled(False)
             return
         self.show_problem("")
+        self._show_automatic(choice)
         self.ok.setEnabled(True)
         self.ok.setToolTip(f"Choose where to save the {choice.format.title}")
         self.preview_side.setVisible(choice.format.preview is not None)
@@ -317,6 +329,9 @@ class Field(ABC, Generic[Value]):
         """Return the problem of the value; empty for none."""
         return ""
 
+    def show_automatic(self, number: float) -> None:
+        """Show the number that an automatic value stands for."""
+
 
 @singledispatch
 def field_for(option: Option[Any], _change: Callable[[], object]) -> Field[Any]:
@@ -422,6 +437,7 @@ class RealField(Field[float | None]):
 
     def __init__(self, option: Real, change: Callable[[], object]) -> None:
         self._option, self._value, self._change = option, option.default, change
+        self._automatic = _AUTOMATIC
         self.widget = FieldEdit(option.widget, option.title, option.tip)
         self.widget.committed.connect(self._type)
 
@@ -432,7 +448,12 @@ class RealField(Field[float | None]):
     def show(self, value: float | None) -> None:
         """Show a value."""
         self._value = value
-        self.widget.show_text(_AUTOMATIC if value is None else exact_text(value, decimal_mark()))
+        self.widget.show_text(self._automatic if value is None else exact_text(value, decimal_mark()))
+
+    def show_automatic(self, number: float) -> None:
+        """Show the number that an automatic value stands for."""
+        self._automatic = f"{_AUTOMATIC} ({exact_text(number, decimal_mark())})"
+        self.show(self._value)
 
     def _type(self, text: str) -> None:
         try:
@@ -443,7 +464,7 @@ class RealField(Field[float | None]):
             self._change()
 
     def _number(self, text: str) -> float | None:
-        if self._option.default is None and text.strip().casefold() in ("", _AUTOMATIC):
+        if self._option.default is None and text.strip().casefold() in ("", _AUTOMATIC, self._automatic):
             return None
         value = parse_number(text, decimal_mark())
         if self._option.checked(value) != value:

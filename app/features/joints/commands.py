@@ -48,7 +48,7 @@ class JointCommands:
             return
         if view is not self._view:
             self._view = view
-            panel.render_certificate(analysis.joints.certificate_of(view))
+            panel.render_certificate(analysis.joints.certificate_of(view), view.t_text)
         panel.set_selection(self._context.session.selection)
 
     @action("showJoints", "Joint Certificate", ANALYSIS_JOINTS, icon="joints")

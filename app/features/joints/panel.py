@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from ...appearance.theme import LIGHT, FollowsTheme, Theme
@@ -31,17 +31,26 @@ _TIPS = (
     "Jump of the curvature, after minus before",
 )
 _BAD = (JointKind.CORNER, JointKind.BREAK)
-_DIGITS = 3
+_DIGITS = 3, 2
+"""Digits of jumps, and those in a table that is too narrow for them."""
+
 
 _Index = QModelIndex | QPersistentModelIndex
 
 
 class JointsModel(SafeOverrides, QAbstractTableModel):
-    """Joints for a table view; read only."""
+    """Joints for a table view; read only.
+
+    Attributes
+    ----------
+    digits
+        Significant digits of jumps.
+    """
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: Sequence[JointRow] = ()
+        self.digits = _DIGITS[0]
         self.theme: Theme = LIGHT
 
     def render(self, rows: Sequence[JointRow]) -> None:
@@ -65,14 +74,14 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
         row = self.rows[index.row()]
         match role:
             case Qt.ItemDataRole.DisplayRole:
-                return self._texts(row)[index.column()]
+                return self.texts(row)[index.column()]
             case Qt.ItemDataRole.TextAlignmentRole:
                 side = Qt.AlignmentFlag.AlignLeft if index.column() < 2 else Qt.AlignmentFlag.AlignRight
                 return side | Qt.AlignmentFlag.AlignVCenter
             case Qt.ItemDataRole.ForegroundRole:
                 if row.kind in _BAD and index.column() < 2:
                     return self.theme.warning
-                return self.theme.muted if self._texts(row)[index.column()] == "0" else None
+                return self.theme.muted if self.texts(row)[index.column()] == "0" else None
             case Qt.ItemDataRole.ToolTipRole | Qt.ItemDataRole.AccessibleDescriptionRole:
                 return row.words
         return None
@@ -93,9 +102,10 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
                 return side | Qt.AlignmentFlag.AlignVCenter
         return None
 
-    def _texts(self, row: JointRow) -> tuple[str, ...]:
+    def texts(self, row: JointRow) -> tuple[str, ...]:
+        """Return the texts of a row."""
         mark = decimal_mark()
-        *jumps, angle, curvature, _ = row.written(lambda value: number(value, _DIGITS, mark))
+        *jumps, angle, curvature, _ = row.written(lambda value: number(value, self.digits, mark))
         is_angle = math.isfinite(row.angle) and angle != "0"
         return (
             f"{row.kind.value} {row.joint}",
@@ -107,7 +117,7 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
 
 
 _PADDING = 5
-_DETAIL_LINES = 4
+_DETAIL_LINES, _LEAST_ROWS = 4, 3
 _HOW = "Click a joint, or press Enter, to zoom to it."
 
 
@@ -138,8 +148,10 @@ class JointsView(ClaimsKeys, QTableView):
         font = QFont(self.font())
         font.setFeature(QFont.Tag("tnum"), 1)
         self.setFont(font)
+        self._joints, self._needed = model, list[int]()
         self._set_up_headers()
         self.clicked.connect(lambda index: self.visited.emit(index.row()))
+        self.verticalScrollBar().valueChanged.connect(lambda: self.fit_columns(anew=False))
 
     def _set_up_headers(self) -> None:
         across, down, metrics = self.horizontalHeader(), self.verticalHeader(), self.fontMetrics()
@@ -147,13 +159,43 @@ class JointsView(ClaimsKeys, QTableView):
         across.setHighlightSections(False)
         across.setMinimumSectionSize(18)
         across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {_PADDING}px }}")
-        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        for column, widest in ((0, "Joint "), (1, "≥C⁰, G¹ "), (2, "c 0")):
-            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
-            across.resizeSection(column, metrics.horizontalAdvance(widest) + 2 * _PADDING)
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.hide()
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(metrics.height() + 8)
+
+    def fit_columns(self, *, anew: bool) -> None:
+        """Give each column the width of its texts, and a share of the rest.
+
+        Unless `anew`, no column becomes narrower while there is room, so that nothing moves in a drag.
+        """
+        across, room, before = self.horizontalHeader(), self.viewport().width(), self._needed
+        for self._joints.digits in _DIGITS:
+            self._needed = self._needed_widths()
+            if sum(self._needed) <= room:
+                break
+        if before and not anew and sum(kept := list(map(max, self._needed, before))) <= room:
+            self._needed = kept
+        # Joint and class are read from the left.
+        spare = max(room - sum(self._needed), 0) // (len(COLUMNS) - 2)
+        for column, width in enumerate(self._needed):
+            across.resizeSection(column, width + (spare if column > 1 else 0))
+
+    def _needed_widths(self) -> list[int]:
+        """Return the widths of the widest texts in sight with padding, titles included."""
+        advance, first = self.fontMetrics().horizontalAdvance, self.verticalScrollBar().value()
+        last = first + self.viewport().height() // self.verticalHeader().defaultSectionSize() + 1
+        rows = [COLUMNS, *map(self._joints.texts, self._joints.rows[first:last])]
+        return [max(map(advance, set(texts))) + 2 * _PADDING + 2 for texts in zip(*rows, strict=True)]
+
+    def sizeHint(self) -> QSize:
+        # Qt's own, of 192 pixels, would make the panel scroll as a whole, where the table scrolls by itself.
+        rows = self.horizontalHeader().height() + _LEAST_ROWS * self.verticalHeader().defaultSectionSize()
+        return QSize(self.minimumSizeHint().width(), rows)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit_columns(anew=True)
 
     def claims(self, event: QKeyEvent) -> bool:
         # Where a shortcut of the window is also one of the widget, Qt does nothing at all.
@@ -186,6 +228,7 @@ class JointsPanel(FollowsTheme, QWidget):
         super().__init__(parent)
         self.setObjectName("jointsPanel")
         self._model = JointsModel(self)
+        self._t_text: Callable[[float, str], str] = lambda t, _mark: str(t)
         self.view = JointsView(self._model)
         self._summary = Label(name="jointsSummary", label="Summary of the joints", wordWrap=True)
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -215,9 +258,12 @@ class JointsPanel(FollowsTheme, QWidget):
         """Rows of the table."""
         return list(self._model.rows)
 
-    def render_certificate(self, certificate: Certificate) -> None:
-        """Show a certificate; without joints only its summary."""
+    def render_certificate(self, certificate: Certificate, t_text: Callable[[float, str], str]) -> None:
+        """Show a certificate, with parameters written by `t_text`; without joints only its summary."""
+        self._t_text = t_text
+        is_new = len(certificate.rows) != len(self._model.rows)
         self._model.render(certificate.rows)
+        self.view.fit_columns(anew=is_new)
         has_rows = bool(certificate.rows)
         # The worst of all joints; kinds are listed from smooth to broken.
         worst = max(
@@ -248,7 +294,7 @@ class JointsPanel(FollowsTheme, QWidget):
             self._detail.setText(_HOW)
             return
         row = self._model.rows[row_number]
-        t = number(row.t, 4, decimal_mark())
+        t = self._t_text(row.t, decimal_mark())
         # Only a closed curve has a joint at its first point.
         where = f"Joint {row.joint} at t = {t}" if row.joint else "Joint 0, where the curve closes"
         facts = " · ".join(filter(None, (row.smoothness, row.measured)))

@@ -20,6 +20,7 @@ from ...view_model import analysis
 from ...view_model.analysis.plot import PLOTS, Plot
 from ...view_model.basis import growth_of_points
 from ...view_model.curve.curve_view import CurveView
+from ...widgets.number_text import decimal_mark
 from ...workbench.central_area import CentralPane, Pane
 from ...workbench.context import WindowContext
 from .. import plots
@@ -244,16 +245,15 @@ class PlotCommands:
         session.scrub.set(min(max(middle if session.scrub.t is None else session.scrub.t + by, start), end))
 
     def _show_values(self, pane: PlotPane) -> None:
-        t = self._session.scrub.t
+        t, view = self._session.scrub.t, self._session.active_view
         values: dict[str, tuple[float, float]] = {}
         if t is not None:
-            view, switched_on = self._session.active_view, self._analysis.settings.plots
-            known = analysis.plot_samples.uncertain_values_at(view, switched_on, t)
+            known = analysis.plot_samples.uncertain_values_at(view, self._analysis.settings.plots, t)
             values |= {plot.symbol: value for plot, value in known.items()}
             for plot in self._analysis.added_plots.values():
                 for line in plot.lines:
                     values[line.name or plot.symbol] = line.value_at(t), 0.0
-        pane.show_values(t, values)
+        pane.show_values("" if t is None else view.t_text(t, decimal_mark()), values)
 
 
 COMMAND_SETS = (PlotCommands,)

@@ -180,15 +180,15 @@ class PlotPane(FollowsTheme, QWidget):
         column_of(header, (canvas, 1), margins=0, spacing=0, parent=self)
         self.follow_theme()
 
-    def show_values(self, t: float | None, values: Mapping[str, tuple[float, float]]) -> None:
+    def show_values(self, t: str, values: Mapping[str, tuple[float, float]]) -> None:
         """Write the values at the scrub line, with their errors, by their symbols; a hint without a line."""
-        if t is None:
+        if not t:
             text = "Press T to show values at a scrub line"
         else:
             mark = decimal_mark()
             written = partial(number, mark=mark)
             known = [f"{name} {with_error(*value, written)}" for name, value in values.items()]
-            text = "   ".join([f"t {number(t, 4, mark)}", *known])
+            text = "   ".join([f"t {t}", *known])
         if text != self._values.text():
             self._values.setText(text)
 

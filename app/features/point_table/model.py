@@ -22,7 +22,14 @@ from ...qt.overrides import SafeOverrides
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import Column, columns_of
 from ...view_model.point_kinds import CORNER, POINT_KINDS, PointKind, kinds_of
-from ...widgets.number_text import ColumnNumbers, decimal_mark, exact_text, numbers_of_columns
+from ...widgets.number_text import (
+    EXACT,
+    NEGLIGIBLE,
+    ColumnNumbers,
+    decimal_mark,
+    exact_text,
+    numbers_of_columns,
+)
 
 Index = QModelIndex | QPersistentModelIndex
 _NO_INDEX = QModelIndex()
@@ -115,7 +122,8 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
     def numbers_of_columns(self) -> list[ColumnNumbers]:
         """Magnitudes of the numbers in each column, computed once for each set of values."""
         if self._numbers is None or self._numbers[0] is not self._table_values:
-            self._numbers = self._table_values, numbers_of_columns(self.values)
+            residues = [NEGLIGIBLE if column.derivatives else EXACT for column in self.columns]
+            self._numbers = self._table_values, numbers_of_columns(self.values, residues)
         return self._numbers[1]
 
     # Values
@@ -269,7 +277,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         value = float(self.values[row, column])
         if abs(value) < self.numbers_of_columns[column].negligible:
             value = 0.0
-        return number(value, 6, decimal_mark())
+        return number(value, max(6, self.numbers_of_columns[column].distinguishing), decimal_mark())
 
     def _read_aloud(self, row: int, column: int) -> str:
         return f"{self.label(row, column)}: {self._rounded(row, column)}{self._corner_note(row, column)}"

@@ -39,7 +39,6 @@ from ...qt.overrides import DELETE, ENTER, PASSING, ClaimsKeys, SafeOverrides
 from ...widgets.controls import named
 from ...widgets.fields import end_editing
 from ...widgets.number_text import (
-    ColumnNumbers,
     Extent,
     column_decimals,
     column_text,
@@ -67,9 +66,6 @@ Numbers that almost touch are read as one; before that, derivatives lose a digit
 """
 
 _DIGITS = (6, 5, 4, 3)
-_MOST_DIGITS = 15
-"""Digits that every float can show exactly."""
-
 _MOST_CACHED = 1000
 """Largest number of cached widths."""
 
@@ -210,11 +206,11 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
             for column, numbers in zip(self._model.columns, self._model.numbers_of_columns, strict=True)
         ]
 
-    def distinguishing_widths(self, metrics: QFontMetrics) -> list[int]:
-        """Return the smallest widths of columns that distinguish close numbers; 0 where any format does."""
+    def distinguishing_widths(self, metrics: QFontMetrics, usual: int) -> list[int]:
+        """Return the smallest widths of columns that distinguish close numbers; 0 where `usual` digits do."""
         return [
-            self._widths.of(numbers.extent, digits, metrics)
-            if (digits := _distinguishing_digits(numbers))
+            self._widths.of(numbers.extent, numbers.distinguishing, metrics)
+            if numbers.distinguishing > usual
             else 0
             for numbers in self._model.numbers_of_columns
         ]
@@ -238,14 +234,14 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         self, column: int, width: int, metrics: QFontMetrics, before: Sequence[ColumnFormat]
     ) -> ColumnFormat:
         numbers = self._model.numbers_of_columns[column]
-        distinguishing = 0 if self._streaming else _distinguishing_digits(numbers)
-        candidates = (distinguishing, *_DIGITS) if distinguishing else _DIGITS
+        old = before[column] if column < len(before) else None
+        wanted = numbers.distinguishing if old is None else old.digits
+        candidates = (wanted, *_DIGITS) if wanted > _DIGITS[0] else _DIGITS
         fitting = (count for count in candidates if self._widths.of(numbers.extent, count, metrics) <= width)
         digits = next(fitting, _DIGITS[-1])
         if not self._streaming:
             decimals = column_decimals(self._model.values[:, column], digits)
             return ColumnFormat(digits, decimals, numbers.negligible)
-        old = before[column] if column < len(before) else None
         decimals, negligible = most_decimals(numbers.extent.whole_digits, digits), numbers.negligible
         if old is None:
             return ColumnFormat(digits, decimals, negligible)
@@ -328,11 +324,6 @@ class PointTableDelegate(SafeOverrides, QStyledItemDelegate):
         width = min(max(needed, cell.width()), viewport.width())
         left = max(min(cell.right() + 1 - width, viewport.width() - width), 0)
         editor.setGeometry(QRect(left, cell.top(), width, cell.height()))
-
-
-def _distinguishing_digits(numbers: ColumnNumbers) -> int:
-    """Return the digits that distinguish numbers where the usual ones do not; else 0."""
-    return min(numbers.distinguishing, _MOST_DIGITS) if numbers.distinguishing > _DIGITS[0] else 0
 
 
 def _paint_corner_mark(painter: QPainter, rect: QRect, theme: Theme) -> None:
@@ -447,11 +438,12 @@ class PointTableView(ClaimsKeys, QTableView):
 
     def _candidate_widths(self) -> Iterator[list[int]]:
         """Yield candidates for the widths of all columns; the last ones are used where none fits."""
-        distinguishing = self.cell_delegate.distinguishing_widths(self.fontMetrics())
-        if any(distinguishing):
-            yield [max(both) for both in zip(distinguishing, self._needed(*COMPACT_DIGITS[-1]), strict=True)]
-        for digits in COMPACT_DIGITS:
-            yield self._needed(*digits)
+        # Numbers that differ look different, even if the table has to be scrolled: x from 1e6 to 1e6 + 1. The
+        # last digits of others are left out where there is no room.
+        for usual in (COMPACT_DIGITS[-1][0], _DIGITS[0]):
+            least = self.cell_delegate.distinguishing_widths(self.fontMetrics(), usual)
+            for digits in COMPACT_DIGITS:
+                yield [max(both) for both in zip(least, self._needed(*digits), strict=True)]
 
     def _needed(self, digits: int, of_derivatives: int) -> list[int]:
         return self.cell_delegate.needed_widths(digits, of_derivatives, self.fontMetrics())

@@ -151,7 +151,7 @@ class TransformPanelCommands(QObject):
             self._panel.refuse(reason)
 
     def _length(self, value: float) -> str:
-        return f"{number(value, 6)} {self._session.document.unit}".rstrip()
+        return f"{number(value, 6, step=0.001)} {self._session.document.unit}".rstrip()
 
     def _choose_pivot(self, across: int, up: int) -> None:
         forgets = (across, up) == (0, 0)

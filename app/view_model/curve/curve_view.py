@@ -23,6 +23,7 @@ from curvecore import CardinalBasis, CurveError, ParametricCurve
 from curvecore.arrays import BoolArray, FloatArray
 
 from ...document.model import Curve, Vector
+from ...document.words import number
 from ...families.family import OverdueCallError
 from ..geometry import at_knots, size_of
 from .core_curve import (
@@ -189,6 +190,11 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         if self.displacement is not None:
             return self.displacement.moving.curve.parameters
         return self.curve.parameters if self.curve is not None else np.empty(0)
+
+    def t_text(self, t: float, mark: str = ".") -> str:
+        """Return the text of a parameter, with as many digits as show a thousandth of the interval."""
+        start, end = self.parameters[[0, -1]].tolist() if len(self.parameters) else (0.0, 0.0)
+        return number(t, mark=mark, step=(end - start) / 1000.0)
 
     @cached_property
     def ticks(self) -> FloatArray:

@@ -76,7 +76,7 @@ def band(data: OverlayInput) -> Figures:
         largest, t = _largest(piece.parameters, radii)
         if largest > best:
             best, best_t = largest, t
-    words = f"Largest half-width {number(best)} at t = {number(best_t)}"
+    words = f"Largest half-width {number(best)} at t = {data.view.t_text(best_t)}"
     if is_held:
         words += ", with estimates that do not follow t"
     if delta == 0.0:
