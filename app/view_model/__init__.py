@@ -21,8 +21,9 @@ Curves made of curves:
 - ``reshape``: other points for the same curve.  ``convert``: the same curve as one of another family.
 - ``fit``: curves of few points near others.  ``cubics``: cubic pieces as the points of a curve.
 - ``split``, ``join``: two curves of one, one of several.  ``paste``: points and curves from elsewhere.
-- ``append``, ``delete``: points appended, inserted in the middle and deleted.
-- ``point_kinds``: corners, smooth points and straight segments.  ``point_columns``: those of the point table.
+- ``append``, ``delete``: points appended, inserted and deleted.
+- ``point_kinds``: corners, smooth points and straight segments.  ``match_curvature``: continuous curvature.
+- ``point_columns``: columns of the point table.
 
 What is said and shown of a curve:
 

@@ -191,7 +191,7 @@ class ContextMenus:
         elif hit is not None and hit.part is not Part.GUIDE:
             if hit.index not in session.selection:
                 session.selected.set_points([hit.index])
-            bar_menu(self._context, POINT_MENU).popup(position)
+            bar_menu(self._context, POINT_MENU, is_short=True).popup(position)
         else:
             bar_menu(self._context, CANVAS_MENU).popup(position)
 

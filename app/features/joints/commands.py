@@ -36,7 +36,8 @@ class JointCommands:
     @Panel("jointsDock", "Joints")
     def build_panel(self, parent: QWidget) -> QWidget:
         """Return the panel; called when its dock is first shown."""
-        self._panel = joints.panel.JointsPanel(self._context.actions["copyJoints"], parent)
+        actions = self._context.actions
+        self._panel = joints.panel.JointsPanel(actions["copyJoints"], actions["matchCurvature"], parent)
         self._panel.visited.connect(self._visit)
         self._panel.became_visible.connect(lambda: self.render_panel(self._context.session.active_view))
         return self._panel

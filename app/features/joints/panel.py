@@ -224,7 +224,7 @@ class JointsPanel(FollowsTheme, QWidget):
     visited = Signal(object)
     became_visible = Signal()
 
-    def __init__(self, copy: QAction, parent: QWidget | None = None) -> None:
+    def __init__(self, copy: QAction, match: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("jointsPanel")
         self._model = JointsModel(self)
@@ -237,9 +237,11 @@ class JointsPanel(FollowsTheme, QWidget):
         # It keeps its height, whatever its text.
         self._detail.setMinimumHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES)
         self._copy = action_button(copy, name="copyJoints", icon_size=0, flat=True)
+        self._match = action_button(match, name="matchCurvatureInJoints", flat=True)
         self._spare = QWidget()
         self._spare.hide()
-        head = row_of((self._summary, 1), (self._copy, Qt.AlignmentFlag.AlignTop), margins=(12, 8, 8, 6))
+        top = Qt.AlignmentFlag.AlignTop
+        head = row_of((self._summary, 1), (self._match, top), (self._copy, top), margins=(12, 8, 8, 6))
         foot = column_of(self._detail, margins=(12, 6, 12, 8))
         column_of(head, (self.view, 1), foot, (self._spare, 1), margins=0, spacing=0, parent=self)
         self.follow_theme()
@@ -275,6 +277,7 @@ class JointsPanel(FollowsTheme, QWidget):
             part.setVisible(has_rows)
         self._spare.setVisible(not has_rows)
         self._copy.setVisible(has_rows)
+        self._match.setVisible(has_rows)
         self._show_detail()
 
     def set_selection(self, points: Collection[int]) -> None:

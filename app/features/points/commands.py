@@ -29,9 +29,11 @@ from ...document.point_edits import clear_derivatives, explicit_points
 from ...document.point_group import PointGroup, group_points, points_of, reset_message
 from ...document.selection import NONE_SELECTABLE, all_points, selectable_curves
 from ...document.straight_edits import corners_of, straight_refusal
+from ...document.words import enumerated, number
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.handles import with_velocities_pulled
 from ...view_model.geometry import segment_at
+from ...view_model.match_curvature import Joint, joints_of, matched
 from ...view_model.point_kinds import (
     POINT_KINDS,
     PointKind,
@@ -136,6 +138,47 @@ class TangentCommands:
             f"{subject} already pulled out. Drag a square handle.",
         )
 
+    @action(
+        "matchCurvature",
+        "Match Curvature",
+        POINTS_VELOCITIES,
+        icon="plot-curvature",
+        needs=Need(
+            "selected smooth points, or two curves whose ends meet",
+            lambda state: state.is_current and (state.selected_count > 0 or state.selected_curve_count > 1),
+        ),
+        keywords="harmonise harmonize continuous G2 balance handles",
+    )
+    @also(POINT_MENU(17), WHOLES_MENU(36))
+    def _match_curvature(self) -> None:
+        """Make the curvature continuous at selected smooth points, or where the ends of curves meet."""
+        session, views = self._session, self._session.views
+        joints = joints_of(views, session.selected.group, session.selected.whole_curves)
+        if not joints:
+            session.refuse("Select smooth points, ends that meet, or curves whose ends meet.")
+            return
+        result = matched(views, joints)
+        by_reason = {
+            why: [j for j in joints if result.refusals.get(j) == why] for why in result.refusals.values()
+        }
+        left = "".join(f" Not at {_joints_text(views, some)}: {why}." for why, some in by_reason.items())
+        if not result.curves:
+            if left:
+                session.refuse(f"Nothing was changed.{left}")
+            else:
+                session.say(f"The curvature is continuous already at {_joints_text(views, joints)}.")
+            return
+
+        def edit(document: Document) -> Document:
+            for curve, new in result.curves.items():
+                document = replace_curve(document, curve, new)
+            return document
+
+        text = _joints_text(views, result.joints)
+        if session.change(f"Match curvature at {text}", edit):
+            change = f"{number(result.change, 2)} {session.document.unit}".rstrip()
+            session.say(f"Curvature matched at {text}: largest change {change}.{left}")
+
     def _report(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
         """Report the change, and the tangents beside it that were set to keep the shape."""
         after, fixed = self._session.document.curves, []
@@ -213,6 +256,19 @@ def _segments_text(curves: Sequence[Curve], segments: PointGroup) -> str:
 
 
 _RESET_WORDS = "estimated automatic auto default clear velocity acceleration handle tangent"
+
+
+def _joints_text(views: Sequence[CurveView], joints: Sequence[Joint]) -> str:
+    """Return "points 1 and 3", or "the ends of “A” and “B”"."""
+    points = group_points(
+        (one.curve, frozenset({one.point})) for one, other in joints if one[:2] == other[:2]
+    )
+    texts = [points.names] if points.parts else []
+    for one, other in joints:
+        if one[:2] != other[:2]:
+            names = dict.fromkeys(f"“{views[end.curve].source.name}”" for end in (one, other))
+            texts.append(f"the ends of {enumerated([*names])}")
+    return enumerated(texts)
 
 
 class PointCommands:
