@@ -47,17 +47,46 @@ def activate_pressed(event: ToolEvent) -> ToolEvent:
     return event
 
 
-def press_on_curve(event: ToolEvent, hit: Hit) -> Gesture:
+def press_on_curve(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> Gesture:
     """Start to move the curve that was hit, with all that is selected together with it.
 
-    While no curve is edited, what is dragged is selected from then on.
+    While no curve is edited, what is dragged is selected from then on. `on_click` replaces what a click does.
     """
     session, selects = event.session, None
     if not session.selected.is_editing and hit.index not in session.selected.whole_curves:
         curves = _intended(event, hit)
         active = min(curves, key=lambda curve: abs(curve - session.active_index))
         selects = SelectionState(active, NO_POINTS, curves, curves, is_editing=False)
-    return press_on_group(event, _moved_group(event, hit), lambda _click: click_curve(event, hit), selects)
+    on_click = on_click or (lambda _click: click_curve(event, hit))
+    return press_on_group(event, _moved_group(event, hit), on_click, selects)
+
+
+def end_of_other_curve(event: ToolEvent) -> Hit | None:
+    """Return the end of an open curve beside the edited ones that is hit, which Shift adds to the points.
+
+    None while curves are selected as wholes, with no points.
+    """
+    selected = event.session.selected
+    if not selected.is_editing or (selected.whole_curves and not selected.group.parts):
+        return None
+    hit = event.canvas.hit(event.pointer, frozenset({Part.OTHER_END})) if event.pointer.is_there else None
+    is_end = hit is not None and hit.part is Part.OTHER_END and hit.curve not in selected.active_curves
+    return hit if is_end else None
+
+
+def press_on_end(event: ToolEvent, end: Hit) -> Gesture:
+    """Start to move the curve whose end was hit; a click adds the end to the selected points."""
+    curve = Hit(Part.OTHER_CURVE, end.curve, end.position)
+
+    def add(_click: ToolEvent) -> None:
+        session, selected = event.session, event.session.selected
+        group = selected.group.joined(points_of(end.curve, [end.index]))
+        # The curve is edited together with the others, and its points can be selected.
+        selected.set_curves(selected.curves | {end.curve})
+        selected.set_group(group)
+        session.say(f"{selection_text(selected.group)}.")
+
+    return press_on_curve(event, curve, add)
 
 
 def deselect_curves(event: ToolEvent) -> None:
@@ -114,6 +143,9 @@ def _click_words(event: ToolEvent, hit: Hit, *, is_selected: bool) -> str:
     """Return the effect of a click on a curve, and of Shift on drag and click."""
     session = event.session
     name, is_editing = _name(event, hit), session.selected.is_editing
+    end = "its end " if end_of_other_curve(event) is not None else ""
+    if event.pointer.shift and end:
+        return f"click to add {end}to the selection"
     if event.pointer.shift:
         return "click to remove it from the selection" if is_selected else "click to add it to the selection"
     if is_selected:
@@ -124,7 +156,7 @@ def _click_words(event: ToolEvent, hit: Hit, *, is_selected: bool) -> str:
         edit = f"Double-click to edit “{name}” · "
         return f"{click}{edit}Shift: one axis, a click removes it from the selection"
     later = f", double-click to {'insert a point' if is_editing else 'edit it'}"
-    return f"click to {_verb(session)} it{later} · Shift+click: add it to the selection"
+    return f"click to {_verb(session)} it{later} · Shift+click: add {end or 'it '}to the selection"
 
 
 def _words_inside(event: ToolEvent, hit: Hit) -> str:

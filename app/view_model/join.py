@@ -10,6 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
+from curvecore.arrays import FloatArray
+
 from ..document.constraints import PARALLEL, tie_if_parallel
 from ..document.curve_edits import replace_curve, set_closed
 from ..document.derivatives import DERIVATIVES
@@ -41,9 +43,12 @@ class Joined(Reshaped, frozen=True):
     ----------
     seams
         The points at which they meet; both ends of a segment that connects two of them.
+    ends
+        Which ends of two curves are joined, such as "end to start"; empty for more.
     """
 
     seams: frozenset[int] = frozenset()
+    ends: str = ""
 
     @property
     def outcome(self) -> str:
@@ -235,6 +240,11 @@ class End(NamedTuple):
     is_last: bool
 
     @property
+    def side(self) -> str:
+        """The words "start" or "end"."""
+        return "end" if self.is_last else "start"
+
+    @property
     def other(self) -> End:
         """The other end of the curve."""
         return End(self.curve, not self.is_last)
@@ -255,8 +265,22 @@ def link_of(views: Sequence[CurveView], group: PointGroup) -> Link | None:
     return (ends[0], ends[1]) if ends else None
 
 
-def nearest_links(views: Sequence[CurveView], curves: Sequence[int]) -> list[Link]:
-    """Return the links that make one curve of several, the nearest ends first.
+def end_of(views: Sequence[CurveView], group: PointGroup) -> End | None:
+    """Return the end of an open curve that is the only point of a group, None for any other group."""
+    curve, index = group.only_point or (-1, -1)
+    if curve < 0 or views[curve].source.is_closed or index not in (0, len(views[curve].points) - 1):
+        return None
+    return End(curve, index > 0)
+
+
+def position_of(views: Sequence[CurveView], end: End) -> FloatArray:
+    """Return the position of an end, (2,)."""
+    position: FloatArray = views[end.curve].points[-1 if end.is_last else 0]
+    return position
+
+
+def nearest_links(views: Sequence[CurveView], curves: Sequence[int], first: End | None = None) -> list[Link]:
+    """Return the links that make one curve of several, that of the end `first` and then the nearest ends.
 
     Raises
     ------
@@ -266,9 +290,11 @@ def nearest_links(views: Sequence[CurveView], curves: Sequence[int]) -> list[Lin
     if len(curves) > MOST_JOINED:
         raise EditError(f"At most {MOST_JOINED} curves can be joined at once.")
     ends = [End(curve, is_last) for curve in curves for is_last in (False, True)]
-    positions = np.array([views[end.curve].points[-1 if end.is_last else 0] for end in ends])
+    positions = np.array([position_of(views, end) for end in ends])
     one, other = np.triu_indices(len(ends), 1)
-    nearest = np.argsort(np.hypot(*(positions[one] - positions[other]).T), kind="stable")
+    chosen = ends.index(first) if first in ends else -1
+    is_later = (one != chosen) & (other != chosen)
+    nearest = np.lexsort((np.hypot(*(positions[one] - positions[other]).T), is_later))
     links, free = list[Link](), {end: end.other for end in ends}
     for a, b in zip(one[nearest].tolist(), other[nearest].tolist(), strict=True):
         # The two free ends of a chain refer to each other, so that it does not close.
@@ -304,7 +330,11 @@ def joined_by(
     whole = joined(*chain, model=len(before), is_closed=is_ring and _meet(chain[-1], chain[0]))
     residual = max(whole.residual, *(residual for _, residual in runs))
     _refuse_another_shape(chain, residual)
-    return replace(whole, residual=residual)
+    words = ""
+    if len(links) == 1:
+        one, other = sorted(links[0], key=lambda end: end.curve != model)
+        words = f"{one.side} to {other.side}"
+    return replace(whole, residual=residual, ends=words)
 
 
 class PenJoin(NamedTuple):

@@ -11,6 +11,7 @@ from app.document.constraints import is_straight
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.view_model.curve.curve_view import view_of
+from tests.gui.editor_facts import assert_actions_as_rendered_anew
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -89,7 +90,7 @@ def test_ctrl_j_joins_two_ends_selected_by_a_band(arcs):
     # The other one runs the other way now.
     assert positions(arcs) == [*LEFT, *reversed(RIGHT)]
     assert max(farthest(arcs, curve) for curve in begun.curves[:2]) < 1e-3
-    assert arcs.status.startswith("Joined with “Right”: shapes kept, largest change ")
+    assert arcs.status.startswith("Joined with “Right”, end to end: shapes kept, largest change ")
     assert dict(arcs.session.selected.group.parts) == {0: {2, 3}}
     assert arcs.session.undo_stack.undoText() == "Join Left and Right"
     arcs.trigger("undo")
@@ -192,3 +193,183 @@ def test_two_selected_curves_are_joined_at_their_nearest_ends(arcs):
     assert len(arcs.curve.points) == 6
     assert not arcs.curve.is_closed
     assert arcs.session.selected.whole_curves == {arcs.session.active_index}
+
+
+# Ends of other curves
+
+
+@pytest.fixture
+def apart(editor):
+    """Two curves that belong to no shape, and another one; the first is edited."""
+    return show(editor, hermite(LEFT, "Left"), hermite(RIGHT, "Right"), hermite(FAR, "Far"))
+
+
+def selected(editor):
+    return dict(editor.session.selected.group.parts)
+
+
+@pytest.mark.parametrize(
+    ("ends", "points", "words"),
+    [
+        ((LEFT[2], RIGHT[2]), [*LEFT, *reversed(RIGHT)], "end to end"),
+        ((LEFT[2], RIGHT[0]), [*LEFT, *RIGHT], "end to start"),
+        ((LEFT[0], RIGHT[0]), [*reversed(RIGHT), *LEFT], "start to start"),
+        ((LEFT[0], RIGHT[2]), [*RIGHT, *LEFT], "start to end"),
+    ],
+)
+def test_shift_click_on_an_end_of_another_curve_adds_it_and_join_uses_both(apart, ends, points, words):
+    begun, (one, other) = apart.session.document, ends
+    apart.click(one)
+    assert not apart.action("mergeEnds").isEnabled()
+    apart.hover(other)
+    assert "Shift+click: add its end to the selection" in apart.window.status_line.hint
+    apart.move(other, held=False, keys=SHIFT)
+    assert apart.window.status_line.hint.endswith("click to add its end to the selection")
+    assert apart.window.canvas.marks.spot == other
+    apart.click(other, keys=SHIFT)
+    assert apart.status == "2 points in 2 curves selected."
+    assert apart.session.document is begun
+    assert (apart.session.active_index, apart.session.selected.curves) == (0, {0, 1})
+    assert selected(apart) == {0: {LEFT.index(one)}, 1: {RIGHT.index(other)}}
+    assert apart.action("joinCurve").isEnabled()
+    assert apart.action("mergeEnds").isEnabled()
+    apart.key(Key.Key_J, CTRL)
+    assert names(apart) == ["Left", "Far"]
+    assert positions(apart) == points
+    assert apart.status.startswith(f"Joined with “Right”, {words}: shapes kept, largest change ")
+    assert max(farthest(apart, curve) for curve in begun.curves[:2]) < 1e-3
+    apart.trigger("undo")
+    assert apart.session.document == begun
+
+
+def test_a_second_shift_click_removes_the_end_again(apart):
+    apart.click(LEFT[2])
+    apart.click(RIGHT[2], keys=SHIFT)
+    apart.click(RIGHT[2], keys=SHIFT)
+    assert selected(apart) == {0: {2}}
+    assert apart.curve.name == "Left"
+    apart.click(RIGHT[2], keys=SHIFT)
+    apart.click(LEFT[2], keys=SHIFT)
+    assert selected(apart) == {1: {2}}
+
+
+def test_an_end_is_added_where_its_line_is_out_of_reach(apart):
+    """Ten pixels beyond the end the line is not hit, the point is."""
+    beyond = (FAR[0][0] + 10 * apart.pixel, FAR[0][1])
+    apart.click(LEFT[2])
+    apart.click(beyond, keys=SHIFT)
+    assert selected(apart) == {0: {2}, 2: {0}}
+    assert apart.status == "2 points in 2 curves selected."
+
+
+def test_shift_click_on_an_end_without_a_selected_point_selects_that_end(apart):
+    apart.click(RIGHT[0], keys=SHIFT)
+    assert selected(apart) == {1: {0}}
+    apart.click(LEFT[0], keys=SHIFT)
+    assert selected(apart) == {0: {0}, 1: {0}}
+
+
+def test_shift_click_on_the_middle_of_another_curve_adds_the_curve(apart):
+    apart.click(LEFT[2])
+    apart.click(RIGHT[1], keys=SHIFT)
+    assert selected(apart) == {}
+    assert apart.session.selected.whole_curves == {0, 1}
+    # While whole curves are being selected, an end stands for its curve.
+    apart.click(FAR[0], keys=SHIFT)
+    assert apart.session.selected.whole_curves == {0, 1, 2}
+
+
+def test_shift_click_selects_whole_curves_while_none_is_edited(apart):
+    apart.escape()
+    apart.click(LEFT[2])
+    apart.click(RIGHT[2], keys=SHIFT)
+    assert apart.session.selected.whole_curves == {0, 1}
+    assert selected(apart) == {}
+
+
+def test_a_drag_with_shift_from_an_end_moves_the_curve_along_an_axis(apart):
+    apart.click(LEFT[2])
+    apart.drag(RIGHT[0], (RIGHT[0][0] + 1.0, 0.2), keys=SHIFT)
+    moved = apart.session.document.curves[1].points
+    assert [point.y for point in moved] == [y for _, y in RIGHT]
+    assert moved[0].x == pytest.approx(RIGHT[0][0] + 1.0, abs=2 * apart.pixel)
+    assert selected(apart) == {0: {2}}
+
+
+def test_escape_during_the_press_on_an_end_leaves_the_selection(apart):
+    apart.click(LEFT[2])
+    apart.press(RIGHT[2], keys=SHIFT)
+    apart.escape()
+    apart.release(RIGHT[2], keys=SHIFT)
+    assert selected(apart) == {0: {2}}
+    assert apart.session.selected.curves == {0}
+
+
+@pytest.mark.parametrize("fields", [{"locked": True}, {"visible": False}, {"closed": True}])
+def test_no_end_is_added_of_locked_hidden_and_closed_curves(editor, fields):
+    show(editor, hermite(LEFT, "Left"), replace(hermite(RIGHT, "Right"), **fields))
+    editor.click(LEFT[2])
+    editor.click(RIGHT[2], keys=SHIFT)
+    assert 1 not in selected(editor)
+
+
+@pytest.mark.parametrize("end", [0, 2])
+def test_with_one_selected_end_join_uses_it_and_the_nearest_end(apart, end):
+    """It joined the last point to a start, whichever was selected."""
+    begun = apart.session.document
+    apart.click(LEFT[end])
+    apart.key(Key.Key_J, CTRL)
+    partner, points, words = {
+        0: ("Far", [*FAR, *LEFT], "start to end"),
+        2: ("Right", [*LEFT, *reversed(RIGHT)], "end to end"),
+    }[end]
+    assert positions(apart) == points
+    assert apart.status.startswith(f"Joined with “{partner}”, {words}: shapes kept")
+    assert apart.session.undo_stack.undoText() == f"Join Left and {partner}"
+    apart.trigger("undo")
+    assert apart.session.document == begun
+
+
+@pytest.mark.parametrize("end", [0, 2])
+def test_one_selected_end_decides_where_two_selected_curves_are_joined(apart, end):
+    """Their nearest ends are the last points of both."""
+    apart.session.selected.set_curves({0, 1}, active=0)
+    apart.click(LEFT[end], keys=SHIFT)
+    assert selected(apart) == {0: {end}}
+    apart.key(Key.Key_J, CTRL)
+    assert positions(apart) == ([*LEFT, *reversed(RIGHT)] if end else [*RIGHT, *LEFT])
+    assert names(apart) == ["Left", "Far"]
+
+
+def test_one_selected_end_comes_first_among_three_curves(apart):
+    apart.session.selected.set_curves({0, 1, 2}, active=0)
+    apart.click(LEFT[0], keys=SHIFT)
+    apart.key(Key.Key_J, CTRL)
+    assert names(apart) == ["Left"]
+    # The start of Left goes to the end of Far, the nearest to it; then the nearest ends that are left.
+    joined = positions(apart)
+    assert abs(joined.index(LEFT[0]) - joined.index(FAR[2])) == 1
+    assert apart.status.startswith("Joined 3 curves: shapes kept")
+
+
+def test_merge_brings_ends_of_two_curves_together(apart):
+    apart.click(LEFT[2])
+    apart.click(RIGHT[2], keys=SHIFT)
+    apart.key(Key.Key_J, SHIFT)
+    assert positions(apart) == [*LEFT[:2], (3.5, 2.0), *reversed(RIGHT[:2])]
+
+
+def test_an_unselected_inner_point_leaves_join_to_the_nearest_start(apart):
+    apart.click(LEFT[1])
+    apart.key(Key.Key_J, CTRL)
+    assert apart.status.startswith("Joined with “Far”, end to start")
+
+
+def test_the_actions_follow_ends_of_several_curves(apart):
+    assert_actions_as_rendered_anew(apart)
+    apart.click(LEFT[2])
+    assert_actions_as_rendered_anew(apart)
+    apart.click(RIGHT[2], keys=SHIFT)
+    assert_actions_as_rendered_anew(apart)
+    apart.key(Key.Key_J, CTRL)
+    assert_actions_as_rendered_anew(apart)

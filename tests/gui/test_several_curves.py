@@ -417,7 +417,7 @@ def test_splitting_at_the_scrub_line_and_joining_again(three):
     three.trigger("splitCurve")
     three.trigger("joinCurve")
     assert [curve.name for curve in three.session.document.curves] == ["A", "B a", "C"]
-    assert three.status.startswith("Joined with “B b”: shapes kept, largest change ")
+    assert three.status.startswith("Joined with “B b”, end to start: shapes kept, largest change ")
     t = np.linspace(0, 1, 99)
     assert three.session.active_view.curve.evaluate(t) == pytest.approx(before.curve.evaluate(t), abs=1e-13)
 

@@ -1,4 +1,4 @@
-"""Joins: two selected ends, the nearest ends of selected curves, or the end to the nearest start."""
+"""Joins of selected ends; else of the nearest ends of selected curves, or the end to the nearest start."""
 
 from __future__ import annotations
 
@@ -28,9 +28,11 @@ from ...view_model.join import (
     Joined,
     Link,
     brought_together,
+    end_of,
     joined_by,
     link_of,
     nearest_links,
+    position_of,
 )
 from ...workbench.context import WindowContext
 
@@ -62,7 +64,7 @@ class JoinCommands:
         CURVE_LIST_BUTTONS(13),
     )
     def _join(self) -> None:
-        """Join two selected ends, the nearest ends of selected curves, or the end to the nearest start."""
+        """Join the selected ends, or one to the nearest; else the nearest ends, or the end to a start."""
         session = self._session
         link = link_of(session.views, session.selected.group)
         if link is not None:
@@ -72,7 +74,7 @@ class JoinCommands:
         elif len(session.selected.whole_curves) > 1:
             self._join_selected()
         else:
-            self._join_to_nearest_start()
+            self._join_to_nearest()
 
     @action(
         "mergeEnds",
@@ -110,7 +112,13 @@ class JoinCommands:
 
         return session.change(_step_name(session.document, ends), closed).is_done
 
+    @property
+    def _selected_end(self) -> End | None:
+        """The only selected point, if it is an end of an open curve."""
+        return end_of(self._session.views, self._session.selected.group)
+
     def _join_selected(self) -> None:
+        """Join the selected curves, first at the selected end if there is one."""
         session, views = self._session, self._session.views
         is_open = (index for index in session.selected.whole_curves if not views[index].source.is_closed)
         curves = sorted(index for index in is_open if len(views[index].points))
@@ -121,28 +129,36 @@ class JoinCommands:
         self._make(
             curves,
             target,
-            lambda target: joined_by(views, nearest_links(views, curves), target, is_ring=True),
+            lambda target: joined_by(
+                views, nearest_links(views, curves, self._selected_end), target, is_ring=True
+            ),
         )
 
-    def _join_to_nearest_start(self) -> None:
-        session, index = self._session, self._session.active_index
-        partner = self._nearest_start()
+    def _join_to_nearest(self) -> None:
+        """Join the selected end of the active curve to the nearest end; without one its end to a start."""
+        session, index, selected = self._session, self._session.active_index, self._selected_end
+        sides, end = (False,) if selected is None else (False, True), selected or End(index, is_last=True)
+        partner = self._nearest_end(end, sides)
         if partner is None:
             session.refuse("There is no other visible open curve to join.")
             return
-        link = (End(index, is_last=True), End(partner, is_last=False))
-        self._make({index, partner}, index, lambda curve: joined_by(session.views, [link], curve))
+        link = (end, partner)
+        self._make({index, partner.curve}, index, lambda curve: joined_by(session.views, [link], curve))
 
-    def _nearest_start(self) -> int | None:
-        """Return the visible open curve whose start is nearest to the end of the active curve."""
-        views, active = self._session.views, self._session.active_index
-        end = views[active].points[-1]
+    def _nearest_end(self, end: End, sides: Collection[bool]) -> End | None:
+        """Return the nearest end of another visible open curve, of some sides; of a locked one if need be."""
+        views, start = self._session.views, position_of(self._session.views, end)
         others = [
-            (float(np.hypot(*(view.points[0] - end))), index)
+            End(index, is_last)
             for index, view in enumerate(views)
-            if index != active and view.source.visible and view.is_current and not view.source.is_closed
+            if index != end.curve and view.source.visible and view.is_current and not view.source.is_closed
+            for is_last in sides
         ]
-        return min(others)[1] if others else None
+
+        def rank(other: End) -> tuple[bool, float]:
+            return views[other.curve].source.locked, float(np.hypot(*(position_of(views, other) - start)))
+
+        return min(others, key=rank, default=None)
 
     def _make(self, curves: Collection[int], target: int, make: Callable[[int], Joined]) -> bool:
         """Replace the curve `target` by the result of `make`, and remove the others; return success."""
@@ -162,7 +178,9 @@ class JoinCommands:
             session.selected.set_points(results[0].seams)
         else:
             session.selected.select_whole([session.active_index])
-        what = f"with “{names[0]}”" if len(names) == 2 else f"{len(names)} curves" if others else "both ends"
+        what = f"{len(names)} curves" if others else "both ends"
+        if len(names) == 2:
+            what = f"with “{names[0]}”, {results[0].ends}"
         session.say(f"Joined {what}: {results[0].outcome}.")
         return True
 

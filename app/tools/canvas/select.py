@@ -19,9 +19,11 @@ from ..select_curves import (
     activate_pressed,
     click_curve,
     deselect_curves,
+    end_of_other_curve,
     hint_beside_curves,
     hint_on_curve,
     press_on_curve,
+    press_on_end,
     press_with_band,
     select_hit,
 )
@@ -60,6 +62,8 @@ class SelectTool(Tool):
             return self._press_on_line(event, line, is_second=True)
         if self._is_on_pivot(event):
             return press_on_pivot(event, _click_at_pivot(event))
+        if event.pointer.shift and (end := end_of_other_curve(event)) is not None:
+            return press_on_end(event, end)
         return self._press(event)
 
     def _press(self, event: ToolEvent) -> Gesture:
@@ -130,6 +134,8 @@ class SelectTool(Tool):
         is_guide = hit is not None and hit.part is Part.GUIDE and grip is None and not is_pivot
         self._guide = hit.index if hit is not None and is_guide else None
         self._spot = _unselected_point(event, hit)
+        if event.pointer.shift and (end := end_of_other_curve(event)) is not None:
+            self._spot, hit = end.position, Hit(Part.OTHER_CURVE, end.curve, end.position)
         if is_pivot:
             return PIVOT_HINT
         if grip is not None and group is not None and box is not None and _is_below_grips(hit):
@@ -254,7 +260,7 @@ SELECT = ToolRecord(
         *GESTURES,
         GestureRow("Click a point", "select only this point"),
         GestureRow("Double-click a point", "make it a corner, or a corner smooth", needs_derivatives=True),
-        GestureRow("Shift+click a point", "add to or remove from the selection"),
+        GestureRow("Shift+click a point", "add to or remove from the selection; ends of any open curve"),
         GestureRow("Click a small ring", "select a point of another curve of the shape"),
         GestureRow("Drag beside the curve", "select with a rubber band; Shift adds"),
         GestureRow("Drag the curve", "bend it, the points stay; Alt: points as well, Ctrl: points only"),
