@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from curvecore.arrays import FloatArray
 
 from ..appearance.colours import curve_colour
-from ..appearance.theme import Theme
+from ..appearance.theme import Theme, mix
 from ..document.model import Vector
 from ..document.words import number
 from ..plotting.drawing import Stroke
@@ -247,13 +247,19 @@ class PenLayer(Layer):
         super().__init__(plot)
         self._preview: CurveView | None = None
         self._lines: tuple[tuple[Vector, ...], ...] = ()
+        self._replaced: tuple[Vector, ...] = ()
         self._stroke = Stroke()
         self.set_visible(False)
 
-    def render(self, preview: CurveView | None, lines: tuple[tuple[Vector, ...], ...]) -> None:
-        """Draw this curve and these lines from the next paint on; None and () for nothing."""
-        if preview is not self._preview or lines != self._lines:
-            self._preview, self._lines = preview, lines
+    def render(
+        self,
+        preview: CurveView | None,
+        lines: tuple[tuple[Vector, ...], ...],
+        replaced: tuple[Vector, ...] = (),
+    ) -> None:
+        """Draw a curve, lines, and a part that lines replace, from the next paint on; None, () for none."""
+        if preview is not self._preview or (lines, replaced) != (self._lines, self._replaced):
+            self._preview, self._lines, self._replaced = preview, lines, replaced
             self.set_visible(preview is not None or bool(lines))
             self.update()
 
@@ -264,6 +270,10 @@ class PenLayer(Layer):
             painter.setPen(QPen(self.theme.ghost, 1.3 * self.scale))
             self._stroke.draw(painter)
             return
+        if self._replaced:
+            painter.setPen(QPen(mix(self.theme.warning, self.theme.paper, 0.4), 7.0 * self.scale))
+            self._stroke.show(np.array(self._replaced), pixel_map)
+            self._stroke.draw(painter)
         painter.setPen(QPen(self.theme.accent, 1.5 * self.scale))
         for line in self._lines:
             self._stroke.show(np.array(line), pixel_map)

@@ -214,7 +214,8 @@ class CanvasScene:
         """Show the marks of a gesture, or of the pen before a press."""
         self.marks.render(marks)
         self.guides.highlight(marks.guide)
-        self.pen.render(marks.preview_curve, (*marks.waiting, *([marks.line] if marks.line else [])))
+        lines = (*marks.waiting, *([marks.line] if marks.line else []))
+        self.pen.render(marks.preview_curve, lines, marks.replaced)
 
     def hit(self, pointer: Pointer, parts: frozenset[Part]) -> Hit | None:
         """Return the part of the drawing under the pointer if it is one of some kinds."""

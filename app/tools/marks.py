@@ -61,6 +61,8 @@ class Marks(msgspec.Struct, frozen=True):
         Where on the curve the pen would insert a point; the point of another curve under the pointer.
     line
         The line that the pencil has drawn so far.
+    replaced
+        The part of the curve that this line would replace.
     waiting
         Lines from which curves are being computed.
     guide
@@ -79,5 +81,6 @@ class Marks(msgspec.Struct, frozen=True):
     preview_curve: CurveView | None = None
     spot: Vector | None = None
     line: tuple[Vector, ...] = ()
+    replaced: tuple[Vector, ...] = ()
     waiting: tuple[tuple[Vector, ...], ...] = ()
     guide: int | None = None

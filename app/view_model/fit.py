@@ -170,17 +170,17 @@ def fitted(
     if model.family.is_missing:
         raise EditError(model.family.problem)
     is_closed = model.closed and model.family.curve_class.can_close
-    fit = _fit(model, data, count, tolerance, times, report, is_closed=is_closed)
+    fit = core_fit(model, data, count, tolerance, times, report, is_closed=is_closed)
     rule = model.parametrization
     span = (rule.start, rule.end) if times is None else fit.curve.domain
-    points_of_fit = _points(fit.curve, span, is_closed=is_closed)
+    new = points_of_fit(fit.curve, span, is_closed=is_closed)
     parametrization = Parametrization(ParametrizationKind.MANUAL, rule.alpha, *span)
-    curve = replace(model, points=points_of_fit, parametrization=parametrization, closed=is_closed)
+    curve = replace(model, points=new, parametrization=parametrization, closed=is_closed)
     x, y = data[fit.worst].tolist()
     return Fitted(curve, fit.curve, fit.deviation, fit.root_mean_square, (x, y), fit.is_scattered)
 
 
-def _fit(
+def core_fit(
     model: Curve,
     data: FloatArray,
     count: int | None,
@@ -189,6 +189,7 @@ def _fit(
     report: Report,
     *,
     is_closed: bool,
+    end_directions: tuple[FloatArray | None, FloatArray | None] = (None, None),
 ) -> curvecore.Fit:
     """Return the core's fit; raise `EditError` with its reason where there is none."""
     family = model.family
@@ -201,6 +202,7 @@ def _fit(
             parameters=times,
             settings=family.settings.in_effect(model.settings, closed=is_closed),
             closed=is_closed,
+            end_directions=end_directions,
             progress=lambda share: report(share, "Fitting"),
         )
     except CurveError as problem:
@@ -208,7 +210,7 @@ def _fit(
         raise EditError(f"{text[:1].upper()}{text[1:]}.") from None
 
 
-def _points(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Point, ...]:
+def points_of_fit(core: ParametricCurve, span: Vector, *, is_closed: bool) -> tuple[Point, ...]:
     """Return the points of a curve of the document, whose parameters begin and end at `span`."""
     (start, end), (first, last) = span, core.domain
     stretch = (end - start) / (last - first)

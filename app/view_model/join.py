@@ -1,4 +1,4 @@
-"""Several curves made one, end to start or by selected ends, with their shapes kept."""
+"""Several curves made one, end to start or by selected ends, with their shapes kept; a part redrawn."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 
 from ..document.constraints import PARALLEL, tie_if_parallel
 from ..document.curve_edits import replace_curve, set_closed
-from ..document.derivatives import DERIVATIVES
+from ..document.derivatives import DERIVATIVES, VECTORS
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_edits import set_position
@@ -22,12 +22,14 @@ from ..document.point_group import PointGroup
 from ..document.several_curves import remove_curves
 from ..document.words import number
 from ..families import titles_with_derivatives
+from ..tasks.progress import Report, silent
 from .curve.curve_view import CurveView, view_of
 from .curve.distances import dense, keeps_shape, largest_distance
-from .geometry import polygon_length, size_of
+from .fit import Fitted, core_fit, points_of_fit
+from .geometry import polygon_length, size_of, unit_tangents
 from .point_kinds import with_straight_segments
-from .reshape import Reshaped, baked, refuse_without_curve, reversed_curve
-from .split import beginning, part_of
+from .reshape import Reshaped, baked, refuse_without_curve, reversed_curve, with_estimates_kept
+from .split import beginning, part_of, split
 
 MOST_JOINED = 1000
 """Curves that are joined at once: the distances of all of their ends are compared."""
@@ -411,3 +413,184 @@ def _turned(view: CurveView) -> tuple[CurveView, float]:
     refuse_without_curve(view)
     result = reversed_curve(view)
     return view_of(result.curve), result.residual
+
+
+# A part of a curve replaced by a stroke
+
+_SMOOTH = math.cos(math.radians(30.0))
+"""Cosine of the angle to the curve up to which a stroke goes on smoothly; beyond it makes a corner."""
+
+_FASTER = 1.5
+"""Times the mean speed that a stroke may have at its ends: one speed there is that of the curve."""
+
+_SHARES = np.linspace(0.0, 1.0, 65)
+
+
+class Stretch(NamedTuple):
+    """A part of a curve, or what is missing at an end of it.
+
+    Attributes
+    ----------
+    start, end
+        Its parameters in the direction of the curve; None where the curve is to go on beyond that end. The
+        end comes before the start where the part leads over the end of a closed curve, or closes an open one.
+    is_against
+        Whether the stroke for it begins at its end.
+    title
+        The name of the change in the history.
+    """
+
+    start: float | None
+    end: float | None
+    is_against: bool
+    title: str = "Redraw part"
+
+    def positions(self, view: CurveView) -> FloatArray:
+        """Return positions along the part, (m, 2); none where there is nothing of the curve yet."""
+        assert view.curve is not None
+        first, last = view.curve.domain
+        if self.start is None or self.end is None or (self.start > self.end and not view.source.is_closed):
+            return np.empty((0, 2))
+        t = self.start + _SHARES * (self.end - self.start + (last - first) * (self.end < self.start))
+        return view.curve.evaluate(np.where(t > last, t - (last - first), t))
+
+
+def stretch_along(
+    view: CurveView, stroke: Sequence[Vector], begin: float, end: float | None
+) -> Stretch | None:
+    """Return the part of a curve that a stroke between two parameters is for; None if it is for none.
+
+    Of a closed curve it is the part nearer to the stroke: position by position at equal shares of both
+    lengths. From an end of an open curve the stroke goes on, without another parameter; between its ends
+    it closes the curve.
+    """
+    assert view.curve is not None
+    (first, last), source = view.curve.domain, view.source
+    if source.is_closed:
+        if end is None or end == begin:
+            return None
+        both = (Stretch(begin, end, is_against=False), Stretch(end, begin, is_against=True))
+        return min(both, key=lambda way: _distance(way.positions(view)[:: 1 - 2 * way.is_against], stroke))
+    if end is None:
+        ends = {last: (last, None), first: (None, first)}
+        return Stretch(*ends[begin], begin == first, "Extend curve") if begin in ends else None
+    if end == begin:
+        return None
+    if {begin, end} == {first, last}:
+        can_close = source.family.curve_class.can_close
+        return Stretch(last, first, begin == first, "Close curve") if can_close else None
+    return Stretch(min(begin, end), max(begin, end), begin > end)
+
+
+def _distance(positions: FloatArray, stroke: Sequence[Vector]) -> float:
+    """Return the mean distance of two lines at equal shares of their lengths."""
+    one, other = (_at_shares(np.asarray(line)) for line in (positions, stroke))
+    return float(np.hypot(*(one - other).T).mean())
+
+
+def _at_shares(line: FloatArray) -> FloatArray:
+    along = np.append(0.0, np.cumsum(np.hypot(*np.diff(line, axis=0).T)))
+    return np.column_stack([np.interp(_SHARES * along[-1], along, column) for column in line.T])
+
+
+def redrawn(
+    view: CurveView,
+    stretch: Stretch,
+    stroke: Sequence[Vector],
+    *,
+    tolerance: float,
+    reach: float,
+    report: Report = silent,
+) -> Fitted:
+    """Return the curve with a stroke in the place of a part of it; the rest keeps its shape.
+
+    It is smooth where the stroke goes on in the direction of the curve, as far as `reach` shows, and has a
+    corner where it does not. The parameters become manual.
+
+    Raises
+    ------
+    EditError
+        If there is no such curve.
+    """
+    source, (before, after) = view.source, _kept(view, stretch)
+    line = np.array(stroke[::-1] if stretch.is_against else stroke)
+    ends = [(0, _end_of(before, -1)), (-1, _end_of(after, 0))]
+    for which, end in ends:
+        line[which] = end[0] if end else line[which]
+    speed = float(np.mean([np.hypot(*end[1]) for _, end in ends if end])) or 1.0
+    first, last = (_going_on(end[1] / speed, line, which, reach) if end else None for which, end in ends)
+    fit = core_fit(source, line, None, tolerance, None, report, is_closed=False, end_directions=(first, last))
+    drawn = polygon_length(line)
+    for t, held in ((0.0, first), (1.0, last)):
+        if held is not None:
+            drawn = float(np.hypot(*fit.curve.evaluate(t, 1)) / np.hypot(*held))
+    duration = drawn / speed
+    points = points_of_fit(fit.curve, (0.0, duration), is_closed=False)
+    part = view_of(part_of(source, points, duration, source.name))
+    parts = [each for each in (before, part, after) if each is not None]
+    is_closed = before is not None and before is after
+    whole = joined(*parts[: 2 if is_closed else 3], model=int(before is None), is_closed=is_closed)
+    curve = _from_first(view, _with_estimates(view, whole))
+    x, y = line[fit.worst].tolist()
+    return Fitted(curve, fit.curve, fit.deviation, fit.root_mean_square, (x, y), fit.is_scattered)
+
+
+def _kept(view: CurveView, stretch: Stretch) -> tuple[CurveView | None, CurveView | None]:
+    """Return the parts of a curve before and after a stretch, None for none; the same one around it."""
+    assert view.curve is not None
+    (first, last), (start, end, *_) = view.curve.domain, stretch
+    if view.source.is_closed:
+        assert start is not None
+        assert end is not None
+        parts = [*map(view_of, split(view, start, end).curves)]
+        kept = parts[1] if start < end else parts[0]
+        return kept, kept
+    if start is None or end is None or start > end:
+        return (None if start is None else view), (None if end is None else view)
+    parts = [*map(view_of, split(view, *(t for t in (start, end) if first < t < last)).curves)]
+    return (parts[0] if start > first else None), (parts[-1] if end < last else None)
+
+
+def _end_of(part: CurveView | None, which: int) -> tuple[FloatArray, FloatArray] | None:
+    """Return position and velocity at the end (-1) or the start (0) of a curve; None without one."""
+    if part is None or part.curve is None:
+        return None
+    t = part.curve.domain[which]
+    return part.curve.evaluate(t), part.curve.evaluate(t, 1)
+
+
+def _going_on(velocity: FloatArray, line: FloatArray, which: int, reach: float) -> FloatArray | None:
+    """Return a velocity, neither short nor long, where a line begins (0) or ends (-1) along it; else None."""
+    offsets = (line - line[0] if which == 0 else line[-1] - line)[:: 1 + 2 * which]
+    far = np.hypot(*offsets.T) >= reach
+    along, towards = unit_tangents(np.array([velocity, offsets[int(np.argmax(far)) if far.any() else -1]]))
+    length = min(max(float(np.hypot(*velocity)), 1.0 / _FASTER), _FASTER)
+    return length * along if float(towards @ along) >= _SMOOTH else None
+
+
+def _from_first(view: CurveView, curve: Curve) -> Curve:
+    """Return a closed curve from where the old one began, if that point is left; any other as it is."""
+    first, rule = view.source.points[0].position, curve.parametrization
+    positions = [point.position for point in curve.points]
+    if not curve.is_closed or first not in positions:
+        return curve
+    at, (start, _), period = positions.index(first), view.source.interval, rule.end - rule.start
+    shift = start - (curve.points[at].t or 0.0)
+    later = [replace(point, t=(point.t or 0.0) + shift) for point in curve.points[at:]]
+    earlier = [replace(point, t=(point.t or 0.0) + shift + period) for point in curve.points[:at]]
+    rule = replace(rule, start=start, end=start + period)
+    return replace(curve, points=(*later, *earlier), parametrization=rule)
+
+
+def _with_estimates(view: CurveView, whole: Joined) -> Curve:
+    """Return a curve made of parts of another, with the estimates of this one where the shape allows."""
+    known = {point.position: point for point in view.source.points}
+    points, kept = list(whole.curve.points), list[int]()
+    for index, point in enumerate(points):
+        before = known.get(point.position)
+        if before is not None and index not in whole.seams:
+            kept.append(index)
+            estimated = {name: None for _, name in VECTORS if getattr(before, name) is None}
+            points[index] = replace(point, **estimated)
+    rows, named = np.array(kept, dtype=np.intp), replace(whole.curve, name=view.source.name)
+    return with_estimates_kept(view_of(whole.curve), replace(named, points=tuple(points)), rows, rows)

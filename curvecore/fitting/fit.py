@@ -41,6 +41,7 @@ def fit(
     closed: bool = False,
     with_corners: bool = True,
     settings: Mapping[str, SettingValue] | None = None,
+    end_directions: tuple[ArrayLike | None, ArrayLike | None] = (None, None),
     progress: Callable[[float], object] = lambda _share: None,
 ) -> Fit:
     """Return a curve of few points near many data.
@@ -70,6 +71,9 @@ def fit(
         Whether the curve may have a corner where the data turn sharply, in a family with derivatives.
     settings : mapping, optional
         Values of the family's `settings`, by their names; of a closed curve such as make it periodic.
+    end_directions : pair of array_like, shape (dim,), optional
+        Directions of length 1 in which an open curve of a family with derivatives begins and ends, without
+        `parameters`; None for one that is free.
     progress : callable, optional
         Hears the share that is done, between 0 and 1, now and then; what it raises ends the work.
 
@@ -113,7 +117,11 @@ def fit(
     has_corners = with_corners and family.derivatives and family.is_local
     corners = _corners_of(data, count, tolerance, closed=closed) if has_corners else []
     rounds = RoundsProgress(progress)
-    solve = partial(least_squares_curve, family, closed=closed, settings=settings)
+    # Parameters by chord length: the speed is about the whole length.
+    first, last = (each if each is None else data.along[-1] * np.asarray(each) for each in end_directions)
+    solve = partial(
+        least_squares_curve, family, closed=closed, settings=settings, end_velocities=(first, last)
+    )
     moves = parameters is None
     fitter = partial(
         Fitter,

@@ -50,6 +50,7 @@ def least_squares_curve(
     closed: bool = False,
     weights: ArrayLike | None = None,
     settings: Mapping[str, SettingValue] | None = None,
+    end_velocities: tuple[ArrayLike | None, ArrayLike | None] = (None, None),
 ) -> ParametricCurve:
     """Return the curve with given parameters of its own that is nearest to data with given parameters.
 
@@ -77,6 +78,9 @@ def least_squares_curve(
         What the square of each distance counts, above 0; else all count 1.
     settings : mapping, optional
         Values of the family's `settings`, by their names; of a closed curve such as make it periodic.
+    end_velocities : pair of array_like, shape (dim,), optional
+        The velocities at the first and the last joint of an open curve of a family with derivatives; None
+        for those that are free.
 
     Returns
     -------
@@ -113,7 +117,8 @@ def least_squares_curve(
     make = partial(family.from_jets, **(settings or {}))
     sides = _Sides(family, joints, corners, closed)
     guess = sides.guess(data, at)
-    problem = _Problem(make, joints, sides, guess)
+    held = sides.hold_ends(guess, end_velocities)
+    problem = _Problem(make, joints, sides, guess, held)
     blocks = problem.blocks(at, data, np.sqrt(counts))
     ends = None if closed else problem.blocks(joints[[0, -1]], data[[0, -1]], np.ones(2))
     try:
@@ -189,6 +194,15 @@ class _Sides:
             self._agree(jets)
         return jets
 
+    def hold_ends(self, jets: FloatArray, velocities: tuple[ArrayLike | None, ArrayLike | None]) -> IntArray:
+        """Set velocities at the ends of jets, and return their unknowns, which do not move."""
+        held = [end for end, velocity in zip((0, -1), velocities, strict=True) if velocity is not None]
+        if held and (self.closed or self.order < 2):
+            raise CurveError("end_velocities are those of an open curve of a family with derivatives")
+        for end in held:
+            jets[end, :, 1] = velocities[end]
+        return np.array([self.columns[end, 0, 1] for end in held], dtype=np.intp)
+
     def _agree(self, jets: FloatArray) -> None:
         """Let both rows of one unknown have one value."""
         values = np.zeros((self.count, jets.shape[-1]))
@@ -209,8 +223,10 @@ class _Sides:
 class _Problem:
     """The linear problem: the functions at the data, and the residuals of the guess."""
 
-    def __init__(self, make: Make, knots: FloatArray, sides: _Sides, guess: FloatArray) -> None:
-        self._sides, self._dim = sides, guess.shape[-1]
+    def __init__(
+        self, make: Make, knots: FloatArray, sides: _Sides, guess: FloatArray, held: IntArray
+    ) -> None:
+        self._sides, self._dim, self._held = sides, guess.shape[-1], held
         jets = guess[:, 1].copy()
         jets[-1] = guess[-1, 0]
         # Corners do not change the functions.
@@ -285,7 +301,8 @@ class _Problem:
         values[:, column_of[len(first) :]] += together[:, len(first) : width]
         values[:, : len(columns)] *= self._sides.scale[columns]
         values[:, len(columns) :] = together[:, width:]
-        return Block(columns, values)
+        moves = ~np.isin(columns, self._held)
+        return Block(columns[moves], values[:, np.append(moves, np.full(self._dim, True))])
 
 
 def _lagrange_values(nodes: FloatArray, x: FloatArray) -> FloatArray:

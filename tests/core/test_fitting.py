@@ -312,3 +312,47 @@ def test_weights_draw_the_curve(family):
     assert np.abs(repeated.evaluate(t) - drawn.evaluate(t)).max() <= 1e-10
     with pytest.raises(CurveError, match="weights must be 90 numbers above 0"):
         least_squares_curve(family, data, t, uniform(6), weights=np.zeros(90))
+
+
+# Ends that are held
+
+
+HELD = [each for each in LOCAL if each.values[0].derivatives]
+
+
+@pytest.mark.parametrize("family", HELD)
+def test_the_velocities_at_the_ends_are_those_that_are_given(family):
+    """Of a curve of the family its own, so that it comes back; of others exactly, whatever the data say."""
+    knots = np.linspace(0.0, 1.0, 6)
+    jets = NUMBERS.normal(size=(6, family.derivatives + 1, 2))
+    curve = family.from_jets(jets, knots)
+    t = np.linspace(0.0, 1.0, 300)
+    found = least_squares_curve(family, curve.evaluate(t), t, knots, end_velocities=(jets[0, 1], jets[-1, 1]))
+    size = np.abs(curve.evaluate(t)).max()
+    assert np.abs(found.evaluate(t) - curve.evaluate(t)).max() <= 1e-11 * size
+    other = least_squares_curve(family, curve.evaluate(t), t, knots, end_velocities=(None, [3.0, -4.0]))
+    assert other.jets[-1, 1].tolist() == [3.0, -4.0]
+    assert other.evaluate(0.0) == pytest.approx(jets[0, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize("family", HELD)
+@pytest.mark.parametrize("degrees", [0.0, 20.0])
+def test_a_fit_begins_and_ends_in_given_directions_within_the_tolerance(family, degrees):
+    angle = np.linspace(0.0, 2.2, 300)
+    data = np.column_stack([np.cos(angle), np.sin(angle)])
+    ends = angle[[0, -1]] + np.pi / 2 + np.radians(degrees)
+    start, end = np.column_stack([np.cos(ends), np.sin(ends)])
+    found = fit(data, family, tolerance=0.02, end_directions=(start, end))
+    assert found.deviation <= 0.02
+    for t, direction in ((0.0, start), (1.0, end)):
+        x, y = found.curve.evaluate(t, 1)
+        assert x * direction[1] - y * direction[0] == pytest.approx(0.0, abs=1e-14)
+        assert x * direction[0] + y * direction[1] > 1.0
+
+
+def test_ends_that_cannot_be_held_are_refused():
+    t = np.linspace(0.0, 1.0, 20)
+    data = np.column_stack([np.cos(t), np.sin(t)])
+    for family, closed in ((LagrangeCurve, False), (HermiteCurve, True)):
+        with pytest.raises(CurveError, match="end_velocities"):
+            least_squares_curve(family, data, t, [0, 0.5, 1], closed=closed, end_velocities=([0, 1], None))

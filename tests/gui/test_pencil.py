@@ -154,6 +154,8 @@ def test_escape_leaves_no_trace(editor):
 def test_the_smoothness_of_the_pencil_is_selected_in_the_menu_and_remembered(editor):
     draw(editor, PLACES["wobbling"])
     usual = len(editor.session.active_curve.points)
+    # A second line from the end of the first curve would extend that.
+    editor.trigger("undo")
     editor.trigger("pencilVerySmooth")
     assert editor.window.preferences.tool_settings.value(pencil.DETAIL).pixels == 10.0
     line = draw(editor, PLACES["wobbling"])

@@ -9,18 +9,20 @@ from time import thread_time
 
 from msgspec.structs import replace
 
-from ...document.curve_edits import NewCurve, new_curve_like, replace_curve, with_new_curve
+from ...document.curve_edits import NewCurve, locked_message, new_curve_like, replace_curve, with_new_curve
 from ...document.limits import EditError
 from ...document.model import Curve, Parametrization, Vector
+from ...document.straight_edits import straight_refusal
 from ...document.words import NamedEnum, count_of, number, with_decimals
 from ...families import FAMILIES
 from ...tasks.progress import Report
 from ...view_model.fit import SCATTERED, Fitted, fitted
+from ...view_model.join import Stretch, redrawn, stretch_along
 from ...view_model.settings import ChoiceSetting
 from ..background import BackgroundTask
 from ..editing_session import EditingSession
 from ..marks import Marks
-from ..pointer import Hint, Pointer
+from ..pointer import Hint, Part, Pointer
 from ..tool import THRESHOLD, Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 
@@ -77,12 +79,19 @@ class PencilLine(Gesture, kw_only=True):
         Pixels that the pointer has travelled, and its largest distance from the press.
     last
         The last pixel.
+    refusal
+        Why the active curve, on which it begins, has no part to redraw; empty where it has.
+    begin, end
+        The parameters at which it begins and ends on the active curve; None where it does not.
     """
 
     starts_at_press = True
     press: Pointer
     positions: list[Vector]
     last: Vector
+    refusal: str = ""
+    begin: float | None = None
+    end: float | None = None
     length: float = 0.0
     farthest: float = 0.0
 
@@ -99,6 +108,7 @@ class PencilLine(Gesture, kw_only=True):
         self.last = pointer.pixel
         if pointer.position != self.positions[-1]:
             self.positions.append(pointer.position)
+            self.end = None if self.begin is None else _parameter_at(event.with_hit())
 
     def release(self, event: ToolEvent) -> None:
         """Make a curve of the line, beside the window: it takes longer than a moment."""
@@ -106,14 +116,51 @@ class PencilLine(Gesture, kw_only=True):
         if not self.line:
             session.say(f"{_HINT}.")
             return
-        returns = math.dist(self.last, self.press.pixel) <= _CLOSING
-        closed = returns and self.length > _LEAST_ROUND * _CLOSING
+        if (stretch := self._stretch(event)) is not None:
+            self._redraw(event, stretch)
+            return
+        closed = self._returns
         tolerance = event.value(DETAIL).pixels / self.press.scale
         begin = _begun(session)
         model = replace(begin.document.curves[begin.curve_index], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
         done = partial(_take, session, model, self.press, tolerance)
         event.background.do(BackgroundTask("The pencil's curve", work, done, self.line))
+
+    @property
+    def _returns(self) -> bool:
+        is_back = math.dist(self.last, self.press.pixel) <= _CLOSING
+        return is_back and self.length > _LEAST_ROUND * _CLOSING
+
+    def _stretch(self, event: ToolEvent) -> Stretch | None:
+        """Return the part of the active curve that the line replaces, or an end that it extends; or None."""
+        if self.begin is None or self._returns or not self.line:
+            return None
+        return stretch_along(event.view, self.line, self.begin, self.end)
+
+    def _redraw(self, event: ToolEvent, stretch: Stretch) -> None:
+        """Put the line in the place of a part of the active curve, beside the window."""
+        session, view = event.session, event.view
+        tolerance, reach = event.value(DETAIL).pixels / self.press.scale, _CLOSING / self.press.scale
+
+        def work(report: Report) -> Fitted | str:
+            try:
+                return redrawn(view, stretch, self.line, tolerance=tolerance, reach=reach, report=report)
+            except EditError as reason:
+                return str(reason)
+
+        def take(result: Fitted | str) -> None:
+            if not isinstance(result, str) and view.source != session.active_view.source:
+                result = f"“{view.source.name}” has changed meanwhile; draw the line again."
+            if isinstance(result, str):
+                session.refuse(result)
+                return
+            curve, active = result.curve, session.active_index
+            if session.change(stretch.title, lambda document: replace_curve(document, active, curve)):
+                session.selected.set_points([])
+                session.say(f"{stretch.title}: {_message(result, view.source, self.press, tolerance)}")
+
+        event.background.do(BackgroundTask(stretch.title, work, take, self.line))
 
     def cancel(self, event: ToolEvent) -> None:
         """Say that nothing was drawn."""
@@ -125,13 +172,36 @@ class PencilLine(Gesture, kw_only=True):
         if not self.line:
             return ""
         detail = event.value(DETAIL).label.lower()
+        if (stretch := self._stretch(event)) is not None:
+            return f"Release: {stretch.title.lower()} · {detail} · Escape cancels"
+        if self.refusal:
+            return f"Drawing a new curve, {detail} · {self.refusal}"
         can_close = event.view.source.family.curve_class.can_close
         closed = "back to the beginning: closed · " if can_close else ""
-        return f"Drawing, {detail} · {closed}Escape cancels"
+        redraw = "" if self.begin is None else "end on the curve: redraw that part · "
+        return f"Drawing, {detail} · {redraw}{closed}Escape cancels"
 
     def marks(self, event: ToolEvent) -> Marks:
-        """Return the line."""
-        return Marks(line=self.line)
+        """Return the line, and the part of the curve that it replaces."""
+        stretch = self._stretch(event)
+        replaced = () if stretch is None else tuple(map(tuple, stretch.positions(event.view).tolist()))
+        return Marks(line=self.line, replaced=replaced)
+
+
+def _parameter_at(event: ToolEvent) -> float | None:
+    """Return the parameter of the active curve under the pointer, None where it has no part to redraw."""
+    hit, view = event.hit, event.view
+    if hit is None or not event.session.selected.is_editing or not view.is_current or _refusal(event):
+        return None
+    return hit.t if hit.part is Part.CURVE else float(view.parameters[hit.index])
+
+
+def _refusal(event: ToolEvent) -> str:
+    """Return why the active curve under the pointer has no part to redraw; empty where it has."""
+    if event.hit is None or not event.session.selected.is_editing:
+        return ""
+    source = event.view.source
+    return locked_message([source.display_name]) if source.locked else straight_refusal(source.family)
 
 
 def _begun(session: EditingSession) -> NewCurve:
@@ -202,15 +272,26 @@ def _message(result: Fitted, model: Curve, press: Pointer, tolerance: float) -> 
 class PencilTool(Tool):
     """Tool that draws freehand."""
 
+    hits = frozenset({Part.POINT, Part.CURVE})
+
     def press(self, event: ToolEvent) -> PencilLine:
         """Begin a line here, if there is room for a curve."""
         _begun(event.session)
         pointer = event.pointer
-        return PencilLine(press=pointer, positions=[pointer.position], last=pointer.pixel)
+        line = PencilLine(press=pointer, positions=[pointer.position], last=pointer.pixel)
+        if not pointer.shift:
+            line.begin, line.refusal = _parameter_at(event), _refusal(event)
+        return line
 
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint."""
-        detail = event.value(DETAIL).label.lower()
+        detail, begin = event.value(DETAIL).label.lower(), _parameter_at(event)
+        if begin is not None and event.view.curve is not None:
+            extends = stretch_along(event.view, (), begin, None) is not None
+            what = "Drag to extend the curve, or back" if extends else "Drag from here back"
+            return Hint(f"{what} to it to redraw a part · Shift: a new curve · {detail}")
+        if refusal := _refusal(event):
+            return Hint(f"Drag to draw a new curve freehand · {refusal}")
         return Hint(f"{_HINT} · {detail}; Edit › Tools changes it · V returns to Select")
 
 
@@ -223,6 +304,8 @@ PENCIL = ToolRecord(
     gestures=(
         GestureRow("Drag", "draw a line; it becomes a curve of few points"),
         GestureRow("Drag back to the beginning", "draw a closed curve"),
+        GestureRow("Drag from the curve to the curve", "redraw that part; Shift: a new curve"),
+        GestureRow("Drag from an end of the curve", "extend it; to its other end: close it"),
         GestureRow("Escape", "cancel the line"),
     ),
     rank=25,
