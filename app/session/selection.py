@@ -7,6 +7,9 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import msgspec
+import numpy as np
+
+from curvecore.arrays import FloatArray
 
 from ..document.differences import reshaped_curves
 from ..document.groups import expand_to_shapes
@@ -337,7 +340,7 @@ class Selection:
         if session.active_index in self.curves and reshaped_curves(before, session.document) is not None:
             # As during most drags: selection and hovered point are unchanged.
             yield
-            session.scrub.keep()
+            session.scrub.follow()
             return
         marked = [curve for index, curve in enumerate(before.curves) if index in self.marked]
         session.active_index = min(session.active_index, len(curves) - 1)
@@ -356,7 +359,7 @@ class Selection:
         self.set_hovered(self.hovered)
         yield
         self.keep_group(new.points)
-        session.scrub.keep()
+        session.scrub.follow()
         if (new.curves, new.whole_curves, new.is_editing) != (old.curves, old.whole_curves, old.is_editing):
             session.selected_curves_changed.emit(self.curves)
 
@@ -510,6 +513,8 @@ class ScrubLine:
         self.t: float | None = None
         # The place that was asked for: the line stands there as far as the curve goes.
         self._asked: float | None = None
+        # The parameters of the curve that it stands on.
+        self._parameters: FloatArray | None = None
 
     def set(self, t: float | None) -> None:
         """Move the line to `t`, or put it away (None).
@@ -522,6 +527,7 @@ class ScrubLine:
         if t is None or curve is None:
             self.t = None
         else:
+            self._parameters = self._view().parameters
             start, end = curve.domain
             self.t = float(min(max(t, start), end))
         if self.t != before:
@@ -530,3 +536,20 @@ class ScrubLine:
     def keep(self) -> None:
         """Put the line where it was asked for, as far as the present curve goes."""
         self.set(self._asked)
+
+    def follow(self) -> None:
+        """Keep the line on a changed curve: at its relative place where only the interval is another one."""
+        old, view = self._parameters, self._view()
+        if self.t is not None and old is not None and view.curve is not None and old is not view.parameters:
+            new = view.parameters
+            scale = float(new[-1] - new[0]) / float(old[-1] - old[0])
+            if (new[0], scale) != (old[0], 1.0) and _are_stretched(old, new, scale):
+                self._asked = float(new[0]) + (self.t - float(old[0])) * scale
+        self.keep()
+
+
+def _are_stretched(old: FloatArray, new: FloatArray, scale: float) -> bool:
+    """Whether parameters are others over another interval, and nothing else."""
+    if len(old) != len(new):
+        return False
+    return bool(np.abs(new[0] + (old - old[0]) * scale - new).max() <= 1e-9 * (new[-1] - new[0]))

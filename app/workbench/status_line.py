@@ -213,9 +213,14 @@ class Readouts:
             self._render_soon()
 
     def show_scrub(self, t: float | None) -> None:
-        """Show the t of the scrub line while the pointer is elsewhere; None without one."""
+        """Show the t of the scrub line, until the pointer moves over a plot; None without one.
+
+        At once: rail, plots and motion bar show the same t in the same frame.
+        """
         self._t_scrub = t
-        self._render_soon()
+        if t is not None:
+            self._t_here = None
+        self.render()
 
     def show_lebesgue(self, constant: float | None, holds: str = "") -> None:
         """Show the Lebesgue constant of the points; NaN without a curve, None while it changes.

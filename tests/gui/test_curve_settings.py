@@ -138,6 +138,25 @@ def test_an_interval_is_typed_as_an_expression_and_keeps_the_shape(quintic):
     assert quintic["intervalEnd"].text() == "1"
 
 
+def test_the_scrub_line_keeps_its_relative_place_in_another_interval(quintic):
+    """It stood at the same t, at another point of the curve."""
+    quintic.session.scrub.set(0.25)
+    place = quintic.session.active_view.curve.evaluate(0.25)
+    quintic.type("intervalEnd", "2.5")
+    assert quintic.session.scrub.t == 0.625
+    assert quintic.session.active_view.curve.evaluate(0.625) == pytest.approx(place)
+    quintic.type("intervalStart", "-2.5")
+    assert quintic.session.scrub.t == -1.25
+    stack = quintic.session.undo_stack
+    for step, t in ((stack.undo, 0.625), (stack.undo, 0.25), (stack.redo, 0.625)):
+        step()
+        assert quintic.session.scrub.t == pytest.approx(t)
+    # A point that moves changes the parameters, but not the interval: the line stays at its t.
+    document = point_edits.move_points(quintic.session.document, 0, [1], (0.5, 0.5))
+    quintic.session.commit(document, "Move")
+    assert quintic.session.scrub.t == pytest.approx(0.625)
+
+
 def test_the_interval_of_manual_parameters(form):
     document = rule_edits.freeze_parameters(form.session.document, 0, [*range(1, 8), 8.5])
     form.session.commit(document, "Freeze")

@@ -24,14 +24,17 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from app.actions.keymap import action_name
 from app.document import rule_edits
 from app.document.derivatives import VelocityRule
 from app.document.model import ParametrizationKind
+from app.document.words import number
 from app.exchange.drawing.film import write_film
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.motion.player import Player
 from app.features.motion.stage import MotionBar
 from app.view_model.motion import ACTIVE
+from app.view_model.motion_settings import Pace
 from tests.waiting import LIMIT, until
 
 LEFT = Qt.MouseButton.LeftButton
@@ -135,7 +138,63 @@ def test_canvas_and_basis_panel_show_the_same_dot(editor, motion):
     assert dot.speed == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 1)))
     assert dot.acceleration == pytest.approx(np.linalg.norm(curve.evaluate(0.3, 2)))
     assert len(dot.trail) == 18
-    assert motion.bar.readout.startswith("t 0.300   |v| ")
+    assert motion.bar.readout.startswith("t 0.3   |v| ")
+
+
+@pytest.mark.parametrize("pace", [action_name("motionBy", pace) for pace in Pace])
+def test_rail_bar_canvas_and_status_line_show_the_same_t_in_a_frame(editor, motion, pace):
+    """The bar wrote its numbers every 80 ms and the status line after 33 ms: three t in one frame."""
+    editor.window.basis_panel.grab()
+    span(editor, 0.0, 2.5)
+    # A pointer that rests over the panel does not hold the t under it.
+    panel = editor.window.basis_panel
+    editor.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.5, 0.5), held=False)
+    editor.settle()
+    editor.trigger("playMotion")
+    editor.trigger(pace)
+    status = editor.window.status_line.findChild(QLabel, "pointerT")
+
+    def assert_one_t():
+        t = motion.t
+        assert motion.bar.readout.split("   ")[0] == status.text() == f"t {number(t)}"
+        assert panel.drawing.rail.scrub == t
+        (dot,) = motion.dots
+        assert dot.t == pytest.approx(t, abs=1e-12)
+        drawing = editor.window.canvas.drawing
+        assert drawing.points.scrub[0] == t
+        assert drawing.points.scrub[1:] == pytest.approx(dot.position)
+
+    for seconds in (0.0123, 0.0016, 0.31, 1.7, 0.9):
+        # No event between the frame's tick and the look at it.
+        motion.clock.now += seconds
+        motion.player.tick()
+        assert_one_t()
+        editor.settle()
+        assert_one_t()
+    editor.trigger("playMotion")
+    editor.scrub(1.1)
+    motion.editor.settle()
+    assert motion.bar.readout.split("   ")[0] == f"t {number(motion.t)}"
+    assert panel.drawing.rail.scrub == motion.t
+
+
+@pytest.mark.parametrize("plays", [False, True])
+def test_the_dot_keeps_its_relative_place_when_the_interval_changes(editor, motion, plays):
+    editor.trigger("playMotion")
+    motion.wait(0.25)
+    if not plays:
+        editor.trigger("playMotion")
+    span(editor, 0.0, 2.5)
+    assert motion.t == pytest.approx(0.625)
+    assert motion.player.is_playing == plays
+    if not plays:
+        editor.trigger("playMotion")
+    motion.wait(1.0)
+    assert motion.t == pytest.approx(1.625)
+    editor.trigger("undo")
+    assert motion.t == pytest.approx(0.65)
+    motion.wait(0.1)
+    assert motion.t == pytest.approx(0.75)
 
 
 def test_a_late_frame_drops_others(editor, motion):
@@ -251,9 +310,10 @@ def test_a_shorter_domain_does_not_stop_the_motion(editor, motion):
     editor.trigger("playMotion")
     motion.wait(3.0)
     span(editor, 0.0, 1.0)
-    motion.wait(0.25)
+    # At three quarters, as before.
+    motion.wait(0.15)
     assert motion.player.is_playing
-    assert motion.t == pytest.approx(0.25)
+    assert motion.t == pytest.approx(0.9)
 
 
 def test_dragging_the_scrub_line_pauses_the_dot_there(editor, motion):

@@ -152,6 +152,8 @@ class Player(QObject):
         """Move the dot to its position at the present time."""
         now = self.clock()
         passed, self._last = now - self._last, now
+        # Where the interval has changed, the dot goes on from its relative place.
+        self._session.scrub.follow()
         if self.course is not None:
             self.seconds += passed * self.settings.speed
             self._show()
@@ -189,6 +191,7 @@ class Player(QObject):
             return
         if self.is_playing and self._session.active_view.curve is not self._ran_on:
             # The person did not: another curve, with another domain, moved the scrub line.
+            self._go_on_from(t)
             return
         self.pause()
         self._go_on_from(t)

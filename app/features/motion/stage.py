@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton, QWidget
 
@@ -13,7 +13,7 @@ from curvecore.arrays import FloatArray
 from ...actions.keymap import action_name, plain
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
-from ...document.words import with_decimals
+from ...document.words import number
 from ...families import Family
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.motion import (
@@ -35,9 +35,6 @@ from ...widgets.elided_label import ElidedLabel
 from ...workbench.context import WindowContext
 from .export import MotionExport
 from .player import Player
-
-_READ_MS = 80
-"""Milliseconds between changes of numbers, so that they can be read."""
 
 
 class MotionBar(FollowsTheme, QWidget):
@@ -71,9 +68,6 @@ class MotionBar(FollowsTheme, QWidget):
         self._words.setObjectName("motionWords")
         self._words.hide()
         self._lay_out()
-        self._next = ""
-        self._soon = QTimer(self, singleShot=True, interval=_READ_MS)
-        self._soon.timeout.connect(self._write)
         self.follow_theme()
 
     def _play_button(self) -> QToolButton:
@@ -105,7 +99,7 @@ class MotionBar(FollowsTheme, QWidget):
     @property
     def readout(self) -> str:
         """Parameter and speed of the dot."""
-        return self._next
+        return self._readout.text()
 
     @property
     def words(self) -> str:
@@ -130,21 +124,19 @@ class MotionBar(FollowsTheme, QWidget):
         self._words.setText(text)
         self._words.setVisible(bool(text))
 
-    def show_dots(self, dots: Sequence[Dot], problem: str) -> None:
-        """Show the numbers of the dot of the active curve, or why there is none."""
+    def show_dots(self, dots: Sequence[Dot], t: float | None, problem: str = "") -> None:
+        """Show the numbers of the dot of the active curve at `t`, or why there is none.
+
+        In the frame that shows the dot: the rail and the status line show the same t in it.
+        """
         active = next((dot for dot in dots if dot.role is ACTIVE), None)
-        self._next = _numbers(active) if active is not None else problem
-        if not self._soon.isActive():
-            self._soon.start()
-
-    def _write(self) -> None:
-        if self._readout.text() != self._next:
-            self._readout.setText(self._next)
+        text = problem if active is None else _numbers(active, active.t if t is None else t)
+        if self._readout.text() != text:
+            self._readout.setText(text)
 
 
-def _numbers(dot: Dot) -> str:
-    t = with_decimals(dot.t, 3)
-    return f"t {t}   |v| {three_digits(dot.speed)}   |a| {three_digits(dot.acceleration)}"
+def _numbers(dot: Dot, t: float) -> str:
+    return f"t {number(t)}   |v| {three_digits(dot.speed)}   |a| {three_digits(dot.acceleration)}"
 
 
 def _box(name: str, label: str, tip: str, items: Iterable[str]) -> QComboBox:
@@ -198,14 +190,14 @@ class MotionStage(QObject):
         if course is None:
             context.central.canvas.drawing.render_motion(())
             if player.is_open:
-                self._bar.show_dots((), context.session.active_view.problem)
+                self._bar.show_dots((), None, context.session.active_view.problem)
             return
         courses = {ACTIVE: course, **self._courses_to_compare()}
         if self._scales is None:
             self._scales = scales_of(list(courses.values()))
         dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)
         context.central.canvas.drawing.render_motion(dots, self._lines())
-        self._bar.show_dots(dots, "")
+        self._bar.show_dots(dots, context.session.scrub.t)
 
     def _courses_to_compare(self) -> dict[Role, Course]:
         settings, view = self.player.settings, self._context.session.active_view
