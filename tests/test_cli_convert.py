@@ -2,7 +2,9 @@
 
 import io
 import json
+import re
 import sys
+from xml.etree import ElementTree
 
 import pytest
 
@@ -164,3 +166,15 @@ def test_a_terminal_displays_the_number_of_the_current_file(folder, monkeypatch)
     assert told.rpartition("%\033[K")[2].startswith("\r\033[K")
     shares = [int(each.rpartition(" ")[2].rstrip("%\033[K")) for each in told.split("\r") if "%" in each]
     assert shares == sorted(shares)
+
+
+def test_convert_and_render_take_scale_and_decimals_of_an_svg(folder):
+    assert main(["convert", "a.csv", "a.curve.json"]) == 0
+    options = ["--svg-scale", "10", "--decimals", "1"]
+    assert main(["convert", "a.csv", "one.svg", *options]) == 0
+    assert main(["render", "a.curve.json", "-o", "two.svg", *options]) == 0
+    for name in ("one.svg", "two.svg"):
+        root = ElementTree.fromstring((folder / name).read_bytes())
+        assert float(root.get("width")) == pytest.approx(10 * float(root.get("viewBox").split()[2]), rel=1e-5)
+        data = next(root.iter("{http://www.w3.org/2000/svg}path")).get("d")
+        assert set(re.findall(r"\.(\d+)", data)) <= set("0123456789")

@@ -224,6 +224,31 @@ TOLERANCE = Tolerance(
     tip="Largest distance from the true curves, or “automatic”",
     default=None,
 )
+SVG_WIDTH = Real(
+    name="svg_width",
+    label="Width",
+    title="Width in pixels",
+    tip="Width in pixels, or “automatic”: true size, else a pixel for each unit, more if that is tiny",
+    default=None,
+    limits=(0.01, 1e6),
+)
+SVG_SCALE = Real(
+    name="svg_scale",
+    label="Scale",
+    title="Pixels for each unit",
+    tip="Pixels for each unit of the document, or “automatic”: true size, else one, more if that is tiny",
+    help="pixels of an SVG for each unit of the document (default: true size, or 1, or more if tiny)",
+    default=None,
+    limits=(1e-6, 1e6),
+)
+DECIMALS = OneOf[Any](
+    name="decimals",
+    label="Decimals",
+    tip="Decimals of coordinates; fewer make a smaller file that is farther from the curves",
+    help="decimals of the coordinates of an SVG (default: %(default)s)",
+    default="all",
+    choices={"all": "All"} | {count: str(count) for count in range(9)},
+)
 PICTURE = (TRUE_SIZE, DARK_PAPER, TRANSPARENT, POINTS, HANDLES, GRID, BASIS)
 """Options of all pictures."""
 
@@ -291,7 +316,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True):
         of the document do.
     """
 
-    width: int | None = None
+    width: float | None = None
     tolerance: float | None = None
     style: PictureStyle | None = None
     points: bool = False

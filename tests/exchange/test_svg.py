@@ -159,6 +159,20 @@ def test_the_nominal_size_keeps_the_shape(sketch):
     assert root.get("width") == "300"
 
 
+@each_row("decimals", [0, 1, 3, 8])
+def test_rounded_coordinates_stay_within_the_stated_deviation(sketch, decimals):
+    text = svg_of(sketch, Options(tolerance=1e-4, format_options={"decimals": decimals})).text
+    (pieces,) = paths(text)
+    (data,) = (path.get("d") for path in ET.fromstring(text.encode()).iter(f"{SVG}path"))
+    assert all(len(digits) <= decimals for digits in re.findall(r"\.(\d+)", data))
+    path = cubic_shape(core(sketch), 1e-4)
+    moved = np.hypot(*(upright(pieces) - path.control_points).reshape(-1, 2).T).max()
+    # The deviation is stated with three digits, rounded up.
+    assert path.deviation + moved <= stated(text)[0] * (1 + 1e-12)
+    assert stated(text)[0] <= 1.01 * (path.deviation + moved)
+    assert moved <= 0.71 * 10.0**-decimals
+
+
 def test_points_are_discs_in_a_separate_group(sketch):
     assert "circle" not in svg_of(sketch).text
     root = ET.fromstring(svg_of(sketch, Options(points=True)).data)

@@ -274,7 +274,8 @@ def test_the_drawing_is_copied_as_svg(editor):
     data = QGuiApplication.clipboard().mimeData()
     root = ElementTree.fromstring(bytes(data.data("image/svg+xml").data()))
     assert len(list(root.iter(f"{SVG}path"))) == 1
-    assert data.text() == bytes(data.data("image/svg+xml").data()).decode()
+    as_text = ElementTree.fromstring(data.text())
+    assert as_text.get("width") == root.get("width")
     assert editor.status == "Copied the drawing as SVG."
 
 
@@ -379,6 +380,48 @@ def test_the_name_typed_decides_the_format(ending, typed, written, format_ending
     form = typed_format(Path(typed), format_of(f"a{ending}", FORMATS.written))
     assert form.ending == format_ending
     assert with_ending(Path("folder", typed), form) == Path("folder", written)
+
+
+def test_an_svg_has_size_scale_and_decimals_as_options(editor, tmp_path, monkeypatch):
+    """Typed in the dialog, written in the file and remembered with the document."""
+    points = [(0.0, 0.0), (1.0, 2 / 3), (3.0, 0.0)]
+    editor.session.change("Draw", lambda _: Document((make_curve(points, family=HERMITE),), unit="mm"))
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    fields = dialog.form.fields
+    width, scale, true = (fields[name].widget for name in ("svg_width", "svg_scale", "true_size"))
+
+    def type_in(field, text):
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        settled(editor, dialog)
+
+    type_in(width, "300")
+    assert not scale.isVisible()
+    assert not true.isVisible()
+    assert dialog.size_label.text().startswith("300 × ")
+    type_in(width, "automatic")
+    assert scale.isVisible()
+    assert true.isVisible()
+    type_in(scale, "10")
+    assert not true.isVisible()
+    choose(fields["decimals"].widget, "2")
+    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    root = ElementTree.fromstring(path.read_bytes())
+    box = [float(number) for number in root.get("viewBox").split()]
+    assert float(root.get("width")) == pytest.approx(10 * box[2], rel=1e-5)
+    data = next(root.iter(f"{SVG}path")).get("d")
+    numbers = re.findall(r"-?[\d.]+", data)
+    assert all(len(number.partition(".")[2]) <= 2 for number in numbers)
+    assert "0.67" in data
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    assert dialog.form.fields["svg_scale"].widget.text() == "10.0"
+    assert dialog.form.fields["decimals"].widget.currentText() == "2"
+    dialog.close()
 
 
 def test_the_automatic_tolerance_says_its_number(editor, tmp_path, monkeypatch):

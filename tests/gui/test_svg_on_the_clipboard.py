@@ -17,6 +17,7 @@ from app.exchange.svg.coordinates import length
 from app.exchange.svg.fragments import SMALL, fragment_in
 from app.exchange.svg.reader import read_svg
 from app.families import HERMITE
+from app.features.import_export.export_commands import ExportCommands
 from tests.gui.editor_facts import undo_text
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -293,29 +294,45 @@ def test_copied_curves_are_svg_for_other_programs(three):
     data = QGuiApplication.clipboard().mimeData()
     root = ElementTree.fromstring(bytes(data.data("image/svg+xml").data()))
     assert len(list(root.iter(f"{{{SVG}}}path"))) == 2
-    assert data.text() == bytes(data.data("image/svg+xml").data()).decode()
+    assert len(list(ElementTree.fromstring(data.text()).iter(f"{{{SVG}}}path"))) == 2
     image = QImage.fromData(data.data("image/png"))
     assert (image.width(), image.pixelColor(0, 0).alpha()) == (1600, 0)
     assert data.imageData() == image
 
 
-IN_PIXELS = [("mm", 25.4, 96.0), ("in", 0.5, 48.0), ("", 40.0, 40.0), ("", 4.0, 4.0), ("s", 4.0, 4.0)]
+TINY = 800 / 1.12
+"""Length of a curve that fills a picture of 800 pixels but for a margin of 6 % of its length on each side."""
+
+IN_PIXELS = [
+    ("mm", 25.4, 96.0),
+    ("in", 0.5, 48.0),
+    ("", 400.0, 400.0),
+    ("", 40.0, 40.0),
+    ("", 9.0, TINY),
+    ("s", 4.0, TINY),
+]
 
 
-def test_coordinates_on_the_clipboard_are_pixels_for_inkscape(editor):
-    """A leaf of 40 mm was pasted 10.58 mm wide into Inkscape 1.2, which passes over the view box."""
-    for unit, side, pixels in IN_PIXELS:
-        curve = make_curve([(0.0, 0.0), (side / 2, side / 4), (side, 0.0)], family=HERMITE)
-        editor.session.commit(Document((curve,), unit=unit), "Begin")
-        editor.key(Qt.Key.Key_C, CTRL)
-        data = QGuiApplication.clipboard().mimeData()
-        for svg in (bytes(data.data("image/svg+xml").data()), data.text().encode()):
-            (back,) = read_svg(svg).document.curves
-            assert back.points[-1].x - back.points[0].x == pytest.approx(pixels), (unit, side)
-            root = ElementTree.fromstring(svg)
-            assert root.get("width") == f"{root.get('viewBox').split()[2]}px", (unit, side)
-            # Browsers and Figma were given 800 pixels with a margin for the 4 that Inkscape got.
-            assert length(root.get("width")) == pytest.approx(pixels, rel=0.01), f"{unit}: but for the line"
+@pytest.mark.parametrize(("unit", "side", "pixels"), IN_PIXELS)
+def test_copied_and_exported_svg_have_the_same_size(editor, tmp_path, unit, side, pixels):
+    """A curve of 9 units was pasted 9 pixels wide, and exported 800; one of 40 mm was pasted 10.58 mm wide
+    into Inkscape 1.2, which passes over the view box."""
+    curve = make_curve([(0.0, 0.0), (side / 2, side / 4), (side, 0.0)], family=HERMITE)
+    editor.session.commit(Document((curve,), unit=unit), "Begin")
+    editor.key(Qt.Key.Key_C, CTRL)
+    data = QGuiApplication.clipboard().mimeData()
+    editor.window.commands[ExportCommands].export(tmp_path / "a.svg")
+    editor.wait_for_work()
+    copied, as_text = bytes(data.data("image/svg+xml").data()), data.text().encode()
+    roots = [ElementTree.fromstring(svg) for svg in (copied, as_text, (tmp_path / "a.svg").read_bytes())]
+    for name in ("width", "height"):
+        first, *others = (length(root.get(name)) for root in roots)
+        assert others == pytest.approx([first] * 2, rel=1e-5)
+    # Coordinates are pixels for Inkscape; without a unit the text and the file are the same.
+    (back,) = read_svg(copied).document.curves
+    assert back.points[-1].x - back.points[0].x == pytest.approx(pixels)
+    assert length(roots[0].get("width")) == pytest.approx(float(roots[0].get("viewBox").split()[2]), rel=1e-5)
+    assert unit in ("mm", "in") or roots[1].get("viewBox") == roots[2].get("viewBox")
 
 
 def test_without_a_unit_numbers_stay_between_documents(editor):

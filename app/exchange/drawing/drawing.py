@@ -287,6 +287,22 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     )
 
 
+def rounded(drawing: Drawing, decimals: int) -> Drawing:
+    """Return a drawing with coordinates of so many decimals; its deviations hold for them."""
+
+    def with_decimals(outline: Outline) -> Outline:
+        controls = outline.control_points.round(decimals)
+        # A curve is nowhere farther from another than their control points are from each other.
+        moved = float(np.hypot(*(controls - outline.control_points).reshape(-1, 2).T).max())
+        return replace(outline, control_points=controls, deviation=outline.deviation + moved)
+
+    return replace(
+        drawing,
+        outlines=tuple(map(with_decimals, drawing.outlines)),
+        hidden=tuple((behind, with_decimals(outline)) for behind, outline in drawing.hidden),
+    )
+
+
 def trimmed_to_curves(drawing: Drawing) -> Drawing:
     """Return a drawing whose frame is the box around its curves with their strokes."""
     low, high = _painted(drawing)

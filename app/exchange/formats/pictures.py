@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from .. import drawing, svg
 from ..cubics_in import ImportResult
 from ..options import (
     BY_DPI,
+    DECIMALS,
     DPI,
     PICTURE,
     SCALE,
+    SVG_SCALE,
+    SVG_WIDTH,
     TOLERANCE,
+    TRUE_SIZE,
     WIDTH,
     Option,
 )
@@ -27,6 +32,13 @@ _IDLE_IN_PIXELS: dict[bool | None, tuple[Option[Any], ...]] = {
 """Options that do nothing where the resolution says how many pixels there are, and where the width does."""
 
 _IN_PIXELS = (BY_DPI, WIDTH, SCALE, DPI, *PICTURE[1:])
+
+
+def _idle_in_svg(values: Mapping[str, Any]) -> tuple[Option[Any], ...]:
+    """Return the options that do nothing where width or scale are set."""
+    if values[SVG_WIDTH.name] is not None:
+        return SVG_SCALE, TRUE_SIZE
+    return () if values[SVG_SCALE.name] is None else (TRUE_SIZE,)
 
 
 def read(data: bytes, tolerance: float | None) -> ImportResult:
@@ -51,7 +63,8 @@ SVG = Format(
     title="SVG drawing",
     description="Bézier curves, a path for each shape, in groups; cubic Hermite curves are exact.",
     rank=20,
-    options=(*PICTURE, TOLERANCE),
+    options=(*PICTURE, SVG_WIDTH, SVG_SCALE, DECIMALS, TOLERANCE),
+    hidden=_idle_in_svg,
     write=svg_of,
     preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
     kind=ContentKind.DRAWING,

@@ -21,19 +21,26 @@ from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...tasks.progress import Report, part, silent, with_progress
 from .. import drawing
 from ..cubics_in import guessed_letters, joined_letters
-from ..drawing.drawing import POINT_RADIUS, Annotation, Drawing, drawing_of, trimmed_to_curves
+from ..drawing.drawing import (
+    POINT_RADIUS,
+    Annotation,
+    Drawing,
+    drawing_of,
+    rounded,
+    trimmed_to_curves,
+)
 from ..drawing.outlines import Frame, Outline
-from ..drawing.styles import PictureStyle
+from ..drawing.styles import INK, PictureStyle
 from ..exported_curves import deviation_text
 from ..formats import ExportResult
-from ..options import DEFAULT, Options
+from ..options import DECIMALS, DEFAULT, SVG_SCALE, SVG_WIDTH, Options
 from ..unique_names import UniqueNames
-from ..units import in_unit, shifted
+from ..units import enlarged, in_unit, shifted
 from .own_files import MARK, NO_CURVES
 from .xml_tree import INKSCAPE_SPACE, SODIPODI_SPACE
 
-NOMINAL_SIDE = 800
-"""Longer side, in CSS pixels, of a picture whose size nobody asked for."""
+NOMINAL_SIDE, SMALLEST_ICON = 800, 24
+"""Longer sides in CSS pixels: of a picture that would be smaller than the smallest icons, and theirs."""
 
 _CORNER_ROUNDING = 1e-9
 _CSS_UNITS = ("mm", "cm", "in", "pt", "pc", "px")
@@ -48,13 +55,14 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
     exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as the tolerance
     takes; the largest deviation stands in a comment and in the metadata. The curves of a shape are one path,
     in their groups and with its style; hidden ones are written, but not displayed.
-    Points are discs in a group of their own. Without a width and a unit the longer side is `NOMINAL_SIDE`.
+    Points are discs in a group of their own. The size is that of `width_in_pixels`, or the true one.
 
     Raises
     ------
     ExchangeError
         If nothing can be drawn, or if the coordinates are out of range for a picture.
     """
+    options = with_size(options)
     style, report = options.vector_style, part(options.report, 0.0, 0.7)
     drawing = picture_of(document, options, style, report, with_hidden=True)
     if options.from_corner:
@@ -62,6 +70,8 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
         drawing = _with_corner_at_origin(
             picture_of(shifted(document, by), options, style, silent, with_hidden=True)
         )
+    if options[DECIMALS] != DECIMALS.default:
+        drawing = rounded(drawing, options[DECIMALS])
     curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
     text = _text(drawing, curves, style, options)
     return ExportResult(text, drawing.deviation, drawing.left_out, drawing.is_bound)
@@ -91,15 +101,30 @@ def _with_corner_at_origin(drawing: Drawing) -> Drawing:
     return replace(drawing, frame=replace(frame, left=0.0, bottom=-frame.height))
 
 
-def nominal_width(drawing: Drawing, width: float | None) -> float:
-    """Return the width in CSS pixels: the given one, or that of the nominal size."""
-    return NOMINAL_SIDE * drawing.frame.width / drawing.frame.side if width is None else width
+def with_size(options: Options) -> Options:
+    """Return options whose width and unit are those that the size and the scale of an SVG leave."""
+    if options.width is None:
+        options = replace(options, width=options[SVG_WIDTH])
+    return options if options[SVG_SCALE] is None else replace(options, unit="")
+
+
+def width_in_pixels(frame: Frame, options: Options) -> float:
+    """Return the width in CSS pixels of a picture that has not true size, in files and on the clipboard.
+
+    Without a width or a scale one unit is a pixel: the user unit of SVG, which Inkscape, Figma and browsers
+    take numbers for. A drawing of a few units, such as a plot, would be a speck in all of them: one that is
+    smaller than the smallest icons gets a longer side of `NOMINAL_SIDE`.
+    """
+    if options.width is not None:
+        return options.width
+    automatic = 1.0 if frame.side >= SMALLEST_ICON else NOMINAL_SIDE / frame.side
+    return (options[SVG_SCALE] or automatic) * frame.width
 
 
 def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options: Options) -> str:
     """Return the SVG of a drawing with the elements of its curves."""
     frame = drawing.frame
-    wide, high = _size_attributes(drawing, options.width, options.unit)
+    wide, high = _size_attributes(frame, options)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
     note = accuracy_of(drawing)
     parts = [
@@ -126,13 +151,13 @@ def _css_length(value: float, unit: str) -> str:
     return f"{number(value)}{unit}"
 
 
-def _size_attributes(drawing: Drawing, width: float | None, unit: str) -> tuple[str, str]:
-    """Return width and height: true size in a unit, with that width in CSS pixels, or nominal."""
-    frame, known = drawing.frame, known_unit(unit)
-    if known and width is None:
-        return _css_length(frame.width, known), _css_length(frame.height, known)
-    wide = nominal_width(drawing, width)
-    return f"{wide:.6g}", f"{wide * frame.height / frame.width:.6g}"
+def _size_attributes(frame: Frame, options: Options) -> tuple[str, str]:
+    """Return width and height: true size in a unit, or in CSS pixels."""
+    if options.is_to_scale:
+        unit = known_unit(options.unit)
+        return _css_length(frame.width, unit), _css_length(frame.height, unit)
+    wide = width_in_pixels(frame, options)
+    return f"{wide:.9g}", f"{wide * frame.height / frame.width:.9g}"
 
 
 def accuracy_of(drawing: Drawing) -> str:
@@ -193,17 +218,23 @@ def _strokes(annotation: Annotation, style: PictureStyle) -> str:
     )
 
 
-def svg_for_clipboard(document: Document, report: Report = silent) -> ExportResult:
-    """Return a document as SVG whose coordinates are pixels; without a unit of length, one is a pixel.
+def svg_for_clipboard(document: Document, report: Report = silent, in_pixels: bool = True) -> ExportResult:
+    """Return a document as SVG of the size of an exported file; see `width_in_pixels`.
 
-    Inkscape 1.2 pastes the coordinates as they are, whatever the view box.
+    Its coordinates are pixels: Inkscape 1.2 pastes coordinates as they are, whatever the view box. Without a
+    unit of length and without `in_pixels` they are the numbers of the document, for all other programs.
 
     Raises
     ------
     ExchangeError
         As `svg_of`.
     """
-    return svg_of(in_unit(document, "px"), Options(unit="px", report=report))
+    if known_unit(document.unit):
+        return svg_of(in_unit(document, "px"), Options(unit="px", report=report))
+    frame = picture_of(document, DEFAULT, INK, part(report, 0.0, 0.5)).frame
+    if in_pixels:
+        document = enlarged(document, width_in_pixels(frame, DEFAULT) / frame.width)
+    return svg_of(document, Options(report=part(report, 0.5, 1.0)))
 
 
 # Paths in their groups

@@ -12,9 +12,9 @@ from ... import exchange
 from ...document.groups import tidy_shapes
 from ...document.model import Document
 from ...exchange.errors import ExchangeError
-from ...exchange.formats import ExportResult
 from ...qt.overrides import SafeOverrides
 from ...storage.format import encode
+from ...tasks.progress import silent
 from ...workbench.clipboard import SVG
 
 TEXT = "text/plain"
@@ -75,17 +75,13 @@ class ClipboardContent(SafeOverrides, QMimeData):
             return None
 
 
-def _svg(document: Document) -> ExportResult:
-    return exchange.svg_for_clipboard(document)
-
-
 def _png(document: Document) -> bytes:
     return exchange.png_file(document, exchange.options.Options(width=_WIDTH, transparent=True)).data
 
 
 _MAKERS: dict[str, Callable[[Document], object]] = {
-    SVG: lambda document: _svg(document).data,
-    TEXT: lambda document: _svg(document).text,
+    SVG: lambda document: exchange.svg_for_clipboard(document).data,
+    TEXT: lambda document: exchange.svg_for_clipboard(document, silent, False).text,
     _PNG: _png,
     _IMAGE: lambda document: QImage.fromData(_png(document)),
 }

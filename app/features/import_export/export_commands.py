@@ -146,16 +146,18 @@ class CopyCommands:
     def _copy_svg(self) -> None:
         """Copy the selected curves, or all curves, as SVG for drawing programs and as text."""
 
-        def put(written: ExportResult, what: str) -> None:
+        def put(written: tuple[ExportResult, ExportResult], what: str) -> None:
+            pixels, numbers = written
             data = QMimeData()
-            data.setData(SVG, written.data)
-            data.setText(written.text)
+            data.setData(SVG, pixels.data)
+            data.setText(numbers.text)
             put_on_clipboard(data)
             self._session.say(f"Copied {what} as SVG.")
-            self._context.work.warn_of(written.remarks)
+            self._context.work.warn_of(numbers.remarks)
 
-        def work(document: Document, report: Report) -> ExportResult:
-            return exchange.svg_for_clipboard(document, report)
+        def work(document: Document, report: Report) -> tuple[ExportResult, ExportResult]:
+            pixels = exchange.svg_for_clipboard(document, part(report, 0.0, 0.5))
+            return pixels, exchange.svg_for_clipboard(document, part(report, 0.5, 1.0), False)
 
         self._start("Writing SVG", "The SVG", work, put)
 
