@@ -520,11 +520,8 @@ def redrawn(
     speed = float(np.mean([np.hypot(*end[1]) for _, end in ends if end])) or 1.0
     first, last = (_going_on(end[1] / speed, line, which, reach) if end else None for which, end in ends)
     fit = core_fit(source, line, None, tolerance, None, report, is_closed=False, end_directions=(first, last))
-    drawn = polygon_length(line)
-    for t, held in ((0.0, first), (1.0, last)):
-        if held is not None:
-            drawn = float(np.hypot(*fit.curve.evaluate(t, 1)) / np.hypot(*held))
-    duration = drawn / speed
+    t, held = (0.0, first) if first is not None else (1.0, last)
+    duration = float(np.hypot(*fit.curve.evaluate(t, 1)) / (1.0 if held is None else np.hypot(*held))) / speed
     points = points_of_fit(fit.curve, (0.0, duration), is_closed=False)
     part = view_of(part_of(source, points, duration, source.name))
     parts = [each for each in (before, part, after) if each is not None]

@@ -130,13 +130,19 @@ def test_corners_are_where_the_stroke_turns_away_and_smooth_points_where_it_goes
     assert slopes[0] == pytest.approx(slopes[1], abs=1e-6)
 
 
-def test_points_whose_rule_sees_no_change_stay_estimated(editor):
+def test_points_that_keep_their_estimates_are_not_set(wave):
+    """The C² spline ends at what is set, so that the rest of it is the same spline."""
+    draw(wave, between(on(wave, 0.3), on(wave, 0.8), bulge=-1.5))
+    given = [point.velocity is not None for point in wave.curve.points]
+    assert given == [False, False, *[True] * (len(given) - 3), False]
+
+
+def test_points_that_a_local_rule_sees_far_away_are_not_set(editor):
     points = [(float(x), math.sin(x)) for x in range(12)]
     curve = replace(make_curve(points, family=HERMITE), velocity_rule=VelocityRule.CATMULL_ROM)
     wave = begin(editor, curve)
     draw(wave, between(points[7], points[9], bulge=0.7))
-    given = [point.velocity is not None for point in wave.curve.points[:7]]
-    assert not any(given[:6])
+    assert not any(point.velocity for point in wave.curve.points[:6])
 
 
 def test_the_part_and_the_effect_are_shown_while_it_is_drawn_and_escape_leaves_no_trace(wave):

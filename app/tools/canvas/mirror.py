@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from ...document import words
 from ...document.limits import EditError
 from ...document.model import Axis, Document, Vector
@@ -24,9 +22,6 @@ from ..tool import Drag, GestureRow, Tool, ToolEvent, ToolRecord
 _AXES = {"x": Axis.X, "y": Axis.Y}
 
 
-_ONE_POSITION = "Click another position: the mirror line goes through two."
-
-
 class MirrorResult(NamedEnum):
     """Whether mirror images are copies, or take the place of the original."""
 
@@ -43,54 +38,45 @@ MIRROR_RESULT = ChoiceSetting(
 )
 
 
-class _Subject(NamedTuple):
-    """What is mirrored: points of the document, or of copies in it; and the selection from then on."""
+def _subject(
+    session: EditingSession, box: SelectionBox, result: MirrorResult
+) -> tuple[Document, PointGroup, str, SelectionState | None]:
+    """Return a document, the points in it to mirror, their label, and the selection from then on.
 
-    document: Document
-    group: PointGroup
-    selects: SelectionState | None = None
-
-
-def _label(session: EditingSession, box: SelectionBox, result: MirrorResult) -> str:
-    """Return the label of what is mirrored, "a copy of Leaf" or "all 5 points".
+    They are the points that flips act on, or copies of the whole curves that these are of.
 
     Raises
     ------
     EditError
         If nothing is selected, or in place a part of it is locked.
     """
-    if box.is_nothing or (result is MirrorResult.IN_PLACE and box.refusal_of_keys):
+    document, selected, is_copied = session.document, session.selected, result is MirrorResult.COPY
+    if box.is_nothing or (box.refusal_of_keys and not is_copied):
         raise EditError(box.refusal_of_keys)
-    if result is MirrorResult.IN_PLACE:
-        return box.words
-    curves = session.selected.target_curves
-    return f"{'a copy' if len(curves) == 1 else 'copies'} of {name_or_count(session.document, curves)}"
-
-
-def _subject(session: EditingSession, box: SelectionBox, result: MirrorResult) -> _Subject:
-    """Return the points that flips act on, or copies of the whole curves that they are of."""
-    document, selected = session.document, session.selected
-    if result is MirrorResult.IN_PLACE:
-        return _Subject(document, box.for_keys)
-    copied, copies = duplicate_curves(document, selected.target_curves)
+    if not is_copied:
+        return document, box.for_keys, box.words, None
+    curves = selected.target_curves
+    copied, copies = duplicate_curves(document, curves)
     chosen, is_editing = frozenset(copies), selected.is_editing and len(copies) == 1
     whole = frozenset[int]() if is_editing else chosen
     selects = SelectionState(copies[-1], NO_POINTS, chosen, whole, is_editing)
-    return _Subject(copied, whole_curves(copied, copies), selects)
+    label = f"{'a copy' if len(copies) == 1 else 'copies'} of {name_or_count(document, curves)}"
+    return copied, whole_curves(copied, copies), label, selects
 
 
 def mirror_about_axis(session: EditingSession, box: SelectionBox, result: MirrorResult, axis: Axis) -> None:
-    """Mirror the selection about the x axis or the y axis of the plane."""
+    """Mirror the selection about the x axis or the y axis of the plane.
+
+    Raises
+    ------
+    EditError
+        If nothing is selected, or in place a part of it is locked.
+    """
+    document, group, label, selects = _subject(session, box, result)
     by = reflection_about((0.0, 0.0), (1.0, 0.0) if axis is Axis.X else (0.0, 1.0))
-    try:
-        text = f"Mirror {_label(session, box, result)} about the {axis} axis"
-        document, group, selects = _subject(session, box, result)
-        session.preview(transform_group(document, group, by), selects=selects)
-    except EditError as reason:
-        session.refuse(str(reason))
-        return
-    if session.commit(session.document, text):
-        session.say(f"{group.remark or text.replace('Mirror', 'Mirrored', 1)}.")
+    session.preview(transform_group(document, group, by), selects=selects)
+    if session.commit(session.document, f"Mirror {label} about the {axis} axis"):
+        session.say(f"{group.remark or f'Mirrored {label} about the {axis} axis'}.")
 
 
 class MirrorLine(Drag, kw_only=True):
@@ -111,7 +97,7 @@ class MirrorLine(Drag, kw_only=True):
     label: str
     start: Vector
     snapper: Snapper
-    refusal: str = _ONE_POSITION
+    refusal: str = "Click another position: the mirror line goes through two."
 
     keys = f"click or release: done · {STEP_KEYS} · {SNAP_KEY}"
 
@@ -156,9 +142,8 @@ class MirrorTool(Tool):
 
     def press(self, event: ToolEvent) -> MirrorLine:
         """Begin the mirror line here."""
-        session, box, result = event.session, event.box, event.value(MIRROR_RESULT)
-        label, snapper = _label(session, box, result), event.snapping.for_new_point(-1)
-        document, group, selects = _subject(session, box, result)
+        document, group, label, selects = _subject(event.session, event.box, event.value(MIRROR_RESULT))
+        snapper = event.snapping.for_new_point(-1)
         return MirrorLine(
             document=document,
             selects=selects,
@@ -182,12 +167,9 @@ class MirrorTool(Tool):
     def hover(self, event: ToolEvent) -> Hint:
         """Return the hint, and preview the snap."""
         event.preview_snap(-1)
-        try:
-            label = _label(event.session, event.box, event.value(MIRROR_RESULT))
-        except EditError as reason:
-            return Hint(str(reason))
+        what = "a copy of the curves" if event.value(MIRROR_RESULT) is MirrorResult.COPY else "the selection"
         return Hint(
-            f"Click two positions of a line, or drag along it, to mirror {label} · X, Y: about that axis · "
+            f"Click two positions of a line, or drag along it, to mirror {what} · X, Y: about that axis · "
             f"Edit › Tools: copy or in place · {SNAP_KEY}"
         )
 
