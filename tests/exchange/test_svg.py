@@ -19,6 +19,7 @@ from app.exchange.cubics_in import guessed_letters
 from app.exchange.drawing.styles import DARK, INK, LIGHT
 from app.exchange.errors import ExchangeError
 from app.exchange.options import Options
+from app.exchange.svg.reader import read_svg
 from app.exchange.svg.writer import number, svg_of
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -267,3 +268,55 @@ def test_the_kinds_of_points_are_not_guessed_for_pieces_without_length():
     for pieces in ([nowhere], [nowhere, nowhere], [piece, nowhere]):
         for closed in (False, True):
             assert guessed_letters(np.array(pieces), closed=closed) == ""
+
+
+CIRCLES = [
+    ('<circle cx="3" cy="4" r="2"/>', ("3", "4", "2", None)),
+    ('<circle cx="3" cy="4" r="2" transform="translate(1 1) scale(2)"/>', ("7", "9", "4", None)),
+    ('<circle cx="3" cy="4" r="2" transform="rotate(30 3 4)"/>', ("3", "4", "2", "rotate(30 3 4)")),
+    ('<circle cx="3" cy="4" r="2" fill="none" stroke="#c04020" stroke-width="0.5"/>', ("3", "4", "2", None)),
+    ('<ellipse cx="3" cy="4" rx="2" ry="2"/>', ("3", "4", "2", None)),
+]
+
+
+@each_row(("element", "expected"), CIRCLES)
+def test_a_circle_is_written_as_one_and_read_as_the_same_curve(element, expected):
+    (curve,) = read_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{element}</svg>'.encode()).document.curves
+    text = svg_of(Document((curve,))).text
+    (circle,) = ET.fromstring(text.encode()).iter(f"{SVG}circle")
+    assert tuple(map(circle.get, ("cx", "cy", "r", "transform"))) == expected
+    assert stated(text)[0] == 0
+    (back,) = read_svg(text.encode()).document.curves
+    assert back.style == curve.style
+    assert back.closed
+    for point, other in zip(back.points, curve.points, strict=True):
+        assert point.position == pytest.approx(other.position, abs=1e-14)
+        assert point.velocity == pytest.approx(other.velocity, abs=1e-12)
+
+
+NO_CIRCLES = [
+    '<ellipse cx="3" cy="4" rx="2" ry="2.000001"/>',
+    '<circle cx="3" cy="4" r="2" transform="skewX(1)"/>',
+    '<rect width="2" height="2" rx="0.9"/>',
+    '<path d="M1 0C1 .55 .55 1 0 1C-.55 1-1 .55-1 0C-1-.55-.55-1 0-1C.55-1 1-.55 1 0Z"/>',
+    '<path d="M1 0A1 1 0 0 1 -1 0A1 1 0 0 1 1 0M3 0L4 1"/>',
+]
+
+
+@each_row("element", NO_CIRCLES)
+def test_what_is_not_exactly_a_circle_stays_a_path(element):
+    document = read_svg(f'<svg xmlns="http://www.w3.org/2000/svg">{element}</svg>'.encode()).document
+    root = ET.fromstring(svg_of(document).data)
+    assert not list(root.iter(f"{SVG}circle"))
+    assert len(list(root.iter(f"{SVG}path"))) == 1
+
+
+def test_a_circle_with_rounded_numbers_stays_within_the_stated_deviation():
+    """A circle about 1/3, 2/3 with a radius of 5/7, of one decimal: the farthest point moves by 0.061."""
+    data = f'<svg xmlns="http://www.w3.org/2000/svg"><circle cx="{1 / 3}" cy="{2 / 3}" r="{5 / 7}"/></svg>'
+    document = read_svg(data.encode()).document
+    text = svg_of(document, Options(format_options={"decimals": 1})).text
+    (circle,) = ET.fromstring(text.encode()).iter(f"{SVG}circle")
+    assert tuple(map(circle.get, ("cx", "cy", "r"))) == ("0.3", "0.7", "0.7")
+    moved = np.hypot(1 / 3 - 0.3, 2 / 3 - 0.7) + 5 / 7 - 0.7
+    assert moved <= stated(text)[0] <= 1.1 * moved

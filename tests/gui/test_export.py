@@ -424,6 +424,24 @@ def test_an_svg_has_size_scale_and_decimals_as_options(editor, tmp_path, monkeyp
     dialog.close()
 
 
+def test_a_circle_that_was_drawn_is_exported_as_a_circle(editor, tmp_path, monkeypatch):
+    editor.window.canvas.camera.show_box((-7, 7), (-5, 5))
+    editor.settle()
+    editor.trigger("ellipseTool")
+    editor.drag((-2.0, -1.0), (1.0, 1.7), keys=Qt.KeyboardModifier.ControlModifier)
+    *_, drawn = editor.session.document.curves
+    editor.trigger("exportPicture")
+    dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
+    choose_format(dialog, ".svg")
+    path = export(editor, dialog, tmp_path / "a.svg", monkeypatch)
+    (circle,) = ElementTree.fromstring(path.read_bytes()).iter(f"{SVG}circle")
+    xs = [point.x for point in drawn.points]
+    assert float(circle.get("r")) == pytest.approx((max(xs) - min(xs)) / 2, rel=1e-12)
+    back = import_file(path).document.curves[-1]
+    for point, other in zip(back.points, drawn.points, strict=True):
+        assert point.position == pytest.approx(other.position, abs=1e-12)
+
+
 def test_the_automatic_tolerance_says_its_number(editor, tmp_path, monkeypatch):
     """5e-5 of the longer side, rounded down to one digit; with a unit at most 0.01 mm."""
     points = [(0.0, 0.0), (3.0, 4.0), (9.0, 1.0)]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -19,7 +21,7 @@ from ...tasks.progress import Report, part, silent, with_progress
 from ...view_model.curve.core_curve import in_words
 from ...view_model.curve.curve_view import ParametricCurve, view_of
 from ...view_model.extents import around_dot
-from ..cubics_in import letters_of
+from ..cubics_in import PIECES_OF_A_TURN, arc, letters_of
 from ..errors import ExchangeError
 from ..options import automatic_tolerance
 from .outlines import LARGEST, Frame, Outline, by_shape, frame_around, frame_with, painted_extent
@@ -31,6 +33,9 @@ MOST_POINTS = 10_000
 """Points of the largest Lagrange curve that is computed; the work grows with the square."""
 
 _SAMPLES = 513
+
+_ROUND = 1e-9
+"""Share of the radius by which control points of a circle may be off."""
 
 _SLIMMEST_TRIMMED = 0.02
 """Least ratio of the sides: a slimmer drawing, such as a horizontal line, has a margin."""
@@ -287,11 +292,35 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
     )
 
 
+class Circle(NamedTuple):
+    """Centre, radius, and angle of the first point of a circle, in radians."""
+
+    centre: FloatArray
+    radius: float
+    start: float
+
+
+def circle_of(outline: Outline) -> Circle | None:
+    """Return the circle that an outline is but for rounding: closed, of four quarters as `arc` makes them."""
+    controls = outline.control_points
+    if not outline.closed or len(controls) != PIECES_OF_A_TURN:
+        return None
+    centre = controls[:, 0].mean(axis=0)
+    (x, y), (after_x, after_y) = (controls[:2, 0] - centre).tolist()
+    radius, start = math.hypot(x, y), math.atan2(y, x)
+    ideal = arc(centre, radius * np.eye(2), start, math.copysign(math.tau, x * after_y - y * after_x))
+    is_round = radius > 0 and np.abs(ideal.pieces - controls).max() <= _ROUND * radius
+    return Circle(centre, radius, start) if is_round else None
+
+
 def rounded(drawing: Drawing, decimals: int) -> Drawing:
     """Return a drawing with coordinates of so many decimals; its deviations hold for them."""
 
     def with_decimals(outline: Outline) -> Outline:
         controls = outline.control_points.round(decimals)
+        if circle := circle_of(outline):
+            size = round(circle.radius, decimals) / circle.radius
+            controls = (outline.control_points - circle.centre) * size + circle.centre.round(decimals)
         # A curve is nowhere farther from another than their control points are from each other.
         moved = float(np.hypot(*(controls - outline.control_points).reshape(-1, 2).T).max())
         return replace(outline, control_points=controls, deviation=outline.deviation + moved)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -25,6 +26,7 @@ from ..drawing.drawing import (
     POINT_RADIUS,
     Annotation,
     Drawing,
+    circle_of,
     drawing_of,
     rounded,
     trimmed_to_curves,
@@ -54,8 +56,9 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
     part of a document they may be those from its upper left corner. A piece of a cubic Hermite curve is
     exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as the tolerance
     takes; the largest deviation stands in a comment and in the metadata. The curves of a shape are one path,
-    in their groups and with its style; hidden ones are written, but not displayed.
-    Points are discs in a group of their own. The size is that of `width_in_pixels`, or the true one.
+    a circle of four quarters is a circle, in their groups and with its style; hidden ones are written, but
+    not displayed. Points are discs in a group of their own. The size is that of `width_in_pixels`, or the
+    true one.
 
     Raises
     ------
@@ -274,7 +277,8 @@ class Tree:
         style = _style_attributes(first.style, self._style, self._usual_width)
         unseen = "" if first.visible else ' display="none"'
         locked = ' sodipodi:insensitive="true"' if first.locked else ""
-        self._write(f'<path{called} d="{path_data(shape)}"{_node_types(shape)}{style}{unseen}{locked}/>')
+        drawn = _circle(shape, called) or f'path{called} d="{path_data(shape)}"{_node_types(shape)}'
+        self._write(f"<{drawn}{style}{unseen}{locked}/>")
 
     def close(self) -> None:
         """Close all groups."""
@@ -304,6 +308,17 @@ def _as_id(name: str) -> str:
     """Return a name as a valid id."""
     word = re.sub(_NOT_IN_ID, "_", name).strip("_.-")
     return word if word[:1].isalpha() else f"curve_{word}".rstrip("_")
+
+
+def _circle(shape: tuple[Outline, ...], called: str) -> str:
+    """Return a circle as an element with these attributes; empty for a shape that is not read as the same."""
+    circle = circle_of(shape[0]) if len(shape) == 1 and not _node_types(shape) else None
+    if circle is None:
+        return ""
+    x, y = circle.centre.tolist()
+    angle = round(-math.degrees(circle.start), _DIGITS - 3)
+    turn = f' transform="rotate({number(angle)} {point_text([x, y])})"' if angle % 90 else ""
+    return f'circle{called} cx="{number(x)}" cy="{number(-y)}" r="{number(circle.radius)}"{turn}'
 
 
 def _node_types(shape: tuple[Outline, ...]) -> str:
