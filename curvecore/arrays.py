@@ -152,9 +152,9 @@ def rows_or_nan(values: ArrayLike, name: str, shape: tuple[int, ...]) -> FloatAr
     array = number_array(values, name)
     if array.shape != shape:
         raise CurveError(f"{name} must have the shape {shape}, not {array.shape}")
-    is_usable = np.isfinite(array).all(axis=1) | np.isnan(array).all(axis=1)
-    if not is_usable.all():
-        i = int(np.argmin(is_usable))
+    missing = np.isnan(array)
+    if (missing != missing[:, :1]).any() or np.isinf(array).any():
+        i = int(np.argmax(((missing != missing[:, :1]) | np.isinf(array)).any(axis=1)))
         raise CurveError(f"{name}[{i}] must be finite, or NaN throughout, not {array[i].tolist()}", (i,))
     return array
 

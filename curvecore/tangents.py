@@ -35,7 +35,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from curvecore.arithmetic import SMALLEST
-from curvecore.arrays import BoolArray, FloatArray, parameter_array, point_array, read_only, rows_or_nan
+from curvecore.arrays import (
+    BoolArray,
+    FloatArray,
+    IntArray,
+    parameter_array,
+    point_array,
+    read_only,
+    rows_or_nan,
+)
 from curvecore.errors import CurveError
 from curvecore.families.cubic_spline import solve_dominant
 from curvecore.parametrization import Spaced, relative_spacing
@@ -427,26 +435,63 @@ def natural_spline_accelerations(
     """
     h, slope = steps_of(points, parameters)
     given = _given(velocities, (len(h) + 1, slope.shape[1]))
-    left, right = _beside(h)
     if given is None:
-        return _applied(_natural_accelerations, h, _jumps(h, slope, 0.0), None)
-    # Where a velocity is set between two segments one spline ends, and another one begins.
-    rows = np.repeat(np.arange(len(left)), 1 + (given.is_set & (left > 0.0)[:, 0] & (right > 0.0)[:, 0]))
-    is_segment = (rows[1:] > rows[:-1])[:, None]
-    lengths = np.where(is_segment, h[rows[:-1].clip(max=len(h) - 1)], 0.0)
-    slopes = np.where(is_segment, slope[rows[:-1].clip(max=len(h) - 1)], 0.0)
-    jumps = _jumps(lengths, slopes, given.rows[rows])
-    bends = _applied(_natural_accelerations, lengths, jumps, given.is_set[rows])
-    last = np.searchsorted(rows, np.arange(len(left)), side="right") - 1
-    before, after = bends[np.searchsorted(rows, np.arange(len(left)))], bends[last]
-    return before + left / (left + right) * (after - before)
-
-
-def _jumps(h: FloatArray, slope: FloatArray, velocities: FloatArray | float) -> FloatArray:
-    """Return the jumps of the slopes at the joints; at ends and breaks those from or to the velocities."""
-    left, right = _beside(h)
+        before, after = _beside(slope)
+        return _applied(_natural_accelerations, h, after - before, None)
+    split = _split(h.tobytes(), given.is_set.tobytes())
+    # Beyond an end the velocity is the slope, and between the two rows of a joint.
     before, after = _beside(slope)
-    return np.where(right > 0.0, after, velocities) - np.where(left > 0.0, before, velocities)
+    before, after = (
+        np.where(split.is_end[side], given.rows, each) for side, each in enumerate((before, after))
+    )
+    jumps = np.empty((len(split.is_set), slope.shape[1]))
+    jumps[split.first] = np.where(split.is_twice, given.rows, after) - before
+    jumps[split.last] = after - np.where(split.is_twice, given.rows, before)
+    bends = _applied(_natural_accelerations, split.lengths, jumps, split.is_set)
+    start = bends[split.first]
+    return start + split.share * (bends[split.last] - start)
+
+
+class _Split(NamedTuple):
+    """Joints of which those with a velocity that is set, between two segments, have two rows.
+
+    Attributes
+    ----------
+    lengths : ndarray, shape (m - 1, 1)
+        The segment lengths; 0 between the rows of one joint.
+    is_set : ndarray of bool, shape (m,)
+        Whether a velocity is set.
+    first, last : ndarray of int, shape (n,)
+        The rows of each joint.
+    is_twice : ndarray of bool, shape (n, 1)
+        Whether these are two.
+    is_end : tuple of ndarray of bool, shape (n, 1)
+        Whether there is no segment before a joint, and after it.
+    share : ndarray, shape (n, 1)
+        What the segment after a joint counts in a mean: that of the shorter one is the larger.
+    """
+
+    lengths: FloatArray
+    is_set: BoolArray
+    first: IntArray
+    last: IntArray
+    is_twice: BoolArray
+    is_end: tuple[BoolArray, BoolArray]
+    share: FloatArray
+
+
+@lru_cache(maxsize=8)
+def _split(lengths: bytes, is_set: bytes) -> _Split:
+    h, mask = np.frombuffer(lengths)[:, None], np.frombuffer(is_set, dtype=np.bool_)
+    left, right = _beside(h)
+    is_twice = mask[:, None] & (left > 0.0) & (right > 0.0)
+    last = np.arange(len(mask)) + np.cumsum(is_twice)
+    first = last - is_twice[:, 0]
+    longer = np.zeros((last[-1], 1))
+    longer[last[:-1]] = h
+    rows = np.repeat(mask, 1 + is_twice[:, 0])
+    ends = left == 0.0, right == 0.0
+    return _Split(longer, rows, first, last, is_twice, ends, left / (left + right))
 
 
 def _natural_accelerations(h: FloatArray, jumps: FloatArray, is_set: BoolArray | None) -> FloatArray:

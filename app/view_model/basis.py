@@ -25,9 +25,9 @@ from curvecore.arrays import FloatArray, IntArray
 from curvecore.drag.moved_parameters import MovedParameters
 
 from ..families import Family
-from .curve.core_curve import Sides, sides_of, unbounded
+from .curve.core_curve import SetDerivative, Sides, moved_with_set, sides_of, unbounded
 from .curve.curve_view import CurveView, ParametricCurve
-from .geometry import OneSided, crowded_at_ends, one_sided
+from .geometry import OneSided, crowded_at_ends, one_sided, segment_at
 
 SAMPLES = 400
 """Samples over the domain; one per two or three pixels of a wide panel."""
@@ -352,6 +352,35 @@ def weights_at(view: CurveView, t: float) -> FloatArray:
     basis = view.basis_curve.basis(np.array([t]))[:, :, 0]
     weights: FloatArray = by_point(basis, len(view.source.points))[0]
     return weights
+
+
+def set_weights_at(view: CurveView, t: float) -> dict[SetDerivative, float]:
+    """Return the weights at `t` of the derivatives that were set, with the estimates that follow them.
+
+    Those without an effect there may be left out: beyond a velocity that is set nothing follows.
+    """
+    assert view.basis_curve is not None
+    curve, arrays, segment = view.source, view.arrays, segment_at(view.parameters, t)
+    count, orders = len(curve.points), curve.family.derivatives
+    is_set = ~np.isnan(arrays.given[:, :, :orders, 0])
+    near: set[int] = set()
+    for step, knot in ((-1, segment), (1, segment + 1)):
+        knots = knot + step * np.arange(count)
+        points = knots % count if curve.is_closed else knots[(knots >= 0) & (knots < count)]
+        nearest = np.flatnonzero(is_set[points, :, 0].any(axis=1))[:1].sum()
+        near.update(points[: max(nearest + 1, orders)].tolist())
+    which = [
+        SetDerivative(point, order + 1, bool(side))
+        for point in sorted(near)
+        for side, order in np.argwhere(is_set[point]).tolist()
+        if side == 0 or arrays.corners[point]
+    ]
+    if not which:
+        return {}
+    before, after = moved_with_set(curve, view.at_knots, view.parameters, arrays, which)
+    ends = np.stack([after[segment], before[segment + 1]])
+    basis = view.basis_curve.basis(np.array([t]))[0, segment : segment + 2, 1:]
+    return dict(zip(which, np.einsum("er,erm->m", basis, ends).tolist(), strict=True))
 
 
 # Cardinal functions

@@ -1,13 +1,13 @@
 """Cardinal functions: the effect of a point on a curve whose derivatives follow the points.
 
-Rules that estimate velocities and accelerations are linear in the points for given parameters,
-d_r = E_r p. With them a curve is linear in its points alone,
+Rules that estimate velocities and accelerations are linear in the points p and in the derivatives s that are
+set, for given parameters: d_r = E_r p + F_r s. With them a curve is linear in its points and in what is set,
 
-    c(t) = sum over i of C_i(t) p_i + what was set by hand,
+    c(t) = sum over i of C_i(t) p_i + sum over k of S_k(t) s_k,
     C_i(t) = B_i0(t) + sum over r >= 1 and j of B_jr(t) (E_r)_ji,
 
 and C_i(t_j) is 1 for i = j, else 0. The B_i0 of a Hermite family say what a point does whose neighbours'
-derivatives stay; the C_i what it does when they are estimated again.
+derivatives stay; the C_i what it does when they are estimated again, while what is set stays.
 
 A rule that is not linear has its Jacobian for E_r: then C_i is what a small move does. Where such a rule has
 kinks and treats each coordinate for itself, small errors may do more: all their signs are tried.
@@ -93,6 +93,11 @@ def follow_rules(parameters: ArrayLike, *rules: Rule) -> Follow:
     --------
     CardinalBasis : What takes it.
     estimation_matrix : What a rule does.
+
+    Notes
+    -----
+    Velocities that are set do not move: then a rule is a function of moves and t such as
+    ``natural_spline_velocities(moves, t, velocities=np.where(is_set[:, None], 0.0 * moves, np.nan))``.
 
     Examples
     --------

@@ -11,8 +11,11 @@ from msgspec.structs import replace
 
 import curvecore
 from app.document.derivatives import DERIVATIVES, AccelerationRule, JerkRule, VelocityRule
-from app.document.model import Curve, Parametrization, ParametrizationKind, Point
+from app.document.model import Curve, Parametrization, ParametrizationKind, Point, make_curve
 from app.families import FAMILIES, HERMITE
+from app.view_model.analysis.wiggle import explain
+from app.view_model.basis import set_weights_at
+from app.view_model.curve.core_curve import SetDerivative
 from app.view_model.curve.curve_view import view_of
 from tests import exact_rules
 from tests.effort import noted_calls
@@ -183,6 +186,21 @@ def test_tied_velocities_that_are_free_let_the_spline_through(rng):
     assert (after[2, 1] == [1.0, 3.0]).all()
 
 
+def test_a_wiggle_is_explained_by_a_velocity_that_is_set_far_away():
+    """Only velocities at both ends of the segment were told, for no others had an effect."""
+    curve = make_curve([(float(x), 0.0) for x in range(6)], family=HERMITE)
+    points = list(curve.points)
+    points[4] = replace(points[4], velocity=(0.0, 50.0))
+    view = view_of(replace(curve, points=tuple(points)))
+    t = float(view.parameters[2:4].mean())
+    explanation = explain(view, t)
+    (pull,) = [pull for pull in explanation.pulls if pull.order == 1]
+    # The other points do not lift the curve off its line, of segments of length 1.
+    assert pull.point == 4
+    assert pull.weight == pytest.approx(abs(view.curve.evaluate(t)[1]), abs=1e-12)
+    assert "the velocity set at point 4 moves the curve by" in explanation.sentences[1]
+
+
 def test_corners_of_a_spline_take_one_system(monkeypatch, rng):
     """A drawing of 3,000 corners of which some sides are free: one call, not one from corner to corner."""
     calls = noted_calls(monkeypatch, curvecore, "natural_spline_velocities")
@@ -190,3 +208,26 @@ def test_corners_of_a_spline_take_one_system(monkeypatch, rng):
     points = tuple(Point(x, y, corner=True, velocity=(1.0, 0.0)) for x, y in positions)
     assert view_of(Curve("Many", HERMITE, Parametrization(), points)).is_current
     assert len(calls) == 1
+
+
+@each_row("closed", [False, True])
+@each_row("rule", VelocityRule)
+@each_row("family", WITH_DERIVATIVES)
+def test_the_weight_of_what_is_set_has_the_estimates_that_follow_it(rng, family, rule, closed):
+    """Each derivative that is set is changed in turn; those without a weight change nothing there."""
+    for count in (3, 7):
+        curve = random_curve(rng, family, count, closed=closed, rule=rule)
+        view = view_of(curve)
+        t = float(rng.uniform(*view.curve.domain))
+        weights = set_weights_at(view, t)
+        for index, point in enumerate(curve.points):
+            for row in DERIVATIVES[: family.derivatives]:
+                for ahead, name in enumerate((row.name, row.after)[: 1 + point.corner]):
+                    value = getattr(point, name)
+                    if value is None:
+                        continue
+                    changed = replace(point, **{name: (value[0] + 1.0, value[1])})
+                    points = (*curve.points[:index], changed, *curve.points[index + 1 :])
+                    away = view_of(replace(curve, points=points)).curve.evaluate(t) - view.curve.evaluate(t)
+                    weight = weights.get(SetDerivative(index, row.order, bool(ahead)), 0.0)
+                    assert away == pytest.approx([weight, 0.0], abs=1e-12)

@@ -20,8 +20,8 @@ from ...document.model import Curve, Document, ParametrizationKind
 from ...document.words import short
 from ...families import FAMILIES, HERMITE, QUINTIC_HERMITE, Family
 from ...tasks.progress import Report, silent, with_progress
-from ..basis import growth_at, growth_of_points, weights_at
-from ..curve.core_curve import is_explicit, unbounded
+from ..basis import growth_at, growth_of_points, set_weights_at, weights_at
+from ..curve.core_curve import unbounded
 from ..curve.curve_view import CurveView, view_of
 from ..curve.distances import dense, keeps_shape, largest_distance
 from ..geometry import segment_at, within_segments
@@ -130,7 +130,7 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     knot = segment_at(knots, t)
     segment = (knot, view.owner(knot), view.owner(knot + 1))
     chord = float(np.hypot(*(view.points[segment[2]] - view.points[segment[1]])))
-    pulls = _pulls(view, t, knot, chord)
+    pulls = _pulls(view, t, chord)
     swing, _ = overshoot(view, knot)
     lebesgue = unbounded(float(growth_at(view, np.array([t]))[0]))
     at_point = next((view.owner(end) for end in (knot, knot + 1) if knots[end] == t), None)
@@ -150,20 +150,12 @@ def explain(view: CurveView, t: float) -> Explanation | None:
     return Explanation(t, segment, pulls[:MOST_PULLS], lebesgue, adds_up, swing, is_calm, words)
 
 
-def _pulls(view: CurveView, t: float, knot: int, chord: float) -> tuple[Pull, ...]:
+def _pulls(view: CurveView, t: float, chord: float) -> tuple[Pull, ...]:
     """Return all pulls, the strongest first: points with their estimates, and derivatives that were set."""
-    assert view.basis_curve is not None
     pulls = [Pull(point, 0, float(weight)) for point, weight in enumerate(weights_at(view, t)) if weight != 0]
-    if view.sides is not None:
-        basis = view.basis_curve.basis(np.array([t]))[0]
-        for order in range(1, basis.shape[1]):
-            # Derivatives ahead of the first point, and before the second.
-            for at, ahead in ((knot, True), (knot + 1, False)):
-                if not is_explicit(view.source.points[view.owner(at)], order, ahead=ahead):
-                    continue
-                x, y = (basis[at, order] * view.sides[ahead][at, order]).tolist()
-                size = float(np.hypot(x, y)) / chord if chord > 0 else 0.0
-                pulls.append(Pull(view.owner(at), order, size))
+    for (point, order, ahead), weight in (set_weights_at(view, t) if view.sides is not None else {}).items():
+        x, y = view.source.points[point].explicit_sides(order)[ahead] or (0.0, 0.0)
+        pulls.append(Pull(point, order, abs(weight) * float(np.hypot(x, y)) / chord if chord > 0 else 0.0))
     return tuple(sorted(pulls, key=lambda pull: -abs(pull.weight)))
 
 

@@ -32,7 +32,7 @@ from curvecore.arrays import BoolArray, FloatArray, IntArray, parameter_array
 from curvecore.parametrization import Spaced
 
 from ...document.derivatives import DERIVATIVES, EstimateRule
-from ...document.model import Curve, ParametrizationKind, Point
+from ...document.model import Curve, ParametrizationKind
 from ...document.words import with_minus
 from ..geometry import at_knots
 from .point_arrays import PointArrays
@@ -170,10 +170,41 @@ def moved_with_points(
         both = np.hstack([points, at_knots(moves, closed=curve.is_closed)])
         before = np.zeros((len(points), curve.family.derivatives, moves.shape[1]))
         sides = Sides(before, before.copy())
-        _estimate(curve, sides, both, parameters, arrays, changes, given)
+        rest = None if given is None else np.broadcast_to(given, (*given.shape[:3], moves.shape[1]))
+        _estimate(curve, sides, both, parameters, arrays, changes, rest)
         return sides
 
     return moved
+
+
+class SetDerivative(NamedTuple):
+    """A derivative that the person set: its point, its order, and whether it is that after a corner."""
+
+    point: int
+    order: int
+    ahead: bool
+
+
+def moved_with_set(
+    curve: Curve,
+    points: FloatArray,
+    parameters: FloatArray,
+    arrays: PointArrays,
+    which: Sequence[SetDerivative],
+) -> Sides:
+    """Return the changes of the derivatives at the knots by those that the person set, (k, R - 1, m) each.
+
+    Each of the m columns belongs to a derivative that is set, and one unit of it: with its own, the estimates
+    that follow it.
+    """
+    changes = [_of_moves(rule, curve, None) for rule in curve.rules]
+    rest = np.repeat(0.0 * arrays.given[..., :1], len(which), axis=3)
+    for column, (point, order, ahead) in enumerate(which):
+        rest[point, int(ahead) if arrays.corners[point] else slice(None), order - 1, column] = 1.0
+    before = np.zeros((len(points), curve.family.derivatives, len(which)))
+    sides, data = Sides(before, before.copy()), np.hstack([points, before[:, 0]])
+    _estimate(curve, sides, data, parameters, arrays, changes, _at_knots(rest, len(points)))
+    return sides
 
 
 def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estimate:
@@ -242,15 +273,21 @@ def _estimate(
     """Fill the derivatives at both sides of the knots, (k, R - 1, dim): those given, and the estimates.
 
     `data` are what is estimated from, (k, any); `given` is NaN where a derivative is to be estimated, by side
-    and order, (k, 2, R - 1, dim or 1).
+    and order, (k, 2, R - 1 or more, dim).
     """
     count, closed = len(data), curve.is_closed
     corners, ties = (_at_knots(column, count) for column in (arrays.corners, arrays.ties & arrays.corners))
+    is_plain = not (closed or corners.any())
     for order, (rule, estimate) in enumerate(zip(curve.rules, estimates, strict=True)):
-        if given is None and not corners.any() and not closed:
-            sides.before[:, order] = sides.after[:, order] = estimate(data, parameters)
+        if given is not None and not np.isnan(given[:, :, order, 0]).any():
+            _take(sides, order, given)
             continue
         known = _known(curve.rules, order, sides, given, ties)
+        if is_plain:
+            at = {name: values[:, 0] for name, values in known.items()}
+            sides.before[:, order] = sides.after[:, order] = estimate(data, parameters, **at)
+            _take(sides, order, given)
+            continue
         # Where velocities are tied and free the curve is smooth, and goes on.
         is_free = np.isnan(known["velocities"][:, 0, 0]) if "velocities" in known else True
         divides = corners & ~(ties & is_free)
@@ -272,11 +309,14 @@ def _estimate(
         if closed:
             for derivatives in sides:
                 derivatives[-1, order] = derivatives[0, order]
-        if given is None:
-            continue
-        for side, derivatives in enumerate(sides):
-            is_set = ~np.isnan(given[:, side, order, 0])
-            derivatives[is_set, order] = given[is_set, side, order]
+        _take(sides, order, given)
+
+
+def _take(sides: Sides, order: int, given: FloatArray | None) -> None:
+    """Replace the derivatives of an order, from 0, by those given."""
+    for side, derivatives in enumerate(sides if given is not None else ()):
+        assert given is not None
+        np.copyto(derivatives[:, order], given[:, side, order], where=~np.isnan(given[:, side, order]))
 
 
 def _known(
@@ -290,15 +330,12 @@ def _known(
             continue
         if lower < order and not rules[lower].is_spline:
             continue  # a local rule has velocities of its own
-        values = np.stack([derivatives[:, lower] for derivatives in sides], axis=1)
-        present = values.copy()
-        values[:] = np.nan if given is None else given[:, :, lower]
-        if has_ties and lower == 0 and rules[0].is_spline:
+        values = np.full_like(sides, np.nan)[:, :, 0].swapaxes(0, 1) if given is None else given[:, :, lower]
+        if has_ties and lower == 0:
             # What is set on one side counts on both; the next orders know the velocities themselves.
-            at_ties = present if order else values[:, ::-1]
-            values = np.where(ties[:, None, None] & np.isnan(values), at_ties, values)
-        elif has_ties and lower == 0:
-            values[ties] = np.nan
+            at_ties = np.stack([each[:, 0] for each in sides], axis=1) if order else values[:, ::-1]
+            replaced = ties[:, None, None] & (np.isnan(values) if rules[0].is_spline else True)
+            values = np.where(replaced, at_ties if rules[0].is_spline else np.nan, values)
         known[derivative.plural] = values
     return known
 
@@ -363,11 +400,6 @@ def _rows_of(parameters: FloatArray, divides: BoolArray, *, closed: bool) -> _Ro
         np.insert(is_step, 0, not closed),
         np.append(is_step, not closed),
     )
-
-
-def is_explicit(point: Point, order: int, *, ahead: bool) -> bool:
-    """Whether the person set the derivative of an order on a side of a point."""
-    return point.explicit_sides(order)[ahead] is not None
 
 
 # Cardinal functions
