@@ -125,7 +125,9 @@ class Column(msgspec.Struct, frozen=True, kw_only=True):
         if self.set_many is not None:
             return self.set_many(document, curve, view, values)
         for index, value in values.items():
-            document = self.set(document, curve, view, index, value)
+            # An empty cell, of a handle that a point has not, leaves it without.
+            if not np.isnan(value):
+                document = self.set(document, curve, view, index, value)
         return document
 
 
@@ -300,7 +302,9 @@ def _set_handle(
     index: int,
     value: float,
 ) -> Document:
-    derivative = derivative_of(view, index, order, value, ahead=ahead)
+    given = document.curves[curve].points[index].explicit_sides(order)[ahead]
+    present = given or view.derivative_of(index, order, ahead=ahead) or (0.0, 0.0)
+    derivative = derivative_of(view, index, order, present, value, ahead=ahead)
     return point_edits.set_derivative(document, curve, index, order, derivative, ahead=ahead)
 
 

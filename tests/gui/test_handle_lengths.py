@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from app.document import rule_edits
@@ -17,7 +18,7 @@ from app.features.point_table.view import CellEditor
 from tests.gui.editor_facts import undo_text
 
 Key = Qt.Key
-ALT = Qt.KeyboardModifier.AltModifier
+ALT, CTRL = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ControlModifier
 POINTS = ((0.0, 0.0), (2.0, 1.0), (5.0, 0.0), (7.0, 3.0))
 ROUNDING = 1e-12
 """Lengths and angles come back from a velocity by four or five operations on numbers below 100."""
@@ -188,6 +189,43 @@ def test_the_handle_of_an_acceleration_is_measured_from_that_of_the_velocity(wav
     expected = 1.5 * np.array([math.cos(math.radians(60)), math.sin(math.radians(60))])
     assert tip - below == pytest.approx(expected, abs=ROUNDING)
     assert wave.curve.points[1].acceleration is not None
+
+
+def copied(editor):
+    QTest.keyClick(editor.window.point_table, Key.Key_C, CTRL)
+    return QGuiApplication.clipboard().text()
+
+
+def paste_at(editor, row, name, text):
+    table = editor.window.point_table
+    flags = table.selectionModel().SelectionFlag
+    table.selectionModel().setCurrentIndex(
+        table.model().index(row, column(editor, name)), flags.ClearAndSelect
+    )
+    QGuiApplication.clipboard().setText(text)
+    QTest.keyClick(table, Key.Key_V, CTRL)
+    editor.settle()
+
+
+def test_pasted_lengths_and_angles_are_both_set_and_empty_cells_leave_the_ends_alone(wave):
+    wave.trigger("toggleHandleColumns")
+    paste_at(wave, 1, "ℓ→", "1.5\t60\n0.75\t-30\n\t")
+    for row, length, angle in ((1, 1.5, 60.0), (2, 0.75, -30.0)):
+        assert value(wave, row, "ℓ→") == pytest.approx(length, abs=ROUNDING)
+        assert value(wave, row, "∠→") == pytest.approx(angle, abs=ROUNDING)
+    assert wave.curve.points[3].velocity is None
+
+
+def test_rows_that_are_copied_with_their_handles_come_back_the_same(wave):
+    wave.trigger("toggleHandleColumns")
+    wave.window.point_table.selectAll()
+    text = copied(wave)
+    assert text.splitlines()[0].split("\t")[5:7] == ["", ""]
+    before = wave.session.active_view
+    paste_at(wave, 0, "t", text)
+    assert wave.status.startswith("Pasted 4 points")
+    for index, point in enumerate(wave.curve.points):
+        assert point.velocity == before.velocity_of(index)
 
 
 # Typed while a handle is dragged

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import compress
 
 import numpy as np
 from msgspec.structs import replace
@@ -42,8 +43,10 @@ def columns_of_block(block: Block, columns: Sequence[Column], left: int) -> tupl
     Titles name the columns; without titles the block begins at the column `left`.
     """
     indices = _indices_by_title(block, columns) if block.titles else _indices_from(left, block, columns)
-    needed = [index for column, index in indices.items() if column.set is not None]
-    # Cells of computed columns may be empty.
+    needed = [
+        index for column, index in indices.items() if column.set is not None and not column.is_of_handle
+    ]
+    # Cells of computed columns may be empty, and those of handles at the ends of a curve.
     for row, numbers in enumerate(block.rows, start=2 if block.titles else 1):
         for index in needed:
             if math.isnan(numbers[index]):
@@ -80,10 +83,13 @@ def paste_block(
     Parameters
     ----------
     columns
-        The columns that the block covers, from left to right.
+        The columns that the block covers, from left to right; beside derivatives, handles say the same again.
     block
         The numbers, (rows, len(columns)).
     """
+    if any(column.is_derivative for column in columns):
+        is_used = [not column.is_of_handle for column in columns]
+        columns, block = [*compress(columns, is_used)], block[:, is_used]
     count = len(view.source.points)
     old, new = block[: max(count - top, 0)], block[max(count - top, 0) :]
     if len(new):

@@ -304,8 +304,10 @@ def handle_offsets(view: CurveView, order: int, *, ahead: bool) -> FloatArray:
     return offsets
 
 
-def derivative_of_length(view: CurveView, index: int, order: int, length: float, *, ahead: bool) -> Vector:
-    """Return the derivative of an order whose handle has this length, in its present direction.
+def derivative_of_length(
+    view: CurveView, index: int, order: int, present: Vector, length: float, *, ahead: bool
+) -> Vector:
+    """Return the derivative whose handle has this length, in the direction of that of the `present` one.
 
     A velocity of no length is pulled out along the curve's points.
 
@@ -314,7 +316,7 @@ def derivative_of_length(view: CurveView, index: int, order: int, length: float,
     EditError
         If the point has no such handle, the length is negative, or there is no direction.
     """
-    offset, label = _offset_of(view, index, order, ahead=ahead)
+    offset, label = _offset_of(view, index, order, present, ahead=ahead)
     if length < 0.0:
         raise EditError(f"The length of {label} is 0 or more; its angle turns it round.")
     if not any(offset) and length:
@@ -327,15 +329,17 @@ def derivative_of_length(view: CurveView, index: int, order: int, length: float,
     return derivative_of_offset(view, index, order, scaled, ahead=ahead)
 
 
-def derivative_at_angle(view: CurveView, index: int, order: int, degrees: float, *, ahead: bool) -> Vector:
-    """Return the derivative of an order whose handle points there, counterclockwise from x, as long as now.
+def derivative_at_angle(
+    view: CurveView, index: int, order: int, present: Vector, degrees: float, *, ahead: bool
+) -> Vector:
+    """Return the derivative whose handle is at this angle from x, counterclockwise, as long as at `present`.
 
     Raises
     ------
     EditError
         If the point has no such handle, or it has no length.
     """
-    offset, label = _offset_of(view, index, order, ahead=ahead)
+    offset, label = _offset_of(view, index, order, present, ahead=ahead)
     if not any(offset):
         raise EditError(
             f"{label[0].upper()}{label[1:]} has no length, and so no angle. Set its length first."
@@ -344,13 +348,15 @@ def derivative_at_angle(view: CurveView, index: int, order: int, degrees: float,
     return derivative_of_offset(view, index, order, turned, ahead=ahead)
 
 
-def _offset_of(view: CurveView, index: int, order: int, *, ahead: bool) -> tuple[Vector, str]:
-    """Return the line from its anchor to a handle, and its label; raise EditError where there is none."""
+def _offset_of(
+    view: CurveView, index: int, order: int, derivative: Vector, *, ahead: bool
+) -> tuple[Vector, str]:
+    """Return the line to the handle of a derivative, and its label; raise EditError where there is none."""
     side = "ahead of" if ahead else "behind"
-    x, y = handle_offsets(view, order, ahead=ahead)[index].tolist()
-    if math.isnan(x):
+    if view.spacing(index, ahead=ahead) is None:
         raise EditError(view.problem or f"The curve ends at point {index}: there is no handle {side} it.")
-    return (x, y), f"the {DERIVATIVES[order - 1].name} handle {side} point {index}"
+    offset = offset_of_handle(view, index, order, derivative, ahead=ahead)
+    return offset, f"the {DERIVATIVES[order - 1].name} handle {side} point {index}"
 
 
 def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:
