@@ -9,7 +9,8 @@ from msgspec.structs import replace
 
 from .curve_edits import locked_message
 from .limits import EditError
-from .model import Curve, Document
+from .model import Curve, Document, Vector
+from .point_edits import explicit_points
 from .words import capitalized, count_of, enumerated, points_label
 
 _MOST_NAMED = 4
@@ -140,6 +141,28 @@ def reset_message(step: str, curves: Sequence[Curve], group: PointGroup) -> str:
     stay = "stays a corner" if corners.count == 1 else "stay corners"
     sides = f" {capitalized(corners.names)} {stay}, estimated on each side." if corners.parts else ""
     return f"{step} to estimate.{sides}"
+
+
+def newly_set(before: Sequence[Curve], after: Sequence[Curve], own: Collection[Vector] = ()) -> PointGroup:
+    """Return the points of which a step has set derivatives that were estimates before it.
+
+    The points at the positions `own` are left out; points are known by their positions, for their indices may
+    have changed.
+    """
+    same = set(map(id, before)) & set(map(id, after))
+    estimated = set[Vector]()
+    for curve in before:
+        if id(curve) not in same:
+            every = frozenset(range(len(curve.points)))
+            estimated |= {curve.points[index].position for index in every - explicit_points(curve, every)}
+    estimated -= set(own)
+    parts = []
+    for place, curve in enumerate(after):
+        if id(curve) not in same:
+            are_set = explicit_points(curve, range(len(curve.points)))
+            known = (index for index in are_set if curve.points[index].position in estimated)
+            parts.append((place, frozenset(known)))
+    return group_points(parts)
 
 
 def points_of(curve: int, indices: Collection[int]) -> PointGroup:

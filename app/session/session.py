@@ -13,9 +13,9 @@ from PySide6.QtGui import QUndoStack
 from ..document.fields import Ranges
 from ..document.groups import tidy_shapes
 from ..document.limits import AlreadySoError, EditError
-from ..document.model import Curve, Document
+from ..document.model import Curve, Document, Vector
 from ..document.plain_numbers import with_plain_numbers
-from ..document.point_group import NO_POINTS, PointGroup
+from ..document.point_group import NO_POINTS, newly_set
 from ..document.selection import SelectionState
 from ..document.several_curves import is_blank
 from ..document.style import PLAIN_STYLE
@@ -436,13 +436,17 @@ class Session(SessionSignals):
             self.selected.keep_previewed()
         return was_previewing
 
-    def report(self, done: str, kept: PointGroup) -> None:
-        """Say what the last step has done, and offer to reset points that it has set to keep the shape."""
-        self.kept = kept
+    def report(self, done: str, before: Sequence[Curve], own: Collection[Vector] = ()) -> None:
+        """Say what the last step has done, if anything, and offer to reset points set to keep the shape.
+
+        `before` are the curves before it, `own` the positions of its own points.
+        """
+        self.kept = kept = newly_set(before, self.document.curves, own)
         if kept.parts:
             verb = "was" if kept.count == 1 else "were"
             self.offer(f"{capitalized(kept.names)} {verb} set to keep the shape.", "resetKept")
-        self.say(done)
+        if done:
+            self.say(done)
 
     def _refused(self, reason: str, by: str, *, is_so: bool = False) -> Change:
         """Say why nothing changes; log the function that refused."""

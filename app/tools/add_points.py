@@ -440,4 +440,4 @@ class InsertPoint(Drag, kw_only=True, dict=True):
     def committed(self, event: ToolEvent) -> None:
         """Say whether the shape was kept, unless the point was dragged off the curve."""
         if event.view.source == self._on_curve.curve:
-            event.session.say(self._on_curve.sentence)
+            event.session.report(self._on_curve.sentence, self.document.curves)

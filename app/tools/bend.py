@@ -134,6 +134,7 @@ def _toggled(before: PointGroup, ends: PointGroup) -> PointGroup:
 def insert_at(session: EditingSession, t: float) -> None:
     """Insert a point on the active curve at `t`, and select it alone."""
     view, active, results = session.active_view, session.active_index, list[Reshaped]()
+    before = session.document.curves
 
     def edit(document: Document) -> Document:
         results.append(with_point_inserted(view, t))
@@ -142,7 +143,7 @@ def insert_at(session: EditingSession, t: float) -> None:
     index = inserted_index(view, t)
     if session.change(f"Insert point {index}", edit):
         session.selected.set_points([index])
-        session.say(results[0].sentence)
+        session.report(results[0].sentence, before)
 
 
 # What a press would do

@@ -80,12 +80,14 @@ def _untyped(document: Document) -> TypedAmount:
 def _retract(event: ToolEvent, hit: Hit) -> None:
     """Retract the handle that was clicked into its point."""
     session, view, active = event.session, event.view, event.session.active_index
+    before = session.document.curves
 
     def edit(document: Document) -> Document:
         return replace_curve(document, active, with_handle_retracted(view, hit.index, ahead=hit.ahead))
 
     if session.change(f"Retract handle of point {hit.index}", edit):
-        session.say(f"Retracted the handle of point {hit.index}; Alt+drag the point to pull it out again.")
+        done = f"Retracted the handle of point {hit.index}; Alt+drag the point to pull it out again."
+        session.report(done, before, [view.source.points[hit.index].position])
 
 
 class HandleDrag(TypedDrag, kw_only=True):
@@ -172,6 +174,11 @@ class DragHandle(HandleDrag, kw_only=True, dict=True):
             self.snapper.reset()
             return tip
         return self.snapper.snap(tip, pointer)
+
+    def committed(self, event: ToolEvent) -> None:
+        """Name other points that a broken handle has set to keep the shape."""
+        super().committed(event)
+        event.session.report("", self.document.curves, [self.view.source.points[self.hit.index].position])
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Set velocity of point 2", or with Alt "Break handles of point 2"."""

@@ -114,13 +114,14 @@ def toggling_kind(event: ToolEvent, hit: Hit) -> Click | None:
 def _toggle_kind(event: ToolEvent, index: int) -> None:
     """Make a corner smooth, and any other point a corner."""
     session, view, active = event.session, event.view, event.session.active_index
-    kind = toggled(view, index)
+    kind, before = toggled(view, index), session.document.curves
 
     def edit(document: Document) -> Document:
         return replace_curve(document, active, kind.apply(view, [index]))
 
     if session.change(f"{kind.step} point {index}", edit):
-        session.say(f"{kind.title} at point {index}; a double click toggles corner and smooth.")
+        done = f"{kind.title} at point {index}; a double click toggles corner and smooth."
+        session.report(done, before, [view.source.points[index].position])
 
 
 class MovePoints(Drag, kw_only=True):

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Hashable
+from collections.abc import Callable, Collection, Hashable, Sequence
 from typing import Protocol
 
 from ..document.fields import Ranges
-from ..document.model import Curve, Document
+from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import SelectionState
 from ..view_model.curve.curve_view import CurveView
@@ -135,6 +135,12 @@ class EditingSession(Protocol):
     @property
     def template_curve(self) -> Curve:
         """The curve that gives a new one its family, rules and style."""
+
+    def report(self, done: str, before: Sequence[Curve], own: Collection[Vector] = ()) -> None:
+        """Say what the last step has done, and name points that it has set to keep the shape.
+
+        `before` are the curves before it, `own` the positions of its own points.
+        """
 
     def preview(
         self, document: Document, *, active: int | None = None, selects: SelectionState | None = None

@@ -28,35 +28,40 @@ SAME = 1e-9
 _UNSEEN = 1e-4
 """The same for estimates: a derivative stays an estimate where it changes by less."""
 
-_ROUNDS = 3
-"""Rounds in which derivatives are set, each of which may change estimates of others."""
-
 Derivatives = list[Vector]
 """Derivatives at one side of a point, by their orders from 1 on."""
 
 
-def with_wanted(curve: Curve, wanted: Mapping[tuple[int, bool], Derivatives]) -> Curve:
-    """Return a curve with these derivatives of points, before (False) and after (True), set where needed."""
-    for _ in range(_ROUNDS if wanted else 0):
-        before, curve = curve, _a_round(view_of(curve), wanted)
-        if curve.points == before.points:
-            break
+Wanted = Mapping[tuple[int, bool], Derivatives]
+"""Derivatives of points, before (False) and after (True) each, that a curve shall have."""
+
+
+def with_wanted(curve: Curve, wanted: Wanted, first: Collection[int]) -> Curve:
+    """Return a curve with these derivatives, set where needed.
+
+    Points that are set already, and those of `first`, hold the estimates beyond them where a spline
+    estimates; of others, the nearest come next.
+    """
+    done = set[int]()
+    while off := [index for index in _off(view_of(curve), wanted) if index not in done]:
+        points, count = list(curve.points), len(curve.points)
+        is_set = [any(derivatives_of(point)) for point in points]
+        now = [index for index in off if is_set[index] or index in first]
+        now = now or [index for index in off if is_set[index - 1] or is_set[(index + 1) % count]] or off
+        for index in now:
+            points[index] = with_sides(points[index], wanted.get((index, False)), wanted.get((index, True)))
+        curve, done = replace(curve, points=tuple(points)), done | set(now)
     return curve
 
 
-def _a_round(view: CurveView, wanted: Mapping[tuple[int, bool], Derivatives]) -> Curve:
-    points = list(view.source.points)
-    for index, point in enumerate(points):
-        sides = [wanted.get((index, ahead)) for ahead in (False, True)]
-        is_off = [side is not None and not _has(view, index, side, ahead) for ahead, side in enumerate(sides)]
-        if any(is_off):
-            points[index] = with_sides(point, *sides)
-    return replace(view.source, points=tuple(points))
+def _off(view: CurveView, wanted: Wanted) -> list[int]:
+    """Return the points that do not have the wanted derivatives, in order."""
+    return sorted({key[0] for key, side in wanted.items() if not _has(view, *key, side)})
 
 
-def _has(view: CurveView, index: int, side: Derivatives, ahead: int) -> bool:
+def _has(view: CurveView, index: int, ahead: bool, side: Derivatives) -> bool:
     """Whether a point has these derivatives on a side."""
-    now = [view.derivative_of(index, order, ahead=bool(ahead)) for order in range(1, len(side) + 1)]
+    now = [view.derivative_of(index, order, ahead=ahead) for order in range(1, len(side) + 1)]
     within = SAME if any(derivatives_of(view.source.points[index])) else _UNSEEN
     return all(value is not None and _alike(value, aim, within) for value, aim in zip(now, side, strict=True))
 
@@ -158,7 +163,13 @@ def _with_jets(view: CurveView, after: CurveView, segments: Sequence[_Segment], 
         jets = (new_jets if segment.is_new else _jets_at_ends)(view, segment) * h**-powers
         for point, ahead, jet in ((segment.begins, True, jets[0]), (segment.ends, False, jets[1])):
             wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
-    return with_wanted(after.source, wanted)
+    ends = {
+        point
+        for each in segments
+        if each.is_new and _is_set(view, each)
+        for point in (each.begins, each.ends)
+    }
+    return with_wanted(after.source, wanted, ends)
 
 
 def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Segment]) -> float:

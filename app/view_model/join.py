@@ -14,7 +14,7 @@ from curvecore.arrays import FloatArray
 
 from ..document.constraints import PARALLEL, tie_if_parallel
 from ..document.curve_edits import replace_curve, set_closed
-from ..document.derivatives import DERIVATIVES, VECTORS
+from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_edits import set_position
@@ -23,12 +23,13 @@ from ..document.several_curves import remove_curves
 from ..document.words import number
 from ..families import titles_with_derivatives
 from ..tasks.progress import Report, silent
+from .curve.core_curve import Sides
 from .curve.curve_view import CurveView, view_of
 from .curve.distances import dense, keeps_shape, largest_distance
 from .fit import Fitted, core_fit, points_of_fit
 from .geometry import polygon_length, size_of, unit_tangents
 from .point_kinds import with_straight_segments
-from .reshape import Reshaped, baked, refuse_without_curve, reversed_curve, with_estimates_kept
+from .reshape import Reshaped, frozen, refuse_without_curve, reversed_curve, with_jets, with_sides_kept
 from .split import beginning, part_of, split
 
 MOST_JOINED = 1000
@@ -85,7 +86,10 @@ def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined
         _refuse_to_join(*pair)
     waits = [_wait_between(*pair) for pair in pairwise((*views, *views[: int(is_closed)]))]
     shifts = _shifts(views, waits)
-    parts = [baked(view) for view in views]
+    wholes = [frozen(view) for view in views]
+    parts, inner = [], len(views) - 1
+    for k, whole in enumerate(wholes):
+        parts.append(_with_ends_set(whole, start=is_closed or k > 0, end=is_closed or k < inner))
     points, seams = _one_after_the_other(parts, shifts, waits)
     last = points[-1].t or 0.0
     if is_closed:
@@ -97,11 +101,34 @@ def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined
     curve = part_of(parts[model], points, last, parts[model].name)
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
+    curve = _with_jets_kept(wholes, waits, curve)
     if curve.family.derivatives and (lines := [*_bridges(parts, waits)]):
         curve = with_straight_segments(view_of(curve), lines, PARALLEL)
     residual = _residual_of(views, view_of(curve), shifts)
     _refuse_another_shape(views, residual)
     return Joined(curve, residual, seams=frozenset(seams))
+
+
+def _with_ends_set(view: CurveView, *, start: bool, end: bool) -> Curve:
+    """Return an open curve with the derivatives at its start, or end, set."""
+    points = list(view.source.points)
+    for index, is_set in ((0, start), (len(points) - 1, end)):
+        if view.sides is not None and is_set:
+            points[index] = with_jets(points[index], view.sides, index)
+    return replace(view.source, points=tuple(points))
+
+
+def _with_jets_kept(views: Sequence[CurveView], waits: Sequence[float], curve: Curve) -> Curve:
+    """Return the joined curve with those estimates set that would change."""
+    jets = [view.sides for view in views if view.sides is not None]
+    if not jets:
+        return curve
+    was = Sides(*map(np.vstack, zip(*jets, strict=True)))
+    # Where two curves meet, the start of the second is left out, and where a curve closes, its end.
+    starts = np.cumsum([len(side) for side, _ in jets])[: len(waits)]
+    merged = starts[np.array(waits) == 0.0].clip(max=len(was.before) - 1)
+    rows = np.delete(np.arange(len(was.before)), merged)
+    return with_sides_kept(was, curve, rows, np.arange(len(rows)))
 
 
 def _shifts(views: Sequence[CurveView], waits: Sequence[float]) -> list[float]:
@@ -527,7 +554,7 @@ def redrawn(
     parts = [each for each in (before, part, after) if each is not None]
     is_closed = before is not None and before is after
     whole = joined(*parts[: 2 if is_closed else 3], model=int(before is None), is_closed=is_closed)
-    curve = _from_first(view, _with_estimates(view, whole))
+    curve = _from_first(view, replace(whole.curve, name=source.name))
     x, y = line[fit.worst].tolist()
     return Fitted(curve, fit.curve, fit.deviation, fit.root_mean_square, (x, y), fit.is_scattered)
 
@@ -577,17 +604,3 @@ def _from_first(view: CurveView, curve: Curve) -> Curve:
     earlier = [replace(point, t=(point.t or 0.0) + shift + period) for point in curve.points[:at]]
     rule = replace(rule, start=start, end=start + period)
     return replace(curve, points=(*later, *earlier), parametrization=rule)
-
-
-def _with_estimates(view: CurveView, whole: Joined) -> Curve:
-    """Return a curve made of parts of another, with the estimates of this one where the shape allows."""
-    known = {point.position: point for point in view.source.points}
-    points, kept = list(whole.curve.points), list[int]()
-    for index, point in enumerate(points):
-        before = known.get(point.position)
-        if before is not None and index not in whole.seams:
-            kept.append(index)
-            estimated = {name: None for _, name in VECTORS if getattr(before, name) is None}
-            points[index] = replace(point, **estimated)
-    rows, named = np.array(kept, dtype=np.intp), replace(whole.curve, name=view.source.name)
-    return with_estimates_kept(view_of(whole.curve), replace(named, points=tuple(points)), rows, rows)

@@ -41,7 +41,7 @@ from .curve.core_curve import Sides
 from .curve.curve_view import CurveView, view_of
 from .curve.handles import offset_past, pulled_out
 from .curve.point_arrays import PointArrays
-from .reshape import refuse_without_curve, with_estimates_kept, with_jets
+from .reshape import refuse_without_curve, with_jets, with_sides_kept
 
 _SAME = 1e-9
 """Share of the largest derivative of an order up to which two of them are the same."""
@@ -98,7 +98,7 @@ def with_smooth_points(view: CurveView, indices: Collection[int]) -> Curve:
         if index in corners:
             before, after = _in_one_direction(view, index, before, after)
         points[index] = replace(tie(points[index], before, after), even=False)
-    return _with_estimates_kept(view, replace(curve, points=tuple(points)), new)
+    return _with_estimates_kept(view, replace(curve, points=tuple(points)), turned=bool(corners))
 
 
 def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
@@ -123,7 +123,7 @@ def with_symmetric_points(view: CurveView, indices: Collection[int]) -> Curve:
             changed.append(index)
         else:
             points[index] = replace(point, velocity=_velocity(view, index, ahead=True))
-    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), changed)
+    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), turned=bool(changed))
 
 
 def _lengths_beside(view: CurveView, index: int) -> tuple[float, float]:
@@ -177,7 +177,7 @@ def _written_down(view: CurveView, cornered: Mapping[int, Point]) -> Curve:
     points = list(view.source.points)
     for index, point in cornered.items():
         points[index] = with_jets(point, view.sides, index)
-    return _with_estimates_kept(view, replace(view.source, points=tuple(points)), cornered)
+    return _with_estimates_kept(view, replace(view.source, points=tuple(points)))
 
 
 def _velocity(view: CurveView, index: int, *, ahead: bool) -> Vector:
@@ -210,10 +210,20 @@ def _refuse_without_tangent(view: CurveView, index: int) -> None:
         raise EditError(f"There is no tangent at point {index} yet. {view.problem}")
 
 
-def _with_estimates_kept(view: CurveView, changed: Curve, but: Collection[int]) -> Curve:
-    """Return `changed` with all estimates unchanged, except at the points `but`."""
-    others = np.delete(np.arange(len(changed.points)), sorted(but))
-    return with_estimates_kept(view, changed, others, others)
+def _with_estimates_kept(view: CurveView, changed: Curve, *, turned: bool = False) -> Curve:
+    """Return `changed` with those estimates set that would change.
+
+    Where velocities were `turned`, the estimates of a spline follow them.
+    """
+    after = view_of(changed).sides
+    if view.sides is None or after is None:
+        return changed
+    was = Sides(*(side.copy() for side in view.sides))
+    for order, rule in enumerate(changed.rules if turned else (), start=1):
+        if rule.is_spline:
+            was.before[:, order], was.after[:, order] = after.before[:, order], after.after[:, order]
+    every = np.arange(len(changed.points))
+    return with_sides_kept(was, changed, every, every)
 
 
 def jolts_of(view: CurveView) -> list[int]:

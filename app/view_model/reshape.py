@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 from msgspec.structs import replace
 
-from curvecore.arrays import FloatArray, IntArray
+from curvecore.arrays import BoolArray, FloatArray, IntArray
 from curvecore.families.chain import joint_of_row
 
 from .. import view_model
@@ -22,7 +22,7 @@ from ..document.constraints import is_straight, rescaled_beside, tie_if_parallel
 from ..document.curve_edits import reverse_curve
 from ..document.limits import EditError
 from ..document.model import Curve, Document, ParametrizationKind, Point, Vector
-from ..document.point_edits import JetValue, with_jet_values
+from ..document.point_edits import JetValue, clear_derivatives, with_jet_values
 from ..document.rule_edits import freeze_parameters
 from ..document.words import number
 from ..families import HERMITE, Family
@@ -33,8 +33,8 @@ from .curve.distances import dense, keeps_shape, largest_distance, outcome
 SAME_PARAMETER = 1e-9
 """Share of the domain up to which two parameters are those of one point."""
 
-_ROUNDING = 64 * 2.0**-53
-"""Relative difference of two estimates up to which they count as the same."""
+_ROUNDING = 1e-12
+"""Share of the largest coordinate by which an estimate may move the curve and count as the same."""
 
 
 _RESIDUE = 2.0**-44
@@ -79,15 +79,11 @@ class Reshaped(msgspec.Struct, frozen=True):
         return " ".join(part for part in (words[0].upper() + words[1:], manual, self.note) if part)
 
 
-def baked(view: CurveView) -> Curve:
-    """Return the curve without rules: manual parameters, explicit derivatives."""
+def frozen(view: CurveView) -> CurveView:
+    """Return the curve with its parameters as manual ones."""
     refuse_without_curve(view)
     document = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist())
-    curve = document.curves[0]
-    if view.sides is None:
-        return curve
-    points = (with_jets(point, view.sides, index) for index, point in enumerate(curve.points))
-    return replace(curve, points=tuple(points))
+    return view_of(document.curves[0])
 
 
 def refuse_without_curve(view: CurveView) -> None:
@@ -141,8 +137,7 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     by_rule = _with_point_at(view, index, t)
     if view.source.is_manual or by_rule.keeps_shape:
         return by_rule
-    frozen = freeze_parameters(Document((view.source,)), 0, view.parameters.tolist()).curves[0]
-    frozen_result = _with_point_at(view_of(frozen), index, t)
+    frozen_result = _with_point_at(frozen(view), index, t)
     return replace(frozen_result, left_rule=True) if frozen_result.keeps_shape else by_rule
 
 
@@ -152,18 +147,34 @@ def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
     if is_straight(curve, index - 1):
         # Two straight segments: whichever end of one moves, it stays straight.
         point = point.as_corner()
-    if not curve.is_manual:
-        point = replace(point, t=None)
-    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     if curve.is_manual:
-        old = np.arange(len(curve.points))
-        grown = with_estimates_kept(view, grown, old, np.where(old < index, old, old + 1))
+        grown = _with_point_of_curve(view, index, point)
         after = view_of(grown)
         return Reshaped(grown, change_of_shape(view, after, after.parameters))
+    point = replace(point, t=None)
+    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
     grown = _stretched_along(view, grown, index, t)
     after = view_of(grown)
     moved = change_of_shape(view, after, np.insert(view.parameters, index, t))
     return Reshaped(grown, moved, parameters_moved=not keeps_shape(moved, (grown,)))
+
+
+def _with_point_of_curve(view: CurveView, index: int, point: Point) -> Curve:
+    """Return the curve with a point of it at `index`, which is estimated if that keeps the shape."""
+    curve, every = view.source, np.arange(len(view.source.points) + 1)
+    grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
+    if view.sides is None:
+        return grown
+    jet = [
+        point.position,
+        *(point.explicit_sides(order)[0] for order in range(1, curve.family.derivatives + 1)),
+    ]
+    was = Sides(*(np.insert(side, index, np.array(jet), axis=0) for side in view.sides))
+    if not point.corner:
+        estimated = clear_derivatives(Document((grown,)), 0, [index]).curves[0]
+        if with_sides_kept(was, estimated, every, every) == estimated:
+            return estimated
+    return with_sides_kept(was, grown, every, every)
 
 
 def inserted_index(view: CurveView, t: float) -> int:
@@ -266,32 +277,43 @@ def _without_residue(vector: FloatArray) -> Vector:
     return _vector(np.where(np.abs(vector) > _RESIDUE * np.abs(vector).max(), vector, 0.0))
 
 
-def with_estimates_kept(before: CurveView, changed: Curve, old: IntArray, new: IntArray) -> Curve:
-    """Return `changed` with those estimates set to their old values that would change, and only those.
+def with_sides_kept(was: Sides, changed: Curve, old: IntArray, new: IntArray) -> Curve:
+    """Return `changed` with those estimates set that would move the curve away from the jets `was`.
 
-    The points `old` of the curve before are the points `new` of the changed one.
+    The rows `old` of the jets are those of the points `new`. What is set holds the estimates beyond it where
+    a spline estimates them: so points beside others that are set come first, and lower orders.
     """
-    return changed if before.sides is None else _with_sides_kept(before.sides, changed, old, new)
-
-
-def _with_sides_kept(before: Sides, changed: Curve, old: IntArray, new: IntArray) -> Curve:
     after = view_of(changed)
     refuse_without_curve(after)
     assert after.sides is not None
-    values = []
-    for ahead, was, now in zip((False, True), before, after.sides, strict=True):
-        scale = np.abs(was[:, 1:]).max(axis=(0, 2), keepdims=True)
-        moved = np.abs(now[new, 1:] - was[old, 1:]) > _ROUNDING * scale
-        moved[~np.isnan(after.arrays.given[new, int(ahead), : moved.shape[1]])] = False
-        for row, below in zip(*map(np.ndarray.tolist, np.nonzero(moved.any(axis=2))), strict=True):
-            value = _vector(was[old[row], below + 1])
-            values.append(JetValue(int(new[row]), below + 1, ahead, value))
-    if not values:
+    is_given = ~np.isnan(after.arrays.given[new, :, : was.before.shape[1] - 1, 0])
+    moved = np.stack([_moves(after, *both, old, new) for both in zip(was, after.sides, strict=True)], axis=1)
+    moved[is_given] = False
+    if not moved.any():
         return changed
-    # Others of its order and of higher ones are estimated from a derivative that is set.
-    lowest = min(value.order for value in values)
-    fewest = [value for value in values if value.order == lowest]
-    return _with_sides_kept(before, with_jet_values(changed, fewest), old, new)
+    beside_given = np.zeros(len(changed.points), dtype=np.bool_)
+    beside_given[new] = is_given.any(axis=(1, 2))
+    beside_given = np.roll(beside_given, 1) | beside_given | np.roll(beside_given, -1)
+    moved[:, :, moved.any(axis=(0, 1)).argmax() + 1 :] = False
+    nearest = moved & beside_given[new, None, None]
+    rows = np.argwhere(nearest if nearest.any() else moved).tolist()
+    values = [
+        JetValue(int(new[row]), k + 1, bool(side), _vector(was[side][old[row], k + 1]))
+        for row, side, k in rows
+    ]
+    return with_sides_kept(was, with_jet_values(changed, values), old, new)
+
+
+def _moves(after: CurveView, was: FloatArray, now: FloatArray, old: IntArray, new: IntArray) -> BoolArray:
+    """Return whether a change of a derivative moves the curve, by point and order, (m, R - 1)."""
+    knots, orders = after.parameters, np.arange(1, was.shape[1])
+    steps = np.diff(knots)
+    longest = np.maximum(np.append(steps[0], steps), np.append(steps, steps[-1]))[new, None]
+    if after.source.is_closed:
+        longest[new == 0] = max(steps[0], steps[-1])
+    away = np.abs(now[new, 1:] - was[old, 1:]).max(axis=2) * longest**orders
+    moves: BoolArray = away > _ROUNDING * np.abs(after.points).max()
+    return moves
 
 
 def with_older_estimates(document: Document) -> tuple[Document, int]:
@@ -316,7 +338,7 @@ def _with_older_estimates(curve: Curve) -> Curve:
     older = sides_of(curve, view.at_knots, view.parameters, nothing_given)
     every = np.arange(len(curve.points))
     with suppress(EditError):
-        return _with_sides_kept(older, curve, every, every)
+        return with_sides_kept(older, curve, every, every)
     return curve
 
 

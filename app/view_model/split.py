@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 from string import ascii_lowercase
 
@@ -15,7 +15,7 @@ from curvecore.parametrization import spread
 
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
-from ..document.model import Curve, ParametrizationKind, Point
+from ..document.model import Curve, ParametrizationKind, Point, Vector
 from ..document.straight_edits import straight_refusal
 from ..document.words import number
 from ..families import HERMITE
@@ -23,11 +23,13 @@ from .curve.curve_view import CurveView, view_of
 from .curve.distances import dense, keeps_shape, largest_distance, outcome
 from .reshape import (
     SAME_PARAMETER,
-    baked,
     convert_first,
+    frozen,
     refuse_without_curve,
     through,
+    with_jets,
     with_point_inserted,
+    with_sides_kept,
 )
 
 MOST_POINTS_SPLIT = 40
@@ -51,6 +53,11 @@ class Split(msgspec.Struct, frozen=True):
     residual: float
 
     @property
+    def cuts(self) -> set[Vector]:
+        """The positions of the ends of the curves."""
+        return {curve.points[end].position for curve in self.curves for end in (0, -1)}
+
+    @property
     def sentence(self) -> str:
         """The outcome for the shape."""
         return outcome(self.residual, self.curves)
@@ -59,9 +66,9 @@ class Split(msgspec.Struct, frozen=True):
 def split(view: CurveView, *cuts: float) -> Split:
     """Cut the curve at some t, at joints or between them; a closed curve becomes open where it is cut first.
 
-    A Hermite curve is cut exactly: the parts have manual parameters and explicit derivatives; and so is a
-    curve over control points, by subdivision. Of one polynomial each part goes through as many points as the
-    whole, at Chebyshev points of its part of t, and is thereby the same polynomial.
+    A Hermite curve is cut exactly: the parts have manual parameters, and explicit derivatives where they are
+    cut; and so is a curve over control points, by subdivision. Of one polynomial each part goes through as
+    many points as the whole, at Chebyshev points of its part of t, and is thereby the same polynomial.
 
     Raises
     ------
@@ -134,34 +141,39 @@ def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
 
 
 def _split_pieces(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...]:
-    whole = view_of(baked(view))
+    whole = frozen(view)
     span = whole.parameters[-1] - whole.parameters[0]
     for t in cuts:
         if np.abs(whole.parameters - t).min() > SAME_PARAMETER * span:
             whole = view_of(with_point_inserted(whole, t).curve)
     at = sorted({whole.owner(int(np.argmin(np.abs(whole.parameters - t)))) for t in cuts})
-    points: Sequence[Point] = whole.source.points
-    if whole.source.is_closed:
-        points, at = _opened(whole, at[0]), [index - at[0] for index in at[1:]]
-    last = len(points) - 1
-    if not all(0 < index < last for index in at):
+    count = len(whole.source.points)
+    if not whole.source.is_closed and not all(0 < index < count - 1 for index in at):
         raise EditError(_BETWEEN_ENDS)
-    parts = []
-    for (low, high), name in zip(
-        pairwise((0, *at, last)), names_of_parts(view.source.name, len(at) + 1), strict=True
-    ):
-        start = beginning(points[low]) if low else points[low]
-        end = points[high].without_corner() if high < last else points[high]
-        parts.append(part_of(whole.source, [start, *points[low + 1 : high], end], end.t or 0.0, name))
-    return tuple(parts)
+    knots = [*at, at[0] + count] if whole.source.is_closed else [0, *at, count - 1]
+    names = names_of_parts(view.source.name, len(knots) - 1)
+    return tuple(_cut(whole, *ends, name) for ends, name in zip(pairwise(knots), names, strict=True))
 
 
-def _opened(whole: CurveView, at: int) -> list[Point]:
-    """Return the points of a baked closed curve from point `at` around to it, as those of an open curve."""
-    points = whole.source.points
+def _cut(whole: CurveView, start: int, end: int, name: str) -> Curve:
+    """Return the part between two knots of a curve with manual parameters; a closed one goes on at its end.
+
+    Where it was cut its derivatives become explicit, and beside that those whose estimates would change.
+    """
+    source, count = whole.source, len(whole.source.points)
     period = float(whole.parameters[-1] - whole.parameters[0])
-    later = [replace(point, t=(point.t or 0.0) + period) for point in points[: at + 1]]
-    return [beginning(points[at]), *points[at + 1 :], *later[:-1], later[-1].without_corner()]
+    rows = np.arange(start, end + 1)
+    points = [
+        replace(source.points[row % count], t=(source.points[row % count].t or 0.0) + row // count * period)
+        for row in rows.tolist()
+    ]
+    if whole.sides is not None:
+        for place, knot, open_end in ((0, start, 0), (-1, end, count - 1)):
+            if source.is_closed or knot != open_end:
+                points[place] = with_jets(points[place], whole.sides, knot % count)
+    points[0], points[-1] = beginning(points[0]), points[-1].without_corner()
+    part = part_of(source, points, points[-1].t or 0.0, name)
+    return part if whole.sides is None else with_sides_kept(whole.sides, part, rows % count, rows - start)
 
 
 def beginning(point: Point) -> Point:
@@ -201,7 +213,7 @@ def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
 def without_segments(view: CurveView, segments: Collection[int]) -> Split:
     """Return the parts of a curve that remain without some segments; a closed curve becomes open.
 
-    Parameters become manual, and all derivatives explicit. A point without a segment is left out.
+    Parameters become manual, and derivatives at new ends explicit. A point without a segment is left out.
 
     Raises
     ------
@@ -211,31 +223,15 @@ def without_segments(view: CurveView, segments: Collection[int]) -> Split:
     if reason := straight_refusal(view.source.family):
         raise EditError(reason)
     refuse_without_curve(view)
-    whole = view_of(baked(view))
-    runs = [run for run in _runs(whole, segments) if len(run) > 1]
+    whole, count = frozen(view), len(view.source.points)
+    start = min(segments) + 1 if view.source.is_closed else 0
+    last, runs = start + count - 1, list[tuple[int, int]]()
+    for knot in range(start, last + 1):
+        if knot == last or knot % count in segments:
+            runs += [(start, knot)] if knot > start else []
+            start = knot + 1
     if not runs:
         raise EditError("No segment of the curve would be left. Use Delete to remove the whole curve.")
     names = names_of_parts(view.source.name, len(runs))
-    ended = ([beginning(run[0]), *run[1:-1], run[-1].without_corner()] for run in runs)
-    parts = (
-        part_of(whole.source, run, run[-1].t or 0.0, part_name)
-        for run, part_name in zip(ended, names, strict=True)
-    )
-    curves = tuple(parts)
+    curves = tuple(_cut(whole, *run, part_name) for run, part_name in zip(runs, names, strict=True))
     return Split(curves, residual_of_parts(view, curves))
-
-
-def _runs(whole: CurveView, segments: Collection[int]) -> Iterator[Sequence[Point]]:
-    """Yield the points of the remaining parts; a closed curve begins after a removed segment."""
-    points, first = whole.source.points, 0
-    if whole.source.is_closed:
-        first = min(segments) + 1
-        period = float(whole.parameters[-1] - whole.parameters[0])
-        again = [replace(point, t=(point.t or 0.0) + period) for point in points[:first]]
-        points = (*points[first:], *again)
-    run: list[Point] = []
-    for index, point in enumerate(points):
-        run.append(point)
-        if (first + index) % len(points) in segments or index == len(points) - 1:
-            yield run
-            run = []

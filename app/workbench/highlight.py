@@ -73,20 +73,18 @@ def remove(
     )
     if change:
         session.selected.set_points([])
-        _say_change(context, what, deleted)
+        session.report(_change_text(context, what, deleted), document.curves)
     return change
 
 
-def _say_change(context: WindowContext, what: ClipboardSelection, deleted: Sequence[Deletion]) -> None:
-    """Show the largest change of the curves whose shape was kept as far as possible."""
+def _change_text(context: WindowContext, what: ClipboardSelection, deleted: Sequence[Deletion]) -> str:
+    """Return the largest change of the curves whose shape was kept as far as possible; empty without any."""
     fitted = [deletion for deletion in deleted if deletion.residual is not None]
     if not fitted:
-        return
-    session = context.session
+        return ""
     words, most = what.points.count_label, max(deletion.residual or 0.0 for deletion in fitted)
     if keeps_shape(most, [deletion.curve for deletion in fitted]):
-        session.say(f"Deleted {words}. The shape is unchanged.")
-    else:
-        length = f"{number(most, 2)} {session.document.unit}".rstrip()
-        key = key_or_name(context.actions["deleteLeavingHandles"])
-        session.say(f"Deleted {words}. The shape changed by up to {length}; {key} keeps the handles instead.")
+        return f"Deleted {words}. The shape is unchanged."
+    length = f"{number(most, 2)} {context.session.document.unit}".rstrip()
+    key = key_or_name(context.actions["deleteLeavingHandles"])
+    return f"Deleted {words}. The shape changed by up to {length}; {key} keeps the handles instead."

@@ -83,15 +83,14 @@ def test_the_menu_of_the_curve_resets_all_points(hills):
 def test_the_table_resets_the_selected_rows_and_all_points(hills):
     set_velocities(hills, 1, 3, 5)
     table, button = hills.window.point_table, hills.window.findChild(QToolButton, "resetToEstimated")
-    assert [plain(action.text()) for action in table.actions()] == [
-        "Copy", "Paste", "Reset to Estimate", "Reset All to Estimate",
-    ]  # fmt: skip
+    texts = [plain(action.text()) for action in table.actions()]
+    assert {"Reset to Estimate", "Reset All to Estimate"} < set(texts)
     hills.select([0, 1])
     assert button.text() == "Reset to Estimate"
     QTest.mouseClick(button, LEFT)
     assert explicit(hills) == [3, 5]
     assert hills.status == "Reset velocity of point 1 to estimate."
-    table.actions()[-1].trigger()
+    table.actions()[texts.index("Reset All to Estimate")].trigger()
     assert explicit(hills) == []
 
 

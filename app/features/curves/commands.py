@@ -109,6 +109,7 @@ class CurveCommands:
     def _insert_between(self) -> None:
         """Insert a point in the middle of each segment between selected points, keeping the shape."""
         session, views, grown = self._session, self._session.views, dict[int, WithPoints]()
+        before = session.document.curves
         segments = {
             curve: segments_between(views[curve].source, indices)
             for curve, indices in session.selected.group.parts
@@ -127,7 +128,7 @@ class CurveCommands:
             point_sets = {curve: result.old | result.new for curve, result in grown.items()}
             session.selected.set_group(group_points(point_sets.items()))
             remarks = (result.reshaped.sentence for result in grown.values())
-            session.say(" ".join(("Inserted", f"{new}.", *remarks)))
+            session.report(" ".join(("Inserted", f"{new}.", *remarks)), before)
 
     @action_for_each(
         SPECIAL_POINTS,
@@ -144,6 +145,7 @@ class CurveCommands:
     def _insert_special(self, kind: SpecialPoints) -> None:
         """Insert points at special points of the curves, or of the segments between selected points."""
         session, views, grown = self._session, self._session.views, dict[int, WithPoints]()
+        before = session.document.curves
         free, some_taken = dict[int, list[float]](), False
         for curve in sorted(session.selected.target_curves):
             segments = segments_between(views[curve].source, session.selected.group.of(curve))
@@ -165,12 +167,12 @@ class CurveCommands:
             if session.selected.is_editing:
                 session.selected.set_group(group_points((curve, row.new) for curve, row in grown.items()))
             remarks = dict.fromkeys(row.reshaped.sentence for row in grown.values())
-            session.say(" ".join((f"Inserted {new} at {kind.name}.", *remarks)))
+            session.report(" ".join((f"Inserted {new} at {kind.name}.", *remarks)), before)
 
     @PositionAction("splitHere", "Split Here", like="splitCurve")
     def split_at(self, t: float) -> None:
         """Split the active curve at `t`."""
-        session, done = self._session, list[Split]()
+        session, done, before = self._session, list[Split](), self._session.document.curves
         t_text = session.active_view.t_text(t)
 
         def edit(document: Document) -> Document:
@@ -179,7 +181,7 @@ class CurveCommands:
 
         if session.change(f"Split {session.active_curve.name}", edit):
             verb = "Split" if len(done[0].curves) > 1 else "Opened"
-            session.say(f"{verb} at t = {t_text}: {done[0].sentence}")
+            session.report(f"{verb} at t = {t_text}: {done[0].sentence}", before, done[0].cuts)
 
     def _at_scrub(self, act: Callable[[float], None]) -> None:
         t = self._session.scrub.t
@@ -214,7 +216,7 @@ class CurveCommands:
 
     def _split_all(self, cuts: Mapping[int, Sequence[float]]) -> None:
         """Split each curve at its parameters; curves that are edited together stay so."""
-        session, parts_of = self._session, dict[int, Split]()
+        session, parts_of, before = self._session, dict[int, Split](), self._session.document.curves
 
         def edit(document: Document) -> Document:
             # The last index first: earlier indices do not change.
@@ -232,7 +234,8 @@ class CurveCommands:
         session.selected.set_curves(parts if len(curves) > 1 else (first[active],), first[active])
         residual = max(result.residual for result in parts_of.values())
         whole = Split(tuple(curve for result in parts_of.values() for curve in result.curves), residual)
-        session.say(f"Split at {count_of(sum(map(len, cuts.values())), 'point')}: {whole.sentence}")
+        at_points = f"Split at {count_of(sum(map(len, cuts.values())), 'point')}"
+        session.report(f"{at_points}: {whole.sentence}", before, whole.cuts)
 
     @action(
         "reverseCurve",
@@ -301,7 +304,7 @@ class CurveCommands:
         then: Callable[[Document], Document] = lambda document: document,
     ) -> Reshaped | None:
         """Replace the active curve by the result of `make`, and show its message."""
-        session, results = self._session, list[Reshaped]()
+        session, results, before = self._session, list[Reshaped](), self._session.document.curves
 
         def edit(document: Document) -> Document:
             results.append(make())
@@ -309,7 +312,7 @@ class CurveCommands:
 
         if not session.change(text, edit):
             return None
-        session.say(results[0].sentence)
+        session.report(results[0].sentence, before)
         return results[0]
 
 
@@ -348,7 +351,7 @@ class SegmentCommands:
         self._delete([segment_at(self._session.active_view.parameters, t)])
 
     def _delete(self, segments: Collection[int]) -> None:
-        session, results = self._session, list[Split]()
+        session, results, before = self._session, list[Split](), self._session.document.curves
 
         def edit(document: Document) -> Document:
             results.append(without_segments(session.active_view, segments))
@@ -359,7 +362,7 @@ class SegmentCommands:
             session.selected.set_points([])
             count = len(results[-1].curves)
             left = f"{count} curves remain" if count > 1 else "the curve is open"
-            session.say(f"Deleted {what}: {left}, {results[-1].sentence}")
+            session.report(f"Deleted {what}: {left}, {results[-1].sentence}", before, results[-1].cuts)
 
 
 COMMAND_SETS = (CurveCommands, OrderCommands, JoinCommands, SegmentCommands, ShapeCommands)

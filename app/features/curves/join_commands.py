@@ -162,7 +162,7 @@ class JoinCommands:
 
     def _make(self, curves: Collection[int], target: int, make: Callable[[int], Joined]) -> bool:
         """Replace the curve `target` by the result of `make`, and remove the others; return success."""
-        session, results = self._session, list[Joined]()
+        session, results, before = self._session, list[Joined](), self._session.document.curves
         others = set(curves) - {target}
         names = [session.document.curves[index].name for index in (*sorted(others), target)]
 
@@ -181,7 +181,8 @@ class JoinCommands:
         what = f"{len(names)} curves" if others else "both ends"
         if len(names) == 2:
             what = f"with “{names[0]}”, {results[0].ends}"
-        session.say(f"Joined {what}: {results[0].outcome}.")
+        done = f"Joined {what}: {results[0].outcome}."
+        session.report(done, before, [results[0].curve.points[index].position for index in results[0].seams])
         return True
 
 

@@ -180,13 +180,9 @@ class TangentCommands:
             session.say(f"Curvature matched at {text}: largest change {change}.{left}")
 
     def _report(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
-        """Report the change, and the tangents beside it that were set to keep the shape."""
-        after, fixed = self._session.document.curves, []
-        for curve, indices in group.parts:
-            points = zip(before[curve].points, after[curve].points, strict=True)
-            changed = (index for index, (old, new) in enumerate(points) if old != new)
-            fixed.append((curve, frozenset(changed) - set(indices)))
-        self._session.report(done, group_points(fixed))
+        """Report the change of these points, and others that were set to keep the shape."""
+        own = [before[curve].points[index].position for curve, indices in group.parts for index in indices]
+        self._session.report(done, before, own)
 
     # Straight segments
 
