@@ -10,6 +10,7 @@ from PySide6.QtCore import QPointF
 
 from curvecore.arrays import FloatArray
 
+from ..document.fields import Ranges
 from ..document.model import Curve
 from ..plotting.camera import Camera
 from ..plotting.pixel_map import PixelMap
@@ -70,6 +71,13 @@ def offset_into_view(pixel: float, size: float) -> float:
     return (margin if pixel < 0 else size - margin) - pixel
 
 
+class FramedView(NamedTuple):
+    """A view of the canvas, and the curves that it fits, if any."""
+
+    ranges: Ranges
+    fitted: Sequence[Curve] | None
+
+
 class Framing:
     """Ways to bring the drawing into the view of the canvas.
 
@@ -104,6 +112,16 @@ class Framing:
     @property
     def _curves(self) -> Sequence[Curve]:
         return [view.source for view in self._drawing.views]
+
+    @property
+    def present(self) -> FramedView:
+        """The present view, for `restore`."""
+        return FramedView(self._camera.ranges, self._fitted)
+
+    def restore(self, view: FramedView) -> None:
+        """Show an earlier view again, exactly where the canvas has its size of then."""
+        self._camera.show_box(*view.ranges)
+        self._fitted = view.fitted
 
     def _forget_fit(self) -> None:
         self._fitted = None

@@ -146,9 +146,9 @@ class Camera(QObject):
 
     @property
     def ranges(self) -> Ranges:
-        """The visible part of the plane, as `show_box` takes it."""
-        x_min, y_min, x_max, y_max = self.pixel_map.box
-        return (x_min, x_max), (y_min, y_max)
+        """The visible part of the plane, exactly as it was given to `show_box`."""
+        (left, right), (lower, upper) = self._box.targetRange()
+        return (float(left), float(right)), (float(lower), float(upper))
 
     def centre(self) -> QPointF:
         """Return the middle of the plot area in viewport pixels, the centre of the zoom actions."""

@@ -24,6 +24,9 @@ _LEFT, _RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDoc
 _WIDTH = 350
 """Of the docks at the right, in a new window: no panel asks for more, so that none makes them wider."""
 
+_SCALED = "QMainWindow > QTabBar, QDockWidget *, CentralPane QLabel, CentralPane QAbstractButton"
+"""Selector of the texts that grow with the drawing."""
+
 _DECLARED = "docked_panel"
 _Builder = TypeVar("_Builder", bound=Callable[..., QWidget])
 
@@ -105,7 +108,8 @@ class Docks:
     """
 
     def __init__(self, window: QMainWindow, panels: Sequence[Panel], build: Callable[..., QWidget]) -> None:
-        self._window = window
+        self._window, self._scale = window, 1.0
+        self._usual_widths: dict[QDockWidget, int] = {}
         panels = [panel for stack in _STACKS for panel in panels if panel.stack is stack]
         self._docks = {
             panel.name: (Dock if panel.built_at_start else LateDock)(
@@ -148,6 +152,36 @@ class Docks:
         self._window.resizeDocks(docks[:1], [_WIDTH], Qt.Orientation.Horizontal)
         self._window.resizeDocks(docks, heights, Qt.Orientation.Vertical)
 
+    def set_scale(self, scale: float) -> None:
+        """Enlarge panels and the headers of panes for a projector; the drawing keeps half of the width.
+
+        At scale 1 the panels have the widths that they had before.
+        """
+        docks = [dock for dock in _in_front(self._window) if isinstance(dock, Dock)]
+        if self._scale == 1.0:
+            self._usual_widths = {dock: dock.width() for dock in docks}
+        usual = self._usual_widths
+        # Docks above one another have one width.
+        wanted = {dock.x(): usual.get(dock, dock.width() / self._scale) * scale for dock in docks}
+        least = dict.fromkeys(wanted, 0)
+        for dock in docks:
+            least[dock.x()] = max(least[dock.x()], dock.minimumSizeHint().width())
+        self._scale = scale
+        size = QApplication.font().pointSizeF() * scale
+        # With a style sheet of the application, setFont does not reach the content.
+        sheet = f"{_SCALED} {{ font-size: {size}pt; }}" if scale != 1.0 else ""
+        if sheet != self._window.styleSheet():
+            self._window.setStyleSheet(sheet)
+        # Room of the window's other half beyond the least widths, for what is wanted beyond these.
+        room = self._window.width() / 2 - _BORDER * len(wanted) - sum(least.values())
+        more = {x: max(width - least[x], 0.0) for x, width in wanted.items()}
+        share = min(1.0, max(room / (sum(more.values()) or 1.0), 0.0)) if scale > 1.0 else 1.0
+        widths = [round(least[dock.x()] + share * more[dock.x()]) for dock in docks]
+        self._window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
+
+
+_BORDER = 5
+"""Pixels between a dock and the drawing."""
 
 _IN_DOCK = QSize(350, 96)
 """Largest minimum size of the content of a dock: two of them, one on the other, fit a small screen."""
@@ -227,28 +261,12 @@ class LateDock(Dock):
 
     def __init__(self, title: str, build: Callable[[QWidget], QWidget], window: QMainWindow) -> None:
         super().__init__(title, build, window)
-        self._scale = 1.0
         self.visibilityChanged.connect(self._show_content)
 
     def _show_content(self, visible: bool) -> None:
         # A dock behind another tab counts as not visible.
         if visible:
             self.fill()
-
-    def fill(self) -> None:
-        """Build the content, if there is none, in the current scale."""
-        super().fill()
-        self.set_scale(self._scale)
-
-    def set_scale(self, scale: float) -> None:
-        """Enlarge the type of the content, for a projector."""
-        self._scale = scale
-        if self.widget() is not None:
-            size = QApplication.font().pointSizeF() * scale
-            # With a style sheet of the application, setFont does not reach the content.
-            sheet = f"* {{ font-size: {size}pt; }}" if scale != 1.0 else ""
-            if sheet != self.widget().styleSheet():
-                self.widget().setStyleSheet(sheet)
 
 
 _FLOAT_TIP, _DOCK_TIP = "Float the panel as a separate window", "Dock in the window"
@@ -318,21 +336,19 @@ _MOVED = 2
 """Tolerance in pixels for a border that was not moved."""
 
 _LEAST_ABOVE = 150
-_LEAST_BESIDE = 480
-"""Height of the upper dock and width of the drawing that remain, in pixels."""
+"""Height of the upper dock that remains, in pixels."""
 
 
 def make_room(window: QMainWindow, dock: Dock, height: int) -> None:
-    """Enlarge an opened dock to the size of its content, up to `height`, until it is closed.
+    """Enlarge an opened dock to the height of its content, up to `height`, until it is closed.
 
-    The room comes from the upper dock and the drawing. A border that the user has moved since stays.
+    The room comes from the upper dock; the width stays. A border that the user has moved since stays.
     """
     if dock.property(_HAS_ROOM) or dock.isFloating():
         return
     dock.setProperty(_HAS_ROOM, True)
     # The height is known only after the layout.
     QTimer.singleShot(0, dock, lambda: _make_room(window, dock, height))
-    QTimer.singleShot(0, dock, lambda: _make_width(window, dock))
 
 
 def hide_idle_docks(window: QMainWindow) -> None:
@@ -385,15 +401,6 @@ def _in_front(window: QMainWindow) -> list[QDockWidget]:
     """Return the visible docks at the sides."""
     docks = window.findChildren(QDockWidget)
     return [dock for dock in docks if not dock.isFloating() and not dock.visibleRegion().isEmpty()]
-
-
-def _make_width(window: QMainWindow, dock: QDockWidget) -> None:
-    area, drawing = dock.widget(), window.centralWidget()
-    if not isinstance(area, Scrolled) or drawing is None:
-        return
-    missing = area.content.minimumSizeHint().width() - area.viewport().width()
-    if 0 < missing <= drawing.width() - _LEAST_BESIDE:
-        window.resizeDocks([dock], [dock.width() + missing], Qt.Orientation.Horizontal)
 
 
 def _is_above(other: QDockWidget, dock: QDockWidget) -> bool:

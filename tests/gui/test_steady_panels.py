@@ -82,6 +82,21 @@ def test_neither_panel_scrolls_sideways(panels):
         assert area.horizontalScrollBar().maximum() == 0, panel
 
 
+@pytest.mark.parametrize("width", [1440, 1280])
+def test_an_opened_panel_does_not_widen_the_side(arch, width):
+    """The laboratory took 30 pixels from the drawing, and gave them back to nobody."""
+    window = arch.window
+    window.resize(width, 900)
+    arch.settle()
+    before, canvas = window.context.docks["pointsDock"].width(), window.canvas.width()
+    for name in ("toggleLaboratory", "explainWiggle", "openTransform", "fitFewerPoints", "showJoints"):
+        arch.trigger(name)
+        deliver_events()
+        arch.settle()
+        sides = {dock.width() for dock in window.context.docks.side if not dock.visibleRegion().isEmpty()}
+        assert (sides, window.canvas.width()) == ({before}, canvas), name
+
+
 def test_neither_a_step_nor_a_tool_lays_the_window_out_anew(arch):
     """It took as long as to paint the drawing, once or twice at each step, for names of buttons."""
     arch.drag((1, 2), (1, 9))

@@ -6,7 +6,16 @@ import math
 from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSize,
+    Qt,
+    Signal,
+)
 from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
@@ -154,7 +163,7 @@ class JointsView(ClaimsKeys, QTableView):
         self.verticalScrollBar().valueChanged.connect(lambda: self.fit_columns(anew=False))
 
     def _set_up_headers(self) -> None:
-        across, down, metrics = self.horizontalHeader(), self.verticalHeader(), self.fontMetrics()
+        across, down = self.horizontalHeader(), self.verticalHeader()
         across.setObjectName("jointsColumns")
         across.setHighlightSections(False)
         across.setMinimumSectionSize(18)
@@ -162,7 +171,14 @@ class JointsView(ClaimsKeys, QTableView):
         across.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.hide()
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        down.setDefaultSectionSize(metrics.height() + 8)
+        down.setMinimumSectionSize(1)
+        down.setDefaultSectionSize(self.fontMetrics().height() + 8)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and hasattr(self, "_needed"):
+            self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
+            self.fit_columns(anew=True)
 
     def fit_columns(self, *, anew: bool) -> None:
         """Give each column the width of its texts, and a share of the rest.

@@ -110,7 +110,7 @@ class LaboratoryPanel(QTabWidget):
             self.digits,
             row_of(plot, 1, self.state),
         )
-        column_of(*parts, 1, margins=(10, 12, 8, 12), spacing=10, parent=page)
+        column_of(*parts, 1, margins=(6, 12, 4, 12), spacing=10, parent=page)
         return page
 
     def _controls(self) -> QGridLayout:

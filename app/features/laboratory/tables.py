@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFontDatabase, QIcon, QPalette
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
@@ -31,6 +31,10 @@ _CELLS = {"lost": "15.9", "error": "8.9·10⁻¹⁶", "place": "0.55", "conditio
 """Columns of numbers, each with its longest text, whose width is reserved so that the layout never jumps."""
 
 
+_SIGN = QSize(20, SIGN.height())
+"""A short sample of a line: the table has the width of a dock."""
+
+
 class MethodTable(FollowsTheme, QWidget):
     """Table with a row for each method: a check box in its style, its errors and its condition.
 
@@ -47,7 +51,7 @@ class MethodTable(FollowsTheme, QWidget):
         named(self, "laboratoryTable", "Methods and their errors")
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(7)
+        self._grid.setHorizontalSpacing(4)
         self._grid.setVerticalSpacing(4)
         self._grid.setColumnStretch(0, 1)
         for column, (text, tip) in enumerate(_HEADINGS):
@@ -65,7 +69,7 @@ class MethodTable(FollowsTheme, QWidget):
 
     def _add_row(self, row: int, method: Calculation) -> None:
         box = check_box(f"method_{method.value}", method.label, method.tip, f"Compare {method.label}")
-        box.setIconSize(SIGN)
+        box.setIconSize(_SIGN)
         box.clicked.connect(lambda: self.methods_changed.emit(self._compared ^ {method}))
         self._boxes[method] = box
         self._grid.addWidget(box, row, 0)

@@ -397,12 +397,20 @@ class PointTableView(ClaimsKeys, QTableView):
         across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {PADDING}px }}")
         down.setObjectName("pointTableRows")
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        # Qt's own least height follows the font too late.
+        down.setMinimumSectionSize(1)
         down.setDefaultSectionSize(self.fontMetrics().height() + 8)
         down.setHighlightSections(False)
         down.setStyleSheet("QHeaderView::section { padding: 0 6px 0 2px; border: none }")
         corner = self.findChild(QAbstractButton)
         if corner is not None:
             named(corner, "selectAllPoints", "Select all points", "Select all points")
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and hasattr(self, "_first_typed"):
+            self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
+            self.fit_columns(streaming=self._streaming)
 
     # Widths of columns
 

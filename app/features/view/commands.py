@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMenu, QSizePolicy, QToolButton
 
@@ -25,6 +25,7 @@ from ...actions.menus import (
 )
 from ...actions.needs import CURVE_DRAWN, HERMITE_CURVE
 from ...appearance.theme import ThemeMode
+from ...canvas.fitting import FramedView
 from ...document.several_curves import common_name, name_or_count
 from ...document.words import NamedEnum
 from ...state.window_state import WindowState
@@ -34,7 +35,7 @@ from ...view_model.settings import ChoiceSetting
 from ...widgets.boxes import row_of
 from ...widgets.controls import ToolbarWidget, named
 from ...workbench.context import WindowContext
-from ...workbench.docks import LateDock, hide_idle_docks
+from ...workbench.docks import hide_idle_docks
 from .zoom import ZoomCommands
 
 _SCALES = (0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0)
@@ -70,6 +71,20 @@ def _tool_choices() -> list[_ToolChoice]:
 
 _ICON, _ARROW = 20, 20
 """Pixels along the sides of the icon, and of what stands beside it."""
+
+
+_SETTLED_MS = 1000
+"""Milliseconds after a presentation within which the window has its size again."""
+
+
+class _Layout(NamedTuple):
+    """What a window looks like: state of docks and splitter, size, view of the canvas, drawing size."""
+
+    window: bytes
+    splitter: bytes
+    size: QSize
+    view: FramedView
+    scale: float
 
 
 class MoreToolsButton(ToolbarWidget):
@@ -116,7 +131,15 @@ class ViewCommands:
         self._session, self._store = context.session, context.store
         self._more_tools = MoreToolsButton(context.actions.is_on)
         context.actions.switched.connect(self._more_tools.show_in_use)
-        self._before_presentation = b""
+        self._before_presentation: _Layout | None = None
+        self._restored_at = QSize()
+        # The window gets its size some events after it was asked for.
+        self._soon = QTimer(context.window, singleShot=True, interval=0)
+        self._soon.timeout.connect(self._follow_presentation)
+        self._settled = QTimer(context.window, singleShot=True, interval=_SETTLED_MS)
+        self._settled.timeout.connect(self._forget_layout)
+        context.central.canvas.camera.changed.connect(self._follow_size)
+        context.central.canvas.camera.steered.connect(self._forget_layout)
         self._before_folding = b""
         self._store.changed.connect(self._show_state)
         self._show_numbers(self._store.state)
@@ -136,7 +159,7 @@ class ViewCommands:
         if after.presentation != before.presentation:
             self._present() if after.presentation else self._end_presentation()
         if after.scale != before.scale:
-            self._show_scale(after.scale, after.scale / before.scale)
+            self._show_scale(after.scale)
 
     def escape(self) -> None:
         """Step back from the gesture, tool, motion, presentation, scrub line, selected points or curves."""
@@ -355,15 +378,13 @@ class ViewCommands:
         self._store.change(scale=scale)
         self._session.say(f"Drawing size: {scale:.0%}.")
 
-    def _show_scale(self, scale: float, factor: float) -> None:
-        central, docks = self._context.central, self._context.docks
+    def _show_scale(self, scale: float) -> None:
+        central = self._context.central
+        was_fitted = central.canvas.framing.is_as_fitted
         central.set_scale(scale)
-        late = [dock for dock in docks.all if isinstance(dock, LateDock)]
-        for dock in late:
-            dock.set_scale(scale)
-        visible = [dock for dock in late if dock.isVisible() and not dock.visibleRegion().isEmpty()]
-        widths = [round(dock.width() * factor) for dock in visible]
-        self._context.window.resizeDocks(visible, widths, Qt.Orientation.Horizontal)
+        self._context.docks.set_scale(scale)
+        if self._store.state.presentation and was_fitted:
+            self._soon.start()
 
     # Presentation
 
@@ -379,21 +400,63 @@ class ViewCommands:
         """Hide everything except the canvas and the basis functions."""
 
     def _present(self) -> None:
-        context, window = self._context, self._context.window
-        self._before_presentation = bytes(window.saveState().data())
+        context, window, central = self._context, self._context.window, self._context.central
+        if self._before_presentation is None:
+            self._before_presentation = _Layout(
+                bytes(window.saveState().data()),
+                bytes(central.splitter.saveState().data()),
+                window.size(),
+                central.canvas.framing.present,
+                self._store.state.scale,
+            )
         docks = [dock for dock in context.docks.side if dock not in self._docks_for_lesson()]
         for part in (context.toolbar, window.menuBar(), context.status_line, *docks):
             part.hide()
         # Not showFullScreen, which forgets that the window was maximised.
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
+        self._settled.stop()
+        self._soon.start()
 
     def _end_presentation(self) -> None:
-        window = self._context.window
+        window, before = self._context.window, self._before_presentation
+        assert before is not None
+        self._store.change(scale=before.scale)
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
+        if not window.isMaximized():
+            window.resize(before.size)
         window.menuBar().show()
         self._context.status_line.show()
-        window.restoreState(self._before_presentation)
+        self._settled.start()
+        self._restore(before)
+        self._soon.start()
+
+    def _follow_presentation(self) -> None:
+        """Fit the drawing to the presentation, or have everything again as it was before."""
+        context, before = self._context, self._before_presentation
+        if self._store.state.presentation:
+            context.docks.set_scale(self._store.state.scale)
+            context.central.canvas.framing.fit()
+        elif before is not None:
+            self._restore(before)
+            if context.window.size() == before.size:
+                self._forget_layout()
+
+    def _restore(self, before: _Layout) -> None:
+        window, central = self._context.window, self._context.central
+        window.restoreState(before.window)
         hide_idle_docks(window)
+        central.splitter.restoreState(before.splitter)
+        central.canvas.framing.restore(before.view)
+        self._restored_at = window.size()
+
+    def _follow_size(self) -> None:
+        is_over = self._before_presentation is not None and not self._store.state.presentation
+        if is_over and self._context.window.size() != self._restored_at:
+            self._soon.start()
+
+    def _forget_layout(self) -> None:
+        if not self._store.state.presentation:
+            self._before_presentation = None
 
     def _docks_for_lesson(self) -> list[QDockWidget]:
         """Return the docks that stay in the presentation of a lesson: the laboratory, if it is in front."""
