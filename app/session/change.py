@@ -121,8 +121,11 @@ class Message(msgspec.Struct, frozen=True):
     ----------
     actions
         The names of the actions that are offered; none for any other kind.
+    is_hint
+        Whether it is about the next press, and goes with the tool in use.
     """
 
     kind: MessageKind
     text: str
     actions: tuple[str, ...] = ()
+    is_hint: bool = False

@@ -136,9 +136,9 @@ class SessionSignals(QObject):
         super().__init__()
         self.batch = Batch()
 
-    def say(self, text: str) -> None:
-        """Show a sentence in the status line."""
-        self.message.emit(Message(MessageKind.INFORMATION, text))
+    def say(self, text: str, *, is_hint: bool = False) -> None:
+        """Show a sentence in the status line; a hint about the next press goes with the tool in use."""
+        self.message.emit(Message(MessageKind.INFORMATION, text, is_hint=is_hint))
 
     def refuse(self, text: str) -> None:
         """Say that something was not done, and why: marked, so that it is not taken for a hint."""

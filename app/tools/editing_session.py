@@ -179,8 +179,8 @@ class EditingSession(Protocol):
     def cancel(self) -> None:
         """Drop the preview, and restore the selection before it."""
 
-    def say(self, text: str) -> None:
-        """Show a sentence in the status line."""
+    def say(self, text: str, *, is_hint: bool = False) -> None:
+        """Show a sentence in the status line; a hint about the next press goes with the tool in use."""
 
     def refuse(self, text: str) -> None:
         """Say why something was not done."""

@@ -245,6 +245,8 @@ class Rendering(QObject):
         self._commands.render_panels(self._session.active_view)
 
     def _render_selection(self, selection: frozenset[int]) -> None:
+        # A message was about the points that were selected before.
+        self._context.status_line.clear_earlier()
         self._canvas.drawing.set_selection(selection, self._session.selected.group)
         self._render_commands()
 
@@ -293,7 +295,7 @@ class Rendering(QObject):
         line = self._context.status_line
         match message.kind:
             case MessageKind.INFORMATION:
-                line.say(message.text)
+                line.say(message.text, is_hint=message.is_hint)
             case MessageKind.REFUSAL:
                 line.refuse(message.text)
             case MessageKind.OFFER:

@@ -67,7 +67,7 @@ class WindowContext(msgspec.Struct, frozen=True):
         session, line = self.session, self.status_line
         plot.hint_changed.connect(line.show_hint)
         plot.progress_changed.connect(line.show_progress)
-        plot.gesture_began.connect(line.begin_gesture)
+        plot.gesture_began.connect(line.clear_earlier)
         session.gesture_ended.connect(plot.abandon_gesture)
         for changed in (session.history_changed, session.active_changed):
             changed.connect(plot.hover_soon)

@@ -52,6 +52,8 @@ class StatusLine(SafeOverrides, QStatusBar):
         self.messageChanged.connect(self._follow_tip)
         self.readouts = Readouts(self)
         self._progress = self._tip = self._message = self._hint = self._refusal = ""
+        # Whether the message is about the next press of a tool.
+        self._is_hint = False
         self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
         self._soon.timeout.connect(self._render)
         self._timer = QTimer(self, singleShot=True, interval=_MESSAGE_MS)
@@ -121,9 +123,9 @@ class StatusLine(SafeOverrides, QStatusBar):
         with QPainter(self) as painter:
             self.style().drawPrimitive(QStyle.PrimitiveElement.PE_PanelStatusBar, option, painter, self)
 
-    def say(self, text: str) -> None:
-        """Show a message for some seconds."""
-        self._message = text
+    def say(self, text: str, *, is_hint: bool = False) -> None:
+        """Show a message for some seconds; a hint about the next press, until another tool is used."""
+        self._message, self._is_hint = text, is_hint
         self.clearMessage()
         self._timer.start()
         self._fresh.start()
@@ -134,10 +136,15 @@ class StatusLine(SafeOverrides, QStatusBar):
         self._refusal, self._progress = text, ""
         self.say(text)
 
-    def begin_gesture(self) -> None:
-        """Remove earlier messages at a press, but not one that the press itself has caused."""
+    def clear_earlier(self) -> None:
+        """Remove the message at a press, or when others are selected, but not one of the same event."""
         self.clearMessage()
         if not self._fresh.isActive():
+            self.clear_message()
+
+    def leave_tool(self) -> None:
+        """Remove a hint about the next press of the tool that was in use."""
+        if self._is_hint:
             self.clear_message()
 
     def clear_message(self) -> None:

@@ -15,6 +15,7 @@ from app.document import rule_edits
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.commands import PointTableCommands
 from app.features.reference_image.commands import ImageCommands
+from tests.waiting import until
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -388,8 +389,68 @@ def test_a_press_clears_an_older_refusal_but_not_the_refusal_it_causes(pair):
     """A cell of the table refuses what was typed when the press takes the focus away, however slowly."""
     line = pair.window.status_line
     line.refuse("Not that.")
-    line.begin_gesture()
+    line.clear_earlier()
     assert pair.status == "Not that."
     pair.settle()
-    line.begin_gesture()
+    line.clear_earlier()
     assert pair.status == ""
+
+
+@pytest.mark.parametrize(
+    ("tool", "act", "expected"),
+    [
+        ("addTool", lambda editor: editor.key(Qt.Key.Key_Return), "the next press begins another curve"),
+        ("addTool", lambda editor: editor.click(editor.point(0)), "the next press adds point 4"),
+        ("pencilTool", lambda editor: editor.click((0.5, 2.0)), "Drag to draw freehand"),
+        ("rectangleTool", lambda editor: editor.click((0.5, 2.0)), "Drag to draw a rectangle"),
+    ],
+)
+def test_a_hint_about_the_next_press_goes_with_its_tool(pair, tool, act, expected):
+    """With the Select tool in hand it said for six seconds that the next press adds a point."""
+    pair.trigger(tool)
+    if tool == "addTool" and "adds" in expected:
+        pair.key(Qt.Key.Key_Return)
+    act(pair)
+    assert expected in pair.status
+    pair.key(Qt.Key.Key_V)
+    assert expected not in pair.status
+    assert pair.status == "Drag points and handles; P adds points."
+
+
+def test_what_a_step_has_done_is_still_read_with_another_tool(pair):
+    pair.trigger("addTool")
+    view = pair.session.active_view
+    pair.click(tuple(view.curve.evaluate(0.45).tolist()))
+    assert pair.status.startswith("Shape kept")
+    pair.key(Qt.Key.Key_V)
+    assert pair.status.startswith("Shape kept")
+
+
+def test_a_message_about_a_point_goes_when_another_is_selected(pair):
+    pair.select([1])
+    pair.key(Qt.Key.Key_Right)
+    assert pair.status.startswith("Point 1 at ")
+    pair.key(Qt.Key.Key_Tab)
+    assert pair.session.selected.points == {2}
+    assert not pair.status.startswith("Point 1 at ")
+
+
+def test_a_problem_of_a_gesture_goes_with_it(pair):
+    """Typed amounts put a point on its neighbour: Escape, another amount, or undo end the warning."""
+    x, y = (b - a for a, b in zip(pair.point(1), pair.point(2), strict=True))
+    pair.select([1])
+    for end in (Qt.Key.Key_Escape, Qt.Key.Key_Backspace, Qt.Key.Key_Return):
+        pair.key(Qt.Key.Key_G)
+        pair.type_amount(f"{x:g}")
+        pair.key(Qt.Key.Key_Tab)
+        pair.type_amount(f"{y:g}")
+        # Panels follow a drag at most every 100 ms.
+        until(lambda: pair.message.startswith("Points 1 and 2 coincide"))
+        pair.key(end)
+        if end is Qt.Key.Key_Return:
+            assert pair.message.startswith("Points 1 and 2 coincide")
+            pair.trigger("undo")
+        if end is Qt.Key.Key_Backspace:
+            until(lambda: pair.message == "")
+            pair.escape()
+        assert pair.message == ""

@@ -233,6 +233,7 @@ class ViewCommands:
         )
     )
     def _use_tool(self, tool: ToolRecord) -> None:
+        self._context.status_line.leave_tool()
         # Selecting a tool again resets it.
         self._context.central.canvas.choose_tool(tool)
         self._store.change(tool=tool, moves_image=False)

@@ -111,7 +111,8 @@ class AddTool(Tool):
         session = event.session
         self._pen.finish(session)
         session.selected.set_points([])
-        session.say(f"“{session.active_view.source.name}” is finished; the next press begins another curve.")
+        name = session.active_view.source.name
+        session.say(f"“{name}” is finished; the next press begins another curve.", is_hint=True)
 
     def _take_back(self, event: ToolEvent) -> None:
         """Remove the last point that was drawn, and with the first point the curve."""
@@ -119,11 +120,12 @@ class AddTool(Tool):
         curve, last = session.active_index, len(session.active_view.source.points) - 1
 
         if not self._pen.drawn_points(session):
-            session.say("There is nothing to remove; a click draws, V selects.")
+            session.say("There is nothing to remove; a click draws, V selects.", is_hint=True)
         elif session.change(f"Remove point {last}", lambda document: delete_last_point(document, curve)):
             if last:
                 session.selected.set_points([last - 1])
-            session.say(f"Removed point {last}." if last else "Removed the curve; a click begins another.")
+            removed = f"Removed point {last}." if last else "Removed the curve; a click begins another."
+            session.say(removed, is_hint=not last)
 
     def _ends_at(self, hit: Hit, session: EditingSession) -> bool:
         """Return whether a double click finishes the curve: on the point that it has added."""
@@ -144,7 +146,8 @@ class AddTool(Tool):
                 return
         self._pen.draw(key_of(session), last + 1)
         session.selected.set_points([last])
-        session.say(f"Continuing “{view.source.name}”; the next press adds point {last + 1}.")
+        name = view.source.name
+        session.say(f"Continuing “{name}”; the next press adds point {last + 1}.", is_hint=True)
 
     # Presses
 

@@ -196,7 +196,7 @@ class DrawInBox(TypedDrag, kw_only=True):
 
     def click(self, event: ToolEvent) -> None:
         """Say that it takes a drag."""
-        event.session.say(f"{self.drawn.hint}.")
+        event.session.say(f"{self.drawn.hint}.", is_hint=True)
 
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the curve in the box; raise EditError where that has no area."""

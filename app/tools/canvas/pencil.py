@@ -114,7 +114,7 @@ class PencilLine(Gesture, kw_only=True):
         """Make a curve of the line, beside the window: it takes longer than a moment."""
         session = event.session
         if not self.line:
-            session.say(f"{_HINT}.")
+            session.say(f"{_HINT}.", is_hint=True)
             return
         if (stretch := self._stretch(event)) is not None:
             self._redraw(event, stretch)
