@@ -100,7 +100,7 @@ analysis.curvature   curvature, its inflections and extrema; extrema of coordina
   bounding_boxes     the smallest boxes
   lengths            lengths within a bound, and the way back
   nearest_point      the nearest point of a curve, of all or within a reach
-  intersections      where a curve crosses itself
+  intersections      where a curve crosses itself or another
   continuity         jumps at the joints, and the class that follows
   basis_checks       what is wrong with basis functions, measured
   stability          Lebesgue function and constant

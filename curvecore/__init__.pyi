@@ -27,7 +27,9 @@ from curvecore.analysis.curvature import curvature_extrema as curvature_extrema
 from curvecore.analysis.curvature import curvature_of as curvature_of
 from curvecore.analysis.curvature import inflections as inflections
 from curvecore.analysis.curvature import speed as speed
+from curvecore.analysis.intersections import Intersections as Intersections
 from curvecore.analysis.intersections import SelfIntersections as SelfIntersections
+from curvecore.analysis.intersections import intersections as intersections
 from curvecore.analysis.intersections import self_intersections as self_intersections
 from curvecore.analysis.lengths import ArcLength as ArcLength
 from curvecore.analysis.lengths import Length as Length

@@ -203,6 +203,7 @@ ARRANGE_GROUPS = ARRANGE.section(needs=SELECTED_CURVE)
 ARRANGE_SHAPES = ARRANGE.section(
     needs=SELECTED_CURVE, also=[WHOLES_MENU(35), CURVE_LIST_MENU(56)], called="Shape"
 )
+ARRANGE_SPLIT = ARRANGE.section(is_separated=False, needs=SELECTED_CURVE)
 ARRANGE_WALK = ARRANGE.section()
 
 ANALYSIS = Menu("Analysis")

@@ -1,16 +1,20 @@
-"""One curve made two or more, with its shape kept; segments cut out of a curve."""
+"""One curve made two or more, with its shape kept: at given t, or at intersections. Segments cut out."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from itertools import pairwise
+import math
+from collections.abc import Collection, Mapping, Sequence
+from itertools import combinations_with_replacement, pairwise
 from string import ascii_lowercase
+from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 import numpy as np
 from msgspec.structs import replace
 
+import curvecore
 from curvecore import chebyshev
+from curvecore.arithmetic import cross, vector_lengths
 from curvecore.parametrization import spread
 
 from ..document.derivatives import DERIVATIVES
@@ -21,6 +25,7 @@ from ..document.words import number
 from ..families import HERMITE
 from .curve.curve_view import CurveView, view_of
 from .curve.distances import dense, keeps_shape, largest_distance, outcome
+from .geometry import size_of
 from .reshape import (
     SAME_PARAMETER,
     convert_first,
@@ -31,6 +36,9 @@ from .reshape import (
     with_point_inserted,
     with_sides_kept,
 )
+
+if TYPE_CHECKING:
+    from curvecore import Intersections, SelfIntersections
 
 MOST_POINTS_SPLIT = 40
 """Points up to which a polynomial is split: each half goes through as many, and rounding grows with them."""
@@ -205,6 +213,75 @@ def residual_of_parts(view: CurveView, parts: Sequence[Curve]) -> float:
         t = dense(part.parameters)
         residual = max(residual, largest_distance(view, np.where(t > end, t - (end - start), t), part, t))
     return residual
+
+
+# At intersections
+
+_MEET, _SAME_POSITION = 1e-10, 1e-8
+"""Shares of the size of curves within which they meet, and within which two positions on one are the same."""
+
+_PARALLEL = 1e-3
+"""Angle in radians up to which curves that run along each other somewhere do so at a meeting."""
+
+_NEAR = 1e-4
+"""Share of the domain within which the parameters of two positions are that are the same."""
+
+
+class Crossings(NamedTuple):
+    """The parameters at which curves can be split where they meet, and whether that is everywhere."""
+
+    cuts: dict[int, list[float]]
+    is_complete: bool
+
+
+def crossings_of(views: Mapping[int, CurveView]) -> Crossings:
+    """Return the intersections of curves with each other and with themselves; an end of one is no cut of it.
+
+    Where curves run along each other they meet everywhere, and the result is not complete.
+    """
+    curves = {index: view.curve for index, view in views.items() if view.curve is not None}
+    size = size_of(np.vstack([view.points for view in views.values()]))
+    met, is_complete = {index: list[float]() for index in curves}, True
+    for one, other in combinations_with_replacement(curves, 2):
+        found: SelfIntersections | Intersections = (
+            curvecore.self_intersections(curves[one], _MEET * size)
+            if one == other
+            else curvecore.intersections(curves[one], curves[other], _MEET * size)
+        )
+        parameters = found.parameters
+        if not found.is_complete:
+            # Where they run along each other there is a meeting at any of their points.
+            v, w = (
+                curve.evaluate(t, 1)
+                for curve, t in zip((curves[one], curves[other]), parameters.T, strict=True)
+            )
+            is_crossing = np.abs(cross(v, w)) > _PARALLEL * vector_lengths(v) * vector_lengths(w)
+            parameters, is_complete = parameters[is_crossing], False
+        met[one] += parameters[:, 0].tolist()
+        met[other] += parameters[:, 1].tolist()
+    cuts = {index: _cuts(views[index], sorted(parameters), size) for index, parameters in met.items()}
+    return Crossings({index: parameters for index, parameters in cuts.items() if parameters}, is_complete)
+
+
+def _cuts(view: CurveView, parameters: Sequence[float], size: float) -> list[float]:
+    """Return parameters in order without repetitions: joints in place of those beside them, but no ends."""
+    knots, curve, cuts = view.parameters, view.curve, list[float]()
+    assert curve is not None
+
+    def are_same(t: float, other: float) -> bool:
+        away = curve.evaluate(np.array([t, other]))
+        is_near = abs(t - other) <= _NEAR * (knots[-1] - knots[0])
+        return is_near and math.dist(*away) <= _SAME_POSITION * size
+
+    for parameter in parameters:
+        knot = int(np.abs(knots - parameter).argmin())
+        is_knot = are_same(parameter, float(knots[knot]))
+        is_end = is_knot and not view.source.is_closed and knot in (0, len(knots) - 1)
+        # A closed curve ends at its first point.
+        t = float(knots[knot % (len(knots) - view.source.is_closed)]) if is_knot else parameter
+        if not is_end and not any(are_same(t, cut) for cut in cuts):
+            cuts.append(t)
+    return sorted(cuts)
 
 
 # Segments cut out

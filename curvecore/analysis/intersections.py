@@ -1,4 +1,4 @@
-"""Crossings of a plane curve with itself.
+"""Crossings of a plane curve with itself, and of two curves.
 
 Pairs of arcs whose boxes are apart, along the axes or along either chord, are dropped; the rest are halved
 until both arcs are straight within a part of the tolerance (`close_pairs`). An arc whose directions lie in an
@@ -8,7 +8,8 @@ spiral, side by side, come apart at once [2]_. For the same reason arcs that tou
 the tolerance, only to its square root.
 
 Newton's method on (c(b) - c(a)) / (b - a), which is not zero where the curve merely passes once, finishes the
-pairs [3]_; what belongs to one meeting is then one result.
+pairs [3]_; what belongs to one meeting is then one result. Two curves are searched as one over [0, 1] and
+[2, 3], of which only pairs with an arc on each count.
 
 References
 ----------
@@ -25,14 +26,14 @@ References
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from curvecore.arithmetic import SMALLEST, along_last, cross, vector_lengths
+from curvecore.arithmetic import LARGEST, SMALLEST, along_last, cross, vector_lengths
 from curvecore.arrays import BoolArray, FloatArray, IntArray, require_plane, tolerance_value
 from curvecore.bezier.bernstein import Arcs, derivative, joined_arcs
-from curvecore.bezier.pieces import bezier_pieces, size_of
+from curvecore.bezier.pieces import BezierPieces, bezier_pieces, joined_pieces, size_of
 from curvecore.families.curve import ParametricCurve
 
 _FINEST = 2.0**-44  # of the size: what roundings leave of a tolerance
@@ -122,17 +123,147 @@ def self_intersections(curve: ParametricCurve, tolerance: float) -> SelfIntersec
         margin = float(pieces.error.max())
         arcs, is_simple = simple_arcs(Arcs(pieces.controls, pieces.starts, pieces.ends), small)
         pairs, ended = close_pairs(arcs, small, margin)
-        unit = float(np.ldexp(1.0, min(pieces.exponent, 1023)))
-        scale = _Scale(small * unit, max(2.0 * small, _CUSP) * unit)
-        # Arcs that a search left unfinished say little, and are many.
-        most = _CANDIDATES if ended else _CANDIDATES // 8
-        ended &= len(pairs) <= most
-        if len(pairs) > most:
-            pairs = pairs.selected(np.linspace(0, len(pairs) - 1, most).astype(np.intp))
-        parameters, are_isolated = _meetings(curve, pairs, scale, arcs.start)
+        parameters, are_all = _finished(curve, pieces, small, pairs, ended, arcs.start)
     points = curve.evaluate(parameters[:, 0]) if len(parameters) else np.zeros((0, 2))
-    is_complete = is_simple and ended and are_isolated and 4.0 * margin <= max(small, 4.0 * _FINEST)
-    return SelfIntersections(parameters, points, is_complete)
+    return SelfIntersections(parameters, points, is_simple and are_all)
+
+
+class Intersections(NamedTuple):
+    """Parameters at which two curves cross or touch each other.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (k, 2)
+        Of the first and of the second curve, ascending in the first.
+    points : ndarray, shape (k, 2)
+        The positions.
+    is_complete : bool
+        As of `SelfIntersections`: false where the curves run along each other.
+
+    See Also
+    --------
+    intersections : The function that returns it.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, intersections
+    >>> lines = LagrangeCurve([[0, 0], [2, 2]], [0, 1]), LagrangeCurve([[0, 1], [3, 1]], [0, 3])
+    >>> found = intersections(*lines, 1e-9)
+    >>> found.parameters.round(9).tolist(), found.points.round(9).tolist()
+    ([[0.5, 1.0]], [[1.0, 1.0]])
+    """
+
+    parameters: FloatArray
+    points: FloatArray
+    is_complete: bool
+
+
+def intersections(first: ParametricCurve, second: ParametricCurve, tolerance: float) -> Intersections:
+    """Return the parameters at which two curves meet.
+
+    Parameters
+    ----------
+    first, second : ParametricCurve
+        Plane (dim 2), of any families.
+    tolerance : float
+        As of `self_intersections`.
+
+    Returns
+    -------
+    Intersections
+        A point at which they touch is one of them, and so is an end of one that lies on the other.
+
+    Raises
+    ------
+    CurveError
+        If a curve is not plane or the tolerance not positive.
+
+    See Also
+    --------
+    self_intersections : Of one curve.
+
+    Examples
+    --------
+    >>> from curvecore import LagrangeCurve, intersections
+    >>> parabola = LagrangeCurve([[-1, 1], [0, 0], [1, 1]], [-1, 0, 1])
+    >>> line = LagrangeCurve([[-1, 0.25], [1, 0.25]], [0, 1])
+    >>> intersections(parabola, line, 1e-9).parameters.round(9).tolist()
+    [[-0.5, 0.25], [0.5, 0.75]]
+    """
+    limit = tolerance_value(tolerance)
+    for curve in (first, second):
+        require_plane(curve.points, "cross another")
+    with np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore"):
+        share = min(1e-3, 0.02 * limit / max(size_of(curve.points) for curve in (first, second)))
+        parts = [bezier_pieces(curve, share) for curve in (first, second)]
+        pieces = joined_pieces([_from(start, part) for start, part in zip(_STARTS, parts, strict=True)])
+        small = max(float(np.ldexp(limit, -pieces.exponent)), _FINEST)
+        arcs, count = Arcs(pieces.controls, pieces.starts, pieces.ends), len(parts[0].starts)
+        begun = _pairs_between(arcs, count, float(pieces.error.max()))
+        pairs, ended = _narrowed(begun, small, float(pieces.error.max()), len(arcs.start))
+        both = _TwoCurves(first, second)
+        found, are_all = _finished(both, pieces, small, pairs, ended, arcs.start)
+    parameters = np.column_stack([both.parameters(found[:, side], side) for side in (0, 1)])
+    return Intersections(parameters, both.evaluate(found[:, 0]), are_all)
+
+
+_STARTS = (0.0, 2.0)
+
+
+class _Path(Protocol):
+    """A curve as far as the search needs it."""
+
+    @property
+    def domain(self) -> tuple[float, float]: ...
+
+    def evaluate(self, t: FloatArray, order: int = 0) -> FloatArray: ...
+
+
+class _TwoCurves:
+    """Two curves over [0, 1] and [2, 3], each at rest beyond its ends, and far away between them."""
+
+    # So far away that the beginning of the first and the end of the second do not count as a closed curve.
+    domain = (-1e3, 1e3)
+
+    def __init__(self, first: ParametricCurve, second: ParametricCurve) -> None:
+        self._curves = (first, second)
+
+    def parameters(self, u: FloatArray, side: int) -> FloatArray:
+        """Return the parameters of one of the curves."""
+        share, (start, end) = np.clip(u - _STARTS[side], 0.0, 1.0), self._curves[side].domain
+        result: FloatArray = (1.0 - share) * start + share * end
+        return result
+
+    def evaluate(self, t: FloatArray, order: int = 0) -> FloatArray:
+        result = np.empty((*t.shape, 2))
+        for side, curve in enumerate(self._curves):
+            here, (start, end) = (t < 1.5) == (side == 0), curve.domain
+            if here.any():
+                result[here] = curve.evaluate(self.parameters(t[here], side), order) * (end - start) ** order
+        result[np.abs(t - 1.5) < 0.25] = LARGEST
+        return result
+
+
+def _from(start: float, pieces: BezierPieces) -> BezierPieces:
+    """Return pieces over an interval of length 1 from `start`."""
+    first, last = pieces.starts[0], pieces.ends[-1]
+    starts, ends = (start + (t - first) / (last - first) for t in (pieces.starts, pieces.ends))
+    return pieces._replace(starts=starts, ends=ends)
+
+
+def _finished(
+    curve: _Path, pieces: BezierPieces, small: float, pairs: Pairs, ended: bool, joints: FloatArray
+) -> tuple[FloatArray, bool]:
+    """Return the parameters (k, 2) of the meetings in pairs of straight arcs, and whether these are all."""
+    unit = float(np.ldexp(1.0, min(pieces.exponent, 1023)))
+    scale = _Scale(small * unit, max(2.0 * small, _CUSP) * unit)
+    # Arcs that a search left unfinished say little, and are many.
+    most = _CANDIDATES if ended else _CANDIDATES // 8
+    ended &= len(pairs) <= most
+    if len(pairs) > most:
+        pairs = pairs.selected(np.linspace(0, len(pairs) - 1, most).astype(np.intp))
+    parameters, are_isolated = _meetings(curve, pairs, scale, joints)
+    return parameters, ended and are_isolated and 4.0 * float(pieces.error.max()) <= max(small, 4.0 * _FINEST)
 
 
 class _Scale(NamedTuple):
@@ -154,9 +285,7 @@ class _Meetings(NamedTuple):
         return _Meetings(*(column[rows] for column in self))
 
 
-def _meetings(
-    curve: ParametricCurve, pairs: Pairs, scale: _Scale, joints: FloatArray
-) -> tuple[FloatArray, bool]:
+def _meetings(curve: _Path, pairs: Pairs, scale: _Scale, joints: FloatArray) -> tuple[FloatArray, bool]:
     """Return one pair of parameters for each meeting, in order, and whether these are single meetings."""
     if not len(pairs):
         return np.zeros((0, 2)), True
@@ -203,7 +332,7 @@ def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
     return foot
 
 
-def _polished(curve: ParametricCurve, parameters: FloatArray, width: FloatArray) -> _Meetings:
+def _polished(curve: _Path, parameters: FloatArray, width: FloatArray) -> _Meetings:
     """Polish candidates by Newton's method, each while it improves."""
     # A step that leaves the neighbourhood belongs to another crossing, which has a pair of its own.
     room = 64.0 * width.sum(axis=1)
@@ -223,7 +352,7 @@ def _polished(curve: ParametricCurve, parameters: FloatArray, width: FloatArray)
     return _Meetings(parameters, np.sort(best, axis=1), least, width)
 
 
-def _newton_step(curve: ParametricCurve, at: FloatArray) -> FloatArray:
+def _newton_step(curve: _Path, at: FloatArray) -> FloatArray:
     a, b = at.T
     gap = curve.evaluate(b) - curve.evaluate(a)
     slope = gap / (b - a)[:, None]
@@ -232,7 +361,7 @@ def _newton_step(curve: ParametricCurve, at: FloatArray) -> FloatArray:
     return np.clip(np.where(np.isfinite(step).all(axis=1, keepdims=True), at + step, at), *curve.domain)
 
 
-def _is_loop(curve: ParametricCurve, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
+def _is_loop(curve: _Path, pairs: FloatArray, reach: float, joints: FloatArray) -> BoolArray:
     """Tell whether the curve leaves c(a) between a and b: if not, they are one point and no meeting.
 
     Looked at on samples, and at the first and the last joint of the arcs between: what turns back has one.
@@ -249,7 +378,7 @@ def _is_loop(curve: ParametricCurve, pairs: FloatArray, reach: float, joints: Fl
     return leaves
 
 
-def _clusters(curve: ParametricCurve, meetings: _Meetings, tolerance: float) -> IntArray:
+def _clusters(curve: _Path, meetings: _Meetings, tolerance: float) -> IntArray:
     """Return a label for each candidate, (k,): the same for those of one meeting.
 
     Two belong together if they are a few arcs apart on either branch, and the branches stay within the
@@ -269,7 +398,7 @@ def _clusters(curve: ParametricCurve, meetings: _Meetings, tolerance: float) -> 
     return label
 
 
-def _is_closing(curve: ParametricCurve, meetings: _Meetings, reach: float) -> bool:
+def _is_closing(curve: _Path, meetings: _Meetings, reach: float) -> bool:
     """Tell whether a meeting is that of the two ends of a closed curve."""
     first, last = curve.domain
     ends = curve.evaluate(np.array([first, last]))
@@ -283,7 +412,7 @@ def _is_closing(curve: ParametricCurve, meetings: _Meetings, reach: float) -> bo
     return bool(vector_lengths(curve.evaluate(t) - ends[0]).max() <= reach)
 
 
-def _is_one_point(curve: ParametricCurve, meetings: _Meetings, scale: _Scale) -> bool:
+def _is_one_point(curve: _Path, meetings: _Meetings, scale: _Scale) -> bool:
     """Tell whether Newton's method drew all candidates of a meeting together.
 
     Where the curve runs along itself they stay where they are.
@@ -354,6 +483,12 @@ def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
         What the arcs may be off, each.
     """
     pairs, is_complete = _first_pairs(arcs, margin)
+    pairs, ended = _narrowed(pairs, small, margin, len(arcs.start))
+    return pairs, ended and is_complete
+
+
+def _narrowed(pairs: Pairs, small: float, margin: float, count: int) -> tuple[Pairs, bool]:
+    """Divide pairs of so many arcs until these are straight; return those that may meet, as `close_pairs`."""
     done: list[Pairs] = []
     work = 0
     for _ in range(_ROUNDS):
@@ -365,9 +500,9 @@ def close_pairs(arcs: Arcs, small: float, margin: float) -> tuple[Pairs, bool]:
         done.append(pairs.selected(fine & ~adjoining))
         pairs = pairs.selected(~fine)
         if not len(pairs):
-            return _joined_pairs(done), is_complete
+            return _joined_pairs(done), True
         work += len(pairs)
-        if len(pairs) > _PAIRS or work > max(_WORK, 64 * len(arcs.start)):
+        if len(pairs) > _PAIRS or work > max(_WORK, 64 * count):
             break
         pairs = _divided_pairs(pairs, margin)
     return _joined_pairs([*done, pairs.selected(~_adjoining(pairs))]), False
@@ -396,6 +531,15 @@ def _first_pairs(arcs: Arcs, margin: float) -> tuple[Pairs, bool]:
             if total > most:
                 return _joined_pairs(parts), i == last
     return _joined_pairs(parts), True
+
+
+def _pairs_between(arcs: Arcs, count: int, margin: float) -> Pairs:
+    """Return the pairs of one of the first `count` arcs and one of the others that may meet."""
+    low, high = arcs.controls.min(axis=1) - margin, arcs.controls.max(axis=1) + margin
+    meet = (low[:count, None] <= high[count:]) & (low[count:] <= high[:count, None])
+    first, second = np.nonzero(meet.all(axis=2))
+    pairs = Pairs(arcs.selected(first), arcs.selected(second + count))
+    return pairs.selected(_may_meet(pairs, margin))
 
 
 def _divided_pairs(pairs: Pairs, margin: float) -> Pairs:

@@ -78,7 +78,7 @@ def bezier_pieces(curve: ParametricCurve, tolerance: float = FINE) -> BezierPiec
     """
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if len(curve.pieces) > 1:
-            return _joined([bezier_pieces(piece, tolerance) for piece in curve.pieces])
+            return joined_pieces([bezier_pieces(piece, tolerance) for piece in curve.pieces])
         controls = curve.bezier_pieces()
         if controls is None:
             return _sampled(curve, tolerance)
@@ -131,7 +131,8 @@ def _scaled(
     )
 
 
-def _joined(parts: list[BezierPieces]) -> BezierPieces:
+def joined_pieces(parts: list[BezierPieces]) -> BezierPieces:
+    """Return all pieces of several parts, of the highest degree among them and in one unit."""
     degree = max(part.controls.shape[1] for part in parts)
     exponent = max(part.exponent for part in parts)
     columns = []

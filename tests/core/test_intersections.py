@@ -1,4 +1,4 @@
-"""Self-intersections, against closed forms and against all pairs of chords."""
+"""Intersections of a curve with itself or another, against closed forms and all pairs of chords."""
 
 import numpy as np
 import pytest
@@ -11,11 +11,13 @@ from curvecore import (
     QuinticHermiteCurve,
     chebyshev,
     chord_length,
+    intersections,
     natural_spline_accelerations,
     natural_spline_velocities,
     self_intersections,
     uniform,
 )
+from curvecore.arithmetic import cross
 from tests.rows import each_row
 
 
@@ -211,3 +213,58 @@ def test_unusable_arguments():
         self_intersections(LagrangeCurve([[0.0], [1.0]], [0, 1]), 1e-3)
     with pytest.raises(CurveError, match="tolerance"):
         self_intersections(circle(4), 0.0)
+
+
+# Two curves
+
+
+def test_two_curves_meet_at_exact_parameters():
+    """The cubic y = x**3 - x and y = 0, over other domains."""
+    t = np.linspace(-2.0, 2.0, 4)
+    cubic = LagrangeCurve(np.stack((t, t**3 - t), axis=1), t)
+    line = LagrangeCurve([[-2, 0], [2, 0]], [10, 14])
+    found = intersections(cubic, line, 1e-10)
+    assert found.is_complete
+    assert found.parameters == pytest.approx(np.array([[-1, 11], [0, 12], [1, 13]]), abs=1e-14)
+    assert found.points == pytest.approx(np.array([[-1, 0], [0, 0], [1, 0]]), abs=1e-14)
+    back = intersections(line, cubic, 1e-10)
+    assert back.parameters == pytest.approx(found.parameters[:, ::-1], abs=1e-14)
+
+
+def test_two_curves_that_touch_meet_once_and_ends_that_lie_on_a_curve_meet_it():
+    parabola = LagrangeCurve([[-1, 1], [0, 0], [1, 1]], [-1, 0, 1])
+    touch = intersections(parabola, LagrangeCurve([[-1, 0], [1, 0]], [0, 1]), 1e-10)
+    assert touch.parameters == pytest.approx(np.array([[0, 0.5]]), abs=1e-7)
+    end = intersections(parabola, LagrangeCurve([[0.5, 0.25], [2, -3]], [0, 1]), 1e-10)
+    assert end.parameters == pytest.approx(np.array([[0.5, 0.0]]), abs=1e-14)
+    ends = intersections(
+        LagrangeCurve([[0, 0], [1, 0]], [0, 1]), LagrangeCurve([[1, 0], [2, 5]], [1, 2]), 1e-10
+    )
+    assert ends.parameters.tolist() == [[1, 1]]
+    assert (touch.is_complete, end.is_complete, ends.is_complete) == (True, True, True)
+
+
+def test_two_curves_apart_do_not_meet_and_along_each_other_are_not_all_found():
+    one, other = (LagrangeCurve([[x, 0], [x + 2, 0]], [0, 1]) for x in (0, 1))
+    assert not intersections(one, other, 1e-10).is_complete
+    apart = intersections(one, LagrangeCurve([[0, 1e-6], [2, 1e-6]], [0, 1]), 1e-10)
+    assert (apart.parameters.shape, apart.is_complete) == ((0, 2), True)
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
+def test_two_splines_meet_as_often_as_their_polylines(rng, size):
+    for _ in range(8):
+        t = np.linspace(0.0, 1.0, 6)
+        curves = []
+        for points in size * rng.standard_normal((2, 6, 2)):
+            curves.append(HermiteCurve(points, natural_spline_velocities(points, t), t))
+        found = intersections(*curves, 1e-10 * size)
+        a, b = (curve.evaluate(np.linspace(0.0, 1.0, 1501)) for curve in curves)
+        u, v, w = np.diff(a, axis=0)[:, None], np.diff(b, axis=0)[None], b[None, :-1] - a[:-1, None]
+        across = cross(u, v)
+        s, r = cross(w, v) / across, cross(w, u) / across
+        assert len(found.parameters) == ((s >= 0) & (s < 1) & (r >= 0) & (r < 1)).sum()
+        assert found.is_complete
+        one, other = (curve.evaluate(at) for curve, at in zip(curves, found.parameters.T, strict=True))
+        assert np.abs(one - other).max(initial=0.0) <= 1e-14 * size
+        assert np.abs(one - found.points).max(initial=0.0) <= 1e-14 * size

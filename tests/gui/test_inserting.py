@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document import rule_edits
+from app.document.derivatives import VelocityRule
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.view_model.append import SPECIAL_POINTS
@@ -240,7 +241,7 @@ def test_the_palette_inserts_points_at_special_points_of_the_exact_curve(editor,
 
 
 def test_handles_at_inserted_extrema_are_exactly_horizontal_or_vertical(editor):
-    begin(editor, make_curve(WAVE, family=HERMITE))
+    begin(editor, replace(make_curve(WAVE, family=HERMITE), velocity_rule=VelocityRule.BESSEL))
     editor.trigger("insertAtExtrema")
     velocities = [editor.curve.points[index].velocity for index in editor.session.selection]
     assert len(velocities) > 3

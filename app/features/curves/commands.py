@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from ...actions.declaration import Action, PositionAction, action, action_for_each, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import (
+    ARRANGE_SPLIT,
     CANVAS_MENU,
     CURVE_LIST_BUTTONS,
     CURVE_LIST_MENU,
@@ -19,6 +20,7 @@ from ...actions.menus import (
     POINTS_INSERT,
     POINTS_NUMBER,
     POINTS_SPECIAL,
+    WHOLES_MENU,
 )
 from ...actions.needs import HERMITE_CURVE, TWO_POINTS, UNLOCKED_CURVE, Need
 from ...document import curve_edits
@@ -26,7 +28,7 @@ from ...document.curve_edits import replace_by_parts
 from ...document.limits import AlreadySoError
 from ...document.model import Curve, Document, Parametrization
 from ...document.point_group import NO_POINTS, group_points
-from ...document.several_curves import name_or_count, whole_curves
+from ...document.several_curves import name_or_count, unlocked_curves, whole_curves
 from ...document.straight_edits import straight_refusal
 from ...document.words import count_of
 from ...tools.bend import insert_at
@@ -42,7 +44,7 @@ from ...view_model.append import (
 from ...view_model.geometry import segment_at
 from ...view_model.point_kinds import segments_between
 from ...view_model.reshape import Reshaped, reversed_curve
-from ...view_model.split import Split, parameters_between_ends, split, without_segments
+from ...view_model.split import Split, crossings_of, parameters_between_ends, split, without_segments
 from ...workbench.context import WindowContext
 from .arrange_commands import OrderCommands, ShapeCommands
 from .join_commands import JoinCommands
@@ -214,7 +216,27 @@ class CurveCommands:
         else:
             self._split_all(cuts)
 
-    def _split_all(self, cuts: Mapping[int, Sequence[float]]) -> None:
+    @action(
+        "splitAtIntersections",
+        "Split at Intersections",
+        ARRANGE_SPLIT,
+        icon="split",
+        needs=UNLOCKED_CURVE,
+        keywords="crossings cut divide trim scissors slice knife",
+    )
+    @also(CURVE_MENU(15), WHOLES_MENU(36), CURVE_LIST_MENU(35))
+    def _split_at_intersections(self) -> None:
+        """Split the selected curves where they cross or touch each other, and themselves."""
+        session, views = self._session, self._session.views
+        curves = sorted(unlocked_curves(session.document, session.selected.target_curves))
+        crossings = crossings_of({curve: views[curve] for curve in curves if views[curve].is_current})
+        along = "" if crossings.is_complete else "They run along each other, where they are not split."
+        if crossings.cuts:
+            self._split_all(crossings.cuts, "the intersections", along)
+        else:
+            session.refuse(f"The selected curves do not cross. {along}".rstrip())
+
+    def _split_all(self, cuts: Mapping[int, Sequence[float]], where: str = "", remark: str = "") -> None:
         """Split each curve at its parameters; curves that are edited together stay so."""
         session, parts_of, before = self._session, dict[int, Split](), self._session.document.curves
 
@@ -234,8 +256,8 @@ class CurveCommands:
         session.selected.set_curves(parts if len(curves) > 1 else (first[active],), first[active])
         residual = max(result.residual for result in parts_of.values())
         whole = Split(tuple(curve for result in parts_of.values() for curve in result.curves), residual)
-        at_points = f"Split at {count_of(sum(map(len, cuts.values())), 'point')}"
-        session.report(f"{at_points}: {whole.sentence}", before, whole.cuts)
+        where = where or count_of(sum(map(len, cuts.values())), "point")
+        session.report(f"Split at {where}: {whole.sentence} {remark}".rstrip(), before, whole.cuts)
 
     @action(
         "reverseCurve",
