@@ -93,7 +93,7 @@ def test_info_prints_the_facts(capsys):
     assert rows["domain"] == "0 to 1"
     assert rows["length"].startswith("about 23.0")
     assert rows["box"].startswith("about x 0.35 to 5.99")
-    assert rows["Λ (Lebesgue)"] == "1.68 (with fixed estimated derivatives: 1)"
+    assert rows["Λ (Lebesgue)"] == "1.7 (with fixed estimated derivatives: 1)"
     assert "warning" not in rows
 
 
@@ -133,7 +133,7 @@ def test_info_as_json(capsys):
     assert curve["parametrization"] == {"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0}
     assert curve["domain"] == [0.0, 1.0]
     # It was said nowhere, and 1 in the window; the velocities of the letter are estimated.
-    assert curve["lebesgue_constant"] == {"data": 1.0, "points": pytest.approx(1.68, abs=0.005)}
+    assert curve["lebesgue_constant"] == {"data": 1.0, "points": pytest.approx(1.70, abs=0.005)}
     assert curve["lebesgue_constant_holds"] is None
     assert curve["length"]["about"] == pytest.approx(23.0, abs=0.1)
     assert curve["box"]["left"] == pytest.approx(0.35)

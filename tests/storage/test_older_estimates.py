@@ -11,11 +11,15 @@ import pytest
 from msgspec.structs import replace
 
 import curvecore
+from app.cli import main
 from app.document.constraints import tie
 from app.document.derivatives import AccelerationRule, JerkRule, VelocityRule
 from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.point_edits import explicit_points
 from app.families import FAMILIES, HERMITE
 from app.storage.format import decode_counting, encode
+from app.storage.open_file import OpenFile
+from app.storage.recovery import SnapshotFile, SnapshotOrigin, list_snapshots
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 
@@ -145,3 +149,72 @@ def test_local_rules_estimate_what_they_did_and_nothing_is_set():
     opened = decode_counting(of_version(3, replace(curve, points=points)))
     assert opened.document.curves[0].points == points
     assert not opened.left_out
+
+
+# Doors: wherever an older document comes in
+
+
+def hills():
+    """A Hermite curve of seven points, a velocity set at the fourth: the two beside it would move."""
+    curve = make_curve(HILLS, name="Hills", family=HERMITE)
+    set_there = replace(curve.points[3], velocity=(2.0, -9.0))
+    return replace(curve, points=(*curve.points[:3], set_there, *curve.points[4:]))
+
+
+def is_kept(curve):
+    share = np.linspace(0, 1, 9)
+    return shape_of(curve, share) == pytest.approx(older_shape(hills(), share), abs=1e-12)
+
+
+MESSAGE = "was made with an older version: 2 points were set to keep the shape."
+
+
+def test_only_the_points_beside_what_was_set_are_set():
+    (curve,) = decode_counting(of_version(3, hills())).document.curves
+    assert explicit_points(curve, range(7)) == {2, 3, 4}
+    assert curve.points[3] == hills().points[3]
+    assert is_kept(curve)
+    assert not is_kept(hills())
+
+
+@pytest.mark.parametrize("version", [1, 2, 3])
+def test_a_file_is_opened_with_its_shape_and_not_overwritten_until_it_is_saved(tmp_path, version):
+    path = tmp_path / "hills.curve.json"
+    path.write_bytes(old := of_version(version, hills()))
+    opened = OpenFile.open(path)
+    assert is_kept(opened.document.curves[0])
+    assert (opened.file.is_older, opened.file.left_out.points_set) == (True, 2)
+    assert opened.file.left_out.sentence(path.name) == f"“hills.curve.json” {MESSAGE}"
+    assert path.read_bytes() == old
+    OpenFile.saved(path, opened.document, opened.file).close()
+    assert (tmp_path / f"hills.curve.json.v{version}.bak").read_bytes() == old
+    again = decode_counting(path.read_bytes())
+    assert (again.document, again.left_out.points_set) == (opened.document, 0)
+
+
+def test_a_snapshot_of_an_older_version_is_restored_with_its_shape(tmp_path, monkeypatch):
+    monkeypatch.setattr("app.storage.recovery.encode", lambda document: of_version(3, *document.curves))
+    file = SnapshotFile(tmp_path)
+    file.write(Document((hills(),)), SnapshotOrigin())
+    file.leave()
+    (snapshot,) = list_snapshots(tmp_path).snapshots
+    assert is_kept(snapshot.document.curves[0])
+    assert snapshot.left_out.message_about("It") == f"It {MESSAGE}"
+
+
+def test_the_command_line_keeps_the_shape_and_says_so(tmp_path, capsys):
+    path, now = tmp_path / "hills.curve.json", tmp_path / "now.curve.json"
+    path.write_bytes(of_version(3, hills()))
+    for words in (["info", str(path)], ["convert", str(path), str(now)]):
+        assert main(words) == 0
+        assert capsys.readouterr().err == f"curvebench: “hills.curve.json” {MESSAGE}\n"
+    assert is_kept(decode_counting(now.read_bytes()).document.curves[0])
+
+
+def test_features_left_out_and_points_that_were_set_are_said_together():
+    values = json.loads(of_version(2, hills())) | {"kept_texts": [{}]}
+    left_out = decode_counting(json.dumps(values).encode()).left_out
+    assert left_out.message_about("It") == (
+        "It was made with a version that had more features: 1 text was left out. "
+        "2 points were set to keep the shape."
+    )
