@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
-from ..document.fields import Ranges
+from ..document.fields import Scroll
 from ..document.model import Axis, Vector
 from ..plotting.axes import Extent
 from ..plotting.camera import Camera
@@ -76,8 +76,8 @@ class DrawnCanvas(CanvasQueries):
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
 
-    def scrolled_ranges(self) -> tuple[Ranges, Ranges] | None:
-        return self._plot.scrolled_ranges
+    def scroll(self) -> Scroll:
+        return self._plot.edge.scroll
 
 
 class Canvas(ToolPlot):
@@ -92,6 +92,8 @@ class Canvas(ToolPlot):
         The scene with all layers.
     framing
         Fits the drawing into the view.
+    edge
+        Scrolls it during a drag at the edge.
 
     Signals
     -------
@@ -118,7 +120,7 @@ class Canvas(ToolPlot):
         self.framing = Framing(self.camera, self.drawing)
         self._steady = SteadyView(self.viewport(), self.camera, self.framing)
         self._menu_pointer: Pointer | None = None
-        self._edge = EdgeScroll(self.camera, self.viewport(), self.move_again)
+        self.edge = EdgeScroll(self.camera, self.viewport(), self.move_again)
         self.camera.changed.connect(self.hover_again)
 
     # Display
@@ -133,24 +135,19 @@ class Canvas(ToolPlot):
     def _moved(self, pointer: Pointer) -> None:
         super()._moved(pointer)
         if self._is_held and self.tools.scrolls_view:
-            self._edge.follow(pointer.pixel)
-
-    @property
-    def scrolled_ranges(self) -> tuple[Ranges, Ranges] | None:
-        """The parts of the plane visible before the drag and now; None where it has scrolled nothing."""
-        return self._edge.ranges
+            self.edge.follow(pointer.pixel)
 
     def cancel_gesture(self) -> bool:
-        self._edge.restore()
+        self.edge.restore()
         return super().cancel_gesture()
 
     def abandon_gesture(self) -> None:
         if self.is_dragging:
-            self._edge.restore()
+            self.edge.restore()
         super().abandon_gesture()
 
     def _end_gesture(self) -> None:
-        self._edge.stop()
+        self.edge.stop()
         super()._end_gesture()
 
     def show_marks(self) -> None:
@@ -168,7 +165,7 @@ class Canvas(ToolPlot):
 
     def choose_tool(self, record: ToolRecord) -> None:
         """Choose the tool in use."""
-        self._edge.restore()
+        self.edge.restore()
         self.tools.choose(record)
         self._show_tool()
 
@@ -216,7 +213,7 @@ class Canvas(ToolPlot):
         return None if ruler is None else (Axis.Y, Axis.X)[ruler]
 
     def _pressed(self, pointer: Pointer) -> None:
-        self._edge.begin(pointer.pixel)
+        self.edge.begin(pointer.pixel)
         axis = self._axis_at(pointer)
         if axis is None:
             super()._pressed(pointer)

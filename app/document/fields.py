@@ -30,6 +30,11 @@ Vector = tuple[float, float]
 Ranges = tuple[Vector, Vector]
 """Ranges of x and y: a part of the plane."""
 
+Scroll = tuple[Ranges | None, Ranges | None]
+"""The parts of the plane visible before and after a drag that has scrolled the view."""
+
+NO_SCROLL: Scroll = (None, None)
+
 
 class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """Immutable value of the document; files omit fields at their defaults."""

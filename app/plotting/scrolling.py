@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QInputDevice, QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from ..document.fields import Ranges
+from ..document.fields import NO_SCROLL, Ranges, Scroll
 from ..document.model import Vector
 from ..tools.tool import THRESHOLD
 from .camera import Camera
@@ -212,9 +212,9 @@ class EdgeScroll(QObject):
         self._at_press, self._offset, self._before = (0.0, 0.0), (0.0, 0.0), None
 
     @property
-    def ranges(self) -> tuple[Ranges, Ranges] | None:
-        """The parts of the plane visible before the drag and now; None where it has scrolled nothing."""
-        return None if self._before is None else (self._before, self._camera.ranges)
+    def scroll(self) -> Scroll:
+        """The parts of the plane visible before the drag and now, where it has scrolled the view."""
+        return NO_SCROLL if self._before is None else (self._before, self._camera.ranges)
 
     def restore(self) -> None:
         """Show what was visible before the drag."""

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from ..document.fields import Ranges
+from ..document.fields import NO_SCROLL, Scroll
 from ..document.groups import tidy_shapes
 from ..document.limits import AlreadySoError, EditError
 from ..document.model import Curve, Document, Vector
@@ -366,31 +366,21 @@ class Session(SessionSignals):
         return True
 
     def commit(
-        self,
-        document: Document,
-        text: str,
-        *,
-        active: int | None = None,
-        ranges: tuple[Ranges, Ranges] | None = None,
+        self, document: Document, text: str, *, active: int | None = None, scroll: Scroll = NO_SCROLL
     ) -> Change:
         """End the gesture in flight with `document`, as the step `text` of the history; see `change`.
 
-        `ranges` are the parts of the plane visible before and after it, where it has scrolled the view.
+        Undo and redo of it return to the parts of the plane that were visible before and after a `scroll`.
         """
         with self.batch:
-            return self._make_step(document, text, active, ranges=ranges)
+            return self._make_step(document, text, active, None, scroll)
 
     def _normalised(self, document: Document) -> Document:
         """Return the document with plain numbers, and shapes that are whole."""
         return tidy_shapes(with_plain_numbers(document, self._document), self._document)
 
     def _make_step(
-        self,
-        document: Document,
-        text: str,
-        active: int | None,
-        run: Hashable = None,
-        ranges: tuple[Ranges | None, Ranges | None] | None = None,
+        self, document: Document, text: str, active: int | None, run: Hashable, scroll: Scroll = NO_SCROLL
     ) -> Change:
         """Make `document` the current one, unless a locked curve changes, or no file could hold it."""
         is_previewed = document is self._asked or document is self._document
@@ -406,9 +396,8 @@ class Session(SessionSignals):
         self._selection_before = self._asked = self._selects = None
         if active is None:
             active = self.active_index if selects is None else selects.active
-        seen, sees = ranges or (None, None)
-        after = HistoryState(document, active, self.files.origin, ranges=sees)
-        self.history.push(replace(before, ranges=seen), after, text, run)
+        after = HistoryState(document, active, self.files.origin, ranges=scroll[1])
+        self.history.push(replace(before, ranges=scroll[0]), after, text, run)
         if selects is not None and not selects.is_editing:
             self.selected.select_whole(selects.whole_curves)
         _log.debug("a step of the history, now %d", self.undo_stack.count())

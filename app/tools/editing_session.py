@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Hashable, Sequence
 from typing import Protocol
 
-from ..document.fields import Ranges
+from ..document.fields import NO_SCROLL, Scroll
 from ..document.model import Curve, Document, Vector
 from ..document.point_group import PointGroup
 from ..document.selection import SelectionState
@@ -151,16 +151,11 @@ class EditingSession(Protocol):
         """
 
     def commit(
-        self,
-        document: Document,
-        text: str,
-        *,
-        active: int | None = None,
-        ranges: tuple[Ranges, Ranges] | None = None,
+        self, document: Document, text: str, *, active: int | None = None, scroll: Scroll = NO_SCROLL
     ) -> object:
         """End the gesture with a document as a step of the history; true where it is one.
 
-        Undo and redo show the `ranges` of the plane that were visible before and after it.
+        Undo and redo of it return to the parts of the plane that were visible before and after a `scroll`.
         """
 
     def change(

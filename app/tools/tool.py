@@ -71,7 +71,7 @@ from typing import ClassVar
 import msgspec
 from msgspec.structs import replace
 
-from ..document.fields import Ranges
+from ..document.fields import NO_SCROLL, Scroll
 from ..document.limits import EditError
 from ..document.model import Document, Vector
 from ..document.selection import SelectionState
@@ -117,9 +117,9 @@ class CanvasQueries:
         """Return the spacing of the grid at the present zoom."""
         return 1.0
 
-    def scrolled_ranges(self) -> tuple[Ranges, Ranges] | None:
-        """Return the parts of the plane visible before the drag and now; None where it scrolled nothing."""
-        return None
+    def scroll(self) -> Scroll:
+        """Return the parts of the plane visible before the drag and now, where it has scrolled the view."""
+        return NO_SCROLL
 
 
 class ToolEvent(msgspec.Struct, frozen=True, dict=True):
@@ -331,8 +331,8 @@ class Drag(Gesture, kw_only=True):
     def release(self, event: ToolEvent) -> None:
         """Make the previewed document a step; where the last move was refused, it is the last good one."""
         session = event.session
-        ranges = event.canvas.scrolled_ranges()
-        if session.commit(session.document, self.undo_text(event.pointer), ranges=ranges):
+        text, scroll = self.undo_text(event.pointer), event.canvas.scroll()
+        if session.commit(session.document, text, scroll=scroll):
             self.committed(event)
         if self.refusal:
             session.refuse(self.refusal)
