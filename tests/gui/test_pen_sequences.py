@@ -22,8 +22,8 @@ from tests.gui.editor_facts import at
 
 ALT = Qt.KeyboardModifier.AltModifier
 
-PLACES = ((20, 20), (120, 60), (160, 190), (60, 240), (10, 150))
-"""At distances of 108, 136, 112, 103 pixels, and back 130: no two segments have the same length in t."""
+PLACES = ((20, -60), (120, -20), (160, 110), (60, 160), (10, 70))
+"""At distances of 108, 136, 112, 103 and, back, 130 pixels: no two segments have the same length in t."""
 
 PULLED = (40, 24)
 
@@ -63,7 +63,9 @@ def expected_handles(kinds, closing=None):
         ahead, behind = ends.get(start), ends.get(end)
         if start == CORNER and end == SMOOTH:
             ahead = 0
-        if end == CORNER and start == SMOOTH:
+        is_first_of_line = number == len(kinds) - 1 and kinds[:2] == (AUTOMATIC, CORNER)
+        if start == SMOOTH and (end == CORNER or is_first_of_line):
+            # A point at which a line begins is a corner, however it was clicked.
             behind = 0
         result.append((ahead, behind if behind is None else -behind))
     return result
@@ -83,7 +85,9 @@ def assert_handles(pen, kinds, closing=None):
         for index, ahead, times in zip(ends, (True, False), expected, strict=True):
             (handle,) = (each for each in handles_of(view, index) if each.ahead is ahead and each.order == 1)
             where = (kinds, closing, segment, "start" if ahead else "end")
-            if times is not None:
+            if times is None:
+                assert math.dist(handle.position, handle.anchor) > pen.pixel, where
+            else:
                 assert handle.explicit, where
                 x, y = curve.points[index].position
                 tip = (x + times * PULLED[0] * unit, y + times * PULLED[1] * unit)
