@@ -66,9 +66,10 @@ class Joined(Reshaped, frozen=True):
 def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined:
     """Join the end of each curve to the start of the next: one curve, its parameters one after the other.
 
-    All keep their shapes. Where end and start coincide they become one point, a corner if the derivatives
-    there differ; else a straight segment connects them, at the mean of the speeds on both sides, or a smooth
-    one where the family has no derivatives to make corners with.
+    All keep their shapes, and estimated points stay estimated unless their estimates would change. Where end
+    and start coincide they become one point, a corner if the derivatives there differ; else a straight
+    segment connects them, at the mean of the speeds on both sides, or a smooth one where the family has no
+    derivatives to make corners with.
 
     Parameters
     ----------

@@ -8,8 +8,9 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document.constraints import is_straight
+from app.document.derivatives import VelocityRule
 from app.document.model import Document, make_curve
-from app.families import FAMILIES, HERMITE
+from app.families import FAMILIES, HERMITE, QUINTIC_HERMITE
 from app.view_model.curve.curve_view import view_of
 from tests.gui.editor_facts import assert_actions_as_rendered_anew
 
@@ -373,3 +374,43 @@ def test_the_actions_follow_ends_of_several_curves(apart):
     assert_actions_as_rendered_anew(apart)
     apart.key(Key.Key_J, CTRL)
     assert_actions_as_rendered_anew(apart)
+
+
+@pytest.mark.parametrize("family", [HERMITE, QUINTIC_HERMITE], ids=lambda family: family.name)
+@pytest.mark.parametrize("meets", [False, True])
+def test_estimated_points_stay_estimated_and_follow_their_neighbours(editor, family, meets):
+    """A join set them all: from then on no neighbour followed a drag."""
+    begin = LEFT[2] if meets else RIGHT[2]
+    other = replace(hermite([begin, (6.0, 0.0), (8.0, 1.0), (8.0, 4.0)], "Right"), family=family)
+    show(editor, replace(hermite(LEFT, "Left"), family=family), other)
+    begun = editor.session.document
+    editor.session.selected.set_curves({0, 1}, active=0)
+    editor.key(Key.Key_J, CTRL)
+    seams = editor.session.selected.group.of(0) or ({2} if meets else {2, 3})
+    assert {index for index, point in enumerate(editor.curve.points) if point.velocity} == seams
+    assert max(farthest(editor, curve) for curve in begun.curves) < 1e-3
+    before, last = editor.session.active_view.velocity_of(len(editor.curve.points) - 1), editor.point(-1)
+    editor.session.selected.activate(0)
+    editor.drag(editor.point(len(editor.curve.points) - 2), (8.5, 0.0))
+    assert editor.session.active_view.velocity_of(len(editor.curve.points) - 1) != before
+    assert editor.point(-1) == last
+
+
+def test_what_other_rules_have_estimated_is_set(editor):
+    """The joined curve has the rules of one; the shape of the other is kept by what is set."""
+    other = replace(
+        hermite([LEFT[2], (5.0, 0.0), (6.0, 2.0), (8.0, 0.0)], "B"), velocity_rule=VelocityRule.BESSEL
+    )
+    show(editor, hermite(LEFT, "A"), other)
+    begun = editor.session.document
+    editor.session.selected.set_curves({0, 1}, active=0)
+    editor.key(Key.Key_J, CTRL)
+    assert max(farthest(editor, curve) for curve in begun.curves) < 1e-3
+    assert [point.velocity is not None for point in editor.curve.points] == [
+        False,
+        False,
+        True,
+        True,
+        True,
+        True,
+    ]

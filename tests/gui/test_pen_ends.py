@@ -245,6 +245,7 @@ def test_a_click_on_an_end_joins_what_is_drawn_with_that_curve(beside, end, coun
     rest = positions(before.curves[0])
     assert positions(pen.curve) == [*positions(drawn), *(rest if end == 0 else rest[::-1])]
     assert farthest(before.curves[0], pen.curve) < 1e-3
+    assert [index for index, point in enumerate(pen.curve.points) if point.velocity] == [count]
     assert undo_text(pen) == "Join Curve 1 and There"
     assert pen.session.undo_stack.count() == steps + 1
     side = "end" if end else "start"
