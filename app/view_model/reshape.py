@@ -37,10 +37,6 @@ _ROUNDING = 1e-12
 """Share of the largest coordinate by which an estimate may move the curve and count as the same."""
 
 
-_RESIDUE = 2.0**-44
-"""Share of the larger component of a derivative up to which the other one is a rounding residue."""
-
-
 class Reshaped(msgspec.Struct, frozen=True):
     """A curve through other points.
 
@@ -268,13 +264,8 @@ def _sampled(view: CurveView, t: float) -> Point:
     """Return a point on the curve at `t` with the derivatives there."""
     assert view.curve is not None
     orders = range(view.source.family.derivatives + 1)
-    position, *derivatives = (view.curve.evaluate(t, order) for order in orders)
-    return Point(*_vector(position), t=t).with_derivatives(list(map(_without_residue, derivatives)), ())
-
-
-def _without_residue(vector: FloatArray) -> Vector:
-    """Return a vector whose component is 0 where it is a rounding residue: at an extremum of x or y."""
-    return _vector(np.where(np.abs(vector) > _RESIDUE * np.abs(vector).max(), vector, 0.0))
+    position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
+    return Point(*position, t=t).with_derivatives(derivatives, ())
 
 
 def with_sides_kept(was: Sides, changed: Curve, old: IntArray, new: IntArray) -> Curve:
