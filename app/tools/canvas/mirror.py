@@ -25,8 +25,8 @@ _AXES = {"x": Axis.X, "y": Axis.Y}
 class MirrorResult(NamedEnum):
     """Whether mirror images are copies, or take the place of the original."""
 
-    COPY = "copy", "Copy"
-    IN_PLACE = "in_place", "In Place"
+    COPY = "copy", "Mirrored Copy"
+    IN_PLACE = "in_place", "Mirrored in Place"
 
 
 MIRROR_RESULT = ChoiceSetting(
