@@ -540,13 +540,17 @@ def redrawn(
     EditError
         If there is no such curve.
     """
+    assert view.curve is not None
     source, (before, after) = view.source, _kept(view, stretch)
     line = np.array(stroke[::-1] if stretch.is_against else stroke)
-    ends = [(0, _end_of(before, -1)), (-1, _end_of(after, 0))]
-    for which, end in ends:
-        line[which] = end[0] if end else line[which]
-    speed = float(np.mean([np.hypot(*end[1]) for _, end in ends if end])) or 1.0
-    first, last = (_going_on(end[1] / speed, line, which, reach) if end else None for which, end in ends)
+    for which, t in ((0, stretch.start), (-1, stretch.end)):
+        line[which] = line[which] if t is None else view.curve.evaluate(t)
+    velocities = _end_velocity(before, -1), _end_velocity(after, 0)
+    speed = float(np.mean([np.hypot(*each) for each in velocities if each is not None])) or 1.0
+    first, last = (
+        None if velocity is None else _going_on(velocity / speed, line, which, reach)
+        for which, velocity in zip((0, -1), velocities, strict=True)
+    )
     fit = core_fit(source, line, None, tolerance, None, report, is_closed=False, end_directions=(first, last))
     t, held = (0.0, first) if first is not None else (1.0, last)
     duration = float(np.hypot(*fit.curve.evaluate(t, 1)) / (1.0 if held is None else np.hypot(*held))) / speed
@@ -576,12 +580,9 @@ def _kept(view: CurveView, stretch: Stretch) -> tuple[CurveView | None, CurveVie
     return (parts[0] if start > first else None), (parts[-1] if end < last else None)
 
 
-def _end_of(part: CurveView | None, which: int) -> tuple[FloatArray, FloatArray] | None:
-    """Return position and velocity at the end (-1) or the start (0) of a curve; None without one."""
-    if part is None or part.curve is None:
-        return None
-    t = part.curve.domain[which]
-    return part.curve.evaluate(t), part.curve.evaluate(t, 1)
+def _end_velocity(part: CurveView | None, which: int) -> FloatArray | None:
+    """Return the velocity at the end (-1) or the start (0) of a curve; None without one."""
+    return None if part is None or part.curve is None else part.curve.evaluate(part.curve.domain[which], 1)
 
 
 def _going_on(velocity: FloatArray, line: FloatArray, which: int, reach: float) -> FloatArray | None:

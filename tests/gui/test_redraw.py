@@ -193,6 +193,14 @@ def test_a_stroke_from_an_end_extends_the_curve(wave, is_last):
     assert not wave.curve.points[index_near(wave, end)].corner
 
 
+def test_an_end_stays_where_it_is_when_the_stroke_begins_a_few_pixels_beside_it(wave):
+    pixel = 1 / wave.window.canvas.pixel_map.sx
+    beside = (POINTS[-1][0] + 5 * pixel, POINTS[-1][1] + 4 * pixel)
+    draw(wave, between(beside, on(wave, 0.4), bulge=1.0))
+    assert undo_text(wave) == "Redraw part"
+    assert wave.curve.points[-1].position == POINTS[-1]
+
+
 @pytest.mark.parametrize("is_against", [False, True])
 def test_a_stroke_from_end_to_end_closes_the_curve(wave, is_against):
     before, t = wave.session.active_view, np.linspace(0.0, 1.0, 99)
