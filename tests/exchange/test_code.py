@@ -1,9 +1,11 @@
 """Code out: executed here, it gives the curves."""
 
 import ast
+import re
 
 import numpy as np
 import pytest
+from PySide6.QtQml import QJSEngine
 
 from app.document.model import (
     Document,
@@ -12,8 +14,14 @@ from app.document.model import (
     make_curve,
 )
 from app.exchange.errors import ExchangeError
-from app.exchange.exported_curves import curves_of, samples_of
-from app.exchange.formats.code import identifiers_of, python_code, scipy_code
+from app.exchange.exported_curves import curves_of, deviation_text, samples_of
+from app.exchange.formats.code import (
+    gdscript_code,
+    identifiers_of,
+    javascript_code,
+    python_code,
+    scipy_code,
+)
 from app.view_model.curve.curve_view import view_of
 from tests.rows import each_row
 
@@ -34,7 +42,7 @@ def distance(document, text, step=1):
     namespace = executed(text)
     sources = curves_of(document)
     worst = 0.0
-    for name, source in zip(identifiers_of(sources), sources, strict=True):
+    for name, source in zip(identifiers_of(source.name for source in sources.curves), sources, strict=True):
         function = namespace[name]
         t = np.concatenate([samples_of(piece) for piece in source.core.pieces])[::step]
         points = function(t)
@@ -96,7 +104,7 @@ def test_the_scipy_code_states_its_loss_of_digits_on_uniform_parameters():
 
 
 def test_several_curves_get_distinct_identifiers(gallery):
-    names = identifiers_of(curves_of(gallery))
+    names = identifiers_of(curve.name for curve in curves_of(gallery).curves)
     assert names[-2:] == ["ring", "ring_2"]
     assert len(set(names)) == len(names)
     for write in (python_code, scipy_code):
@@ -122,3 +130,81 @@ def test_nothing_to_write_is_refused(nothing):
     for write in (python_code, scipy_code):
         with pytest.raises(ExchangeError, match="There is nothing to export"):
             write(nothing)
+
+
+# JavaScript and GDScript
+
+
+@pytest.fixture(scope="module")
+def engine(qapp):
+    """Qt's interpreter of JavaScript."""
+    return QJSEngine()
+
+
+def javascript_functions(engine, path, text):
+    path.write_text(text, encoding="utf-8")
+    module = engine.importModule(str(path))
+    assert not module.isError(), module.toString()
+
+    def function_of(name):
+        def call(t):
+            point = module.property(name).call([float(t)])
+            assert not point.isError(), point.toString()
+            return [point.property(axis).toNumber() for axis in (0, 1)]
+
+        return call
+
+    return function_of
+
+
+def gdscript_functions(text):
+    """The functions of a script, its statements translated to Python; vectors have single precision."""
+    changes = (
+        (r"^static func (\w+)\((\w+)(?:: \w+)?(?:, (\w+): \w+)?\) -> Vector2:", r"def \1(\2, \3):"),
+        (r"def (\w+)\((\w+), \):", r"def \1(\2):"),
+        (r"\bvar (\w+)(?:: \w+ =| :=)", r"\1 ="),
+        (r"^const ", ""),
+        (r"curve\.(pieces|ends)", r'curve["\1"]'),
+        (r'([\w"\[\]]+)\.size\(\)', r"len(\1)"),
+        (r"for (\w+) in (.+):", r"for \1 in range(\2):"),
+    )
+    for pattern, replacement in changes:
+        text = re.sub(pattern, replacement, text, flags=re.MULTILINE)
+    namespace = {"Vector2": lambda x, y: np.float32([x, y]).astype(float)}
+    exec(compile(text, "exported.gd", "exec"), namespace)
+    return namespace.__getitem__
+
+
+def functions_of(language, engine, folder, document):
+    """What the code says of its deviation, and its functions by name, with y up."""
+    if language == "javascript":
+        written = javascript_code(document)
+        return written, javascript_functions(engine, folder / f"{id(document)}.mjs", written.text)
+    written = gdscript_code(document)
+    get = gdscript_functions(written.text)
+    return written, lambda name: lambda t: get(name)(t) * [1, -1]
+
+
+@pytest.mark.parametrize("language", ["javascript", "gdscript"])
+def test_templates_give_the_curve_within_the_stated_deviation(kind, engine, tmp_path, language):
+    written, function_of = functions_of(language, engine, tmp_path, kind)
+    assert f"{deviation_text(written.deviation, written.is_bound)}, in the unit" in written.text
+    sources = curves_of(kind)
+    for name, source in zip(identifiers_of(each.name for each in sources.curves), sources, strict=True):
+        t = np.concatenate([samples_of(piece) for piece in source.core.pieces])[::5]
+        points = np.array([function_of(name)(value) for value in t.tolist()])
+        # Rounding of control points, which reach beyond the points.
+        room = 64 * 2.0**-53 * np.abs(source.core.jets).max() * len(source.core.points)
+        assert np.hypot(*(points - source.core.evaluate(t)).T).max() <= written.deviation + room
+
+
+def test_a_name_that_is_a_word_of_a_language_is_changed(engine, tmp_path):
+    names = ["function", "var", "func", "class", "evaluate", "Größe 1"]
+    points = [(0.0, 0.0), (1.0, 2.0)]
+    document = Document(tuple(make_curve(points, name=name) for name in names))
+    identifiers = identifiers_of(names)
+    assert identifiers[:5] == [f"curve_{name}" for name in names[:5]]
+    for language in ("javascript", "gdscript"):
+        _, function_of = functions_of(language, engine, tmp_path, document)
+        for name in identifiers:
+            np.testing.assert_allclose(function_of(name)(1.0), points[1])

@@ -12,14 +12,16 @@ import pytest
 from msgspec.structs import replace
 
 from app.document.model import Document, Parametrization, ParametrizationKind, make_curve
+from app.document.style import FillRule
 from app.exchange.errors import ExchangeError
 from app.exchange.exported_curves import beziers_of, curves_of
 from app.exchange.formats.code import python_code, scipy_code
-from app.exchange.formats.formulas import coefficients_json, desmos_expressions, svg_path_data
+from app.exchange.formats.formulas import coefficients_json, css_shapes, desmos_expressions, svg_path_data
 from app.exchange.formats.latex import DIGITS, PICTURE_SIDE, latex_formula, pgfplots_axis, tikz_picture
 from app.exchange.options import Options
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.curve_view import view_of
+from app.view_model.extents import extent_of
 from curvecore.bezier.control_points import cubic_shape
 from tests.rows import each_row
 
@@ -136,6 +138,41 @@ def test_path_data_are_cubics_with_y_down(kind):
         points[1:].reshape(-1, 3, 2), path.control_points[:, 1:], rtol=8 * 2.0**-52, atol=0
     )
     assert written.deviation == path.deviation
+
+
+# CSS
+
+
+def test_paths_of_css_are_pixels_of_their_box(kind):
+    """Each control point, by the definition: from the left, from the top, as many pixels for each unit."""
+    written = css_shapes(kind, Options(tolerance=1e-3, format_options={"svg_width": 250.0}))
+    pieces = cubic_shape(core(kind), 1e-3).control_points
+    low, high = extent_of(pieces)
+    scale = 250.0 / (high[0] - low[0])
+    box = re.search(r"The box is (\S+) × (\S+) px", written.text).groups()
+    assert [float(side) for side in box] == pytest.approx([250.0, scale * (high[1] - low[1])], abs=6e-4)
+    shape = "clip-path" if kind.curves[0].closed else "offset-path"
+    (data,) = re.findall(rf'{shape}: path\("(M [^"\n]*)"\);', written.text)
+    on_path = [float(number) for number in re.findall(r"[-+0-9.e]+", data)]
+    expected = [pieces[0, 0]]
+    for letter, piece in zip(re.findall(r"[CL]", data), pieces, strict=True):
+        expected += [*piece[1:]] if letter == "C" else [piece[3]]
+    kept = np.reshape(on_path, (-1, 2))
+    np.testing.assert_allclose(kept, (expected - np.array([low[0], high[1]])) * [scale, -scale], atol=6e-4)
+    assert written.deviation <= 1e-3 * 1.5
+
+
+@pytest.mark.parametrize(
+    ("unit", "side", "pixels"), [("in", 1.0, 96.0), ("px", 40.0, 40.0), ("", 40.0, 40.0), ("", 4.0, 800.0)]
+)
+def test_a_box_of_css_has_the_size_of_the_drawing(unit, side, pixels):
+    square = make_curve([(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)], name="Square", family=HERMITE)
+    style = replace(square.style, fill="#000000", fill_rule=FillRule.EVENODD)
+    straight = tuple(replace(point, corner=True) for point in square.points)
+    document = Document((replace(square, points=straight, closed=True, style=style),), unit=unit)
+    text = css_shapes(document, Options(unit=unit)).text
+    assert f"The box is {pixels:g} × {pixels:g} px." in text
+    assert '.square { clip-path: path(evenodd, "M 0 ' in text
 
 
 # LaTeX

@@ -21,7 +21,7 @@ from ...tasks.progress import part
 from ..errors import ExchangeError
 from ..formats import ExportResult
 from ..options import Options
-from ..svg.writer import accuracy_of, picture_of, width_in_pixels, with_size
+from ..svg.writer import accuracy_of, picture_of, pixels_per_unit, with_size
 from ..units import POINTS_PER_MILLIMETRE, size_text
 from .drawing import Drawing
 from .outlines import Frame
@@ -99,8 +99,8 @@ def svg_preview(document: Document, options: Options, room: tuple[int, int]) -> 
     """Return the preview of an SVG; see `png_preview`."""
     options = with_size(options)
     drawing = _drawing(document, options, options.vector_style)
-    frame, across = drawing.frame, width_in_pixels(drawing.frame, options)
-    size = _size_text(frame, options, (across, across * frame.height / frame.width), "px")
+    frame, scale = drawing.frame, pixels_per_unit(drawing.frame, options)
+    size = _size_text(frame, options, (frame.width * scale, frame.height * scale), "px")
     return _preview(drawing, options, options.vector_style, size, room)
 
 

@@ -1,4 +1,4 @@
-"""Curves as code: Python with NumPy, and with SciPy."""
+"""Curves as code: Python with NumPy, and with SciPy; JavaScript and GDScript, of a template each."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable
 from functools import partial
+from string import Template
 from typing import Any
 
 import numpy as np
@@ -18,12 +19,27 @@ from curvecore.arrays import FloatArray
 from ...document.model import Document
 from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
-from ..exported_curves import ExportedCurve, accuracy, bezier_values, curves_of, measured_deviation, one_line
-from ..options import DEFAULT, Options
+from ..exported_curves import (
+    Beziers,
+    ExportedCurve,
+    accuracy,
+    bezier_values,
+    beziers_of,
+    curves_of,
+    largest_deviation,
+    measured_deviation,
+    one_line,
+)
+from ..options import DEFAULT, TOLERANCE, Options
 from ..unique_names import UniqueNames
 from . import ExportResult, Format
 
-_RESERVED = {"np", "lagrange", "hermite", "evaluate", "pieces", "t", "interpolate"}
+_RESERVED = (
+    "np lagrange hermite evaluate pieces t interpolate case catch const debugger default delete do enum "
+    "export extends false func function let match new null preload self signal static super switch this "
+    "throw tool true typeof var void"
+)
+"""Names that mean something in one of the languages."""
 
 # The runtime has no annotations, so that everybody can read the export.
 _RUNTIME: tuple[Callable[..., Any], ...] = (
@@ -46,7 +62,7 @@ def python_code(document: Document, options: Options = DEFAULT) -> ExportResult:
         If there is no curve to write.
     """
     curves = curves_of(document, options)
-    identifiers = identifiers_of(curves.curves)
+    identifiers = identifiers_of(curve.name for curve in curves.curves)
     body, deviation = [inspect.getsource(function).rstrip() for function in _RUNTIME], 0.0
     for identifier, curve in zip(identifiers, curves, strict=True):
         rounding = [
@@ -72,7 +88,7 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> ExportResult:
         If there is no curve to write.
     """
     curves = curves_of(document, options)
-    identifiers = identifiers_of(curves.curves)
+    identifiers = identifiers_of(curve.name for curve in curves.curves)
     body, deviation = list[str](), 0.0
     for identifier, curve in zip(identifiers, curves, strict=True):
         code, rounding = _scipy_object(identifier, curve)
@@ -83,15 +99,130 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> ExportResult:
     return ExportResult(text, deviation, curves.remarks, is_bound=False)
 
 
-def identifiers_of(curves: Iterable[ExportedCurve]) -> list[str]:
-    """Return a different Python identifier for every curve, like its name."""
-    names, identifiers = UniqueNames(between="_"), []
-    for curve in curves:
-        plain = unicodedata.normalize("NFKD", curve.name).encode("ascii", "ignore").decode().lower()
+# JavaScript and GDScript
+
+
+_EACH = "$each\n"
+"""Line of a template between the file and what is written for every curve."""
+
+_JAVASCRIPT = """\
+// $accuracy
+
+function evaluate({ ends, pieces }, t) {
+  let i = 0;
+  while (i < pieces.length - 1 && t >= ends[i + 1]) i += 1;
+  const s = (t - ends[i]) / (ends[i + 1] - ends[i]);
+  let points = pieces[i]; // control points; de Casteljau's scheme
+  while (points.length > 1) {
+    points = points.slice(1).map(([x, y], k) => {
+      return [(1 - s) * points[k][0] + s * x, (1 - s) * points[k][1] + s * y];
+    });
+  }
+  return points[0];
+}
+$each
+// $title
+const $data = {
+  ends: $ends,
+  pieces: [
+    $pieces,
+  ],
+};
+export const $name = (t) => evaluate($data, t);
+"""
+
+_GDSCRIPT = """\
+# $accuracy
+# y points down.
+
+static func evaluate(curve: Dictionary, t: float) -> Vector2:
+	var i := 0
+	while i < curve.pieces.size() - 1 and t >= curve.ends[i + 1]:
+		i += 1
+	var s: float = (t - curve.ends[i]) / (curve.ends[i + 1] - curve.ends[i])
+	var points: Array = curve.pieces[i] # control points; de Casteljau's scheme
+	while points.size() > 1:
+		var next := []
+		for k in points.size() - 1:
+			var a: Array = points[k]
+			var b: Array = points[k + 1]
+			next.append([(1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1]])
+		points = next
+	return Vector2(points[0][0], points[0][1])
+$each
+# $title
+const $data = {
+	"ends": $ends,
+	"pieces": [
+		$pieces,
+	],
+}
+static func $name(t: float) -> Vector2:
+	return evaluate($data, t)
+"""
+
+
+def javascript_code(document: Document, options: Options = DEFAULT) -> ExportResult:
+    """Return a module of JavaScript that has a function of t for every curve; it returns [x, y].
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    return _by_template(document, options, _JAVASCRIPT)
+
+
+def gdscript_code(document: Document, options: Options = DEFAULT) -> ExportResult:
+    """Return a script of Godot that has a function of t for every curve; y points down, as it does there.
+
+    It returns a `Vector2` of single precision: the stated deviation includes that.
+
+    Raises
+    ------
+    ExchangeError
+        If there is no curve to write.
+    """
+    return _by_template(document, options, _GDSCRIPT, y_sign=-1.0, unit_roundoff=2.0**-24)
+
+
+def _by_template(
+    document: Document, options: Options, template: str, y_sign: float = 1.0, unit_roundoff: float = 0.0
+) -> ExportResult:
+    """Return code of the Bézier pieces of every curve: its own, or cubics as `beziers_of` makes them."""
+    curves = curves_of(document, options)
+    head, each = map(Template, template.split(_EACH))
+    margin = template.partition("$pieces")[0].rpartition("\n")[2]
+    body, parts = list[str](), list[Beziers]()
+    for name, curve in zip(identifiers_of(each.name for each in curves.curves), curves, strict=True):
+        own = [beziers_of(piece, curves.tolerance) for piece in curve.core.pieces]
+        controls = (part.control_points * (1.0, y_sign) + 0.0 for part in own)
+        pieces = f",\n{margin}".join(str(piece) for part in controls for piece in part.tolist())
+        ends = [float(own[0].parameters[0]), *(t for part in own for t in part.parameters[1:].tolist())]
+        body.append(
+            each.substitute(name=name, data=name.upper(), title=_title(curve), ends=ends, pieces=pieces)
+        )
+        parts += own
+    deviation, is_bound = largest_deviation(parts)
+    deviation += 2**0.5 * unit_roundoff * max(float(np.abs(part.control_points).max()) for part in parts)
+    note = " ".join([accuracy(deviation, is_bound), *map(one_line, curves.remarks)])
+    return ExportResult(
+        "\n".join([head.substitute(accuracy=note), *body]), deviation, curves.remarks, is_bound
+    )
+
+
+# Python
+
+
+def identifiers_of(names: Iterable[str]) -> list[str]:
+    """Return a different identifier for every name, like it, in the languages here and in CSS."""
+    unique, identifiers = UniqueNames(between="_"), []
+    for name in names:
+        plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
         base = re.sub("[^a-z0-9]+", "_", plain).strip("_") or "curve"
-        if base[0].isdigit() or keyword.iskeyword(base) or base in _RESERVED:
+        if base[0].isdigit() or keyword.iskeyword(base) or base in _RESERVED.split():
             base = f"curve_{base}"
-        identifiers.append(names.unique(base))
+        identifiers.append(unique.unique(base))
     return identifiers
 
 
@@ -187,4 +318,21 @@ SCIPY = Format(
     description="The curves as objects of scipy.interpolate.",
     rank=90,
     write=scipy_code,
+)
+JAVASCRIPT = Format(
+    endings=(".js",),
+    title="JavaScript",
+    description="A module with a function of t for each curve.",
+    rank=92,
+    options=(TOLERANCE,),
+    write=javascript_code,
+)
+GDSCRIPT = Format(
+    endings=(".gd",),
+    title="GDScript",
+    description="A script for Godot with a function of t for each curve; y points down.",
+    rank=94,
+    options=(TOLERANCE,),
+    deviation_limit=1.1,  # a Vector2 has single precision
+    write=gdscript_code,
 )

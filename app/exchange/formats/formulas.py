@@ -1,4 +1,4 @@
-"""Curves as data that other programs take: Desmos, SVG path data, coefficients as JSON."""
+"""Curves as data that other programs take: Desmos, SVG path data, shapes of CSS, coefficients as JSON."""
 
 from __future__ import annotations
 
@@ -16,14 +16,26 @@ from curvecore.arrays import FloatArray
 
 from ... import __version__
 from ...document.model import Document
+from ...document.style import FillRule
 from ...tasks.progress import part, with_progress
 from ...view_model.curve.curve_view import ParametricCurve
-from ..drawing.drawing import drawing_of
+from ...view_model.extents import extent_of
+from ..drawing.drawing import drawing_of, rounded
+from ..drawing.outlines import Frame
 from ..errors import ExchangeError
-from ..exported_curves import Beziers, beziers_of, curves_of, largest_deviation, measured_deviation
-from ..options import DEFAULT, TOLERANCE, Options
-from ..svg.writer import path_data
+from ..exported_curves import (
+    Beziers,
+    accuracy,
+    beziers_of,
+    curves_of,
+    largest_deviation,
+    measured_deviation,
+)
+from ..options import DEFAULT, SVG_WIDTH, TOLERANCE, Options
+from ..svg.writer import number, path_data, pixels_per_unit, with_size
+from ..units import enlarged, shifted
 from . import ExportResult, Format
+from .code import identifiers_of
 
 MOST_COEFFICIENTS = 100
 """Points of the largest Lagrange curve whose coefficients are written: beyond, no float holds them well."""
@@ -86,6 +98,36 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> ExportResul
     shapes = with_progress(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
     paths = [path_data(shape, has_lines=False) for shape in shapes]
     return ExportResult("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
+
+
+def css_shapes(document: Document, options: Options = DEFAULT) -> ExportResult:
+    """Return a rule of CSS for every path: closed a ``clip-path``, open an ``offset-path``.
+
+    The path data are pixels of a box that the curves fill, from its upper left corner. Its width is that of
+    the options, or its size the true one or that of an SVG; numbers have three decimals.
+
+    Raises
+    ------
+    ExchangeError
+        If nothing can be drawn.
+    """
+    options = with_size(options)
+    drawn = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.4))
+    low, high = extent_of(np.concatenate([outline.control_points for outline in drawn.outlines])).tolist()
+    scale = pixels_per_unit(Frame(low[0], low[1], high[0] - low[0], high[1] - low[1]), options)
+    in_box = enlarged(shifted(document, (-low[0], -high[1])), scale)
+    drawing = rounded(drawing_of(in_box, drawn.tolerance * scale, part(options.report, 0.4, 1.0)), 3)
+    width, height = (number(round((high[axis] - low[axis]) * scale, 3)) for axis in (0, 1))
+    deviation = drawing.deviation / scale
+    rules = [f"/* {accuracy(deviation, drawing.is_bound)} The box is {width} × {height} px. */"]
+    shapes = drawing.shapes
+    for name, shape in zip(
+        identifiers_of(shape[0].shape or shape[0].name for shape in shapes), shapes, strict=True
+    ):
+        rule = "evenodd, " if shape[0].style.fill_rule is FillRule.EVENODD else ""
+        path = f"clip-path: path({rule}" if shape[0].closed else "offset-path: path("
+        rules.append(f'.{name} {{ {path}"{" ".join(path_data(shape).split())}"); }}')
+    return ExportResult("\n".join(rules) + "\n", deviation, drawing.left_out, drawing.is_bound)
 
 
 def coefficients_json(document: Document, options: Options = DEFAULT) -> ExportResult:
@@ -177,6 +219,15 @@ PATH_DATA = Format(
     rank=140,
     options=(TOLERANCE,),
     write=svg_path_data,
+)
+CSS = Format(
+    endings=(".css",),
+    title="CSS path",
+    description="Clip paths of closed shapes and offset paths of open ones, in pixels of their box.",
+    rank=145,
+    options=(SVG_WIDTH, TOLERANCE),
+    deviation_limit=1.5,  # three decimals
+    write=css_shapes,
 )
 COEFFICIENTS = Format(
     endings=(".coefficients.json",),

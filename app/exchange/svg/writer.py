@@ -37,7 +37,7 @@ from ..exported_curves import deviation_text
 from ..formats import ExportResult
 from ..options import DECIMALS, DEFAULT, SVG_SCALE, SVG_WIDTH, Options
 from ..unique_names import UniqueNames
-from ..units import enlarged, in_unit, shifted
+from ..units import enlarged, factor_between, in_unit, shifted
 from .own_files import MARK, NO_CURVES
 from .xml_tree import INKSCAPE_SPACE, SODIPODI_SPACE
 
@@ -57,7 +57,7 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
     exactly one ``C`` of the path. Lagrange and quintic Hermite curves become as many cubics as the tolerance
     takes; the largest deviation stands in a comment and in the metadata. The curves of a shape are one path,
     a circle of four quarters is a circle, in their groups and with its style; hidden ones are written, but
-    not displayed. Points are discs in a group of their own. The size is that of `width_in_pixels`, or the
+    not displayed. Points are discs in a group of their own. The size is that of `pixels_per_unit`, or the
     true one.
 
     Raises
@@ -111,17 +111,18 @@ def with_size(options: Options) -> Options:
     return options if options[SVG_SCALE] is None else replace(options, unit="")
 
 
-def width_in_pixels(frame: Frame, options: Options) -> float:
-    """Return the width in CSS pixels of a picture that has not true size, in files and on the clipboard.
+def pixels_per_unit(frame: Frame, options: Options) -> float:
+    """Return the CSS pixels for each unit of the document, in files and on the clipboard.
 
-    Without a width or a scale one unit is a pixel: the user unit of SVG, which Inkscape, Figma and browsers
-    take numbers for. A drawing of a few units, such as a plot, would be a speck in all of them: one that is
-    smaller than the smallest icons gets a longer side of `NOMINAL_SIDE`.
+    Without true size, a width or a scale one unit is a pixel: the user unit of SVG, which Inkscape, Figma and
+    browsers take numbers for. A drawing of a few units, such as a plot, would be a speck in all of them: one
+    that is smaller than the smallest icons gets a longer side of `NOMINAL_SIDE`.
     """
     if options.width is not None:
-        return options.width
-    automatic = 1.0 if frame.side >= SMALLEST_ICON else NOMINAL_SIDE / frame.side
-    return (options[SVG_SCALE] or automatic) * frame.width
+        return options.width / (frame.width or frame.side or 1.0)
+    if options.is_to_scale:
+        return factor_between(options.unit, "px")
+    return options[SVG_SCALE] or (NOMINAL_SIDE / frame.side if 0 < frame.side < SMALLEST_ICON else 1.0)
 
 
 def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options: Options) -> str:
@@ -159,8 +160,8 @@ def _size_attributes(frame: Frame, options: Options) -> tuple[str, str]:
     if options.is_to_scale:
         unit = known_unit(options.unit)
         return _css_length(frame.width, unit), _css_length(frame.height, unit)
-    wide = width_in_pixels(frame, options)
-    return f"{wide:.9g}", f"{wide * frame.height / frame.width:.9g}"
+    scale = pixels_per_unit(frame, options)
+    return f"{frame.width * scale:.9g}", f"{frame.height * scale:.9g}"
 
 
 def accuracy_of(drawing: Drawing) -> str:
@@ -222,7 +223,7 @@ def _strokes(annotation: Annotation, style: PictureStyle) -> str:
 
 
 def svg_for_clipboard(document: Document, report: Report = silent, in_pixels: bool = True) -> ExportResult:
-    """Return a document as SVG of the size of an exported file; see `width_in_pixels`.
+    """Return a document as SVG of the size of an exported file; see `pixels_per_unit`.
 
     Its coordinates are pixels: Inkscape 1.2 pastes coordinates as they are, whatever the view box. Without a
     unit of length and without `in_pixels` they are the numbers of the document, for all other programs.
@@ -236,7 +237,7 @@ def svg_for_clipboard(document: Document, report: Report = silent, in_pixels: bo
         return svg_of(in_unit(document, "px"), Options(unit="px", report=report))
     frame = picture_of(document, DEFAULT, INK, part(report, 0.0, 0.5)).frame
     if in_pixels:
-        document = enlarged(document, width_in_pixels(frame, DEFAULT) / frame.width)
+        document = enlarged(document, pixels_per_unit(frame, DEFAULT))
     return svg_of(document, Options(report=part(report, 0.5, 1.0)))
 
 
