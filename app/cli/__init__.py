@@ -1,7 +1,7 @@
 """The command line: the editor, and commands that need no window.
 
 - ``command_line``: which command it is.  ``output``: results, refusals and progress.
-  ``documents``: documents and curve families in the files that it names.
+  ``documents``, ``families``: documents and curve families in the files that it names.
 - ``commands``: the parsers of the commands without a window.  ``options``: their options.
   ``rendering``, ``converting`` and ``info``: their work.
 - ``start``: the editor's start.  ``lessons``: the same with a lesson.

@@ -2,7 +2,7 @@
 from . import application as application
 from . import commands as commands
 from . import converting as converting
-from . import documents as documents
+from . import families as families
 from . import info as info
 from . import lessons as lessons
 from . import rendering as rendering

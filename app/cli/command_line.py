@@ -51,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         options, words = common_options().parse_known_args(words)
-        families = cli.documents.families_of_files(options.families) if options.families else nullcontext()
+        families = cli.families.families_of_files(options.families) if options.families else nullcontext()
         if options.processor_limit:
             limit_processor_time(options.processor_limit)
         with logged(options.log), families:

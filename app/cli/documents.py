@@ -1,14 +1,11 @@
-"""Documents and curve families in the files that the command line names."""
+"""Documents in the files that the command line names."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 
 from .. import exchange
 from ..exchange.formats import can_import
-from ..families import FAMILIES, family_file
 from ..storage.files import load_counting
 from ..storage.format import Decoded
 from ..storage.format_error import FormatError
@@ -41,13 +38,3 @@ def document_of(path: str) -> Decoded:
         source = exchange.files.import_file(path, report=report)
     print_remarks(source.remarks)
     return Decoded(source.document)
-
-
-@contextmanager
-def families_of_files(paths: Sequence[str]) -> Iterator[None]:
-    """Add the families of files while a command runs; refuse the command where one is wrong."""
-    try:
-        with family_file.families_of_files(FAMILIES, paths):
-            yield
-    except family_file.FamilyFileError as problem:
-        raise RefusalError(str(problem)) from None

@@ -17,7 +17,7 @@ In reading order:
   ``reference_image``: the other gestures, each in one file from the press to the undo step.
 - ``canvas``: the tools that a person chooses.
 - ``nudge``: arrow keys and Tab.  ``typed_amount``: a number, or two, typed during a drag.
-- ``snapping``: what a point snaps to.  ``offsets``: offsets in the plane.
+- ``snapping``: what a point snaps to.
 - ``box``: the box around the selection, with grips and pivot.
 - ``marks``: what is drawn over the plot.
 - ``editing_session``: the session as tools see it.  ``background``: work that takes longer than a moment.

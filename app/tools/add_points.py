@@ -20,8 +20,7 @@ from ..view_model.curve.handles import derivative_from_handle
 from ..view_model.join import End, PenJoin, joined_by_pen
 from ..view_model.reshape import Reshaped, with_point_inserted
 from .editing_session import EditingSession
-from .offsets import in_steps, plus
-from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer
+from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer, in_steps, plus
 from .snapping import Snapper
 from .tool import Drag, ToolEvent
 

@@ -16,8 +16,7 @@ from ..view_model.geometry import segment_at
 from ..view_model.reshape import Reshaped, inserted_index, with_point_inserted
 from .drag_points import unless_locked
 from .editing_session import EditingSession
-from .offsets import plus
-from .pointer import Cursor, Hint, Hit, Pointer, selection_text
+from .pointer import Cursor, Hint, Hit, Pointer, plus, selection_text
 from .tool import Drag, Gesture, ToolEvent
 
 _TOLERANCE = 0.05

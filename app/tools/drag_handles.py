@@ -16,8 +16,7 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import derivative_from_handle, derivative_of_offset, offset_of_handle
 from ..view_model.point_kinds import is_breakable, with_corners, with_handle_retracted
 from .drag_points import Click, hint_on_point, press_on_point, selecting, unless_locked
-from .offsets import in_steps, plus
-from .pointer import SNAP_KEY, STEP_KEYS, Hint, Hit, Part, Pointer
+from .pointer import SNAP_KEY, STEP_KEYS, Hint, Hit, Part, Pointer, in_steps, plus
 from .snapping import Snapper, stepped_from
 from .tool import Gesture, GestureRow, ToolEvent, TypedDrag
 from .typed_amount import TypedAmount

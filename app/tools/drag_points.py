@@ -19,7 +19,6 @@ from ..document.selection import SelectionState
 from ..document.several_curves import move_group
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.point_kinds import inner_points, toggled
-from .offsets import along_axis, axis_held, minus, plus
 from .pointer import (
     AXIS_KEYS,
     SNAP_KEY,
@@ -27,7 +26,11 @@ from .pointer import (
     Hit,
     Part,
     Pointer,
+    along_axis,
+    axis_held,
     drag_to_move,
+    minus,
+    plus,
     selection_text,
     snap_key_text,
 )

@@ -7,8 +7,7 @@ import math
 from ..document.model import Document, ReferenceImage, Vector
 from ..document.plane_edits import move_image, scale_image, step_image
 from .nudge import DIRECTIONS
-from .offsets import along_axis, axis_held, minus
-from .pointer import Cursor, Hint, Part, Pointer
+from .pointer import Cursor, Hint, Part, Pointer, along_axis, axis_held, minus
 from .tool import Drag, Gesture, Tool, ToolEvent, ToolRecord
 
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))

@@ -25,8 +25,7 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.distances import NearestPoint
 from .box import Grip
 from .editing_session import EditingSession
-from .offsets import in_steps, plus
-from .pointer import Pointer
+from .pointer import Pointer, in_steps, plus
 
 REACH = 8.0
 """Pixels within which something snaps."""

@@ -24,8 +24,21 @@ from ..view_model.resize import stretched
 from .box import Grip, TransformBox, TransformKind
 from .drag_points import MovePoints, nearest_point
 from .marks import Marks, Note
-from .offsets import along_axis, axis_held, longer_axis, minus, plus
-from .pointer import AXIS_KEYS, SNAP_KEY, STEP_KEYS, Cursor, Hint, Pointer, drag_to_move, snap_key_text
+from .pointer import (
+    AXIS_KEYS,
+    SNAP_KEY,
+    STEP_KEYS,
+    Cursor,
+    Hint,
+    Pointer,
+    along_axis,
+    axis_held,
+    drag_to_move,
+    longer_axis,
+    minus,
+    plus,
+    snap_key_text,
+)
 from .snapping import Snapper
 from .tool import Drag, Gesture, ToolEvent, TypedDrag
 from .typed_amount import TypedAmount

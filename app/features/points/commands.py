@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
 from itertools import chain
+from typing import TYPE_CHECKING
 
+from ... import view_model
 from ...actions.declaration import Action, PositionAction, action, action_for_each, also, also_for_each
 from ...actions.menus import (
     CANVAS_MENU,
@@ -33,7 +35,6 @@ from ...document.words import enumerated, number
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.curve.handles import with_velocities_pulled
 from ...view_model.geometry import segment_at
-from ...view_model.match_curvature import Joint, joints_of, matched
 from ...view_model.point_kinds import (
     POINT_KINDS,
     PointKind,
@@ -43,6 +44,9 @@ from ...view_model.point_kinds import (
     with_straight_segments,
 )
 from ...workbench.context import WindowContext
+
+if TYPE_CHECKING:
+    from ...view_model.match_curvature import Joint
 
 _Reshape = Callable[[CurveView, Sequence[int]], Curve]
 """Returns the curve of a view with some of its points or segments changed."""
@@ -153,11 +157,13 @@ class TangentCommands:
     def _match_curvature(self) -> None:
         """Make the curvature continuous at selected smooth points, or where the ends of curves meet."""
         session, views = self._session, self._session.views
-        joints = joints_of(views, session.selected.group, session.selected.whole_curves)
+        joints = view_model.match_curvature.joints_of(
+            views, session.selected.group, session.selected.whole_curves
+        )
         if not joints:
             session.refuse("Select smooth points, ends that meet, or curves whose ends meet.")
             return
-        result = matched(views, joints)
+        result = view_model.match_curvature.matched(views, joints)
         by_reason = {
             why: [j for j in joints if result.refusals.get(j) == why] for why in result.refusals.values()
         }

@@ -6,8 +6,7 @@ import math
 
 from ...document import words
 from ..marks import Marks, Ruler
-from ..offsets import minus
-from ..pointer import SNAP_KEY, STEP_KEYS, Hint
+from ..pointer import SNAP_KEY, STEP_KEYS, Hint, minus
 from ..snapping import Snapper, stepped_from
 from ..tool import Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 

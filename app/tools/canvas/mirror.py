@@ -14,8 +14,7 @@ from ...view_model.settings import ChoiceSetting
 from ..box import SelectionBox
 from ..editing_session import EditingSession
 from ..marks import Marks
-from ..offsets import minus
-from ..pointer import SNAP_KEY, STEP_KEYS, Hint, Pointer
+from ..pointer import SNAP_KEY, STEP_KEYS, Hint, Pointer, minus
 from ..snapping import Snapper, stepped_from
 from ..tool import Drag, GestureRow, Tool, ToolEvent, ToolRecord
 
