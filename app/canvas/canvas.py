@@ -76,7 +76,7 @@ class DrawnCanvas(CanvasQueries):
     def grid_spacing(self) -> float:
         return self._drawing.grid.spacing(self._plot.pixel_map)
 
-    def scroll(self) -> Scroll:
+    def scroll_of_drag(self) -> Scroll:
         return self._plot.edge.scroll
 
 

@@ -117,7 +117,7 @@ class CanvasQueries:
         """Return the spacing of the grid at the present zoom."""
         return 1.0
 
-    def scroll(self) -> Scroll:
+    def scroll_of_drag(self) -> Scroll:
         """Return the parts of the plane visible before the drag and now, where it has scrolled the view."""
         return NO_SCROLL
 
@@ -331,7 +331,7 @@ class Drag(Gesture, kw_only=True):
     def release(self, event: ToolEvent) -> None:
         """Make the previewed document a step; where the last move was refused, it is the last good one."""
         session = event.session
-        text, scroll = self.undo_text(event.pointer), event.canvas.scroll()
+        text, scroll = self.undo_text(event.pointer), event.canvas.scroll_of_drag()
         if session.commit(session.document, text, scroll=scroll):
             self.committed(event)
         if self.refusal:
