@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from itertools import count
 
 import msgspec
 import numpy as np
@@ -35,6 +36,9 @@ SAME_PARAMETER = 1e-9
 
 _ROUNDING = 1e-12
 """Share of the largest coordinate by which an estimate may move the curve and count as the same."""
+
+_MOST_ATTEMPTS = 8
+"""Attempts to set the nearest estimates alone, before all that would move are set."""
 
 
 class Reshaped(msgspec.Struct, frozen=True):
@@ -274,25 +278,28 @@ def with_sides_kept(was: Sides, changed: Curve, old: IntArray, new: IntArray) ->
     The rows `old` of the jets are those of the points `new`. What is set holds the estimates beyond it where
     a spline estimates them: so points beside others that are set come first, and lower orders.
     """
-    after = view_of(changed)
-    refuse_without_curve(after)
-    assert after.sides is not None
-    is_given = ~np.isnan(after.arrays.given[new, :, : was.before.shape[1] - 1, 0])
-    moved = np.stack([_moves(after, *both, old, new) for both in zip(was, after.sides, strict=True)], axis=1)
-    moved[is_given] = False
-    if not moved.any():
-        return changed
-    beside_given = np.zeros(len(changed.points), dtype=np.bool_)
-    beside_given[new] = is_given.any(axis=(1, 2))
-    beside_given = np.roll(beside_given, 1) | beside_given | np.roll(beside_given, -1)
-    moved[:, :, moved.any(axis=(0, 1)).argmax() + 1 :] = False
-    nearest = moved & beside_given[new, None, None]
-    rows = np.argwhere(nearest if nearest.any() else moved).tolist()
-    values = [
-        JetValue(int(new[row]), k + 1, bool(side), _vector(was[side][old[row], k + 1]))
-        for row, side, k in rows
-    ]
-    return with_sides_kept(was, with_jet_values(changed, values), old, new)
+    for attempt in count():
+        after = view_of(changed)
+        refuse_without_curve(after)
+        assert after.sides is not None
+        is_given = ~np.isnan(after.arrays.given[new, :, : was.before.shape[1] - 1, 0])
+        pairs = zip(was, after.sides, strict=True)
+        moved = np.stack([_moves(after, *pair, old, new) for pair in pairs], axis=1) & ~is_given
+        if not moved.any():
+            break
+        moved[:, :, moved.any(axis=(0, 1)).argmax() + 1 :] = False
+        holds = np.zeros(len(changed.points), dtype=np.bool_)
+        holds[new] = is_given.any(axis=(1, 2))
+        nearest = moved & (np.roll(holds, 1) | holds | np.roll(holds, -1))[new, None, None]
+        rows = np.argwhere(nearest if nearest.any() and attempt < _MOST_ATTEMPTS else moved).tolist()
+        changed = with_jet_values(
+            changed,
+            [
+                JetValue(int(new[row]), k + 1, bool(side), _vector(was[side][old[row], k + 1]))
+                for row, side, k in rows
+            ],
+        )
+    return changed
 
 
 def _moves(after: CurveView, was: FloatArray, now: FloatArray, old: IntArray, new: IntArray) -> BoolArray:
