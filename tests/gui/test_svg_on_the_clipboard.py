@@ -275,7 +275,7 @@ def test_pasted_curves_outside_the_view_do_not_move_the_view_and_the_offered_key
     """A big thing pasted into a small view zoomed out."""
     editor.settle()
     before = editor.window.canvas.camera.pixel_map
-    editor.paste_text("M 400 400 L 900 1200")
+    editor.paste_text(f'<svg xmlns="{SVG}"><path d="M 400 400 L 900 1200"/></svg>')
     paste(editor, CTRL | ALT)
     assert editor.window.canvas.camera.pixel_map == before
     assert editor.status.endswith(
@@ -283,6 +283,43 @@ def test_pasted_curves_outside_the_view_do_not_move_the_view_and_the_offered_key
     )
     editor.key(Qt.Key.Key_F, Qt.KeyboardModifier.ShiftModifier)
     assert editor.window.canvas.framing.shows_curves([editor.session.active_index])
+
+
+@pytest.mark.parametrize("size", [24.0, 2000.0, 0.001])
+@pytest.mark.parametrize("is_blank", [True, False])
+def test_pasted_path_data_are_seen_whole_with_their_numbers(editor, size, is_blank):
+    """A path of 2000 units was pasted into a view of 8, and what was seen of it was empty."""
+    canvas = editor.window.canvas
+    if is_blank:
+        editor.new()
+    editor.settle()
+    canvas.setFocus()
+    editor.hover((1.0, 1.0))
+    editor.paste_text(f"M0 0C{size / 3} 0 {size} {size / 2} {size} {size}L0 {size}")
+    paste(editor)
+    editor.settle()
+    points = editor.curve.points
+    first = points[0].position
+    if is_blank:
+        assert [point.position for point in points] == [(0, 0), (size, -size), (0, -size)]
+    for point, x, y in zip(points, (0, size, 0), (0, -size, -size), strict=True):
+        assert (point.x - first[0], point.y - first[1]) == pytest.approx((x, y), rel=1e-9, abs=1e-12)
+    assert canvas.framing.shows_curves([editor.session.active_index])
+    left, bottom, right, top = canvas.pixel_map.box
+    assert max(size / (right - left), size / (top - bottom)) > 0.3
+    assert editor.status == "Pasted “Path”; it is selected. The view was changed to show all of it."
+    editor.trigger("undo")
+    assert "Path" not in [curve.name for curve in editor.session.document.curves]
+
+
+def test_pasted_path_data_that_are_seen_whole_do_not_move_the_view(three):
+    three.settle()
+    before = three.window.canvas.camera.pixel_map
+    three.hover((2.0, 2.0))
+    three.paste_text("M0 0L1 1")
+    paste(three)
+    assert three.window.canvas.camera.pixel_map == before
+    assert three.status == "Pasted “Path”; it is selected."
 
 
 # Out

@@ -16,10 +16,11 @@ from ... import exchange
 from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import CANVAS_MENU, CURVE_LIST_MENU, EDIT_CLIPBOARD, EDIT_DERIVATIVES, WHOLES_MENU
+from ...canvas.fitting import box_of
 from ...document import curve_edits, point_edits
 from ...document.limits import EditError
 from ...document.model import Curve, Point, Vector
-from ...document.several_curves import common_name, name_or_count
+from ...document.several_curves import common_name, is_blank, name_or_count
 from ...document.words import count_of
 from ...exchange.table.clipboard import Block, TableTextError, read_titled_block
 from ...storage.format import Decoded, decode_counting
@@ -48,6 +49,9 @@ if TYPE_CHECKING:
 _NO_CURVE = "A picture is not a curve. To trace it, use File › Reference Image."
 _MANY_POINTS = 200
 """Points of curves that are worked out beside the window."""
+
+_SPECK = 24
+"""Pixels of the longer side of a drawing that is too small to be seen."""
 
 
 class PasteCommands:
@@ -119,15 +123,29 @@ class PasteCommands:
             return True
         if (fragment := drawing_in(data)) is None:
             return False
-        self._import(lambda report: exchange.svg.fragments.read_fragment(fragment, report), position)
+        is_first = is_blank(self._session.committed)
+        # Path data keep their numbers where no other curve says where to look for them.
+        self._import(
+            lambda report: exchange.svg.fragments.read_fragment(fragment, report),
+            None if fragment.is_bare and is_first else position,
+            fits=fragment.is_bare or is_first,
+        )
         return True
 
     # Curves
 
     def _import(
-        self, read: Callable[[Report], ImportResult], position: Vector | None, points: int = _MANY_POINTS
+        self,
+        read: Callable[[Report], ImportResult],
+        position: Vector | None,
+        points: int = _MANY_POINTS,
+        *,
+        fits: bool = False,
     ) -> None:
-        """Read curves beside the window, and add them to the open document; few `points` at once."""
+        """Read curves beside the window, and add them to the open document; few `points` at once.
+
+        With `fits` the view shows all of them, whatever their size.
+        """
         origin, target = self._session.files.origin, self._target(position)
 
         def work(report: Report) -> tuple[ImportResult, AddedCurves]:
@@ -140,11 +158,11 @@ class PasteCommands:
             if self._session.files.origin is not origin:
                 self._session.refuse("Not pasted because another document was opened in the meantime.")
             else:
-                self._add(arrival if now == target else _filled(now, result), result.remarks)
+                self._add(arrival if now == target else _filled(now, result), result.remarks, fits=fits)
 
         if points < _MANY_POINTS:
             result = read(silent)
-            self._add(_filled(target, result), result.remarks)
+            self._add(_filled(target, result), result.remarks, fits=fits)
         else:
             self._context.work.start("Reading the drawing", work, done, Path("The drawing"), "pasted")
 
@@ -152,9 +170,10 @@ class PasteCommands:
         session, pixel = self._session, self._context.central.canvas.camera.pixel_size
         return PasteTarget(session.committed, position, pixel, session.views)
 
-    def _add(self, arrival: AddedCurves, remarks: Sequence[str]) -> None:
+    def _add(self, arrival: AddedCurves, remarks: Sequence[str], *, fits: bool) -> None:
         session, indices = self._session, arrival.indices
-        document, framing = arrival.document, self._context.central.canvas.framing
+        document, canvas = arrival.document, self._context.central.canvas
+        framing = canvas.framing
         name, style = name_or_count(document, indices), session.template_curve.style
         session.expect(arrival.views)
         with session.batch:
@@ -163,10 +182,16 @@ class PasteCommands:
             session.selected.select_imported(indices, style)
         is_one = common_name(document, indices) is not None
         message = f"Pasted “{name}”; it is selected." if is_one else f"Pasted {name}; they are selected."
-        if not framing.shows_curves(indices):
+        it, is_seen = ("it" if is_one else "them"), framing.shows_curves(indices)
+        box = box_of([session.views[index] for index in indices])
+        is_speck = box is None or (box.high - box.low).max() < _SPECK * canvas.camera.pixel_size
+        if fits and (is_speck or not is_seen):
+            self._context.actions["fitSelection"].trigger()
+            message = f"{message} The view was changed to show all of {it}."
+        elif not is_seen:
             # The view does not move while somebody works in it.
             key = key_or_name(self._context.actions["fitSelection"])
-            part = f"Part of {'it' if is_one else 'them'} is outside the view"
+            part = f"Part of {it} is outside the view"
             message = f"{message} {part}; {key} shows the selection."
         session.say(message)
         self._context.work.warn_of(remarks)
