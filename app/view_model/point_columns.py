@@ -29,7 +29,7 @@ from ..document.derivatives import DERIVATIVES, Derivative
 from ..document.limits import EditError, not_after
 from ..document.model import Curve, Document, Vector
 from .curve.curve_view import CurveView
-from .curve.handles import derivative_at_angle, derivative_of_length, handle_offsets
+from .curve.handles import handle_offsets, with_length_or_angle
 
 PARAMETER, POSITION = -1, 0
 """Orders of columns that are no derivatives."""
@@ -295,7 +295,7 @@ def _angles(order: int, ahead: bool, view: CurveView) -> FloatArray:
 def _set_handle(
     order: int,
     ahead: bool,
-    derivative_of: Callable[..., Vector],
+    changed: str,
     document: Document,
     curve: int,
     view: CurveView,
@@ -304,7 +304,7 @@ def _set_handle(
 ) -> Document:
     given = document.curves[curve].points[index].explicit_sides(order)[ahead]
     present = given or view.derivative_of(index, order, ahead=ahead) or (0.0, 0.0)
-    derivative = derivative_of(view, index, order, present, value, ahead=ahead)
+    derivative = with_length_or_angle(view, index, order, present, ahead=ahead, **{changed: value})
     return point_edits.set_derivative(document, curve, index, order, derivative, ahead=ahead)
 
 
@@ -351,16 +351,16 @@ def _handle_columns(derivative: Derivative, ahead: bool) -> Iterator[Column]:
     order, side, arrow = derivative.order, ("behind", "ahead")[ahead], "←→"[ahead]
     kind = "handle" if order == 1 else f"{derivative.name} handle"
     prefix = "" if order == 1 else derivative.letter
-    for sign, what, measure, derivative_of, unit in (
-        ("ℓ", "length", _lengths, derivative_of_length, "on the canvas"),
-        ("∠", "angle", _angles, derivative_at_angle, "in degrees, counterclockwise from x"),
+    for sign, what, measure, changed, unit in (
+        ("ℓ", "length", _lengths, "length", "on the canvas"),
+        ("∠", "angle", _angles, "degrees", "in degrees, counterclockwise from x"),
     ):
         yield Column(
             name=f"{prefix}{sign}{arrow}",
             label=f"{what} of the {kind} {side}",
             tip=f"{what.capitalize()} of the {kind} {side} {unit}",
             get=partial(measure, order, ahead),
-            set=partial(_set_handle, order, ahead, derivative_of),
+            set=partial(_set_handle, order, ahead, changed),
             is_estimated=lambda view: np.isnan(view.arrays.given[:, int(ahead), order - 1, 0]),
             estimate=lambda curve: str(getattr(curve, derivative.rule_field).estimate),
             reset=partial(_reset, order),

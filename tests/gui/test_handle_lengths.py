@@ -144,7 +144,10 @@ def test_a_handle_without_length_says_why_it_has_no_angle(wave):
     assert math.isnan(value(wave, 1, "∠→"))
     before = wave.session.document
     enter(wave, 1, "∠→", "30")
-    assert "The velocity handle ahead of point 1 has no length, and so no angle." in wave.status
+    assert (
+        "The velocity handle ahead of point 1 has no length, and so no angle. Drag it out first."
+        in wave.status
+    )
     assert wave.session.document is before
     # Its length pulls it out along the points beside it.
     enter(wave, 1, "ℓ→", "2")

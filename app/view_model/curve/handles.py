@@ -18,6 +18,7 @@ import numpy as np
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
 
+from ...document.constraints import unit_vector
 from ...document.derivatives import DERIVATIVES
 from ...document.limits import EditError
 from ...document.model import Curve, Document, Vector
@@ -253,10 +254,8 @@ def derivative_from_handle(
 
     It is infinite on an interval of almost no length, where no number is large enough: edits refuse that.
     """
-    h, base = (
-        _signed_spacing(view, index, ahead=ahead),
-        _controls_on(view, index, ahead, (0.0, 0.0), order)[-1],
-    )
+    base = _controls_on(view, index, ahead, (0.0, 0.0), order)[-1]
+    h = _signed_spacing(view, index, ahead=ahead)
     x, y = (math.perm(_degree(view), order) * float(a - b) for a, b in zip(position, base, strict=True))
     # Not by a power of h: it may vanish where h does not.
     for _ in range(order):
@@ -291,72 +290,49 @@ def handle_offsets(view: CurveView, order: int, *, ahead: bool) -> FloatArray:
     NaN where a point has no such handle.
     """
     count = len(view.source.points)
-    sides = PointSides(np.arange(count), np.full(count, ahead))
     offsets = np.full((count, 2), np.nan)
     if view.is_current and view.sides is not None:
         # Not `handles_on`, which keeps the handles of two selections alone during a drag.
+        sides = PointSides(np.arange(count), np.full(count, ahead))
         handles = _handles_from(view, view.sides, _arms(view, sides, free=False))
-    else:
-        handles = handles_on(view, sides)
-    if len(handles):
-        arms = handles.of_arms(handles.ahead == ahead)
-        offsets[arms.indices] = arms.arms[:, order] - arms.arms[:, order - 1]
+        offsets[handles.indices] = handles.arms[:, order] - handles.arms[:, order - 1]
     return offsets
 
 
-def derivative_of_length(
-    view: CurveView, index: int, order: int, present: Vector, length: float, *, ahead: bool
+def with_length_or_angle(
+    view: CurveView,
+    index: int,
+    order: int,
+    present: Vector,
+    *,
+    ahead: bool,
+    length: float | None = None,
+    degrees: float | None = None,
 ) -> Vector:
-    """Return the derivative whose handle has this length, in the direction of that of the `present` one.
+    """Return the derivative whose handle has another length or angle than that of the `present` one.
 
-    A velocity of no length is pulled out along the curve's points.
+    Angles are counterclockwise from x. A velocity of no length is pulled out along the curve's points.
 
     Raises
     ------
     EditError
-        If the point has no such handle, the length is negative, or there is no direction.
+        If the point has no such handle, the length is negative, or the handle has no direction.
     """
-    offset, label = _offset_of(view, index, order, present, ahead=ahead)
-    if length < 0.0:
-        raise EditError(f"The length of {label} is 0 or more; its angle turns it round.")
-    if not any(offset) and length:
-        if order > 1:
-            raise EditError(f"{label[0].upper()}{label[1:]} has no length, and so no direction. Drag it out.")
-        x, y = _pulled(view, index, math.inf, ahead)
-        offset = (x, y) if ahead else (-x, -y)
-    share = length / (math.hypot(*offset) or 1.0)
-    scaled = (share * offset[0], share * offset[1])
-    return derivative_of_offset(view, index, order, scaled, ahead=ahead)
-
-
-def derivative_at_angle(
-    view: CurveView, index: int, order: int, present: Vector, degrees: float, *, ahead: bool
-) -> Vector:
-    """Return the derivative whose handle is at this angle from x, counterclockwise, as long as at `present`.
-
-    Raises
-    ------
-    EditError
-        If the point has no such handle, or it has no length.
-    """
-    offset, label = _offset_of(view, index, order, present, ahead=ahead)
-    if not any(offset):
-        raise EditError(
-            f"{label[0].upper()}{label[1:]} has no length, and so no angle. Set its length first."
-        )
-    turned = polar_vector(math.hypot(*offset), degrees)
-    return derivative_of_offset(view, index, order, turned, ahead=ahead)
-
-
-def _offset_of(
-    view: CurveView, index: int, order: int, derivative: Vector, *, ahead: bool
-) -> tuple[Vector, str]:
-    """Return the line to the handle of a derivative, and its label; raise EditError where there is none."""
     side = "ahead of" if ahead else "behind"
     if view.spacing(index, ahead=ahead) is None:
         raise EditError(view.problem or f"The curve ends at point {index}: there is no handle {side} it.")
-    offset = offset_of_handle(view, index, order, derivative, ahead=ahead)
-    return offset, f"the {DERIVATIVES[order - 1].name} handle {side} point {index}"
+    label = f"{DERIVATIVES[order - 1].name} handle {side} point {index}"
+    if length is not None and length < 0.0:
+        raise EditError(f"The length of the {label} is 0 or more; its angle turns it round.")
+    offset = offset_of_handle(view, index, order, present, ahead=ahead)
+    size = math.hypot(*offset) if length is None else length
+    if not any(offset) and length and order == 1:
+        x, y = _pulled(view, index, math.inf, ahead)
+        offset = (x, y) if ahead else (-x, -y)
+    if not any(offset) and length != 0.0:
+        raise EditError(f"The {label} has no length, and so no angle. Drag it out first.")
+    x, y = unit_vector(offset) if degrees is None else polar_vector(1.0, degrees)
+    return derivative_of_offset(view, index, order, (size * x, size * y), ahead=ahead)
 
 
 def with_velocities_pulled(view: CurveView, indices: Collection[int], visible: float) -> Curve:
