@@ -14,10 +14,11 @@ from ..document.curve_edits import replace_curve
 from ..document.model import Document, Vector
 from ..document.point_group import points_of
 from ..document.selection import SelectionState
+from ..document.several_curves import remove_curves
 from ..view_model.append import Appending, with_bare_corner, with_point_appended
 from ..view_model.curve.curve_view import CurveView, view_of
 from ..view_model.curve.handles import derivative_from_handle
-from ..view_model.join import End, PenJoin, joined_by_pen
+from ..view_model.join import End, Joined, joined_by_pen
 from ..view_model.reshape import Reshaped, with_point_inserted
 from .editing_session import EditingSession
 from .pointer import SNAP_KEY, STEP_KEYS, Hit, Part, Pointer, in_steps, plus
@@ -360,38 +361,32 @@ class JoinEnd(PressOnEnd, kw_only=True):
     finished.
     """
 
-    end: Hit
+    end: End
 
     def _position(self, pointer: Pointer) -> Vector:
-        return self.end.position
+        return self.document.curves[self.end.curve].points[-1 if self.end.is_last else 0].position
 
     def release(self, event: ToolEvent) -> None:
         """Join the curves, or say why they cannot be joined."""
-        session, results, drawn = event.session, list[PenJoin](), event.session.document
-        name = drawn.curves[self.end.curve].name
-        active = self.curve - (self.end.curve < self.curve)
+        session, drawn, results = event.session, event.session.document, list[Joined]()
+        if self.refusal:
+            super().release(event)
+            return
 
         def edit(_document: Document) -> Document:
-            results.append(joined_at(self.end, self.curve, drawn))
-            return results[0].document
+            results.append(joined_by_pen(drawn, self.curve, self.end))
+            return remove_curves(replace_curve(drawn, self.curve, results[0].curve), {self.end.curve})
 
+        active = self.curve - (self.end.curve < self.curve)
         if session.change(self.undo_text(event.pointer), edit, active=active):
             self.pen.finish(session, len(session.active_view.source.points))
             session.selected.set_points([])
-            side = "end" if self.end.index else "start"
-            outcome = results[0].joined.outcome
-            session.say(
-                f"Joined with “{name}” at its {side}: {outcome}; the next press begins another curve."
-            )
+            where = f"“{drawn.curves[self.end.curve].name}” at its {self.end.side}"
+            session.say(f"Joined with {where}: {results[0].outcome}; the next press begins another curve.")
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Join Curve 2 and Curve 1"."""
         return f"Join {self.view.source.name} and {self.document.curves[self.end.curve].name}"
-
-
-def joined_at(end: Hit, curve: int, drawn: Document) -> PenJoin:
-    """Return the document with a curve, whose last point lies there, joined to the end that was hit."""
-    return joined_by_pen(drawn, curve, End(end.curve, is_last=end.index > 0))
 
 
 class InsertPoint(Drag, kw_only=True, dict=True):

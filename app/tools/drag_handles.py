@@ -234,6 +234,7 @@ def pull_velocity(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> 
         document=session.document,
         curve=session.active_index,
         view=event.view,
+        sets_ahead=event.tool.shows_new_handle or event.view.spacing(hit.index, ahead=True) is not None,
         hit=replace(hit, order=1, ahead=True),
         snapper=event.snapping.for_handle(hit.index),
         typed=_untyped(session.document),
@@ -243,7 +244,12 @@ def pull_velocity(event: ToolEvent, hit: Hit, on_click: Click | None = None) -> 
 
 
 class PullVelocity(HandleDrag, kw_only=True):
-    """Drag that pulls the velocity handle out of a point. Ctrl or Shift turns it in steps of 15°."""
+    """Drag that pulls the velocity handle out of a point. Ctrl or Shift turns it in steps of 15°.
+
+    Of a corner `sets_ahead` sets the velocity after it, also where the next segment is still to be drawn.
+    """
+
+    sets_ahead: bool
 
     @property
     def keys(self) -> str:
@@ -253,8 +259,7 @@ class PullVelocity(HandleDrag, kw_only=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the handle ahead of the point under the pointer."""
         velocity, index = self._velocity_at(pointer), self.hit.index
-        ahead = self.view.spacing(index, ahead=True) is not None
-        return point_edits.set_velocity(self.document, self.curve, index, velocity, ahead=ahead)
+        return point_edits.set_velocity(self.document, self.curve, index, velocity, ahead=self.sets_ahead)
 
     def _velocity_at(self, pointer: Pointer) -> Vector:
         point = self.view.source.points[self.hit.index].position

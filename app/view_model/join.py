@@ -13,13 +13,12 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.constraints import PARALLEL, tie_if_parallel
-from ..document.curve_edits import replace_curve, set_closed
+from ..document.curve_edits import set_closed
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
 from ..document.point_edits import set_position
 from ..document.point_group import PointGroup
-from ..document.several_curves import remove_curves
 from ..document.words import number
 from ..families import titles_with_derivatives
 from ..tasks.progress import Report, silent
@@ -367,16 +366,8 @@ def joined_by(
     return replace(whole, residual=residual, ends=words)
 
 
-class PenJoin(NamedTuple):
-    """A document in which a curve drawn by the pen was joined to another; the curve, and its index."""
-
-    document: Document
-    curve_index: int
-    joined: Joined
-
-
-def joined_by_pen(document: Document, curve: int, end: End) -> PenJoin:
-    """Join a curve whose last point lies at an end of another one, which keeps its shape.
+def joined_by_pen(document: Document, curve: int, end: End) -> Joined:
+    """Join a curve of a document whose last point lies at an end of another one, which keeps its shape.
 
     The other curve is reversed where that is its last point. A family without derivatives that cannot keep
     the shapes, such as one polynomial, joins them by its rule.
@@ -391,13 +382,11 @@ def joined_by_pen(document: Document, curve: int, end: End) -> PenJoin:
         other, _ = _turned(other)
     family = one.source.family
     try:
-        result = joined(one, other)
+        return joined(one, other)
     except EditError:
         if family != other.source.family or family.derivatives or not family.interpolates:
             raise
-        result = _joined_by_rule(one, other)
-    document = remove_curves(replace_curve(document, curve, result.curve), {end.curve})
-    return PenJoin(document, curve - (end.curve < curve), result)
+        return _joined_by_rule(one, other)
 
 
 def _joined_by_rule(one: CurveView, other: CurveView) -> Joined:

@@ -175,6 +175,17 @@ def test_a_handle_that_alt_has_broken_off_makes_the_next_segment(pen):
     assert end.position == pytest.approx(end.anchor, abs=1e-12)
 
 
+def test_a_handle_pulled_out_of_a_clicked_corner_makes_the_next_segment(pen):
+    draw(pen, (SMOOTH, CORNER))
+    x, y = PLACES[1]
+    pen.drag(at(pen, x, y), at(pen, x + 30, y + 50), keys=ALT)
+    pen.click(at(pen, *PLACES[2]), keys=ALT)
+    by_side = {each.ahead: each.position for each in handles_of(pen.session.active_view, 1)}
+    assert by_side[True] == pytest.approx(at(pen, x + 30, y + 50), abs=1e-9)
+    assert by_side[False] == pytest.approx(pen.point(1), abs=1e-12)
+    assert pen.curve.points[1].corner
+
+
 def test_a_handle_dragged_later_moves_the_mirrored_one(pen):
     """The two velocities of a point that was dragged are tied: it is symmetric, as it was drawn."""
     draw(pen, (SMOOTH, SMOOTH, CORNER))

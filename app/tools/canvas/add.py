@@ -27,6 +27,7 @@ from ...view_model.append import (
     with_point_appended,
 )
 from ...view_model.curve.curve_view import CurveView, view_of
+from ...view_model.join import End, joined_by_pen
 from ...view_model.point_kinds import closed_by_corner, with_corner_appended
 from ...view_model.reshape import inserted_index
 from ..add_points import (
@@ -41,7 +42,6 @@ from ..add_points import (
     can_finish,
     is_end,
     is_no_part,
-    joined_at,
     key_of,
     pen_act,
     position_in_steps,
@@ -213,7 +213,7 @@ class AddTool(Tool):
         """Add a point, or the one that joins the curve to an end of another."""
         session, index = event.session, len(event.view.source.points)
         snapper, (document, view) = event.snapping.for_new_point(index), self._start(event)
-        kind = AppendPoint if end is None else partial(JoinEnd, end=end)
+        kind = AppendPoint if end is None else partial(JoinEnd, end=_as_end(end))
         return kind(
             document=document,
             selects=selection_of(session.active_index, index),
@@ -300,10 +300,10 @@ class AddTool(Tool):
         if is_quick(event.view) and is_quick(other):
             try:
                 drag = self._append(event, end)
-                result = joined_at(end, drag.curve, drag.document_at(event.pointer))
+                joined = joined_by_pen(drag.document_at(event.pointer), drag.curve, _as_end(end))
             except EditError as reason:
                 return Hint(str(reason))
-            self._preview = view_of(result.joined.curve)
+            self._preview = view_of(joined.curve)
         alt = f" · Alt: {_alt_words(event.view.source)}" if event.view.source.family.derivatives else ""
         return Hint(f"Click to join with “{name}”{alt}", grab=True)
 
@@ -359,6 +359,10 @@ def _other_end(event: ToolEvent) -> Hit | None:
     """Return the end of another open curve that is hit; with Shift a point may be put over it."""
     hit = event.hit
     return hit if hit is not None and hit.part is Part.OTHER_END and not event.pointer.shift else None
+
+
+def _as_end(hit: Hit) -> End:
+    return End(hit.curve, is_last=hit.index > 0)
 
 
 def _alt_words(curve: Curve) -> str:
