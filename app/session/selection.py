@@ -513,8 +513,9 @@ class ScrubLine:
         self.t: float | None = None
         # The place that was asked for: the line stands there as far as the curve goes.
         self._asked: float | None = None
-        # The parameters of the curve that it stands on.
+        # The parameters of the curve that it stands on; its share of them since they have been stretched.
         self._parameters: FloatArray | None = None
+        self._share: float | None = None
 
     def set(self, t: float | None) -> None:
         """Move the line to `t`, or put it away (None).
@@ -522,7 +523,7 @@ class ScrubLine:
         It stays on the curve that is edited: at the end nearer to `t` where that lies outside, away while
         there is no curve, and at `t` again when there is one that goes as far.
         """
-        self._asked, before = t, self.t
+        self._asked, self._share, before = t, None, self.t
         curve = None if t is None else self._view().curve
         if t is None or curve is None:
             self.t = None
@@ -544,7 +545,10 @@ class ScrubLine:
             new = view.parameters
             scale = float(new[-1] - new[0]) / float(old[-1] - old[0])
             if (new[0], scale) != (old[0], 1.0) and _are_stretched(old, new, scale):
-                self._asked = float(new[0]) + (self.t - float(old[0])) * scale
+                share = self._share or (self.t - float(old[0])) / float(old[-1] - old[0])
+                self.set(float(new[0]) + share * float(new[-1] - new[0]))
+                self._share = share
+                return
         self.keep()
 
 
