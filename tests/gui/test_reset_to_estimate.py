@@ -80,6 +80,15 @@ def test_the_menu_of_the_curve_resets_all_points(hills):
     assert hills.status == "Reset points 1, 3 and 5 to estimate."
 
 
+def test_the_menu_of_a_curve_selected_as_a_whole_resets_all_points(hills):
+    set_velocities(hills, 1, 3)
+    hills.session.selected.select_whole([0])
+    at = tuple(hills.session.active_view.curve.evaluate(float(np.mean(hills.parameters[3:5]))))
+    assert "Reset All to Estimate" in titles(hills.open_menu(at))
+    hills.choose("resetAllPoints")
+    assert explicit(hills) == []
+
+
 def test_the_table_resets_the_selected_rows_and_all_points(hills):
     set_velocities(hills, 1, 3, 5)
     table, button = hills.window.point_table, hills.window.findChild(QToolButton, "resetToEstimated")

@@ -179,3 +179,14 @@ def test_under_the_c2_spline_an_inserted_point_stays_estimated_and_a_cut_sets_it
             for part in parts:
                 now = {part.points[index].position for index in set_points(part)}
                 assert all(min(np.hypot(*np.subtract(end, p)) for end in ends) < 1e-9 for p in now - was)
+
+
+def test_a_long_curve_joined_to_one_of_another_rule_keeps_its_shape():
+    """Nothing holds the estimates of a local rule under the spline: all are set, and not one by one."""
+    waves = [[(x + k * 2999, np.sin(x / 7)) for x in range(3000)] for k in range(2)]
+    first, second = (make_curve(wave, family=HERMITE) for wave in waves)
+    second = replace(second, velocity_rule=VelocityRule.BESSEL)
+    whole = joined(view_of(first), view_of(second))
+    assert whole.keeps_shape
+    assert len(set_points(whole.curve)) >= 2998
+    assert not any(point.velocity for point in whole.curve.points[:2998])

@@ -371,7 +371,7 @@ class PointCommands:
         needs=Need("a curve with a derivative set by hand", lambda state: state.has_any_explicit),
         keywords=_RESET_WORDS,
     )
-    @also(CURVE_MENU(15))
+    @also(CURVE_MENU(15), WHOLES_MENU(41))
     def _reset_all(self) -> None:
         """Let the rules estimate the derivatives of all points of the selected curves; corners stay."""
         self._reset(all_points(self._session.document, self._session.selected.curves))
