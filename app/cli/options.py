@@ -10,7 +10,7 @@ from typing import Any
 from ..document.lengths import MILLIMETRES, known_unit
 from ..document.model import Document
 from ..document.words import enumerated
-from ..exchange.drawing.styles import DARK, LIGHT
+from ..exchange.drawing.styles import DARK, LIGHT, ON_PAPER
 from ..exchange.errors import ExchangeError
 from ..exchange.formats import FORMATS, Format, endings_of
 from ..exchange.formats.tables import COLUMNS
@@ -102,7 +102,11 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
 
 def _add_look_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("--theme", choices=STYLES, help="colours and paper (default: colours for light paper, without paper)")
+    add(
+        "--theme",
+        choices=STYLES,
+        help="colours and paper (default: those of the document, or dark ink without paper)",
+    )
     add("--transparent", action="store_true", help="omit the paper of --theme")
     add(
         "--points",
@@ -388,16 +392,17 @@ def picture_options(options: argparse.Namespace, document: Document) -> Options:
     """Return the options of the file to write."""
     if options.basis and options.basis > len(document.curves):
         raise ExchangeError(f"There is no curve {options.basis}; the document has {len(document.curves)}.")
+    style = STYLES[options.theme] if options.theme else ON_PAPER.get(document.paper)
     return Options(
         width=options.width,
         tolerance=options.tolerance,
-        style=STYLES[options.theme] if options.theme else None,
+        style=style,
         points=options.points,
         dpi=options.dpi,
         scale=options.scale,
         unit=options.unit or document.unit,
-        # As in the window: without a theme there is no paper.
-        transparent=options.transparent or not options.theme,
+        # As in the window: without a theme, and where the document has none, there is no paper.
+        transparent=options.transparent or not style,
         handles=options.handles,
         grid=options.grid,
         basis=options.basis - 1 if options.basis else None,

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from .. import exchange
 from ..document.words import enumerated
 from ..exchange.drawing.film import FILMS, Film, first_round, write_film
+from ..exchange.drawing.styles import LIGHT, ON_PAPER
 from ..exchange.files import export
 from ..exchange.formats import FORMATS, endings_of
 from ..exchange.options import AUTOMATIC
@@ -94,7 +95,7 @@ def _render_film(options: argparse.Namespace) -> int:
         seconds=options.seconds or first_round(document, repeat),
         repeat=repeat,
         pace=Pace(options.pace),
-        style=STYLES[options.theme or "light"],
+        style=STYLES[options.theme] if options.theme else ON_PAPER.get(document.paper, LIGHT),
         points=options.points,
     )
     write_film(document, options.output, film)

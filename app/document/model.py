@@ -395,6 +395,14 @@ class Export(Value, frozen=True):
 NEVER_EXPORTED: Final = Export()
 
 
+class Paper(NamedEnum):
+    """Paper of a document: on another one, its ink would have another colour."""
+
+    THEME = "", "Of the theme"
+    LIGHT = "light", "Light"
+    DARK = "dark", "Dark"
+
+
 class Document(Value, frozen=True):
     """Document: everything that is saved, as one immutable value.
 
@@ -415,6 +423,8 @@ class Document(Value, frozen=True):
         The guides.
     export
         The last export.
+    paper
+        The paper of the canvas and of exported pictures.
     """
 
     curves: tuple[Curve, ...]
@@ -423,6 +433,7 @@ class Document(Value, frozen=True):
     grid_spacing: Annotated[Length, at_least(0)] = 0.0
     guides: tuple[Guide, ...] = ()
     export: Export = NEVER_EXPORTED
+    paper: Paper = Paper.THEME
 
     def with_curve(self, index: int, curve: Curve) -> Document:
         """Return this document with curve `index` replaced."""

@@ -7,7 +7,7 @@ import math
 from msgspec.structs import replace
 
 from .limits import AlreadySoError, EditError, checked, checked_vector
-from .model import Axis, Document, Guide, ReferenceImage, Vector
+from .model import Axis, Document, Guide, Paper, ReferenceImage, Vector
 from .words import decimal_sum, number
 
 
@@ -19,6 +19,11 @@ def set_unit(document: Document, unit: str) -> Document:
 def set_grid_spacing(document: Document, spacing: float) -> Document:
     """Set the distance of grid lines; 0 adapts it to the zoom."""
     return replace(document, grid_spacing=checked(spacing, "The spacing"))
+
+
+def set_paper(document: Document, paper: Paper) -> Document:
+    """Set the paper of the canvas and of exported pictures."""
+    return replace(document, paper=paper)
 
 
 # Guides

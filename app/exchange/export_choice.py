@@ -11,15 +11,16 @@ import msgspec
 
 from ..document.groups import expand_to_shapes
 from ..document.lengths import known_unit
-from ..document.model import Document, Export
+from ..document.model import Document, Export, Paper
 from ..document.several_curves import common_name, extract_curves
-from .drawing.styles import DARK, LIGHT
+from .drawing.styles import DARK, LIGHT, ON_PAPER, PictureStyle
 from .formats import FORMATS, Format
 from .options import (
     BASIS,
     BY_DPI,
     DARK_PAPER,
     EXTENT,
+    TRANSPARENT,
     TRUE_SIZE,
     Extent,
     Option,
@@ -58,12 +59,21 @@ class ExportChoice:
         """Return the same choice for the selected curves only."""
         return ExportChoice(self.ending, {**self.values, EXTENT.name: Extent.SELECTED})
 
-    def relevant_options(self, unit: str = "") -> tuple[Option[Any], ...]:
-        """Return the options of the format that have an effect with these values and that unit."""
+    def style_on(self, paper: Paper) -> PictureStyle | None:
+        """Return the colours of a picture of a document with that paper; None for dark ink without any."""
+        dark = self[DARK_PAPER]
+        if dark is None and paper in ON_PAPER:
+            return ON_PAPER[paper]
+        return DARK if dark else None if self[TRANSPARENT] else LIGHT
+
+    def relevant_options(self, unit: str = "", paper: Paper = Paper.THEME) -> tuple[Option[Any], ...]:
+        """Return the options of the format that have an effect with these values, that unit and paper."""
         options = self.format.options
         values = {option.name: self[option] for option in options}
         values[BY_DPI.name] = self[BY_DPI] if known_unit(unit) else None
-        hidden = self.format.hidden(values)
+        hidden = list(self.format.hidden(values))
+        if self[DARK_PAPER] is None and paper is not Paper.THEME:
+            hidden.append(TRANSPARENT)
         return tuple(option for option in options if option not in hidden)
 
     def request(
@@ -82,18 +92,17 @@ class ExportChoice:
         """
         unit = document.unit
         values = {option.name: self[option] for option in self.format.options}
-        is_picture, dark = DARK_PAPER.name in values, values.pop(DARK_PAPER.name, False)
+        is_picture = values.pop(DARK_PAPER.name, self) is not self
         has_basis = values.pop(BASIS.name, False)
         shared = {name: values.pop(name) for name in Options.__struct_fields__ if name in values}
         values.pop(BY_DPI.name, None)
         if values.pop(TRUE_SIZE.name, True) is False:
             unit = ""
-        matters = {option.name for option in self.relevant_options(document.unit)}
-        has_paper = is_picture and (dark or not shared.get("transparent"))
+        matters = {option.name for option in self.relevant_options(document.unit, document.paper)}
         part, active = _part_of(document, self[EXTENT], active, selected)
         options = Options(
             **{name: value for name, value in shared.items() if name in matters},
-            style=(DARK if dark else LIGHT) if has_paper else None,
+            style=self.style_on(document.paper) if is_picture else None,
             basis=active if has_basis else None,
             with_estimates=with_estimates,
             unit=unit,

@@ -196,13 +196,13 @@ BY_DPI = OneOf(
 )
 """Option of a PNG of a document with a unit of length: it has true size either way."""
 TRUE_SIZE = Check(name="true_size", label="Size", title="True size", default=True)
-DARK_PAPER = OneOf(
+DARK_PAPER: OneOf[bool | None] = OneOf(
     name="dark",
     label="Colours",
-    tip="Light or dark paper",
+    tip="Paper of the document, if it has one; light or dark paper",
     widget="exportColours",
-    default=False,
-    choices={False: "Light", True: "Dark"},
+    default=None,
+    choices={None: "As on the canvas", False: "Light", True: "Dark"},
 )
 TRANSPARENT = Check(name="transparent", title="Transparent", tip="Omit the background", default=True)
 

@@ -18,6 +18,7 @@ from ... import __version__
 from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...tasks.progress import part
+from ...view_model.palette import TOO_PALE, contrast
 from ..errors import ExchangeError
 from ..formats import ExportResult
 from ..options import Options
@@ -133,8 +134,14 @@ def _preview(
 
 
 def _adjusted_colours_remark(drawing: Drawing, style: PictureStyle) -> str:
-    """Return the remark on curves whose colours are changed so that they are visible on the paper."""
-    lines = (outline for outline in drawing.outlines if not outline.style.has_fill)
+    """Return the remark on curves whose colours are changed for the paper, or vanish on a white one."""
+    lines = [outline for outline in drawing.outlines if not outline.style.has_fill]
+    if style.paper is None:
+        pale = [line for line in lines if contrast(style.visible_colour(line.colour), "#ffffff") < TOO_PALE]
+        if not pale:
+            return ""
+        name = pale[0].shape or pale[0].name
+        return f"“{name}” is hardly visible on white paper, and the picture has no paper of its own."
     adjusted = [line for line in lines if style.adjustment_of(line.colour)]
     if not adjusted:
         return ""

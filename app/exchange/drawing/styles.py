@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import msgspec
 
+from ...document.model import Paper
 from ...document.style import Style
 from ...view_model import palette
 
@@ -38,3 +41,6 @@ class PictureStyle(msgspec.Struct, frozen=True):
 INK = PictureStyle(palette.INK["light"])
 LIGHT = PictureStyle(palette.INK["light"], palette.PAPER["light"])
 DARK = PictureStyle(palette.INK["dark"], palette.PAPER["dark"], "dark")
+
+ON_PAPER: Mapping[Paper, PictureStyle] = {Paper.LIGHT: LIGHT, Paper.DARK: DARK}
+"""The colours on the papers of documents; that of the theme is on none."""

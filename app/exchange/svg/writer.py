@@ -32,7 +32,7 @@ from ..drawing.drawing import (
     trimmed_to_curves,
 )
 from ..drawing.outlines import Frame, Outline
-from ..drawing.styles import INK, PictureStyle
+from ..drawing.styles import INK, ON_PAPER, PictureStyle
 from ..exported_curves import deviation_text
 from ..formats import ExportResult
 from ..options import DECIMALS, DEFAULT, SVG_SCALE, SVG_WIDTH, Options
@@ -233,12 +233,13 @@ def svg_for_clipboard(document: Document, report: Report = silent, in_pixels: bo
     ExchangeError
         As `svg_of`.
     """
+    style = ON_PAPER.get(document.paper)
     if known_unit(document.unit):
-        return svg_of(in_unit(document, "px"), Options(unit="px", report=report))
+        return svg_of(in_unit(document, "px"), Options(unit="px", style=style, report=report))
     frame = picture_of(document, DEFAULT, INK, part(report, 0.0, 0.5)).frame
     if in_pixels:
         document = enlarged(document, pixels_per_unit(frame, DEFAULT))
-    return svg_of(document, Options(report=part(report, 0.5, 1.0)))
+    return svg_of(document, Options(style=style, report=part(report, 0.5, 1.0)))
 
 
 # Paths in their groups

@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QWidget
 from ... import exchange
 from ...actions.declaration import action
 from ...actions.menus import FILE_DOCUMENT
+from ...appearance.theme import DARK, LIGHT, Theme
+from ...document.model import Paper
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext
 from ...workbench.docks import Panel
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class DocumentSettingsCommands:
-    """Unit and grid of the document, on the canvas, in the status line and in the form."""
+    """Unit, grid and paper of the document, on the canvas, in the status line and in the form."""
 
     def __init__(self, context: WindowContext) -> None:
         self._context, self._session = context, context.session
@@ -29,6 +31,7 @@ class DocumentSettingsCommands:
         self._dock = context.docks["documentDock"]
         self._panel: DocumentPanel | None = None
         self._rendered: tuple[str, float] | None = None
+        self._theme = LIGHT
         self.render_panel(context.session.active_view)
 
     @Panel("documentDock", "Document", on_demand=True)
@@ -55,7 +58,19 @@ class DocumentSettingsCommands:
                 name = f"are now in {document.unit}" if document.unit else "now have no unit"
                 note = exchange.units.note_of_unknown(document.unit)
                 self._session.say(f"Lengths {name}; the numbers are unchanged. {note}".rstrip())
+        self._show_paper()
         self._render_panel()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Use the colours of `theme` where the document has no paper of its own."""
+        self._theme = theme
+        self._show_paper()
+
+    def _show_paper(self) -> None:
+        theme = {Paper.LIGHT: LIGHT, Paper.DARK: DARK}.get(self._session.document.paper, self._theme)
+        canvas = self._context.central.canvas
+        if theme is not canvas.layers.theme:
+            canvas.set_theme(theme)
 
     def _render_panel(self) -> None:
         if self._panel is not None:
@@ -79,11 +94,11 @@ class DocumentSettingsCommands:
         "Document…",
         FILE_DOCUMENT,
         "Ctrl+Shift+D",
-        full_name="Document: Unit and Grid…",
-        keywords="properties unit millimetres inches grid spacing new setup",
+        full_name="Document: Unit, Grid and Paper…",
+        keywords="properties unit millimetres inches grid spacing new setup background white dark",
     )
     def _show(self) -> None:
-        """Set the unit and the grid of this document and of new documents."""
+        """Set the unit, the grid and the paper of this document."""
         self._dock.bring_up()
 
 

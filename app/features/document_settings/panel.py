@@ -9,12 +9,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QWidget
 
 from ...appearance.theme import Theme
-from ...document.model import LONGEST_UNIT, Document
-from ...document.plane_edits import set_grid_spacing, set_unit
+from ...document.model import LONGEST_UNIT, Document, Paper
+from ...document.plane_edits import set_grid_spacing, set_paper, set_unit
 from ...document.style import Style
 from ...exchange.units import note_of_unknown
 from ...qt.labels import Label
-from ...settings.kinds import Distance, Text
+from ...settings.kinds import Choice, Distance, Text
 from ...settings.preferences import NO_UNIT, USUAL_UNITS
 from ...widgets.boxes import column_of, form_of
 from ...widgets.controls import push_button
@@ -41,8 +41,17 @@ _GRID = Distance(
 )
 
 
+_PAPER = Choice(
+    "",
+    Paper.THEME,
+    "Paper",
+    "Paper of the canvas and of exported pictures, whatever the theme: the ink has its colour for it",
+    widget="documentPaper",
+)
+
+
 class DocumentPanel(FieldForm):
-    """Form of unit and grid of a document, with the defaults of new ones.
+    """Form of unit, grid and paper of a document, with the defaults of new ones.
 
     Signals
     -------
@@ -58,11 +67,12 @@ class DocumentPanel(FieldForm):
         self._grid: PreferenceField[Any] = field_of(
             _GRID, partial(self._ask, "grid spacing", set_grid_spacing)
         )
+        self._paper: PreferenceField[Any] = field_of(_PAPER, partial(self._ask, "paper", set_paper))
         self._usual = Label(name="newDocuments", wordWrap=True)
         tip = "Use this unit, this grid and the style of this curve in new documents"
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.defaults_requested)
-        form = form_of(*self._unit.rows, *self._grid.rows)
+        form = form_of(*self._unit.rows, *self._grid.rows, *self._paper.rows)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         left = Qt.AlignmentFlag.AlignLeft
@@ -78,6 +88,7 @@ class DocumentPanel(FieldForm):
         unit, spacing = new.unit, new.grid_spacing
         self._unit.show(document.unit)
         self._grid.show(document.grid_spacing)
+        self._paper.show(document.paper)
         grid = f"a grid of {length_text(spacing, unit)}" if spacing else "an adaptive grid"
         line = "the default style" if style == Style() else "a saved style"
         named = f"“{unit}”" if unit else NO_UNIT

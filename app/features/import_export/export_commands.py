@@ -175,7 +175,10 @@ class CopyCommands:
             self._session.say(f"Copied {what} as an image (PNG and SVG without a background).")
 
         def work(document: Document, report: Report) -> tuple[bytes, bytes]:
-            options = exchange.options.Options(width=_WIDTH, transparent=True, report=part(report, 0.0, 0.5))
+            style = exchange.drawing.styles.ON_PAPER.get(document.paper)
+            options = exchange.options.Options(
+                width=_WIDTH, style=style, transparent=style is None, report=part(report, 0.0, 0.5)
+            )
             png = exchange.png_file(document, options).data
             svg = exchange.svg_for_clipboard(document, part(report, 0.5, 1.0))
             return png, svg.data

@@ -16,12 +16,11 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 from ...appearance.theme import DARK, LIGHT, mix
 from ...document.expression import ExpressionError, parse_number
 from ...document.lengths import known_unit
-from ...document.model import Document
+from ...document.model import Document, Paper
 from ...exchange.errors import ExchangeError
 from ...exchange.export_choice import ExportChoice, choice_with, offered_options
 from ...exchange.formats import FORMATS
 from ...exchange.options import (
-    DARK_PAPER,
     EXTENT,
     TOLERANCE,
     TRUE_SIZE,
@@ -153,7 +152,9 @@ class ExportDialog(WorkDialog):
         except ExpressionError:
             return  # typed meanwhile, and shown
         # In the theme of the picture, not of this window.
-        theme = DARK if choice[DARK_PAPER] else LIGHT
+        paper = self._document.paper if self._document is not None else Paper.THEME
+        style = choice.style_on(paper)
+        theme = DARK if style is not None and style.theme == DARK.name else LIGHT
         squares = (theme.paper, mix(theme.ink, theme.paper, 0.1))
         self.picture.setPixmap(_on_squares(preview.image, self.devicePixelRatioF(), squares))
         self.size_label.setText(preview.size)
@@ -213,7 +214,7 @@ class ExportForm(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("exportForm")
-        self._choice, self._unit = ExportChoice(), ""
+        self._choice, self._unit, self._paper = ExportChoice(), "", Paper.THEME
         self._formats = FORMATS.offered
         titles = [format.title for format in self._formats]
         self.format_box = choice_box("exportFormat", "Format", "Format of the file", titles)
@@ -245,6 +246,7 @@ class ExportForm(QWidget):
     def show_document(self, document: Document, *, has_selection: bool) -> None:
         """Enable true size and the selected curves where the document has them."""
         self._unit = unit = known_unit(document.unit)
+        self._paper = document.paper
         check = self.fields[TRUE_SIZE.name].widget
         assert isinstance(check, QCheckBox)
         check.setEnabled(bool(unit))
@@ -264,9 +266,12 @@ class ExportForm(QWidget):
         model.item(list(Extent).index(Extent.SELECTED)).setEnabled(has_selection)
         field.show(self._choice[EXTENT] if has_selection else Extent.ALL)
 
+    def _relevant(self, choice: ExportChoice) -> tuple[Option[Any], ...]:
+        return choice.relevant_options(self._unit, self._paper)
+
     def _show_rows(self, choice: ExportChoice) -> None:
         self._description.setText(choice.format.description)
-        relevant = (EXTENT, *choice.relevant_options(self._unit))
+        relevant = (EXTENT, *self._relevant(choice))
         for row, options in self._rows:
             self._form.setRowVisible(row, any(option in relevant for option in options))
             if len(options) > 1:
@@ -283,7 +288,7 @@ class ExportForm(QWidget):
         """
         values = {option: self.fields[option.name].value() for option in self._options}
         choice = choice_with(self._formats[self.format_box.currentIndex()].ending, values)
-        problems = (self.fields[option.name].problem() for option in choice.relevant_options(self._unit))
+        problems = (self.fields[option.name].problem() for option in self._relevant(choice))
         if problem := next(filter(None, problems), ""):
             raise ExpressionError(problem)
         return choice

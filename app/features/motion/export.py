@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from ...appearance.theme import theme_of
 from ...exchange.drawing.film import FASTEST, FILMS, LARGEST_WIDTH, MOST_FRAMES, Film, FilmFormat, write_film
-from ...exchange.drawing.styles import DARK, LIGHT
+from ...exchange.drawing.styles import DARK, LIGHT, ON_PAPER
 from ...qt.labels import Label
 from ...tasks.progress import Report
 from ...view_model.motion import round_duration
@@ -146,16 +146,17 @@ class MotionExport:
 
     def _film(self) -> Film:
         assert self._dialog is not None
-        dialog, settings = self._dialog, self._settings
+        dialog, settings, session = self._dialog, self._settings, self._context.session
+        theme = DARK if theme_of(QApplication.palette()).name == "dark" else LIGHT
         return Film(
-            curve=self._context.session.active_index,
+            curve=session.active_index,
             width=dialog.width_box.value(),
             fps=dialog.fps_box.value(),
             seconds=dialog.seconds_box.value(),
             repeat=settings.repeat,
             pace=settings.pace,
             compared=settings.compared,
-            style=DARK if theme_of(QApplication.palette()).name == "dark" else LIGHT,
+            style=ON_PAPER.get(session.document.paper, theme),
             points=dialog.points_check.isChecked(),
         )
 

@@ -17,7 +17,7 @@ from ...actions.declaration import action, also
 from ...actions.keymap import key_or_name
 from ...actions.menus import CURVE_LIST_MENU, CURVE_MENU, CURVE_STYLE, EDIT_STYLE, WHOLES_MENU
 from ...actions.needs import SELECTED_CURVE
-from ...appearance.theme import LIGHT, Theme
+from ...appearance.theme import Theme
 from ...document.groups import expand_to_shapes
 from ...document.model import Curve, Document, make_curve
 from ...document.several_curves import STYLE_WORDS, colours_of, name_or_count, set_style, swap_paints
@@ -84,7 +84,6 @@ class StyleCommands:
         self._context, self._session = context, context.session
         self._dock = context.docks["styleDock"]
         self._panel: StylePanel | None = None
-        self._theme = LIGHT
         self._gestures: list[SliderGesture] = []
         self._colours = UsedColours(context.session, context.preferences)
         context.session.selected_curves_changed.connect(self._render)
@@ -130,7 +129,6 @@ class StyleCommands:
 
     def set_theme(self, theme: Theme) -> None:
         """Update the note about colours on the paper of `theme`."""
-        self._theme = theme
         self._render()
 
     def _render(self, *_: object) -> None:
@@ -144,7 +142,11 @@ class StyleCommands:
         )
         styles = [curve.style for curve in curves] or [session.template_curve.style]
         all_keys = key_or_name(self._context.actions["selectAll"])
-        note = _note_on(styles, self._theme) if curves else _HOW_TO_CHOOSE.format(all_keys)
+        note = (
+            _note_on(styles, self._context.central.canvas.layers.theme)
+            if curves
+            else _HOW_TO_CHOOSE.format(all_keys)
+        )
         panel.show_recent(self._colours.recent, self._colours.in_document)
         panel.render_styles(subject, styles, document.unit, note)
 
