@@ -36,7 +36,7 @@ _ROUNDING = 1e-12  # of the coordinates: differences below this are those of rou
 _ROUNDS = 24
 _NODES = 0.5 - 0.5 * np.cos((np.arange(9) + 0.5) * (np.pi / 9))  # where lengths of handles are fitted
 _WARP_DEGREE = 5  # of the polynomial that maps s of a cubic piece to t of the curve
-_DENSE = 31  # samples of a piece of what is no polynomial of a degree that is proved
+_UNKNOWN_DEGREE = 12  # assumed of a piece where no degree is proved: 31 samples
 
 
 class CubicPath(NamedTuple):
@@ -289,14 +289,8 @@ def cubic_shape(curve: ParametricCurve, tolerance: float) -> CubicPath:
 def _shape_between(curve: ParametricCurve, joints: FloatArray, tolerance: float) -> CubicPath | None:
     """Return the fewest pieces found between all joints; None where these would be too many."""
     is_proved = curve.degree is not None and curve.degree <= _HIGHEST_PROVED
-    samples, margin = (
-        chebyshev_samples(_WARP_DEGREE * (curve.degree or 0))
-        if is_proved
-        else (
-            np.linspace(0.0, 1.0, _DENSE + 2)[1:-1],
-            _MARGIN,
-        )
-    )
+    degree = _WARP_DEGREE * (curve.degree or 0) if is_proved else _UNKNOWN_DEGREE
+    samples, margin = chebyshev_samples(degree)
     parameters, count = joints, np.ones(len(joints) - 1, dtype=np.intp)
     is_spread = np.ones(len(count), dtype=bool)
     for _ in range(2 * _ROUNDS):

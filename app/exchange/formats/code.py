@@ -17,6 +17,7 @@ from curvecore import bezier_segments
 from curvecore.arrays import FloatArray
 
 from ...document.model import Document
+from ...storage.resources import resource
 from ...view_model.curve.curve_view import ParametricCurve
 from .. import code_runtime
 from ..exported_curves import (
@@ -105,62 +106,6 @@ def scipy_code(document: Document, options: Options = DEFAULT) -> ExportResult:
 _EACH = "$each\n"
 """Line of a template between the file and what is written for every curve."""
 
-_JAVASCRIPT = """\
-// $accuracy
-
-function evaluate({ ends, pieces }, t) {
-  let i = 0;
-  while (i < pieces.length - 1 && t >= ends[i + 1]) i += 1;
-  const s = (t - ends[i]) / (ends[i + 1] - ends[i]);
-  let points = pieces[i]; // control points; de Casteljau's scheme
-  while (points.length > 1) {
-    points = points.slice(1).map(([x, y], k) => {
-      return [(1 - s) * points[k][0] + s * x, (1 - s) * points[k][1] + s * y];
-    });
-  }
-  return points[0];
-}
-$each
-// $title
-const $data = {
-  ends: $ends,
-  pieces: [
-    $pieces,
-  ],
-};
-export const $name = (t) => evaluate($data, t);
-"""
-
-_GDSCRIPT = """\
-# $accuracy
-# y points down.
-
-static func evaluate(curve: Dictionary, t: float) -> Vector2:
-	var i := 0
-	while i < curve.pieces.size() - 1 and t >= curve.ends[i + 1]:
-		i += 1
-	var s: float = (t - curve.ends[i]) / (curve.ends[i + 1] - curve.ends[i])
-	var points: Array = curve.pieces[i] # control points; de Casteljau's scheme
-	while points.size() > 1:
-		var next := []
-		for k in points.size() - 1:
-			var a: Array = points[k]
-			var b: Array = points[k + 1]
-			next.append([(1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1]])
-		points = next
-	return Vector2(points[0][0], points[0][1])
-$each
-# $title
-const $data = {
-	"ends": $ends,
-	"pieces": [
-		$pieces,
-	],
-}
-static func $name(t: float) -> Vector2:
-	return evaluate($data, t)
-"""
-
 
 def javascript_code(document: Document, options: Options = DEFAULT) -> ExportResult:
     """Return a module of JavaScript that has a function of t for every curve; it returns [x, y].
@@ -170,7 +115,7 @@ def javascript_code(document: Document, options: Options = DEFAULT) -> ExportRes
     ExchangeError
         If there is no curve to write.
     """
-    return _by_template(document, options, _JAVASCRIPT)
+    return _by_template(document, options, "curves.js")
 
 
 def gdscript_code(document: Document, options: Options = DEFAULT) -> ExportResult:
@@ -183,24 +128,29 @@ def gdscript_code(document: Document, options: Options = DEFAULT) -> ExportResul
     ExchangeError
         If there is no curve to write.
     """
-    return _by_template(document, options, _GDSCRIPT, y_sign=-1.0, unit_roundoff=2.0**-24)
+    return _by_template(document, options, "curves.gd", y_sign=-1.0, unit_roundoff=2.0**-24)
 
 
 def _by_template(
-    document: Document, options: Options, template: str, y_sign: float = 1.0, unit_roundoff: float = 0.0
+    document: Document, options: Options, name: str, y_sign: float = 1.0, unit_roundoff: float = 0.0
 ) -> ExportResult:
-    """Return code of the Bézier pieces of every curve: its own, or cubics as `beziers_of` makes them."""
-    curves = curves_of(document, options)
+    """Return code by the template of that name in ``resources/code``.
+
+    It has the Bézier pieces of every curve: its own, or cubics as `beziers_of` makes them.
+    """
+    curves, template = curves_of(document, options), resource("code", name).read_text(encoding="utf-8")
     head, each = map(Template, template.split(_EACH))
     margin = template.partition("$pieces")[0].rpartition("\n")[2]
     body, parts = list[str](), list[Beziers]()
-    for name, curve in zip(identifiers_of(each.name for each in curves.curves), curves, strict=True):
+    for identifier, curve in zip(identifiers_of(c.name for c in curves.curves), curves, strict=True):
         own = [beziers_of(piece, curves.tolerance) for piece in curve.core.pieces]
         controls = (part.control_points * (1.0, y_sign) + 0.0 for part in own)
         pieces = f",\n{margin}".join(str(piece) for part in controls for piece in part.tolist())
         ends = [float(own[0].parameters[0]), *(t for part in own for t in part.parameters[1:].tolist())]
         body.append(
-            each.substitute(name=name, data=name.upper(), title=_title(curve), ends=ends, pieces=pieces)
+            each.substitute(
+                name=identifier, data=identifier.upper(), title=_title(curve), ends=ends, pieces=pieces
+            )
         )
         parts += own
     deviation, is_bound = largest_deviation(parts)
