@@ -153,10 +153,12 @@ def _with_point_at(view: CurveView, index: int, t: float) -> Reshaped:
         return Reshaped(grown, change_of_shape(view, after, after.parameters))
     point = replace(point, t=None)
     grown = replace(curve, points=(*curve.points[:index], point, *curve.points[index:]))
-    grown = _stretched_along(view, grown, index, t)
-    after = view_of(grown)
-    moved = change_of_shape(view, after, np.insert(view.parameters, index, t))
-    return Reshaped(grown, moved, parameters_moved=not keeps_shape(moved, (grown,)))
+    grown, knots = _stretched_along(view, grown, index, t), np.insert(view.parameters, index, t)
+    free = grown if point.corner else clear_derivatives(Document((grown,)), 0, [index]).curves[0]
+    moved = change_of_shape(view, view_of(free), knots)
+    if not keeps_shape(moved, (free,)):
+        free, moved = grown, change_of_shape(view, view_of(grown), knots)
+    return Reshaped(free, moved, parameters_moved=not keeps_shape(moved, (free,)))
 
 
 def _with_point_of_curve(view: CurveView, index: int, point: Point) -> Curve:

@@ -190,3 +190,11 @@ def test_a_long_curve_joined_to_one_of_another_rule_keeps_its_shape():
     assert whole.keeps_shape
     assert len(set_points(whole.curve)) >= 2998
     assert not any(point.velocity for point in whole.curve.points[:2998])
+
+
+def test_a_point_inserted_into_a_straight_curve_under_a_rule_stays_estimated():
+    line = view_of(make_curve([(0.0, 0.0), (1.0, 2.0), (3.0, 6.0)], family=HERMITE))
+    made = with_point_inserted(line, 0.6)
+    assert made.keeps_shape
+    assert not made.left_rule
+    assert not made.curve.has_derivatives
