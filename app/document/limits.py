@@ -50,8 +50,12 @@ def are_within(values: Sequence[float]) -> bool:
     return is_plain and min(values) >= -MAX_MAGNITUDE and max(values) <= MAX_MAGNITUDE
 
 
-def not_after(index: int, before: float) -> EditError:
+def not_after(index: int, parameters: Sequence[float]) -> EditError:
     """Return the error that the t of a point is not greater than that of the point before it."""
-    return EditError(
-        f"The t of point {index} must be greater than {number(before, 15)}, the t of point {index - 1}."
-    )
+    before = t_text(parameters[index - 1], parameters)
+    return EditError(f"The t of point {index} must be greater than {before}, the t of point {index - 1}.")
+
+
+def t_text(t: float, parameters: Sequence[float]) -> str:
+    """Return the text of a parameter among others, with as many digits as show a thousandth of them."""
+    return number(t, 6, step=(max(parameters) - min(parameters)) / 1000.0)

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from ..families import Family, SettingValue
 from .constraints import rescaled
 from .derivatives import DERIVATIVES, EstimateRule
-from .limits import EditError, checked, not_after
+from .limits import EditError, checked, not_after, t_text
 from .model import Curve, Document, ParametrizationKind, Point
 from .words import number, with_minus
 
@@ -91,7 +91,7 @@ def set_parameters(document: Document, curve: int, parameters: Sequence[float]) 
     parameters = [checked(t, f"The t of point {index}") for index, t in enumerate(parameters)]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
-            raise not_after(index, before)
+            raise not_after(index, parameters)
     return freeze_parameters(document, curve, parameters)
 
 
@@ -100,15 +100,15 @@ def set_parameter(
 ) -> Document:
     """Set the parameter of point `index` and make the other `parameters` manual; the order must stay."""
     t = checked(t, f"The t of point {index}")
-    if index > 0 and not t > (before := parameters[index - 1]):
-        raise not_after(index, before)
+    if index > 0 and not t > parameters[index - 1]:
+        raise not_after(index, parameters)
     if index < len(parameters) - 1 and not t < (after := parameters[index + 1]):
         neighbour = (
             f"the t of point {index + 1}"
             if index + 1 < len(document.curves[curve].points)
             else "the t at which the curve returns to its first point"
         )
-        raise EditError(f"The t of point {index} must be less than {number(after, 15)}, {neighbour}.")
+        raise EditError(f"The t of point {index} must be less than {t_text(after, parameters)}, {neighbour}.")
     return freeze_parameters(document, curve, [*parameters[:index], t, *parameters[index + 1 :]])
 
 

@@ -33,10 +33,10 @@ def findings_of(view: CurveView) -> tuple[str, ...]:
         value, at = _near(off.value, off.wanted), off.parameter
         findings.append(f"{_b(off.function)}({_sub('t', at)}) = {value} instead of {off.wanted}.")
     if total := sum_defect(functions):
-        by, at_t = number(abs(total.total - 1.0), 2), number(total.t)
+        by, at_t = number(abs(total.total - 1.0), 2), view.t_text(total.t)
         findings.append(f"The functions do not sum to 1: off by up to {by} at t = {at_t}.")
     if slope := slope_defect(functions):
-        name, at_t = _b(slope.function), number(slope.t)
+        name, at_t = _b(slope.function), view.t_text(slope.t)
         findings.append(
             f"{name}′ is not the derivative of {name}: {number(slope.said)} at t = {at_t}, "
             f"where the slope is {number(slope.found)}."

@@ -171,7 +171,7 @@ def _set_parameters(document: Document, curve: int, view: CurveView, values: Map
     ]
     for index, (before, after) in enumerate(pairwise(parameters), start=1):
         if not after > before:
-            raise not_after(index, before)
+            raise not_after(index, parameters)
     if view.source.is_closed:
         parameters = [*parameters, _closing(view, parameters)]
     return rule_edits.freeze_parameters(document, curve, parameters)

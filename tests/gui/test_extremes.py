@@ -15,6 +15,7 @@ from app.canvas.hit_test import PixelOutline
 from app.document.constraints import rescaled
 from app.document.limits import EditError
 from app.document.model import Curve, Document, Parametrization, ParametrizationKind, Point, make_curve
+from app.document.rule_edits import set_parameter
 from app.document.words import number
 from app.families import HERMITE, QUINTIC_HERMITE
 from app.plotting.camera import GREATEST_SPAN
@@ -231,6 +232,12 @@ def test_a_t_of_a_large_interval_has_the_digits_to_tell_it_apart(opened, start):
         assert readout.text() == f"t {t:.15g}"
         texts.append(panel.viewport().grab().toImage())
     assert texts[0] != texts[1]
+    wanted = editor.parameters[1]
+    refusal = editor.session.change(
+        "t", lambda document: set_parameter(document, 0, 2, start, editor.parameters)
+    ).refusal
+    said = float(re.search(r"greater than ([0-9.]*[0-9])", refusal)[1])
+    assert said == pytest.approx(wanted, abs=1e-3)
     editor.trigger("splitCurve")
     assert f"at t = {start + 0.615:.15g}:" in editor.status
 

@@ -191,7 +191,8 @@ class LaboratoryCommands(SafeOverrides, QObject):
 
     def _show_digits(self, digits: Digits | None) -> None:
         if self._panel is not None:
-            self._panel.render_digits(digits)
+            t = "" if digits is None else self._session.active_view.t_text(digits.t)
+            self._panel.render_digits(digits, t)
 
     def _ask_cost(self, view: CurveView) -> None:
         """Measure for another number of points, if the page is in front: costs depend on nothing else."""

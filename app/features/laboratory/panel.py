@@ -202,9 +202,9 @@ class LaboratoryPanel(QTabWidget):
         self.note.setText(trial.note if trial is not None else "")
         self.note.setVisible(bool(self.note.text()))
 
-    def render_digits(self, digits: Digits | None) -> None:
-        """Show the computed digits at one t."""
-        self.digits.render_digits(digits, self._settings.digits)
+    def render_digits(self, digits: Digits | None, t: str = "") -> None:
+        """Show the computed digits at one t, given as text."""
+        self.digits.render_digits(digits, self._settings.digits, t)
 
 
 def _data_choices() -> list[str]:

@@ -104,7 +104,8 @@ class MethodTable(FollowsTheme, QWidget):
             if trial is not None and outcome is not None:
                 error, t = outcome.worst
                 lost = f"{outcome.lost:.1f}"
-                texts = (lost, short(error), number(t, 2), _condition(method, trial, lebesgue))
+                place = number(t, 2, step=float(trial.t[-1] - trial.t[0]) / 100.0)
+                texts = (lost, short(error), place, _condition(method, trial, lebesgue))
             for cell, text in zip(cells, texts, strict=True):
                 cell.setText(text)
                 cell.setEnabled(not faded)
@@ -157,12 +158,12 @@ class DigitsTable(QWidget):
         """Visible rows: name, x, y."""
         return [(name.text(), x.text(), y.text()) for name, x, y in self._rows if not name.isHidden()]
 
-    def render_digits(self, digits: Digits | None, count: int) -> None:
-        """Show the values at one t, computed with `count` digits."""
+    def render_digits(self, digits: Digits | None, count: int, t: str) -> None:
+        """Show the values at one t, given as text, computed with `count` digits."""
         self.setVisible(digits is not None)
         if digits is None:
             return
-        self._title.setText(f"At t = {number(digits.t)}")
+        self._title.setText(f"At t = {t}")
         rows = [("True", *map(_aligned, digits.truth))]
         rows += [(method.label, *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):

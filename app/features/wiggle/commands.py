@@ -180,7 +180,7 @@ class WiggleCommands(QObject):
     def _explain(self, panel: WigglePanel, view: CurveView) -> None:
         t = self._session.scrub.t
         explanation = analysis.wiggle.explain(view, t) if t is not None else None
-        panel.render_explanation(explanation, len(view.source.points), view.problem)
+        panel.render_explanation(explanation, view)
         if explanation is None or explanation.is_calm:
             self._preview("")
             self._asked = self._cures = None

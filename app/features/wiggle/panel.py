@@ -12,10 +12,11 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QSi
 from ...appearance.colours import point_colours
 from ...appearance.theme import theme_of
 from ...document.derivatives import DERIVATIVES
-from ...document.words import number, short
+from ...document.words import short
 from ...qt.labels import Label
 from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.wiggle import CURES, MOST_PULLS, Cure, Cures, Explanation, Pull
+from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import column_of
 from ...widgets.controls import named
 
@@ -205,8 +206,8 @@ class WigglePanel(QScrollArea):
                 grid.addWidget(label, row, column)
             self._effects[key] = effects
 
-    def render_explanation(self, explanation: Explanation | None, count: int, problem: str = "") -> None:
-        """Show an explanation; without one, an instruction."""
+    def render_explanation(self, explanation: Explanation | None, view: CurveView) -> None:
+        """Show an explanation of a curve; without one, an instruction."""
         known = explanation is not None
         self.title.setVisible(known)
         self.bars.setVisible(known)
@@ -214,13 +215,13 @@ class WigglePanel(QScrollArea):
         self.calm.setVisible(is_calm)
         self._rows.setVisible(not is_calm)
         if explanation is None:
-            self.words.setText(problem or _NOWHERE)
+            self.words.setText(view.problem or _NOWHERE)
             return
         self.words.setText(" ".join(explanation.sentences))
-        at = number(explanation.t)
+        at = view.t_text(explanation.t)
         together = ", together" if explanation.adds_up else ";"
         self.title.setText(f"Weights at t = {at}{together} Λ(t) = {short(explanation.lebesgue)}")
-        self.bars.render_pulls(explanation.pulls, count)
+        self.bars.render_pulls(explanation.pulls, len(view.source.points))
         self.calm.setText(_calm_words(explanation))
 
     def render_cures(self, cures: Cures | None, *, busy: bool) -> None:
