@@ -359,15 +359,12 @@ class SpecialPoints(msgspec.Struct, frozen=True):
         The name of the action that inserts them.
     title
         Their name in the menu.
-    keywords
-        Other words by which the command palette finds the action.
     parameters
         Returns their parameters on a curve.
     """
 
     action: str
     title: str
-    keywords: str
     parameters: Callable[[ParametricCurve], FloatArray]
 
     @property
@@ -376,24 +373,18 @@ class SpecialPoints(msgspec.Struct, frozen=True):
         return self.title.lower()
 
 
+def _coordinate_extrema(curve: ParametricCurve) -> FloatArray:
+    return np.concatenate([curvecore.coordinate_extrema(curve, axis) for axis in (0, 1)])
+
+
+# Functions of the core are imported when they are needed.
 SPECIAL_POINTS = (
-    SpecialPoints(
-        "insertAtExtrema",
-        "Extrema of x and y",
-        "extremes nodes horizontal vertical tangents on-curve",
-        lambda curve: np.concatenate([curvecore.coordinate_extrema(curve, axis) for axis in (0, 1)]),
-    ),
-    SpecialPoints(
-        "insertAtInflections",
-        "Inflections",
-        "nodes turning points",
-        lambda curve: curvecore.inflections(curve),  # noqa: PLW0108 - imported when it is needed
-    ),
+    SpecialPoints("insertAtExtrema", "Extrema of x and y", _coordinate_extrema),
+    SpecialPoints("insertAtInflections", "Inflections", lambda c: curvecore.inflections(c)),  # noqa: PLW0108
     SpecialPoints(
         "insertAtCurvatureExtrema",
         "Extrema of Curvature",
-        "nodes vertices sharpest flattest",
-        lambda curve: curvecore.curvature_extrema(curve).parameters,
+        lambda c: curvecore.curvature_extrema(c).parameters,
     ),
 )
 

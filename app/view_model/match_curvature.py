@@ -19,7 +19,7 @@ References
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import chain, combinations, product
 from typing import NamedTuple
 
@@ -28,22 +28,24 @@ import numpy as np
 from msgspec.structs import replace
 
 import curvecore
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 
 from ..document.constraints import PARALLEL, angle_between
 from ..document.derivatives import DERIVATIVES
 from ..document.model import Curve, Vector
 from ..document.point_group import PointGroup
-from ..document.words import angle
+from ..document.words import number
 from ..families import titles_with_derivatives
+from .curve.core_curve import Sides, sides_of
 from .curve.curve_view import CurveView, view_of
 from .curve.distances import dense, largest_distance
+from .curve.point_arrays import arrays_of
 from .geometry import size_of
 from .point_kinds import inner_points
 
-_EQUAL, _ROUNDING, _MATCHED = 1e-12, 2.0**-50, 1e-9
-"""Relative differences of two curvatures: the largest for which nothing is changed, that by rounding, and the
-largest of matched ones, as in the joint certificate."""
+_EQUAL, _MATCHED = 1e-12, 1e-9
+"""Relative differences of two curvatures: the largest for which nothing is changed, and that of matched
+ones, as in the joint certificate."""
 
 _FLAT = 1e-12
 """Height over the tangent, relative to the distance from the point, that counts as 0."""
@@ -51,8 +53,8 @@ _FLAT = 1e-12
 _MEET = 1e-9
 """Distance, relative to the size of two curves, up to which two ends are one point."""
 
-_LEAST_STEPS, _MOST_STEPS, _MOST_HALVINGS = 30, 45, 12
-"""Steps to the least change; all steps, and halvings of one, after which joints count as incompatible."""
+_LEAST_STEPS, _MOST_STEPS = 20, 50
+"""Steps to the least change, and all steps, after which joints count as incompatible."""
 
 _INCOMPATIBLE = "no handles were found that suit the other points as well"
 
@@ -117,47 +119,53 @@ class Bend(NamedTuple):
         The unit tangent away from the joint; zero where the curve stands still.
     value
         What is changed: the length of the handle, or the normal part of the acceleration.
-    other
-        What else the curvature depends on: the height of the far handle's tip, or the speed.
+    is_length
+        Whether it is the length of a handle.
     curvature
         The curvature.
-    is_length
-        Whether `value` is the length of a handle.
+    slope
+        Its derivative by `value`.
     far
         The side at the other end of the segment.
+    far_slope
+        The derivative of the curvature by the height of the far handle's tip; 0 for accelerations.
     """
 
     outwards: Vector
     value: float
-    other: float
-    curvature: float
     is_length: bool
+    curvature: float
+    slope: float
     far: Side
+    far_slope: float
 
 
-def _bend(views: Mapping[int, CurveView], side: Side) -> Bend:
-    view, towards = views[side.curve], 1 if side.ahead else -1
-    jet, h = _jet(views, side), view.spacing(side.point, ahead=side.ahead) or 0.0
+def _bends(sides: Sequence[Side], start: Mapping[int, CurveView], curves: Mapping[int, Curve]) -> list[Bend]:
+    """Return sides of curves in numbers, given their views at first; parameters have not changed."""
+    jets = {
+        curve: sides_of(new, start[curve].at_knots, start[curve].parameters, arrays_of(new.points))
+        for curve, new in curves.items()
+    }
+    return [_bend(start[side.curve], jets[side.curve], side) for side in sides]
+
+
+def _bend(view: CurveView, jets: Sides, side: Side) -> Bend:
+    towards, jet = 1 if side.ahead else -1, jets[side.ahead][side.point]
+    h = view.spacing(side.point, ahead=side.ahead) or 0.0
     far = Side(side.curve, (side.point + towards) % len(view.points), not side.ahead)
     speed, is_cubic = math.hypot(*jet[1]), view.source.family.derivatives == 1
     if not speed:
-        return Bend((0.0, 0.0), 0.0, 0.0, 0.0, is_cubic, far)
+        return Bend((0.0, 0.0), 0.0, is_cubic, 0.0, 0.0, far, 0.0)
     x, y = (towards / speed * jet[1]).tolist()
     if not is_cubic:
-        normal = float(x * jet[2, 1] - y * jet[2, 0])
-        return Bend((x, y), normal, speed, normal / speed**2, is_cubic, far)
-    far_point, far_velocity = _jet(views, far)
+        normal, slope = x * float(jet[2, 1]) - y * float(jet[2, 0]), 1.0 / speed**2
+        return Bend((x, y), normal, is_cubic, slope * normal, slope, far, 0.0)
+    far_point, far_velocity = jets[far.ahead][far.point]
     arm = far_point - towards * h / 3 * far_velocity - jet[0]
-    height, length = float(x * arm[1] - y * arm[0]), h * speed / 3
-    height = height if abs(height) > _FLAT * math.hypot(*arm) else 0.0
-    return Bend((x, y), length, height, 2 / 3 * height / length**2, is_cubic, far)
-
-
-def _jet(views: Mapping[int, CurveView], side: Side) -> FloatArray:
-    sides = views[side.curve].sides
-    assert sides is not None
-    jet: FloatArray = sides[side.ahead][side.point]
-    return jet
+    height, length = x * float(arm[1]) - y * float(arm[0]), h * speed / 3
+    far_slope = 2 / 3 / length**2
+    curvature = far_slope * height if abs(height) > _FLAT * math.hypot(*arm) else 0.0
+    return Bend((x, y), length, is_cubic, curvature, -2.0 * curvature / length, far, far_slope)
 
 
 def _refusal(first: Bend, second: Bend) -> str:
@@ -165,7 +173,7 @@ def _refusal(first: Bend, second: Bend) -> str:
     if not any(first.outwards) or not any(second.outwards):
         return "a handle lies on the point"
     if (turn := math.pi - angle_between(first.outwards, second.outwards)) > PARALLEL:
-        return f"the tangents differ by {angle(math.degrees(turn))}"
+        return f"the tangents differ by {number(math.degrees(turn), 2)}°"
     if first.is_length is not second.is_length:
         return "one curve is cubic, the other is not"
     if not first.is_length or first.curvature == second.curvature == 0.0:
@@ -190,37 +198,38 @@ class Matched(msgspec.Struct, frozen=True):
     Attributes
     ----------
     curves
-        The changed curves by their indices.
+        The curves by their indices.
     joints
         The joints at which something was changed.
     refusals
         The joints at which it is not possible, with the reason.
-    change
-        The largest distance by which a point of the curves moved.
     """
 
     curves: Mapping[int, Curve]
     joints: Sequence[Joint]
     refusals: Mapping[Joint, str]
-    change: float
+
+    @property
+    def changed_curves(self) -> dict[int, Curve]:
+        """The changed curves by their indices."""
+        changed = {side.curve for side in chain.from_iterable(self.joints)}
+        return {curve: self.curves[curve] for curve in sorted(changed)}
+
+    def largest_change(self, before: Sequence[CurveView]) -> float:
+        """Return the largest distance by which a point of the curves moved."""
+        at = {curve: dense(before[curve].parameters) for curve in self.changed_curves}
+        after = {curve: view_of(self.curves[curve]) for curve in at}
+        return max(largest_distance(before[curve], t, after[curve], t) for curve, t in at.items())
 
 
 def matched(views: Sequence[CurveView], joints: Sequence[Joint]) -> Matched:
     """Return the curves with continuous curvature at those of some joints where it is possible."""
-    start = {side.curve: views[side.curve] for joint in joints for side in joint}
+    start = {side.curve: views[side.curve] for side in chain.from_iterable(joints)}
     rigid = {curve: why for curve, view in start.items() if (why := _why_rigid(view))}
     refusals = {joint: rigid[side.curve] for joint in joints for side in joint if side.curve in rigid}
-    while True:
-        search = _Search(start, [joint for joint in joints if joint not in refusals])
-        refused = search.run()
-        if not refused:
-            break
-        refusals |= refused
-    after = {curve: view for curve, view in search.views.items() if view is not start[curve]}
-    knots = {curve: dense(view.parameters) for curve, view in after.items()}
-    changes = (largest_distance(start[curve], t, after[curve], t) for curve, t in knots.items())
-    curves = {curve: view.source for curve, view in after.items()}
-    return Matched(curves, search.changed_joints, refusals, max(changes, default=0.0))
+    while (result := _searched(start, [joint for joint in joints if joint not in refusals])).refusals:
+        refusals |= result.refusals
+    return replace(result, refusals=refusals)
 
 
 def _why_rigid(view: CurveView) -> str:
@@ -234,110 +243,90 @@ def _why_rigid(view: CurveView) -> str:
     return f"{family.a_curve} has no handles; choose {titles_with_derivatives()}"
 
 
-class _Search:
-    """Search for the nearest values with equal curvatures at joints; `views` are the present curves."""
+def _searched(start: Mapping[int, CurveView], joints: Sequence[Joint]) -> Matched:
+    """Search for the nearest values with equal curvatures at joints."""
+    sides, curves = list(chain.from_iterable(joints)), {curve: view.source for curve, view in start.items()}
+    first = bends = _bends(sides, start, curves)
+    if refusals := _refusals(joints, bends):
+        return Matched(curves, (), refusals)
+    least, is_changed = math.inf, np.zeros(len(joints), dtype=bool)
+    values = last = origin = np.array([bend.value for bend in first])
+    for step in range(_MOST_STEPS):
+        if _refusals(joints, bends):
+            values = (values + last) / 2
+        else:
+            unevenness = np.array([_unevenness(*pair) for pair in _pairs(bends)])
+            is_changed |= unevenness > _EQUAL
+            largest = unevenness[is_changed].max(initial=0.0)
+            is_end = step >= _LEAST_STEPS or largest <= _EQUAL
+            if largest == 0.0 or (is_end and least / 2 < largest <= _MATCHED):
+                break
+            # Towards the least change it converges slowly where points affect each other much; to values near
+            # the last ones in a few steps, until rounding is left.
+            last = values
+            least, origin = (largest, values) if is_end else (math.inf, origin)
+            values = _following(sides, bends, values, origin, np.repeat(is_changed, 2))
+        changes = zip(sides, first, values.tolist(), np.repeat(is_changed, 2), strict=True)
+        changed = ((side, bend, value) for side, bend, value, is_new in changes if is_new)
+        curves = _with_values(start, changed)
+        bends = _bends(sides, start, curves)
+    pairs = zip(joints, _pairs(bends), strict=True)
+    uneven = [joint for joint, pair in pairs if _refusal(*pair) or _unevenness(*pair) > _MATCHED]
+    if uneven:
+        return Matched(curves, (), {uneven[0]: _INCOMPATIBLE})
+    return Matched(curves, [joint for joint, is_new in zip(joints, is_changed, strict=True) if is_new], {})
 
-    def __init__(self, start: Mapping[int, CurveView], joints: Sequence[Joint]) -> None:
-        self._start, self._joints = start, joints
-        self.views = start
-        self._bends = self._first = [_bend(start, side) for joint in joints for side in joint]
-        self._is_changed = np.zeros(len(joints), dtype=bool)
 
-    @property
-    def changed_joints(self) -> list[Joint]:
-        """The joints at which values were changed."""
-        return [joint for joint, new in zip(self._joints, self._is_changed, strict=True) if new]
+def _pairs(bends: Sequence[Bend]) -> list[tuple[Bend, Bend]]:
+    return list(zip(bends[::2], bends[1::2], strict=True))
 
-    def run(self) -> dict[Joint, str]:
-        """Search, and return the joints that cannot be matched, with the reasons; empty if all are."""
-        if refusals := self._refusals:
-            return refusals
-        values = first = np.array([bend.value for bend in self._first])
-        for step in range(_MOST_STEPS):
-            self._is_changed |= self._unevenness > _EQUAL
-            if not (self._unevenness[self._is_changed] > _ROUNDING).any():
-                return {}
-            # Where points affect each other much that converges slowly: then to values near the last ones.
-            following = self._following(values, first if step < _LEAST_STEPS else values)
-            for _ in range(_MOST_HALVINGS):
-                self._put(following)
-                if not (refusals := self._refusals):
-                    break
-                following = (following + values) / 2
-            else:
-                return {next(iter(refusals)): _INCOMPATIBLE}
-            values = following
-        worst = int(np.argmax(self._unevenness))
-        return {self._joints[worst]: _INCOMPATIBLE} if self._unevenness[worst] > _MATCHED else {}
 
-    @property
-    def _pairs(self) -> list[tuple[Bend, Bend]]:
-        return list(zip(self._bends[::2], self._bends[1::2], strict=True))
+def _refusals(joints: Sequence[Joint], bends: Sequence[Bend]) -> dict[Joint, str]:
+    return {joint: why for joint, pair in zip(joints, _pairs(bends), strict=True) if (why := _refusal(*pair))}
 
-    @property
-    def _refusals(self) -> dict[Joint, str]:
-        pairs = zip(self._joints, self._pairs, strict=True)
-        return {joint: why for joint, pair in pairs if (why := _refusal(*pair))}
 
-    @property
-    def _unevenness(self) -> FloatArray:
-        return np.array([_unevenness(*pair) for pair in self._pairs])
+def _following(
+    sides: Sequence[Side],
+    bends: Sequence[Bend],
+    values: FloatArray,
+    origin: FloatArray,
+    is_changed: BoolArray,
+) -> FloatArray:
+    """Return the nearest values to `origin` with which the linearised differences of curvatures vanish."""
+    slopes = np.zeros((len(sides) // 2, len(sides)))
+    columns = {side: column for column, side in enumerate(sides)}
+    for column, bend in enumerate(bends):
+        slopes[column // 2, column] += bend.slope
+        if bend.far in columns:
+            (x, y), (far_x, far_y) = bend.outwards, bends[columns[bend.far]].outwards
+            slopes[column // 2, columns[bend.far]] += bend.far_slope * (x * far_y - y * far_x)
+    differences = np.array([first.curvature + second.curvature for first, second in _pairs(bends)])
+    rows, slopes = is_changed[::2], slopes[:, is_changed]
+    rest = (slopes @ (values - origin)[is_changed] - differences)[rows]
+    slopes = slopes[rows]
+    result = values.copy()
+    result[is_changed] = origin[is_changed] + slopes.T @ np.linalg.solve(slopes @ slopes.T, rest)
+    return result
 
-    def _following(self, values: FloatArray, origin: FloatArray) -> FloatArray:
-        """Return the nearest values to `origin` with which the linearised differences vanish."""
-        differences, slopes = np.zeros(len(self._joints)), np.zeros((len(self._joints), len(values)))
-        column_of = {side: column for column, side in enumerate(chain.from_iterable(self._joints))}
-        for column, bend in enumerate(self._bends):
-            row, sign = column // 2, 1.0 - 2.0 * (column % 2)
-            if not bend.is_length:
-                differences[row] += bend.curvature
-                slopes[row, column] = 1.0 / bend.other**2
-                continue
-            # Of logarithms: a ratio of curvatures is a ratio of heights and lengths.
-            differences[row] += sign * math.log(abs(bend.curvature))
-            slopes[row, column] = -2.0 * sign / bend.value
-            if (of_far := column_of.get(bend.far)) is not None:
-                (x, y), (far_x, far_y) = bend.outwards, self._bends[of_far].outwards
-                slopes[row, of_far] += sign * (x * far_y - y * far_x) / bend.other
-        columns = np.repeat(self._is_changed, 2)
-        slopes, rest = slopes[self._is_changed][:, columns], differences[self._is_changed]
-        rest = slopes @ (values - origin)[columns] - rest
-        result = values.copy()
-        result[columns] = origin[columns] + slopes.T @ np.linalg.solve(slopes @ slopes.T, rest)
-        return result
 
-    def _put(self, values: FloatArray) -> None:
-        """Give the changed joints other values."""
-        points = {curve: list(view.source.points) for curve, view in self._start.items()}
-        sides = zip(chain.from_iterable(self._joints), self._first, values.tolist(), strict=True)
-        changed = set[int]()
-        for (side, bend, value), is_changed in zip(sides, np.repeat(self._is_changed, 2), strict=True):
-            if is_changed:
-                point = points[side.curve][side.point]
-                if not point.corner and side.point in inner_points(
-                    self._start[side.curve].source, [side.point]
-                ):
-                    point = replace(point.as_corner(), tied=True)
-                row = DERIVATIVES[0 if bend.is_length else 1]
-                name = row.after if point.corner and side.ahead else row.name
-                points[side.curve][side.point] = replace(
-                    point, even=point.even and not bend.is_length, **{name: self._vector(side, bend, value)}
-                )
-                changed.add(side.curve)
-        self.views = {
-            curve: view_of(replace(view.source, points=tuple(points[curve])), view)
-            if curve in changed
-            else view
-            for curve, view in self._start.items()
-        }
-        self._bends = [_bend(self.views, side) for side in chain.from_iterable(self._joints)]
-
-    def _vector(self, side: Side, bend: Bend, value: float) -> Vector:
-        """Return the velocity, or the acceleration, on a side with another value."""
-        _, velocity, *higher = _jet(self._start, side)
-        normal = np.array([-bend.outwards[1], bend.outwards[0]])
-        changed = (
-            velocity * (value / bend.value) if bend.is_length else higher[0] + normal * (value - bend.value)
-        )
-        x, y = changed.tolist()
-        return x, y
+def _with_values(
+    start: Mapping[int, CurveView], changes: Iterable[tuple[Side, Bend, float]]
+) -> dict[int, Curve]:
+    """Return the curves with other values on some sides, given their first numbers."""
+    points = {curve: list(view.source.points) for curve, view in start.items()}
+    for side, bend, value in changes:
+        view = start[side.curve]
+        x, y = view.velocity_of(side.point, ahead=side.ahead) or bend.outwards
+        changed = (value / bend.value * x, value / bend.value * y)
+        if not bend.is_length:
+            x, y = view.derivative_of(side.point, 2, ahead=side.ahead) or (0.0, 0.0)
+            by = value - bend.value
+            changed = (x - by * bend.outwards[1], y + by * bend.outwards[0])
+        point = points[side.curve][side.point]
+        if not point.corner and inner_points(view.source, [side.point]):
+            point = replace(point.as_corner(), tied=True)
+        row = DERIVATIVES[0 if bend.is_length else 1]
+        name = row.after if point.corner and side.ahead else row.name
+        is_even = point.even and not bend.is_length
+        points[side.curve][side.point] = replace(point, even=is_even, **{name: changed})
+    return {curve: replace(view.source, points=tuple(points[curve])) for curve, view in start.items()}

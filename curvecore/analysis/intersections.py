@@ -26,7 +26,7 @@ References
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
@@ -210,15 +210,6 @@ def intersections(first: ParametricCurve, second: ParametricCurve, tolerance: fl
 _STARTS = (0.0, 2.0)
 
 
-class _Path(Protocol):
-    """A curve as far as the search needs it."""
-
-    @property
-    def domain(self) -> tuple[float, float]: ...
-
-    def evaluate(self, t: FloatArray, order: int = 0) -> FloatArray: ...
-
-
 class _TwoCurves:
     """Two curves over [0, 1] and [2, 3], each at rest beyond its ends, and far away between them."""
 
@@ -242,6 +233,9 @@ class _TwoCurves:
                 result[here] = curve.evaluate(self.parameters(t[here], side), order) * (end - start) ** order
         result[np.abs(t - 1.5) < 0.25] = LARGEST
         return result
+
+
+_Path = ParametricCurve | _TwoCurves
 
 
 def _from(start: float, pieces: BezierPieces) -> BezierPieces:

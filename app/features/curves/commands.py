@@ -141,7 +141,7 @@ class CurveCommands:
             tip=f"Insert points at the {kind.name} of the curve, or of selected segments; its shape is kept",
             full_name=f"Insert Points at {kind.title}",
             needs=UNLOCKED_CURVE,
-            keywords=f"add {kind.keywords}",
+            keywords="add extremes nodes vertical horizontal turning vertices",
         ),
     )
     def _insert_special(self, kind: SpecialPoints) -> None:

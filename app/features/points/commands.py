@@ -161,28 +161,24 @@ class TangentCommands:
             views, session.selected.group, session.selected.whole_curves
         )
         if not joints:
-            session.refuse("Select smooth points, ends that meet, or curves whose ends meet.")
-            return
+            raise EditError("Select smooth points, ends that meet, or curves whose ends meet.")
         result = view_model.match_curvature.matched(views, joints)
-        by_reason = {
-            why: [j for j in joints if result.refusals.get(j) == why] for why in result.refusals.values()
-        }
+        refused = result.refusals
+        by_reason = {why: [joint for joint in refused if refused[joint] == why] for why in refused.values()}
         left = "".join(f" Not at {_joints_text(views, some)}: {why}." for why, some in by_reason.items())
-        if not result.curves:
-            if left:
-                session.refuse(f"Nothing was changed.{left}")
-            else:
-                session.say(f"The curvature is continuous already at {_joints_text(views, joints)}.")
-            return
+        if left and not result.joints:
+            raise EditError(f"Nothing was changed.{left}")
 
         def edit(document: Document) -> Document:
-            for curve, new in result.curves.items():
+            if not result.joints:
+                raise AlreadySoError(f"The curvature is continuous already at {text}.")
+            for curve, new in result.changed_curves.items():
                 document = replace_curve(document, curve, new)
             return document
 
-        text = _joints_text(views, result.joints)
+        text = _joints_text(views, result.joints or joints)
         if session.change(f"Match curvature at {text}", edit):
-            change = f"{number(result.change, 2)} {session.document.unit}".rstrip()
+            change = f"{number(result.largest_change(views), 2)} {session.document.unit}".rstrip()
             session.say(f"Curvature matched at {text}: largest change {change}.{left}")
 
     def _report(self, done: str, before: Sequence[Curve], group: PointGroup) -> None:
@@ -262,15 +258,11 @@ _RESET_WORDS = "estimated automatic auto default clear velocity acceleration han
 
 def _joints_text(views: Sequence[CurveView], joints: Sequence[Joint]) -> str:
     """Return "points 1 and 3", or "the ends of “A” and “B”"."""
-    points = group_points(
-        (one.curve, frozenset({one.point})) for one, other in joints if one[:2] == other[:2]
-    )
-    texts = [points.names] if points.parts else []
-    for one, other in joints:
-        if one[:2] != other[:2]:
-            names = dict.fromkeys(f"“{views[end.curve].source.name}”" for end in (one, other))
-            texts.append(f"the ends of {enumerated([*names])}")
-    return enumerated(texts)
+    points = [one for one, other in joints if one[:2] == other[:2]]
+    group = group_points((side.curve, frozenset({side.point})) for side in points)
+    pairs = [[views[side.curve].source.name for side in joint] for joint in joints if joint[0] not in points]
+    ends = (enumerated([f"“{name}”" for name in dict.fromkeys(names)]) for names in pairs)
+    return enumerated([*([group.names] if points else []), *(f"the ends of {names}" for names in ends)])
 
 
 class PointCommands:
