@@ -315,6 +315,7 @@ class Session(SessionSignals):
         *,
         active: int | None = None,
         run: Hashable = None,
+        scroll: Scroll = NO_SCROLL,
     ) -> Change:
         """Make the document that `edit` returns the current one, as the step `text` of the history.
 
@@ -326,6 +327,8 @@ class Session(SessionSignals):
             The curve to edit from then on, where that changes.
         run
             Changes of one run within a second, with nothing between them, are one step: arrow keys.
+        scroll
+            The parts of the plane that undo and redo return to.
         """
         with self.batch:
             self.interrupt()
@@ -334,7 +337,7 @@ class Session(SessionSignals):
             except EditError as reason:
                 is_so = isinstance(reason, AlreadySoError)
                 return self._refused(str(reason), raiser_of(reason), is_so=is_so)
-            return self._make_step(document, text, active, run)
+            return self._make_step(document, text, active, run, scroll)
 
     def preview(
         self, document: Document, *, active: int | None = None, selects: SelectionState | None = None

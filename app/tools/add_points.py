@@ -377,8 +377,8 @@ class JoinEnd(PressOnEnd, kw_only=True):
             results.append(joined_by_pen(drawn, self.curve, self.end))
             return remove_curves(replace_curve(drawn, self.curve, results[0].curve), {self.end.curve})
 
-        active = self.curve - (self.end.curve < self.curve)
-        if session.change(self.undo_text(event.pointer), edit, active=active):
+        active, scroll = self.curve - (self.end.curve < self.curve), event.canvas.scroll_of_drag()
+        if session.change(self.undo_text(event.pointer), edit, active=active, scroll=scroll):
             self.pen.finish(session, len(session.active_view.source.points))
             session.selected.set_points([])
             where = f"“{drawn.curves[self.end.curve].name}” at its {self.end.side}"

@@ -165,6 +165,7 @@ class EditingSession(Protocol):
         *,
         active: int | None = None,
         run: Hashable = None,
+        scroll: Scroll = NO_SCROLL,
     ) -> object:
         """Make the document that `edit` returns a step of the history; true where it is one.
 

@@ -226,6 +226,22 @@ def test_escape_undo_and_redo_of_a_drag_that_scrolled_bring_the_view_back(arch):
     assert np.array(camera.ranges) == pytest.approx(np.array(before))
 
 
+def test_undo_of_a_pencil_line_that_scrolled_brings_the_view_back(arch):
+    camera = arch.window.canvas.camera
+    before, curves = camera.ranges, len(arch.session.document.curves)
+    arch.trigger("pencilTool")
+    arch.press((2.0, 3.0))
+    for x in (3.0, 4.0, 5.0):
+        arch.move((x, 3.0 - 0.1 * x * x))
+    step_at(arch, edge(arch, "right", 60))
+    release_at(arch, edge(arch, "right", -30))
+    until(lambda: len(arch.session.document.curves) == curves + 1)
+    assert camera.ranges != before
+    arch.trigger("undo")
+    assert len(arch.session.document.curves) == curves
+    assert np.array(camera.ranges) == pytest.approx(np.array(before))
+
+
 def test_a_rubber_band_that_scrolled_is_cancelled_with_its_view(arch):
     camera = arch.window.canvas.camera
     before = camera.ranges

@@ -10,6 +10,7 @@ from time import thread_time
 from msgspec.structs import replace
 
 from ...document.curve_edits import NewCurve, locked_message, new_curve_like, replace_curve, with_new_curve
+from ...document.fields import Scroll
 from ...document.limits import EditError
 from ...document.model import Curve, Parametrization, Vector
 from ...document.straight_edits import straight_refusal
@@ -124,7 +125,7 @@ class PencilLine(Gesture, kw_only=True):
         begin = _begun(session)
         model = replace(begin.document.curves[begin.curve_index], closed=closed)
         work = partial(_fitted, model, self.line, tolerance)
-        done = partial(_take, session, model, self.press, tolerance)
+        done = partial(_take, session, model, self.press, tolerance, event.canvas.scroll_of_drag())
         event.background.do(BackgroundTask("The pencil's curve", work, done, self.line))
 
     @property
@@ -142,6 +143,7 @@ class PencilLine(Gesture, kw_only=True):
         """Put the line in the place of a part of the active curve, beside the window."""
         session, view = event.session, event.view
         tolerance, reach = event.value(DETAIL).pixels / self.press.scale, _CLOSING / self.press.scale
+        scroll = event.canvas.scroll_of_drag()
 
         def work(report: Report) -> Fitted | str:
             try:
@@ -156,7 +158,8 @@ class PencilLine(Gesture, kw_only=True):
                 session.refuse(result)
                 return
             curve, active = result.curve, session.active_index
-            if session.change(stretch.title, lambda document: replace_curve(document, active, curve)):
+            edit = partial(replace_curve, curve=active, new=curve)
+            if session.change(stretch.title, edit, scroll=scroll):
                 session.selected.set_points([])
                 session.say(f"{stretch.title}: {_message(result, view.source, self.press, tolerance)}")
 
@@ -234,7 +237,12 @@ class _TooLong(Exception):  # noqa: N818 - nothing has gone wrong
 
 
 def _take(
-    session: EditingSession, model: Curve, press: Pointer, tolerance: float, result: Fitted | str
+    session: EditingSession,
+    model: Curve,
+    press: Pointer,
+    tolerance: float,
+    scroll: Scroll,
+    result: Fitted | str,
 ) -> None:
     """Add the curve of a line to the present document."""
     if isinstance(result, str):
@@ -251,6 +259,7 @@ def _take(
         "Draw with the pencil",
         lambda _: replace_curve(begin.document, begin.curve_index, curve),
         active=begin.curve_index,
+        scroll=scroll,
     ):
         session.say(_message(result, model, press, tolerance))
 
