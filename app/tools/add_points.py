@@ -211,7 +211,7 @@ class AppendPoint(Drag, kw_only=True):
     def document_at(self, pointer: Pointer) -> Document:
         """Return the document with the new point, its handle drawn out to the pointer."""
         index = self._index
-        document = self.append(self.document, self.curve, self.view, self._position(pointer))
+        document = self._with_point(self._position(pointer))
         if not self._sets_velocity(pointer):
             return document
         velocity = self._velocity_at(pointer)
@@ -220,6 +220,9 @@ class AppendPoint(Drag, kw_only=True):
         else:
             document = point_edits.set_velocity(document, self.curve, index, velocity)
         return with_bare_corner(document, self.curve, index - 1) if index else document
+
+    def _with_point(self, position: Vector) -> Document:
+        return self.append(self.document, self.curve, self.view, position)
 
     @property
     def _index(self) -> int:
@@ -249,7 +252,7 @@ class AppendPoint(Drag, kw_only=True):
     def _velocity_at(self, pointer: Pointer) -> Vector:
         """Return the velocity with the handle of the new point drawn out to the pointer."""
         position = self._position(pointer)
-        document = self.append(self.document, self.curve, self.view, position)
+        document = self._with_point(position)
         tip = plus(position, self._offset(pointer, position))
         return derivative_from_handle(view_of(document.curves[self.curve]), self._index, 1, tip, ahead=True)
 
@@ -331,6 +334,9 @@ class GoOn(PressOnEnd, kw_only=True):
             return self.document
         return self._with_handle_ahead(self.document, self._index, self._velocity_at(pointer))
 
+    def _with_point(self, position: Vector) -> Document:
+        return self.document
+
     @property
     def _index(self) -> int:
         return len(self.view.source.points) - 1
@@ -382,7 +388,7 @@ class JoinEnd(PressOnEnd, kw_only=True):
             self.pen.finish(session, len(session.active_view.source.points))
             session.selected.set_points([])
             where = f"“{drawn.curves[self.end.curve].name}” at its {self.end.side}"
-            session.say(f"Joined with {where}: {results[0].outcome}; the next press begins another curve.")
+            session.say(f"Joined with {where}: {results[0].outcome}.")
 
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Join Curve 2 and Curve 1"."""

@@ -189,19 +189,9 @@ class AddTool(Tool):
         if hit.index == 0:
             document = reverse_curve(document, hit.curve, view.parameters.tolist())
             view = view_of(document.curves[hit.curve])
+        go_on = partial(self._go_on, curve=hit.curve, index=hit.index)
         last = len(view.source.points) - 1
-        return GoOn(
-            document=document,
-            selects=selection_of(hit.curve, last),
-            curve=hit.curve,
-            view=view,
-            press=event.pointer,
-            snapper=event.snapping.for_new_point(-1),
-            append=lambda document, _curve, _view, _position: document,
-            pen=self._pen,
-            key_of_curve=(hit.curve, view.source.name),
-            on_click=partial(self._go_on, curve=hit.curve, index=hit.index),
-        )
+        return self._drawn(partial(GoOn, on_click=go_on), event, document, hit.curve, view, last)
 
     def _act(self, event: ToolEvent) -> PenAct:
         if _begins_anew(event.session):
@@ -211,19 +201,31 @@ class AddTool(Tool):
 
     def _append(self, event: ToolEvent, end: Hit | None = None) -> AppendPoint:
         """Add a point, or the one that joins the curve to an end of another."""
-        session, index = event.session, len(event.view.source.points)
-        snapper, (document, view) = event.snapping.for_new_point(index), self._start(event)
+        index, (document, view) = len(event.view.source.points), self._start(event)
         kind = AppendPoint if end is None else partial(JoinEnd, end=_as_end(end))
+        return self._drawn(kind, event, document, event.session.active_index, view, index, index)
+
+    def _drawn(
+        self,
+        kind: Callable[..., AppendPoint],
+        event: ToolEvent,
+        document: Document,
+        curve: int,
+        view: CurveView,
+        index: int,
+        snapped: int = -1,
+    ) -> AppendPoint:
+        """Return a drag that draws point `index` of a curve; it snaps as the new point `snapped` does."""
         return kind(
             document=document,
-            selects=selection_of(session.active_index, index),
-            curve=session.active_index,
+            selects=selection_of(curve, index),
+            curve=curve,
             view=view,
             press=event.pointer,
-            snapper=snapper,
+            snapper=event.snapping.for_new_point(snapped),
             append=_appending(event),
             pen=self._pen,
-            key_of_curve=key_of(session),
+            key_of_curve=(curve, view.source.name),
         )
 
     def _close(self, event: ToolEvent, *, by_corner: bool) -> None:
@@ -250,18 +252,7 @@ class AddTool(Tool):
         """Begin another curve, or the empty one; it is edited from the press on."""
         session = event.session
         document, curve = with_new_curve(session.document, session.active_index, _fresh(event))
-        view = view_of(document.curves[curve])
-        return BeginCurve(
-            document=document,
-            selects=selection_of(curve, 0),
-            curve=curve,
-            view=view,
-            press=event.pointer,
-            snapper=event.snapping.for_new_point(-1),
-            append=_appending(event),
-            pen=self._pen,
-            key_of_curve=(curve, view.source.name),
-        )
+        return self._drawn(BeginCurve, event, document, curve, view_of(document.curves[curve]), 0)
 
     # What a press would do
 
