@@ -13,7 +13,6 @@ from curvecore.arrays import FloatArray
 from ...actions.keymap import action_name, plain
 from ...appearance.icons import icon
 from ...appearance.theme import FollowsTheme, Theme
-from ...document.words import number
 from ...families import Family
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.motion import (
@@ -124,19 +123,19 @@ class MotionBar(FollowsTheme, QWidget):
         self._words.setText(text)
         self._words.setVisible(bool(text))
 
-    def show_dots(self, dots: Sequence[Dot], t: float | None, problem: str = "") -> None:
+    def show_dots(self, dots: Sequence[Dot], t: float | None, view: CurveView) -> None:
         """Show the numbers of the dot of the active curve at `t`, or why there is none.
 
         In the frame that shows the dot: the rail and the status line show the same t in it.
         """
         active = next((dot for dot in dots if dot.role is ACTIVE), None)
-        text = problem if active is None else _numbers(active, active.t if t is None else t)
+        text = view.problem if active is None else _numbers(active, view.t_text(active.t if t is None else t))
         if self._readout.text() != text:
             self._readout.setText(text)
 
 
-def _numbers(dot: Dot, t: float) -> str:
-    return f"t {number(t)}   |v| {three_digits(dot.speed)}   |a| {three_digits(dot.acceleration)}"
+def _numbers(dot: Dot, t: str) -> str:
+    return f"t {t}   |v| {three_digits(dot.speed)}   |a| {three_digits(dot.acceleration)}"
 
 
 def _box(name: str, label: str, tip: str, items: Iterable[str]) -> QComboBox:
@@ -190,14 +189,14 @@ class MotionStage(QObject):
         if course is None:
             context.central.canvas.drawing.render_motion(())
             if player.is_open:
-                self._bar.show_dots((), None, context.session.active_view.problem)
+                self._bar.show_dots((), None, context.session.active_view)
             return
         courses = {ACTIVE: course, **self._courses_to_compare()}
         if self._scales is None:
             self._scales = scales_of(list(courses.values()))
         dots = dots_at(courses, player.seconds, player.settings.repeat, self._scales)
         context.central.canvas.drawing.render_motion(dots, self._lines())
-        self._bar.show_dots(dots, context.session.scrub.t)
+        self._bar.show_dots(dots, context.session.scrub.t, context.session.active_view)
 
     def _courses_to_compare(self) -> dict[Role, Course]:
         settings, view = self.player.settings, self._context.session.active_view
