@@ -88,7 +88,7 @@ class ExportDialog(WorkDialog):
         column_of(self.picture, self.size_label, self.colour_note, 1, margins=0, parent=self.preview_side)
         columns = row_of((column_of(self.form, 1, margins=0), 1), self.preview_side, spacing=18)
         column_of(columns, margins=(16, 14, 16, 0), parent=self.body)
-        self.hold(self.problem, foot, preferred=QSize(690, 400))
+        self.hold(self.problem, foot, preferred=QSize(690, 440))
 
     def show_document(
         self,
