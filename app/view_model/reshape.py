@@ -334,7 +334,8 @@ def _with_older_estimates(curve: Curve) -> Curve:
     view = view_of(curve) if curve.has_derivatives else None
     if view is None or view.sides is None:
         return curve
-    nothing_given = replace(view.arrays, given=np.full_like(view.arrays.given, np.nan))
+    corners = view.arrays.corners & ~view.arrays.ties
+    nothing_given = replace(view.arrays, given=np.full_like(view.arrays.given, np.nan), corners=corners)
     older = sides_of(curve, view.at_knots, view.parameters, nothing_given)
     every = np.arange(len(curve.points))
     with suppress(EditError):

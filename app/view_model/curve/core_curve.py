@@ -3,8 +3,7 @@
 `core_curve` makes it. Of a Hermite curve its data are the derivatives that the person set and the estimates
 of the rules for the rest, `Sides`. What is set is given to the rules: in a spline it is a condition. A corner
 divides the curve into pieces, and each piece is estimated for itself; a closed curve without a corner is
-estimated as the periodic curve it is. Where the velocities at a point are tied the curve is smooth: while
-they are free the estimates go through.
+estimated as the periodic curve it is. Where velocities are tied the curve is smooth, and both are set.
 
 `Cardinals` are the cardinal functions of the points, estimates included. `refusal_of` puts a refusal of the
 core into the program's words: the core counts arguments and indices, as its callers do, while a person sees
@@ -278,19 +277,18 @@ def _estimate(
     count, closed = len(data), curve.is_closed
     corners, ties = (_at_knots(column, count) for column in (arrays.corners, arrays.ties & arrays.corners))
     is_plain = not (closed or corners.any())
+    # Tied velocities are conditions of a spline; other rules go on there, for the curve is smooth.
+    divides = corners if curve.rules[0].is_spline else corners & ~ties
     for order, (rule, estimate) in enumerate(zip(curve.rules, estimates, strict=True)):
         if given is not None and not np.isnan(given[:, :, order, 0]).any():
             _take(sides, order, given)
             continue
-        known = _known(curve.rules, order, sides, given, ties)
+        known = _known(curve.rules, order, given, ties)
         if is_plain:
             at = {name: values[:, 0] for name, values in known.items()}
             sides.before[:, order] = sides.after[:, order] = estimate(data, parameters, **at)
             _take(sides, order, given)
             continue
-        # Where velocities are tied and free the curve is smooth, and goes on.
-        is_free = np.isnan(known["velocities"][:, 0, 0]) if "velocities" in known else True
-        divides = corners & ~(ties & is_free)
         rows = _rows_of(parameters, divides, closed=closed)
         for run in [rows] if rule.is_spline else rows.runs():
             if given is not None and run.is_all_set(given[:, :, order, 0]):
@@ -320,23 +318,16 @@ def _take(sides: Sides, order: int, given: FloatArray | None) -> None:
 
 
 def _known(
-    rules: Sequence[EstimateRule], order: int, sides: Sides, given: FloatArray | None, ties: BoolArray
+    rules: Sequence[EstimateRule], order: int, given: FloatArray | None, ties: BoolArray
 ) -> dict[str, FloatArray]:
     """Return what is given to the rule of an order, from 0: by name the values on both sides, (k, 2, dim)."""
-    known: dict[str, FloatArray] = {}
-    has_ties = bool(ties.any())
-    for lower, derivative in enumerate(DERIVATIVES[: len(rules)]):
-        if derivative.plural not in rules[order].takes or (given is None and not has_ties):
-            continue
-        if lower < order and not rules[lower].is_spline:
-            continue  # a local rule has velocities of its own
-        values = np.full_like(sides, np.nan)[:, :, 0].swapaxes(0, 1) if given is None else given[:, :, lower]
-        if has_ties and lower == 0:
-            # What is set on one side counts on both; the next orders know the velocities themselves.
-            at_ties = np.stack([each[:, 0] for each in sides], axis=1) if order else values[:, ::-1]
-            replaced = ties[:, None, None] & (np.isnan(values) if rules[0].is_spline else True)
-            values = np.where(replaced, at_ties if rules[0].is_spline else np.nan, values)
-        known[derivative.plural] = values
+    known = {}
+    for lower, derivative in enumerate(DERIVATIVES[: len(rules)] if given is not None else ()):
+        # A local rule has velocities of its own, from which other orders are not estimated.
+        if derivative.plural in rules[order].takes and (lower == order or rules[lower].is_spline):
+            assert given is not None
+            goes_on = ties[:, None, None] & (lower == 0 and not rules[0].is_spline)
+            known[derivative.plural] = np.where(goes_on, np.nan, given[:, :, lower])
     return known
 
 
