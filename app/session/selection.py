@@ -540,6 +540,8 @@ class ScrubLine:
 
     def follow(self) -> None:
         """Keep the line on a changed curve: at its relative place where only the interval is another one."""
+        if self._asked is None:
+            return
         old, view = self._parameters, self._view()
         if self.t is not None and old is not None and view.curve is not None and old is not view.parameters:
             new = view.parameters
