@@ -145,3 +145,18 @@ def test_a_white_curve_without_paper_is_not_lost_unnoticed(colour, is_pale):
     # With a paper it is adjusted to it instead.
     request = ExportChoice(".svg").request(Document((curve,), paper=Paper.LIGHT), 0)
     assert "no paper of its own" not in preview(*request, (300, 300)).colour_remark
+
+
+def test_a_copied_image_of_a_white_curve_has_a_remark_unless_it_has_paper(line):
+    white = replace(line.curve, style=Style(stroke="#ffffff"), name="Wing")
+    line.session.commit(Document((white,)), "White")
+    line.trigger("copyImage")
+    line.wait_for_work()
+    assert line.message.startswith("“Wing” is hardly visible on white paper")
+    assert line.status.endswith("(PNG and SVG without a background).")
+    line.session.change("Paper", lambda document: set_paper(document, Paper.DARK))
+    QTest.keyClick(line.window.canvas, Qt.Key.Key_Escape)
+    line.trigger("copyImage")
+    line.wait_for_work()
+    assert line.message == ""
+    assert line.status.endswith("(PNG and SVG).")

@@ -128,12 +128,10 @@ def _preview(
     frame = drawing.frame
     scale = min(room[0] / frame.width, room[1] / frame.height)
     pixels = (max(round(frame.width * scale), 1), max(round(frame.height * scale), 1))
-    return PicturePreview(
-        _painted(drawing, pixels, style, options), size, _adjusted_colours_remark(drawing, style)
-    )
+    return PicturePreview(_painted(drawing, pixels, style, options), size, _colours_remark(drawing, style))
 
 
-def _adjusted_colours_remark(drawing: Drawing, style: PictureStyle) -> str:
+def _colours_remark(drawing: Drawing, style: PictureStyle) -> str:
     """Return the remark on curves whose colours are changed for the paper, or vanish on a white one."""
     lines = [outline for outline in drawing.outlines if not outline.style.has_fill]
     if style.paper is None:
@@ -200,7 +198,9 @@ def png_file(document: Document, options: Options) -> ExportResult:
     size = _size(drawing, options)
     with application():
         data = _png(_image(drawing, size, options, style))
-        return ExportResult(data, drawing.deviation, drawing.left_out, drawing.is_bound, size)
+        pale = (_colours_remark(drawing, style),) if style.paper is None else ()
+        remarks = (*drawing.left_out, *filter(None, pale))
+        return ExportResult(data, drawing.deviation, remarks, drawing.is_bound, size)
 
 
 def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: PictureStyle) -> QImage:

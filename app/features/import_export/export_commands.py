@@ -163,25 +163,26 @@ class CopyCommands:
 
     @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
-        """Copy the selected curves, or all curves, as PNG and SVG without a background."""
+        """Copy the selected curves, or all curves, as PNG and SVG on the paper of the document, if any."""
 
-        def put(pictures: tuple[bytes, bytes], what: str) -> None:
+        def put(pictures: tuple[ExportResult, ExportResult], what: str) -> None:
             png, svg = pictures
             data = QMimeData()
-            data.setData("image/png", png)
-            data.setData(SVG, svg)
-            data.setImageData(QImage.fromData(png))
+            data.setData("image/png", png.data)
+            data.setData(SVG, svg.data)
+            data.setImageData(QImage.fromData(png.data))
             put_on_clipboard(data)
-            self._session.say(f"Copied {what} as an image (PNG and SVG without a background).")
+            on = "" if self._session.document.paper else " without a background"
+            self._session.say(f"Copied {what} as an image (PNG and SVG{on}).")
+            self._context.work.warn_of(png.remarks)
 
-        def work(document: Document, report: Report) -> tuple[bytes, bytes]:
+        def work(document: Document, report: Report) -> tuple[ExportResult, ExportResult]:
             style = exchange.drawing.styles.ON_PAPER.get(document.paper)
             options = exchange.options.Options(
                 width=_WIDTH, style=style, transparent=style is None, report=part(report, 0.0, 0.5)
             )
-            png = exchange.png_file(document, options).data
-            svg = exchange.svg_for_clipboard(document, part(report, 0.5, 1.0))
-            return png, svg.data
+            png = exchange.png_file(document, options)
+            return png, exchange.svg_for_clipboard(document, part(report, 0.5, 1.0))
 
         self._start("Drawing", "The image", work, put)
 
