@@ -36,7 +36,6 @@ from .curve.core_curve import parameters_of
 from .curve.curve_view import CurveView, view_of
 from .geometry import at_knots, polygon_length, segment_at
 from .reshape import (
-    SAME_PARAMETER,
     Reshaped,
     change_of_shape,
     convert_first,
@@ -389,6 +388,10 @@ SPECIAL_POINTS = (
 )
 
 
+_SAME_ROOT = 1e-7
+"""Share of the domain up to which a root is at a point: high degrees make roots less exact."""
+
+
 def special_points(
     view: CurveView, kind: SpecialPoints, segments: Collection[int] = ()
 ) -> tuple[list[float], bool]:
@@ -412,7 +415,7 @@ def special_points(
     for t in np.sort(kind.parameters(view.curve)).tolist():
         if segments and segment_at(knots, t) not in segments:
             continue
-        if np.abs(np.append(knots, free) - t).min() > SAME_PARAMETER * (knots[-1] - knots[0]):
+        if np.abs(np.append(knots, free) - t).min() > _SAME_ROOT * (knots[-1] - knots[0]):
             free.append(t)
         else:
             some_taken = True

@@ -146,7 +146,7 @@ class TangentCommands:
         "matchCurvature",
         "Match Curvature",
         POINTS_VELOCITIES,
-        icon="plot-curvature",
+        icon="match-curvature",
         needs=Need(
             "selected smooth points, or two curves whose ends meet",
             lambda state: state.is_current and (state.selected_count > 0 or state.selected_curve_count > 1),
