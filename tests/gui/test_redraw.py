@@ -143,6 +143,17 @@ def test_points_that_a_local_rule_sees_far_away_are_not_set(editor):
     wave = begin(editor, curve)
     draw(wave, between(points[7], points[9], bulge=0.7))
     assert not any(point.velocity for point in wave.curve.points[:6])
+    assert wave.message == ""
+
+
+def test_points_that_a_local_rule_would_move_are_named_and_can_be_reset(editor):
+    points = [(float(x), math.sin(2 * x)) for x in range(12)]
+    wave = begin(editor, replace(make_curve(points, family=HERMITE), velocity_rule=VelocityRule.AKIMA))
+    draw(wave, between(on(wave, 0.55), on(wave, 0.72), bulge=0.7))
+    assert wave.message.endswith("were set to keep the shape.")
+    given = sum(point.velocity is not None for point in wave.curve.points)
+    wave.trigger("resetKept")
+    assert sum(point.velocity is not None for point in wave.curve.points) < given
 
 
 def test_the_part_and_the_effect_are_shown_while_it_is_drawn_and_escape_leaves_no_trace(wave):

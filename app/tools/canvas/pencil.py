@@ -157,11 +157,12 @@ class PencilLine(Gesture, kw_only=True):
             if isinstance(result, str):
                 session.refuse(result)
                 return
-            curve, active = result.curve, session.active_index
+            curve, active, before = result.curve, session.active_index, session.document.curves
             edit = partial(replace_curve, curve=active, new=curve)
             if session.change(stretch.title, edit, scroll=scroll):
                 session.selected.set_points([])
-                session.say(f"{stretch.title}: {_message(result, view.source, self.press, tolerance)}")
+                done = f"{stretch.title}: {_message(result, view.source, self.press, tolerance)}"
+                session.report(done, before)
 
         event.background.do(BackgroundTask(stretch.title, work, take, self.line))
 
