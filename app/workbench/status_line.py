@@ -149,7 +149,7 @@ class StatusLine(SafeOverrides, QStatusBar):
 
     def clear_message(self) -> None:
         """Remove the message."""
-        self._message = self._refusal = ""
+        self._message, self._refusal, self._is_hint = "", "", False
         self._timer.stop()
         self._render()
 
