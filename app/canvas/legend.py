@@ -8,7 +8,7 @@ from enum import Enum, IntEnum
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPoint, QRect, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
@@ -20,6 +20,7 @@ from ..plotting.layers import LayerStack
 from ..plotting.pens import sign_pixmap
 from ..plotting.text import covered_lengths
 from ..qt.labels import Label, tip_of
+from ..tasks.task import DelayedCall
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
 from ..widgets.controls import named, tool_button
@@ -126,8 +127,7 @@ class Legend(OverlayFrame):
         self._style, self._room = style, room
         self._corner, self._form = Corner.LOWER_RIGHT, Form.WHOLE
         self._visible_rows: list[_VisibleRow] = []
-        self._move_timer = QTimer(self, singleShot=True, interval=_MOVE_DELAY_MS)
-        self._move_timer.timeout.connect(self._move_away)
+        self._move_timer = DelayedCall(self, _MOVE_DELAY_MS, self._move_away)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(8, 5, 6, 5)
         self._grid.setHorizontalSpacing(7)

@@ -9,7 +9,7 @@ from time import thread_time
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRect, Qt, QTimer
+from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from curvecore.arrays import FloatArray
@@ -25,6 +25,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import RingStamps, Sheets, transparent
 from ..plotting.wide_line import RoundLine
+from ..tasks.task import DelayedCall
 from ..tools.pointer import Hit, Part
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.line_styles import FILE_STYLE
@@ -112,8 +113,7 @@ class OtherCurvesLayer(Layer):
         self._picture: Sheets | None = None
         self._seconds = 0.0
         self._is_resting = False
-        self._rest = QTimer(plot, singleShot=True, interval=_REST_MS)
-        self._rest.timeout.connect(self._repaint)
+        self._rest = DelayedCall(plot, _REST_MS, self._repaint)
         self._finder = LineFinder()
         self.set_visible(False)
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, QTimer
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
@@ -21,6 +21,7 @@ from ..plotting.pixel_map import PixelMap
 from ..plotting.plot_widget import PlotWidget
 from ..plotting.stamps import Mark
 from ..plotting.text import OccupiedRoom, number_position, write_in_corner
+from ..tasks.task import DelayedCall
 from ..view_model.curve.curve_view import CurveView
 from ..view_model.curve.handles import Handles
 from ..view_model.point_kinds import kinds_of
@@ -106,8 +107,7 @@ class PointLayer(Layer):
         self.numbers: list[tuple[QPointF, int]] = []
         self._measured_pixels: FloatArray | None = None
         # Repaints after a drag, with discs as large as there is room for then.
-        self._soon = QTimer(plot, singleShot=True, interval=_DISCS_MS)
-        self._soon.timeout.connect(self._measure_again)
+        self._soon = DelayedCall(plot, _DISCS_MS, self._measure_again)
         self._inks = InkCache()
         self._roles_key: tuple[object, ...] = ()
         self._pixels_of: tuple[CurveView | None, PixelMap | None] = (None, None)

@@ -29,6 +29,7 @@ from ..features.recovery.commands import RecoveryCommands
 from ..session import DocumentOrigin, Session
 from ..storage.open_file import is_large
 from ..tasks.garbage import collect_between_events
+from ..tasks.task import DelayedCall
 from ..window.given_files import given_files
 from ..window.main_window import MainWindow
 from ..workbench.document_files import DocumentFiles
@@ -121,8 +122,7 @@ class Lifecycle(QObject):
         self._signals = SignalWatch(self.end, self)
         self._faults = FaultFile()
         self._log_file: diagnostics.log_file.LogFile | None = None
-        self._log_due = QTimer(self, singleShot=True, interval=_LOG_FILE_MS)
-        self._log_due.timeout.connect(self._open_log_file)
+        self._log_due = DelayedCall(self, _LOG_FILE_MS, self._open_log_file)
         self.crashes = CrashHandler(self.write_now, self._private_words, self)
         self.crashes.quit_asked.connect(self._save_and_quit)
         self.crashes.interrupted.connect(lambda: self.end(signal.SIGINT))

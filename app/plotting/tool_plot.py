@@ -5,13 +5,13 @@ from __future__ import annotations
 from string import ascii_lowercase
 
 from msgspec.structs import replace
-from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QCursor, QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
-from ..tasks.task import SingleTask
+from ..tasks.task import DelayedCall, SingleTask
 from ..tools.pointer import Cursor, Hint, Hit, Pointer
 from ..tools.toolbox import Toolbox
 from .plot_widget import PlotWidget
@@ -122,8 +122,7 @@ class ToolPlot(PlotWidget):
         self.gesture_ended.connect(tools.background.hand_over, Qt.ConnectionType.QueuedConnection)
         # Whether a status text is due: the first one after the paint, the others when the timer runs out.
         self._is_status_due = False
-        self._status_timer = QTimer(self, singleShot=True)
-        self._status_timer.timeout.connect(self.show_status)
+        self._status_timer = DelayedCall(self, 0, self.show_status)
         # Queued, but before the paint: one paint shows the change and the new hover.
         self._is_hover_due = False
         self._hover_wanted.connect(self._hover_if_due, Qt.ConnectionType.QueuedConnection)

@@ -138,6 +138,13 @@ def empty_result(method: Callable[..., object]) -> Any:  # noqa: ANN401 - whatev
     return None if is_pointer else kind()
 
 
+def application() -> QApplication:
+    """Return the running application."""
+    running = QApplication.instance()
+    assert isinstance(running, QApplication)
+    return running
+
+
 ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 DELETE = (Qt.Key.Key_Delete, Qt.Key.Key_Backspace)
 
@@ -177,9 +184,7 @@ class FieldShortcuts(SafeOverrides, QObject):
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._watch)
+        application().focusChanged.connect(self._watch)
 
     def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
         if isinstance(new, QLineEdit | QAbstractSpinBox):

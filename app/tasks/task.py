@@ -298,8 +298,7 @@ class SingleTask(TaskOwner):
     def __init__(self, parent: QObject | None = None, shown_after_ms: int = SHOWN_AFTER_MS) -> None:
         super().__init__(parent)
         self.title = ""
-        self._patience = QTimer(self, singleShot=True, interval=shown_after_ms)
-        self._patience.timeout.connect(self._show)
+        self._patience = DelayedCall(self, shown_after_ms, self._show)
 
     @property
     def is_busy(self) -> bool:
@@ -369,6 +368,19 @@ SETTLE_MS = 100
 """Milliseconds without a new request before a task begins."""
 
 
+class DelayedCall(QTimer):
+    """A call after a while, in the window's thread; `start` begins the while anew."""
+
+    def __init__(self, parent: QObject, milliseconds: int, call: Callable[[], object]) -> None:
+        super().__init__(parent, singleShot=True, interval=milliseconds)
+        self.timeout.connect(call)
+
+    def start_if_idle(self) -> None:
+        """Let the while begin unless it has."""
+        if not self.isActive():
+            self.start()
+
+
 class DebouncedTask(TaskOwner):
     """Owner of tasks that follow a value: computes the last request once no new one arrives for a while.
 
@@ -388,8 +400,7 @@ class DebouncedTask(TaskOwner):
 
     def __init__(self, parent: QObject | None = None, *, settle_ms: int = SETTLE_MS) -> None:
         super().__init__(parent)
-        self._timer = QTimer(self, singleShot=True, interval=settle_ms)
-        self._timer.timeout.connect(self._begin)
+        self._timer = DelayedCall(self, settle_ms, self._begin)
         self._compute: Work | None = None
         self.is_busy = False
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from ..actions.declaration import Action, all_declared, declared_widgets
@@ -16,7 +16,7 @@ from ..document.limits import EditError
 from ..document.model import Document
 from ..features import command_sets
 from ..session import Message, MessageKind
-from ..tasks.task import TaskOwner, close_all
+from ..tasks.task import DelayedCall, TaskOwner, close_all
 from ..view_model.curve.curve_view import CurveView
 from ..widgets.controls import ToolbarWidget
 from ..workbench.context import WindowContext, hooks
@@ -173,8 +173,7 @@ class Rendering(QObject):
         self._rendered: CurveView | None = None
         # The drawn document and the index of its active curve.
         self._drawn: tuple[Document, int] | None = None
-        self._panels_due = QTimer(self, singleShot=True, interval=_PANELS_MS)
-        self._panels_due.timeout.connect(self._render_rest)
+        self._panels_due = DelayedCall(self, _PANELS_MS, self._render_rest)
         self._connect()
         self._render_document()
         self._render_file()
@@ -217,8 +216,7 @@ class Rendering(QObject):
         if drawn is not None and drawn[1] != session.active_index:
             # The gesture has begun another curve, which may have another family.
             self._context.actions.follow()
-        if not self._panels_due.isActive():
-            self._panels_due.start()
+        self._panels_due.start_if_idle()
 
     def _settle(self) -> None:
         """Render the panels that wait for the end of a drag; the curves are drawn."""

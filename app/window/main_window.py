@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
@@ -24,11 +24,12 @@ from ..appearance.icons import app_icon
 from ..appearance.theme import Theme, apply_theme, theme_of
 from ..document.model import Vector
 from ..plotting.tool_plot import ToolPlot
-from ..qt.overrides import ENTER, FieldShortcuts, SafeOverrides
+from ..qt.overrides import ENTER, FieldShortcuts, SafeOverrides, application
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..state.window_state import Analysis, WindowState, WindowStore
 from ..tasks.garbage import collect_between_events
+from ..tasks.task import DelayedCall
 from ..widgets.frames import room_on
 from ..workbench.central_area import CentralArea
 from ..workbench.context import WindowContext
@@ -182,9 +183,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         self.asks_before_closing = True
 
     def _apply_theme(self) -> None:
-        app = QApplication.instance()
-        assert isinstance(app, QApplication)
-        apply_theme(app, self.preferences.theme_mode)
+        apply_theme(application(), self.preferences.theme_mode)
 
     def _render_theme(self) -> None:
         # Not the palette of the window, which is outdated until the window has been polished.
@@ -319,8 +318,7 @@ class _FirstShow(SafeOverrides, QObject):
     def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:
         super().__init__(window)
         self._window, self._act = window, act
-        self._soon = QTimer(self, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._finish)
+        self._soon = DelayedCall(self, 0, self._finish)
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

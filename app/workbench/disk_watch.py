@@ -6,8 +6,11 @@ import os
 from pathlib import Path
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
-from PySide6.QtGui import QGuiApplication, QWindow
+from PySide6.QtGui import QWindow
 from PySide6.QtWidgets import QWidget
+
+from ..qt.overrides import application
+from ..tasks.task import DelayedCall
 
 _SETTLE_MS = 100
 """Delay after the first notification in milliseconds: writing a file causes several."""
@@ -37,17 +40,16 @@ class DiskWatch(QObject):
         super().__init__(parent)
         self._path: Path | None = None
         self._watcher: QFileSystemWatcher | None = None
-        self._soon = QTimer(self, singleShot=True, interval=_SETTLE_MS)
-        self._soon.timeout.connect(self._trigger)
+        self._soon = DelayedCall(self, _SETTLE_MS, self._trigger)
         self._regularly = QTimer(self)
         self._regularly.timeout.connect(self.triggered)
 
     def watch(self, path: Path | None) -> None:
         """Watch the file at `path` instead of the previous one; None watches nothing."""
         if path is not None and self._path is None:
-            _application().focusWindowChanged.connect(self._look_up)
+            application().focusWindowChanged.connect(self._look_up)
         elif path is None and self._path is not None:
-            _application().focusWindowChanged.disconnect(self._look_up)
+            application().focusWindowChanged.disconnect(self._look_up)
         self._path = path
         if self._watcher is not None:
             for known in (*self._watcher.files(), *self._watcher.directories()):
@@ -76,13 +78,9 @@ class DiskWatch(QObject):
 
     def _make_watcher(self) -> QFileSystemWatcher:
         self._watcher = QFileSystemWatcher(self)
-        self._watcher.fileChanged.connect(self._wait)
-        self._watcher.directoryChanged.connect(self._wait)
+        self._watcher.fileChanged.connect(self._soon.start_if_idle)
+        self._watcher.directoryChanged.connect(self._soon.start_if_idle)
         return self._watcher
-
-    def _wait(self, _path: str) -> None:
-        if not self._soon.isActive():
-            self._soon.start()
 
     def _trigger(self) -> None:
         self._add()
@@ -92,10 +90,4 @@ class DiskWatch(QObject):
         """Trigger when the window comes to the front."""
         parent = self.parent()
         if window is not None and isinstance(parent, QWidget) and window is parent.windowHandle():
-            self._wait("")
-
-
-def _application() -> QGuiApplication:
-    application = QGuiApplication.instance()
-    assert isinstance(application, QGuiApplication)
-    return application
+            self._soon.start_if_idle()

@@ -14,6 +14,7 @@ from ..document.model import Vector
 from ..document.words import number
 from ..qt.labels import set_tip
 from ..qt.overrides import SafeOverrides
+from ..tasks.task import DelayedCall
 from ..view_model.curve.curve_view import CurveView
 from ..widgets.controls import named
 from ..widgets.elided_label import ElidedLabel, SteadyLabel
@@ -54,10 +55,8 @@ class StatusLine(SafeOverrides, QStatusBar):
         self._progress = self._tip = self._message = self._hint = self._refusal = ""
         # Whether the message is about the next press of a tool.
         self._is_hint = False
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._render)
-        self._timer = QTimer(self, singleShot=True, interval=_MESSAGE_MS)
-        self._timer.timeout.connect(self.clear_message)
+        self._soon = DelayedCall(self, _SOON_MS, self._render)
+        self._timer = DelayedCall(self, _MESSAGE_MS, self.clear_message)
         # It runs until the end of the event that has shown the message.
         self._fresh = QTimer(self, singleShot=True, interval=0)
 
@@ -104,8 +103,7 @@ class StatusLine(SafeOverrides, QStatusBar):
             return
         self._message = ""
         self.clearMessage()
-        if not self._soon.isActive():
-            self._soon.start()
+        self._soon.start_if_idle()
 
     def show_tip(self, text: str) -> None:
         """Show the tip of the entry under the pointer; empty when the pointer has left it."""
@@ -200,24 +198,23 @@ class Readouts:
         self.unit = ""
         self.pixel_size: Callable[[], float] = lambda: 0.0
         self.view: Callable[[], CurveView]
-        self._soon = QTimer(line, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self.render)
+        self._soon = DelayedCall(line, _SOON_MS, self.render)
 
     def show_unit(self, unit: str) -> None:
         """Set the unit of the position."""
         self.unit = unit
-        self._render_soon()
+        self._soon.start_if_idle()
 
     def show_position(self, position: Vector | None) -> None:
         """Show the position of the pointer on the canvas."""
         self._position = position
-        self._render_soon()
+        self._soon.start_if_idle()
 
     def show_t(self, t: float | None) -> None:
         """Show the t under the pointer; None when the pointer is elsewhere."""
         if t != self._t_here:
             self._t_here = t
-            self._render_soon()
+            self._soon.start_if_idle()
 
     def show_scrub(self, t: float | None) -> None:
         """Show the t of the scrub line, until the pointer moves over a plot; None without one.
@@ -237,11 +234,7 @@ class Readouts:
         if (constant, holds) != (self._lebesgue, self._lebesgue_holds):
             self._lebesgue, self._lebesgue_holds = constant, holds
             set_tip(self._lebesgue_label, _LEBESGUE_TIP + _HOLDS_TIP * bool(holds))
-            self._render_soon()
-
-    def _render_soon(self) -> None:
-        if not self._soon.isActive():
-            self._soon.start()
+            self._soon.start_if_idle()
 
     def catch_up(self) -> None:
         """Write delayed numbers now, together with the text beside them."""

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QSizeF, QTimer
+from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPixmap, QPolygonF
 
 from curvecore.arrays import BoolArray, FloatArray, IntArray
@@ -22,6 +22,7 @@ from ...plotting.pixel_map import PixelMap
 from ...plotting.plot_widget import PlotWidget
 from ...plotting.text import with_halo
 from ...plotting.wide_line import RoundLine
+from ...tasks.task import DelayedCall
 from ...view_model.basis import BasisView
 
 _MOST_EACH = 64
@@ -354,8 +355,7 @@ class CrestNames:
         self._offsets, self._is_clear = np.empty((0, 2)), np.empty(0, dtype=np.bool_)
         self._sides_key: tuple[object, ...] = ()
         self._sides_basis: BasisView | None = None
-        self._choose_timer = QTimer(plot, singleShot=True, interval=_KEEP_SIDE_MS)
-        self._choose_timer.timeout.connect(self._choose_again)
+        self._choose_timer = DelayedCall(plot, _KEEP_SIDE_MS, self._choose_again)
         self._again = again
 
     def paint(

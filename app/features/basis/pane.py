@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QIcon, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
@@ -13,6 +13,7 @@ from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label, set_tip
+from ...tasks.task import DelayedCall
 from ...view_model.basis import BasisView, basis_formulas
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.line_styles import KIND_DASHES, LineStyle
@@ -84,8 +85,7 @@ class BasisPane(FollowsTheme, CentralPane):
         self._warns = False
         # Level of brevity of the header, from 0 to 3.
         self._brevity = 0
-        self._words_timer = QTimer(self, singleShot=True, interval=_WORDS_MS)
-        self._words_timer.timeout.connect(self._write_reach)
+        self._words_timer = DelayedCall(self, _WORDS_MS, self._write_reach)
         self._lay_out()
         panel.drawing.extent_changed.connect(self._show_extent)
         self._write_reach()

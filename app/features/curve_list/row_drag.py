@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import msgspec
-from PySide6.QtCore import QPoint, QTimer
+from PySide6.QtCore import QPoint
 from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QApplication, QListView
 
 from ...appearance.theme import theme_of
 from ...document.groups import OUTSIDE, Container, Node
+from ...tasks.task import DelayedCall
 from .model import CurveListModel, Entry
 from .rows import INDENT, RowParts
 
@@ -95,8 +96,7 @@ class RowDrag:
         self.drop: Drop | None = None
         self._press: QPoint | None = None
         self._position = QPoint()
-        self._opening = QTimer(view, singleShot=True, interval=OPENS_MS)
-        self._opening.timeout.connect(self._open_below)
+        self._opening = DelayedCall(view, OPENS_MS, self._open_below)
 
     def press(self, row: int, position: QPoint) -> None:
         """Start with a press on a row."""

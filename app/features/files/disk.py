@@ -11,7 +11,7 @@ from enum import Enum, auto
 from pathlib import Path
 
 import msgspec
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 from ...actions.declaration import action
 from ...actions.menus import FILE_DISK
@@ -23,6 +23,7 @@ from ...storage.format_error import FormatError
 from ...storage.lock import Owner
 from ...storage.migration import LeftOut
 from ...storage.open_file import FileChange, LockedError, OpenFile
+from ...tasks.task import DelayedCall
 from ...view_model.curve.curve_view import view_of
 from ...workbench.context import WindowContext
 from ...workbench.disk_watch import DiskWatch
@@ -48,8 +49,7 @@ class DiskCommands(QObject):
         self._bar: NoticeBar | None = None
         self._watch = DiskWatch(context.window)
         self._watch.triggered.connect(self._check_file)
-        self._recheck = QTimer(self, singleShot=True)
-        self._recheck.timeout.connect(self._check_file)
+        self._recheck = DelayedCall(self, _RECHECK_MS, self._check_file)
         self._file: OpenFile | None = None
         self._path: Path | None = None
         self._stamp: Stamp | None = None

@@ -13,6 +13,7 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.words import count_of
 from ...qt.labels import Label, html_of
+from ...qt.overrides import application
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, GestureRow, ToolRecord
 from ...widgets.boxes import column_of, row_of
@@ -209,12 +210,12 @@ class ShortcutSheet(OverlayFrame):
     # Qt's events
 
     def showEvent(self, event: QShowEvent) -> None:
-        _application().installEventFilter(self)
+        application().installEventFilter(self)
         super().showEvent(event)
 
     def hideEvent(self, event: QHideEvent) -> None:
         # However it was hidden: else every event of the program would pass through the filter.
-        _application().removeEventFilter(self)
+        application().removeEventFilter(self)
         super().hideEvent(event)
 
     def event(self, event: QEvent) -> bool:
@@ -283,9 +284,3 @@ def _cell(text: str, name: str) -> Label:
     label.setAlignment(Qt.AlignmentFlag.AlignTop)
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
     return label
-
-
-def _application() -> QApplication:
-    application = QApplication.instance()
-    assert isinstance(application, QApplication)
-    return application

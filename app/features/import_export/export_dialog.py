@@ -9,7 +9,7 @@ from functools import singledispatch
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, Generic
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap, QStandardItemModel
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
 
@@ -36,6 +36,7 @@ from ...exchange.options import (
 )
 from ...qt.labels import Label
 from ...tasks.progress import Report
+from ...tasks.task import DelayedCall
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import check_box, choice_box
 from ...widgets.fields import FieldEdit, RangedSpinBox
@@ -73,8 +74,7 @@ class ExportDialog(WorkDialog):
         self.size_label = Label(name="exportSize", wordWrap=True)
         self.size_label.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.colour_note = Label(name="exportColoursTold", wordWrap=True)
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._render_preview)
+        self._soon = DelayedCall(self, _SOON_MS, self._render_preview)
         self._lay_out()
         self.form.changed.connect(self._render)
         self.form.show_choice(choice)

@@ -9,7 +9,7 @@ from functools import partial
 from itertools import pairwise
 from math import isfinite
 
-from PySide6.QtCore import QRect, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QRect, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -39,6 +39,7 @@ from ...exchange.table.thinning import Thinning
 from ...families import FAMILIES, HERMITE
 from ...qt.labels import Label, tip_of
 from ...qt.overrides import SafeOverrides
+from ...tasks.task import DelayedCall
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box, named
 from ...widgets.fields import FieldEdit
@@ -86,8 +87,7 @@ class ImportTableDialog(WorkDialog):
         self._preview = preview
         self._prepared: PreparedTable | None = None
         self._tolerance: float | None = None
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._use_typed)
+        self._soon = DelayedCall(self, _SOON_MS, self._use_typed)
         self._build_reading()
         self._build_curves()
         self._build_foot()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QIcon
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -22,6 +22,7 @@ from ...document.expression import ExpressionError
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import Label
 from ...state.window_state import Analysis
+from ...tasks.task import DelayedCall
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, ErrorSize, Overlay
 from ...view_model.settings import Count, Factor, OwnedSetting, SwitchSetting
@@ -151,10 +152,9 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         self.set_theme(self.theme)
 
     def _connect(self) -> None:
-        self._notes_due = QTimer(self, singleShot=True, interval=_NOTES_MS)
-        self._notes_due.timeout.connect(self._render_notes)
+        self._notes_due = DelayedCall(self, _NOTES_MS, self._render_notes)
         self._analysis.changed.connect(self._render)
-        self._analysis.noted.connect(self._note_soon)
+        self._analysis.noted.connect(self._notes_due.start_if_idle)
         for setting, edit in self._error_fields.items():
             edit.entered.connect(partial(self._set_error, setting))
             edit.refused.connect(self._refuse)
@@ -175,10 +175,6 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         for error, edit in self._error_fields.items():
             edit.show_number(settings.value(error), 6)
         self._render_notes()
-
-    def _note_soon(self) -> None:
-        if not self._notes_due.isActive():
-            self._notes_due.start()
 
     def _render_notes(self) -> None:
         for overlay, label in self._notes.items():

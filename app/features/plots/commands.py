@@ -6,14 +6,13 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QTimer
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ...actions.declaration import Action, action_for_each
 from ...actions.menus import PLOTS_OVER_T
 from ...qt.overrides import SafeOverrides
-from ...tasks.task import DebouncedTask
+from ...tasks.task import DebouncedTask, DelayedCall
 from ...tools.parameters import SCRUB
 from ...tools.toolbox import Toolbox
 from ...view_model import analysis
@@ -78,8 +77,7 @@ class PlotCommands:
         self._session, self._analysis = context.session, context.analysis
         self._task = DebouncedTask(context.window)
         self._task.ready.connect(self._show_settled)
-        self._calm = QTimer(context.window, singleShot=True, interval=_CALM_MS)
-        self._calm.timeout.connect(self._fit_values)
+        self._calm = DelayedCall(context.window, _CALM_MS, self._fit_values)
         self._curve_plots: list[PlotData] = []
         self._plotted: CurveView | None = None
         self._was_calm = False

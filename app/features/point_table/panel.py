@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ...actions.keymap import set_full_name
 from ...appearance.icons import icon
@@ -16,6 +16,7 @@ from ...document.model import Document
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError, read_titled_block, write_block
 from ...qt.labels import Label, html_of
+from ...qt.overrides import application
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column, known_titles
 from ...widgets.boxes import column_of, row_of
@@ -145,9 +146,7 @@ class PointTable(FollowsTheme, QWidget):
         self.view.selectionModel().selectionChanged.connect(self._report_selection)
         self.view.selectionModel().currentChanged.connect(self._clear_message)
         self._message.linkActivated.connect(self._reset_kept)
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._watch_focus)
+        application().focusChanged.connect(self._watch_focus)
 
     # Rendering: nothing here changes the document
 

@@ -10,14 +10,14 @@ import logging
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QStandardPaths, QTimer
+from PySide6.QtCore import QObject, QStandardPaths
 
 from ...document.model import Document
 from ...session import DocumentOrigin, Session
 from ...storage.files import printable_path
 from ...storage.format_error import FormatError
 from ...storage.recovery import SnapshotFile, SnapshotOrigin
-from ...tasks.task import Task
+from ...tasks.task import DelayedCall, Task
 from ...workbench.document_files import SUFFIX
 
 _log = logging.getLogger("curvebench.autosave")
@@ -67,12 +67,10 @@ class Autosave(QObject):
         self._has_complained = self._has_written = False
         self._last: Task | None = None
         self._is_closed = False
-        self._soon = QTimer(self, singleShot=True, interval=delay)
-        self._soon.timeout.connect(self._write_soon)
-        self._again = QTimer(self, singleShot=True, interval=retry)
-        self._again.timeout.connect(self._note_file)
-        session.document_changed.connect(self._note_change)
-        session.settled.connect(self._note_change)
+        self._soon = DelayedCall(self, delay, self._write_soon)
+        self._again = DelayedCall(self, retry, self._note_file)
+        session.document_changed.connect(self._soon.start_if_idle)
+        session.settled.connect(self._soon.start_if_idle)
         session.file_changed.connect(self._note_file)
         self._note_file()
 
@@ -81,14 +79,9 @@ class Autosave(QObject):
         """Whether the document differs from its file."""
         return self._session.files.is_modified or self._session.is_previewing
 
-    def _note_change(self) -> None:
-        # Called at every move of a drag.
-        if not self._soon.isActive():
-            self._soon.start()
-
     def _note_file(self) -> None:
         if self.is_needed:
-            self._note_change()
+            self._soon.start_if_idle()
         else:
             self._discard()
 
@@ -155,8 +148,8 @@ class Autosave(QObject):
         self._soon.stop()
         self._again.stop()
         session = self._session
-        session.document_changed.disconnect(self._note_change)
-        session.settled.disconnect(self._note_change)
+        session.document_changed.disconnect(self._soon.start_if_idle)
+        session.settled.disconnect(self._soon.start_if_idle)
         session.file_changed.disconnect(self._note_file)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMenu, QSizePolicy, QToolButton
 
@@ -29,6 +29,7 @@ from ...canvas.fitting import FramedView
 from ...document.several_curves import common_name, name_or_count
 from ...document.words import NamedEnum
 from ...state.window_state import WindowState
+from ...tasks.task import DelayedCall
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
 from ...view_model.settings import ChoiceSetting
@@ -134,10 +135,8 @@ class ViewCommands:
         self._before_presentation: _Layout | None = None
         self._restored_at = QSize()
         # The window gets its size some events after it was asked for.
-        self._soon = QTimer(context.window, singleShot=True, interval=0)
-        self._soon.timeout.connect(self._follow_presentation)
-        self._settled = QTimer(context.window, singleShot=True, interval=_SETTLED_MS)
-        self._settled.timeout.connect(self._forget_layout)
+        self._soon = DelayedCall(context.window, 0, self._follow_presentation)
+        self._settled = DelayedCall(context.window, _SETTLED_MS, self._forget_layout)
         context.central.canvas.camera.changed.connect(self._follow_size)
         context.central.canvas.camera.steered.connect(self._forget_layout)
         self._before_folding = b""

@@ -18,6 +18,7 @@ from ...document.lengths import MILLIMETRES, known_unit
 from ...document.words import number
 from ...plotting.camera import Camera
 from ...plotting.scrolling import ZOOM_STEP
+from ...tasks.task import DelayedCall
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
 from ...widgets.controls import named, tool_button
@@ -226,8 +227,7 @@ class ZoomField(QWidget):
         for part in (self.edit, self._choices):
             part.setMaximumHeight(self.fontMetrics().height() + _PADDING)
         row_of(self.edit, self._choices, margins=0, spacing=0, parent=self)
-        self._soon = QTimer(self, singleShot=True, interval=_SOON_MS)
-        self._soon.timeout.connect(self._write)
+        self._soon = DelayedCall(self, _SOON_MS, self._write)
 
     def offer(self, groups: Sequence[Sequence[QAction]]) -> None:
         """Set the actions of the menu, in groups."""
@@ -244,8 +244,7 @@ class ZoomField(QWidget):
         """Show a zoom, and its tip about 100 %."""
         if share != self._share or about != self._about:
             self._share, self._about = share, about
-            if not self._soon.isActive():
-                self._soon.start()
+            self._soon.start_if_idle()
 
     def _write(self) -> None:
         self._soon.stop()
