@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from PySide6.QtGui import Qt
+from PySide6.QtGui import QPalette, Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
 _NO_SPACE = "\N{ZERO WIDTH SPACE}"
@@ -16,10 +16,15 @@ _LONG_WORD = re.compile(r"\S{16}(?=\S{16})")
 """Sixteen characters of a longer word stay together."""
 
 
+INK, MUTED = QPalette.ColorRole.WindowText, QPalette.ColorRole.PlaceholderText
+WARNING = QPalette.ColorRole.BrightText
+"""Roles in the palette of the colours of text, of secondary text and of warnings, in every theme."""
+
+
 class Label(QLabel):
     """A label of plain text, or of HTML with `is_html`, in which data go through `html_of`.
 
-    `name` is its object name, `label` its name for screen readers.
+    `name` is its object name, `label` its name for screen readers, `role` the role of its colour.
     """
 
     def __init__(
@@ -30,11 +35,23 @@ class Label(QLabel):
         label: str = "",
         wordWrap: bool = False,  # noqa: N803 - as Qt has it
         is_html: bool = False,
+        role: QPalette.ColorRole = INK,
     ) -> None:
         super().__init__(text, wordWrap=wordWrap)
+        if role != INK:
+            self.setForegroundRole(role)
         self.setObjectName(name)
         self.setAccessibleName(label)
         self.setTextFormat(Qt.TextFormat.RichText if is_html else Qt.TextFormat.PlainText)
+
+    def show_text(self, text: str) -> None:
+        """Show a text; without one the label is hidden."""
+        self.setText(text)
+        self.setVisible(bool(text))
+
+    def show_problem(self, text: str) -> None:
+        """Show a problem, or hide the label without one."""
+        self.show_text(f"⚠ {text}" if text else "")
 
 
 def html_of(text: str) -> str:

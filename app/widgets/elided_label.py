@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy
 
-from ..qt.labels import Label, set_tip, tip_of
+from ..qt.labels import INK, Label, set_tip, tip_of
 from ..qt.overrides import SafeOverrides
 
 _STEP = 16
@@ -31,8 +31,8 @@ class SteadyLabel(SafeOverrides, Label):
         Colour of the text; None for the usual one. To be set before the text.
     """
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, name: str = "", label: str = "", role: QPalette.ColorRole = INK) -> None:
+        super().__init__(name=name, label=label, role=role)
         self.colour: QColor | None = None
         self._text = ""
         self._room = 0
@@ -89,8 +89,8 @@ class SteadyLabel(SafeOverrides, Label):
 class ElidedLabel(SteadyLabel):
     """A label that elides its text where there is too little room, and has all of it as tooltip."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, name: str = "", label: str = "", role: QPalette.ColorRole = INK) -> None:
+        super().__init__(name, label, role)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     def minimumSizeHint(self) -> QSize:

@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ..appearance.theme import FollowsTheme, Theme
+from ..appearance.theme import FollowsTheme
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
-from ..qt.labels import Label, set_tip
+from ..qt.labels import WARNING, Label, set_tip
 from ..qt.overrides import PASSING, ClaimsKeys, SafeOverrides
 from .controls import named
 from .number_text import angle_text, decimal_mark, field_text, typed_text
@@ -350,7 +350,7 @@ class FieldForm(FollowsTheme, QWidget):
     def __init__(self, name: str, problem: str, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self.problem = Label(name=problem, wordWrap=True)
+        self.problem = Label(name=problem, wordWrap=True, role=WARNING)
         # The field in which was typed last.
         self._entry: FieldEdit | None = None
         self._refusal = self._document_problem = ""
@@ -402,13 +402,7 @@ class FieldForm(FollowsTheme, QWidget):
         self._render_problem()
 
     def _render_problem(self) -> None:
-        text = self._refusal or self._document_problem
-        self.problem.setText(f"⚠ {text}" if text else "")
-        self.problem.setVisible(bool(text))
-
-    def set_theme(self, theme: Theme) -> None:
-        """Use the colours of `theme`."""
-        self.problem.setStyleSheet(f"color: {theme.warning.name()}")
+        self.problem.show_problem(self._refusal or self._document_problem)
 
 
 def end_editing(view: QAbstractItemView) -> None:

@@ -11,10 +11,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFocusEvent, QMouseEvent
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QLineEdit, QWidget
 
-from ..appearance.theme import theme_of
 from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
-from ..qt.labels import Label
+from ..qt.labels import WARNING, Label
 from ..qt.overrides import SafeOverrides
 from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value, WholeNumber
 from .controls import check_box, choice_box
@@ -172,8 +171,7 @@ class TextPreference(PreferenceField[str]):
 
     def _show_note(self, value: str) -> None:
         note = self._setting.note(value)
-        self._note.setText(note)
-        self._note.setVisible(bool(note))
+        self._note.show_text(note)
 
     def _choose(self, text: str) -> None:
         name = text.strip()
@@ -191,11 +189,11 @@ class DistancePreference(PreferenceField[float]):
     def __init__(self, setting: Distance, change: Change) -> None:
         self._setting, self._change = setting, change
         self._edit = NumberEdit(setting.widget, setting.label, setting.tip, self._distance_of)
-        self._problem = Label(name="preferencesProblem", wordWrap=True)
+        self._problem = Label(name="preferencesProblem", wordWrap=True, role=WARNING)
         self._problem.hide()
         self._edit.entered.connect(self._enter)
-        self._edit.refused.connect(self._complain)
-        self._edit.left.connect(lambda: self._complain(""))
+        self._edit.refused.connect(self._problem.show_problem)
+        self._edit.left.connect(lambda: self._problem.show_problem(""))
         self.rows = [(setting.label, self._edit), ("", self._problem)]
 
     def show(self, value: float) -> None:
@@ -211,14 +209,9 @@ class DistancePreference(PreferenceField[float]):
         return distance
 
     def _enter(self, distance: float) -> None:
-        self._complain("")
+        self._problem.show_problem("")
         self._change(distance)
         self.show(distance)
-
-    def _complain(self, text: str) -> None:
-        self._problem.setStyleSheet(f"color: {theme_of(self._problem.palette()).warning.name()}")
-        self._problem.setText(f"⚠ {text}" if text else "")
-        self._problem.setVisible(bool(text))
 
 
 def _check_of(setting: Several[Any], member: NamedEnum) -> QCheckBox:

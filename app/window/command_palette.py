@@ -145,8 +145,7 @@ class CommandPalette(OverlayFrame):
 
     def _look_up(self, typed: str) -> None:
         self._model.show(_ranked(self._commands, typed))
-        self._note.setText("" if self._model.rowCount() else "No command matches.")
-        self._note.setVisible(bool(self._note.text()))
+        self._note.show_text("" if self._model.rowCount() else "No command matches.")
         self.list.setVisible(not self._note.text())
         if self._model.rowCount():
             self.list.setCurrentIndex(self._model.index(0, 0))
@@ -170,8 +169,7 @@ class CommandPalette(OverlayFrame):
         if command is None:
             return
         if not command.action.isEnabled():
-            self._note.setText(reason_disabled(command.action))
-            self._note.show()
+            self._note.show_text(reason_disabled(command.action))
             self.place()
             return
         # Closed first: the command may open a dialog, or depend on the focus.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -20,8 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from ..actions.keymap import Keymap, keys_text, native, refusal
-from ..appearance.theme import theme_of
-from ..qt.labels import Label
+from ..qt.labels import INK, WARNING, Label
 from ..qt.overrides import ENTER, SafeOverrides
 from ..settings.kinds import settings_with_labels
 from ..settings.preferences import Preferences, stored_tool_settings
@@ -291,19 +290,14 @@ class ShortcutEditor(SafeOverrides, QWidget):
     def _clear_wish(self) -> None:
         self._wanted = None
         self.note.setText("")
-        self.note.setStyleSheet("")
+        self.note.setForegroundRole(INK)
         for button in (self.take, self.keep):
             button.hide()
         self.reset_all.show()
 
     def _warn(self, text: str) -> None:
-        self.note.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
+        self.note.setForegroundRole(WARNING)
         self.note.setText(f"⚠ {text}")
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self._wanted is not None:
-            self._warn(self.note.text().removeprefix("⚠ "))
 
 
 def _search_field() -> QLineEdit:

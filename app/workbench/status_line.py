@@ -43,8 +43,7 @@ class StatusLine(SafeOverrides, QStatusBar):
         super().__init__(parent)
         self.setObjectName("statusLine")
         self.setSizeGripEnabled(False)
-        self._label = ElidedLabel()
-        self._label.setObjectName("hint")
+        self._label = ElidedLabel("hint")
         self._label.setContentsMargins(6, 0, 6, 0)
         # A long hint is elided; it never widens the window.
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -185,8 +184,8 @@ class Readouts:
     """
 
     def __init__(self, line: QStatusBar) -> None:
-        self._position_label = named(SteadyLabel(), "pointerPlace")
-        self._t_label = named(SteadyLabel(), "pointerT")
+        self._position_label = SteadyLabel("pointerPlace")
+        self._t_label = SteadyLabel("pointerT")
         self._lebesgue_label = named(SteadyLabel(), "lebesgueConstant", tip=_LEBESGUE_TIP)
         for label in (self._position_label, self._t_label, self._lebesgue_label):
             line.addPermanentWidget(label)

@@ -579,7 +579,7 @@ def test_a_start_in_dark_is_dark_everywhere(qtbot, tmp_path):
     preferences.theme_mode = ThemeMode.DARK
     editor = Editor(qtbot, preferences=preferences)
     note = editor.window.findChild(QWidget, "basisExtent")
-    assert DARK.warning.name() in note.styleSheet()
+    assert note.palette().color(note.foregroundRole()) == DARK.warning
     editor.window.store.change(theme_mode=ThemeMode.SYSTEM)
 
 

@@ -12,7 +12,7 @@ from ...appearance.theme import FollowsTheme, Theme
 from ...document.derivatives import DERIVATIVES
 from ...document.words import number
 from ...plotting.pens import SIGN, sign_pixmap
-from ...qt.labels import Label, set_tip
+from ...qt.labels import MUTED, WARNING, Label, set_tip
 from ...tasks.task import DelayedCall
 from ...view_model.basis import BasisView, basis_formulas
 from ...view_model.curve.curve_view import CurveView
@@ -76,13 +76,12 @@ class BasisPane(FollowsTheme, CentralPane):
         self._header_texts: tuple[tuple[str, ...], str, str] = ((), "", self._title.text())
         self._unselected = ""
         self._reach: tuple[float, float] | None = None
-        self._drawing = named(ElidedLabel(), "basisDrawing")
-        self._extent = named(ElidedLabel(), "basisExtent")
+        self._drawing = ElidedLabel("basisDrawing", role=MUTED)
+        self._extent = ElidedLabel("basisExtent", role=WARNING)
         self._fit, self._is_fitted = self._fit_button(), False
         self._findings = Label(name="basisFindings", label="Findings about the functions", wordWrap=True)
         self._findings.setContentsMargins(10, 0, 8, 2)
         self._findings.hide()
-        self._warns = False
         # Level of brevity of the header, from 0 to 3.
         self._brevity = 0
         self._words_timer = DelayedCall(self, _WORDS_MS, self._write_reach)
@@ -172,14 +171,8 @@ class BasisPane(FollowsTheme, CentralPane):
         text = " ".join(filter(None, ("⚠" * bool(findings), *findings, remark)))
         if text != self._findings.text():
             self._findings.setText(text)
-            if bool(findings) != self._warns:
-                self._warns = bool(findings)
-                self._colour_findings()
+            self._findings.setForegroundRole(WARNING if findings else MUTED)
             self._findings.setVisible(bool(text))
-
-    def _colour_findings(self) -> None:
-        colour = self.theme.warning if self._warns else self.theme.muted
-        self._findings.setStyleSheet(f"color: {colour.name()}")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -214,9 +207,6 @@ class BasisPane(FollowsTheme, CentralPane):
         for button, dashes in zip(self._kinds, KIND_DASHES, strict=True):
             button.setIcon(QIcon(sign_pixmap(LineStyle("ink", width=1.5, dashes=dashes), theme, 2.0)))
         self._estimates.setStyleSheet(choice_style(theme))
-        self._drawing.setStyleSheet(f"color: {theme.muted.name()}")
-        self._extent.setStyleSheet(f"color: {theme.warning.name()}")
-        self._colour_findings()
 
     def fit(self, *, whole: bool) -> None:
         drawing = self._panel.drawing

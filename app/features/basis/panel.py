@@ -13,7 +13,7 @@ from ...document.expression import ExpressionError
 from ...plotting.camera import CameraOverT
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
-from ...qt.labels import Label
+from ...qt.labels import WARNING, Label
 from ...qt.overrides import ENTER, PASSING, SafeOverrides
 from ...tools.pointer import Hit, Part, Pointer
 from ...tools.tool import CanvasQueries
@@ -120,8 +120,7 @@ class TickEdit(OverlayFrame):
         super().__init__("tickEdit", parent)
         self._knot = -1
         self._tick = QPointF()
-        self._reason = named(Label(), "tickProblem")
-        self._reason.setWordWrap(True)
+        self._reason = Label(name="tickProblem", wordWrap=True, role=WARNING)
         self.line = _TickLine(self)
         self._rows = column_of(self._reason, self.line, margins=6, spacing=4, parent=self)
         self.follow_theme()
@@ -151,8 +150,7 @@ class TickEdit(OverlayFrame):
 
     def refuse(self, reason: str) -> None:
         """Show why the number cannot be set, and keep it for correction."""
-        self._reason.setText(reason)
-        self._reason.setVisible(bool(reason))
+        self._reason.show_text(reason)
         self.place()
         self.show()
         self.raise_()
@@ -172,7 +170,7 @@ class TickEdit(OverlayFrame):
         self.setGeometry(left, max(int(self._tick.y()) - height - 4, 0), width, height)
 
     def set_theme(self, theme: Theme) -> None:
-        self.set_sheet(f"#tickProblem {{ color: {theme.warning.name()} }}")
+        self.set_sheet()
 
 
 class _TickLine(SafeOverrides, QLineEdit):

@@ -18,7 +18,7 @@ from ...document.model import Document
 from ...document.selection import NONE_SELECTED
 from ...document.words import count_of, digits_of_range, number, with_minus
 from ...families import FamilySetting, SettingValue
-from ...qt.labels import Label
+from ...qt.labels import MUTED, Label
 from ...view_model.curve.curve_view import CurveView, ParametricCurve
 from ...view_model.point_kinds import jolts_of
 from ...widgets.boxes import column_of, form_of, row_of
@@ -227,7 +227,7 @@ class CurveSettings(FieldForm):
             text="Reset All to Estimate",
             icon_size=ICON,
         )
-        self._facts = Label(name="curveFacts", wordWrap=True)
+        self._facts = Label(name="curveFacts", wordWrap=True, role=MUTED)
         self._lay_out()
         self._connect()
         self.follow_theme()
@@ -316,8 +316,6 @@ class CurveSettings(FieldForm):
 
     def set_theme(self, theme: Theme) -> None:
         """Use the colours of `theme`."""
-        super().set_theme(theme)
-        self._facts.setStyleSheet(f"color: {theme.muted.name()}")
         self.reset_button.setIcon(icon("reset", theme))
 
     # Actions of the user

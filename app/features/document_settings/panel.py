@@ -8,12 +8,11 @@ from typing import Any
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFormLayout, QWidget
 
-from ...appearance.theme import Theme
 from ...document.model import LONGEST_UNIT, Document, Paper
 from ...document.plane_edits import set_grid_spacing, set_paper, set_unit
 from ...document.style import Style
 from ...exchange.units import note_of_unknown
-from ...qt.labels import Label
+from ...qt.labels import MUTED, Label
 from ...settings.kinds import Choice, Distance, Text
 from ...settings.preferences import NO_UNIT, USUAL_UNITS
 from ...widgets.boxes import column_of, form_of
@@ -68,7 +67,7 @@ class DocumentPanel(FieldForm):
             _GRID, partial(self._ask, "grid spacing", set_grid_spacing)
         )
         self._paper: PreferenceField[Any] = field_of(_PAPER, partial(self._ask, "paper", set_paper))
-        self._usual = Label(name="newDocuments", wordWrap=True)
+        self._usual = Label(name="newDocuments", wordWrap=True, role=MUTED)
         tip = "Use this unit, this grid and the style of this curve in new documents"
         self._take = push_button("useForNew", "Use for New Documents", tip)
         self._take.clicked.connect(self.defaults_requested)
@@ -78,7 +77,6 @@ class DocumentPanel(FieldForm):
         left = Qt.AlignmentFlag.AlignLeft
         column_of(form, self.problem, self._usual, (self._take, left), 1, margins=12, spacing=10, parent=self)
         self.show_problem("")
-        self.follow_theme()
 
     def _ask(self, what: str, edit: Any, value: object) -> None:  # noqa: ANN401 - of the value's kind
         self.edited.emit(f"Set the {what}", lambda document, _curve: edit(document, value))
@@ -93,8 +91,3 @@ class DocumentPanel(FieldForm):
         line = "the default style" if style == Style() else "a saved style"
         named = f"“{unit}”" if unit else NO_UNIT
         self._usual.setText(f"New documents use unit {named}, {grid} and {line}.")
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        super().set_theme(theme)
-        self._usual.setStyleSheet(f"color: {theme.muted.name()}")

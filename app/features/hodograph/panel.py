@@ -16,6 +16,7 @@ from ...plotting.drawing import MARGIN, Stroke, draw_segments
 from ...plotting.layers import Layer
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
+from ...qt.labels import MUTED
 from ...tools.pointer import Hit, Part, Pointer
 from ...tools.tool import CanvasQueries
 from ...tools.toolbox import Toolbox
@@ -192,7 +193,7 @@ class HodographPanel(FollowsTheme, QWidget):
         self.setObjectName("hodographPanel")
         self.order = 1
         self.plot = HodographPlot(tools)
-        self._value = named(ElidedLabel(), "hodographValue", "Derivative at the scrub line")
+        self._value = ElidedLabel("hodographValue", "Derivative at the scrub line", MUTED)
         self._value.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         tip = "Show the whole hodograph, and keep it in view"
         self._fit = tool_button("fitHodograph", "Fit the hodograph", tip, flat=True)
@@ -236,7 +237,6 @@ class HodographPanel(FollowsTheme, QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         self.plot.set_theme(theme)
-        self._value.setStyleSheet(f"color: {theme.muted.name()}")
         self._choices.setStyleSheet(choice_style(theme))
         self._fit.setIcon(icon("fit", theme))
 

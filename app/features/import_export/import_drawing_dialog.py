@@ -110,9 +110,7 @@ class ImportDrawingDialog(WorkDialog):
         return self.into.currentText() == A_NEW_DOCUMENT
 
     def _show_rest(self) -> None:
-        text = self._rest(self._is_anew)
-        self.rest.setText(text)
-        self.rest.setVisible(bool(text))
+        self.rest.show_text(self._rest(self._is_anew))
 
     def _included(self) -> list[bool]:
         return self.groups.included if self.groups is not None else [True] * len(self._result.document.curves)

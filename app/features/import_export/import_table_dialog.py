@@ -37,7 +37,7 @@ from ...exchange.table.source import (
 from ...exchange.table.table import Preview, TextLayout
 from ...exchange.table.thinning import Thinning
 from ...families import FAMILIES, HERMITE
-from ...qt.labels import Label, tip_of
+from ...qt.labels import INK, WARNING, Label, tip_of
 from ...qt.overrides import SafeOverrides
 from ...tasks.task import DelayedCall
 from ...widgets.boxes import column_of, row_of
@@ -313,7 +313,7 @@ class ImportTableDialog(WorkDialog):
 
     def show_problem(self, text: str) -> None:
         """Show a problem; its room stays without one."""
-        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
+        self.problem.setForegroundRole(WARNING)
         self.problem.setText(f"⚠ {text}" if text else "")
 
     def _explain(self, prepared: PreparedTable) -> None:
@@ -325,7 +325,7 @@ class ImportTableDialog(WorkDialog):
                 f"{_number_text(prepared.wider_than)} would leave more than {MOST_POINTS:,} points."
             )
         if lines:
-            self.problem.setStyleSheet("")
+            self.problem.setForegroundRole(INK)
             self.problem.setText("\n".join(lines))
 
     def _show_share(self, share: float, word: str) -> None:

@@ -16,9 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ...appearance.theme import theme_of
 from ...document.words import count_of
-from ...qt.labels import Label
+from ...qt.labels import WARNING, Label
 from ...qt.overrides import ENTER
 from ...tasks.task import SingleTask
 from ...widgets.boxes import row_of
@@ -84,14 +83,12 @@ class WorkDialog(FittedDialog):
         super().__init__(name, title, parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.jobs = SingleTask(self)
-        self.problem = Label(name=problem, wordWrap=True)
+        self.problem = Label(name=problem, wordWrap=True, role=WARNING)
         self.problem.hide()
 
     def show_problem(self, text: str) -> None:
         """Show a problem; hide it when empty."""
-        self.problem.setStyleSheet(f"color: {theme_of(self.palette()).warning.name()}")
-        self.problem.setText(f"⚠ {text}" if text else "")
-        self.problem.setVisible(bool(text))
+        self.problem.show_problem(text)
 
     def done(self, result: int) -> None:
         """Close the dialog and drop its computation."""

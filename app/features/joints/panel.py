@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidge
 
 from ...appearance.theme import LIGHT, FollowsTheme, Theme
 from ...document.words import number
-from ...qt.labels import Label
+from ...qt.labels import MUTED, Label
 from ...qt.overrides import ENTER, ClaimsKeys, SafeOverrides
 from ...view_model.analysis.joints import Certificate, JointKind, JointRow
 from ...widgets.boxes import column_of, row_of
@@ -248,7 +248,9 @@ class JointsPanel(FollowsTheme, QWidget):
         self.view = JointsView(self._model)
         self._summary = Label(name="jointsSummary", label="Summary of the joints", wordWrap=True)
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._detail = Label(name="jointsDetail", label="The selected joint in words", wordWrap=True)
+        self._detail = Label(
+            name="jointsDetail", label="The selected joint in words", wordWrap=True, role=MUTED
+        )
         self._detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         # It keeps its height, whatever its text.
         self._detail.setMinimumHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES)
@@ -321,7 +323,6 @@ class JointsPanel(FollowsTheme, QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         self._model.theme = theme
-        self._detail.setStyleSheet(f"color: {theme.muted.name()}")
         self.view.viewport().update()
 
     def showEvent(self, event: QShowEvent) -> None:

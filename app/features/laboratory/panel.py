@@ -160,8 +160,7 @@ class LaboratoryPanel(QTabWidget):
         self._change(shift=shift)
 
     def _refuse_shift(self, reason: str) -> None:
-        self.note.setText(reason)
-        self.note.show()
+        self.note.show_text(reason)
 
     def _set_methods(self, methods: frozenset[Calculation]) -> None:
         # The methods of other families stay selected.
@@ -199,8 +198,7 @@ class LaboratoryPanel(QTabWidget):
         sentences = (trial_words(trial), growth_words(trial)) if trial is not None else (problem,)
         self.words.setText(" ".join(filter(None, sentences)))
         self.words.setEnabled(not busy)
-        self.note.setText(trial.note if trial is not None else "")
-        self.note.setVisible(bool(self.note.text()))
+        self.note.show_text(trial.note if trial is not None else "")
 
     def render_digits(self, digits: Digits | None, t: str = "") -> None:
         """Show the computed digits at one t, given as text."""

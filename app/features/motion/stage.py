@@ -61,10 +61,8 @@ class MotionBar(FollowsTheme, QWidget):
         self._pace = self._action_box(
             "motionPace", "Quantity that grows uniformly", [action_name("motionBy", value) for value in Pace]
         )
-        self._readout, self._words = ElidedLabel(), ElidedLabel()
-        self._readout.setObjectName("motionReadout")
+        self._readout, self._words = ElidedLabel("motionReadout"), ElidedLabel("motionWords")
         self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._words.setObjectName("motionWords")
         self._words.hide()
         self._lay_out()
         self.follow_theme()
@@ -120,8 +118,7 @@ class MotionBar(FollowsTheme, QWidget):
 
     def show_words(self, text: str) -> None:
         """Show sentences below the controls; hide them when empty."""
-        self._words.setText(text)
-        self._words.setVisible(bool(text))
+        self._words.show_text(text)
 
     def show_dots(self, dots: Sequence[Dot], t: float | None, view: CurveView) -> None:
         """Show the numbers of the dot of the active curve at `t`, or why there is none.

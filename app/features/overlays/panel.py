@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QIcon
+from PySide6.QtGui import QAction, QIcon, QPalette
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from ...appearance.theme import FollowsTheme, Theme
 from ...document.expression import ExpressionError
 from ...plotting.pens import SIGN, sign_pixmap
-from ...qt.labels import Label
+from ...qt.labels import MUTED, WARNING, Label
 from ...state.window_state import Analysis
 from ...tasks.task import DelayedCall
 from ...view_model.analysis.ghost import Ghost, all_ghosts
@@ -54,7 +54,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         self._error_fields: dict[ErrorSize, NumberEdit] = {}
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
         self._use_buttons: dict[Ghost, QToolButton] = {}
-        self._problem = _note("analysisProblem")
+        self._problem = _note("analysisProblem", WARNING)
         self._rows = QGridLayout()
         self._rows.setHorizontalSpacing(10)
         self._rows.setVerticalSpacing(7)
@@ -178,18 +178,10 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
 
     def _render_notes(self) -> None:
         for overlay, label in self._notes.items():
-            text = self._analysis.notes.get(overlay, "")
-            if label.text() != text:
-                label.setText(text)
-            label.setVisible(bool(text))
-        problem = self._refusal or self._analysis.problem
-        self._problem.setText(f"⚠ {problem}" if problem else "")
-        self._problem.setVisible(bool(problem))
+            label.show_text(self._analysis.notes.get(overlay, ""))
+        self._problem.show_problem(self._refusal or self._analysis.problem)
 
     def set_theme(self, theme: Theme) -> None:
-        for label in self._notes.values():
-            label.setStyleSheet(f"color: {theme.muted.name()}")
-        self._problem.setStyleSheet(f"color: {theme.warning.name()}")
         for ghost, box in self._ghost_boxes.items():
             box.setIcon(QIcon(sign_pixmap(ghost.style, theme, self.devicePixelRatioF())))
 
@@ -212,8 +204,8 @@ def _error_size(text: str) -> float:
     return value
 
 
-def _note(name: str) -> Label:
-    label = Label(name=name, wordWrap=True)
+def _note(name: str, role: QPalette.ColorRole = MUTED) -> Label:
+    label = Label(name=name, wordWrap=True, role=role)
     # A long word must not widen the window.
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
     return label

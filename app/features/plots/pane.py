@@ -17,10 +17,11 @@ from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number, with_error
 from ...plotting.camera import CameraOverT
 from ...plotting.tool_plot import ToolPlot
+from ...qt.labels import MUTED
 from ...tools.toolbox import Toolbox
 from ...view_model.analysis.plot import PlotData
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import choice_style, mirror, named, tool_button
+from ...widgets.controls import choice_style, mirror, tool_button
 from ...widgets.elided_label import ElidedLabel
 from ...widgets.number_text import decimal_mark
 from .layers import PlotLayer, ScrubLayer, ValueScale
@@ -167,7 +168,7 @@ class PlotPane(FollowsTheme, QWidget):
         super().__init__()
         self.setObjectName("plotPane")
         self.canvas = canvas
-        self._values = named(ElidedLabel(), "plotValues", "Values at the scrub line")
+        self._values = ElidedLabel("plotValues", "Values at the scrub line", MUTED)
         self._values.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._values.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._close = tool_button("closePlots", "Close the plots", "Hide all plots", flat=True)
@@ -199,7 +200,6 @@ class PlotPane(FollowsTheme, QWidget):
 
     def set_theme(self, theme: Theme) -> None:
         self.canvas.set_theme(theme)
-        self._values.setStyleSheet(f"color: {theme.muted.name()}")
         self._choices.setStyleSheet(choice_style(theme))
         self._close.setIcon(icon("close", theme))
 

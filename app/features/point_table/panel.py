@@ -15,7 +15,7 @@ from ...document.limits import EditError
 from ...document.model import Document
 from ...document.words import count_of
 from ...exchange.table.clipboard import TableTextError, read_titled_block, write_block
-from ...qt.labels import Label, html_of
+from ...qt.labels import MUTED, WARNING, Label, html_of
 from ...qt.overrides import application
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column, known_titles
@@ -73,11 +73,11 @@ class PointTable(FollowsTheme, QWidget):
         self._to_reset: tuple[list[int], list[Column]] = ([], [])
         self.model = PointTableModel(self)
         self.view = PointTableView(self.model, self)
-        self._message = Label(name="pointTableMessage", wordWrap=True, is_html=True)
+        self._message = Label(name="pointTableMessage", wordWrap=True, is_html=True, role=WARNING)
         self._message.setTextInteractionFlags(Qt.TextInteractionFlag.LinksAccessibleByMouse)
         self._message.hide()
         self._message_text = ""
-        self._legend = Label("<i>Italic</i>: estimated", name="pointTableLegend", is_html=True)
+        self._legend = Label("<i>Italic</i>: estimated", name="pointTableLegend", is_html=True, role=MUTED)
         self._reset_button = tool_button(
             "resetToEstimated",
             "Reset to Estimate",
@@ -217,8 +217,6 @@ class PointTable(FollowsTheme, QWidget):
         self._paste.setIcon(icon("paste", theme))
         self._reset.setIcon(icon("reset", theme))
         self._reset_button.setIcon(icon("reset", theme))
-        self._legend.setStyleSheet(f"color: {theme.muted.name()}")
-        self._message.setStyleSheet(f"color: {theme.warning.name()}")
         self.view.viewport().update()
 
     def _render_footer(self) -> None:
@@ -233,8 +231,7 @@ class PointTable(FollowsTheme, QWidget):
     def _show_message(self, text: str) -> None:
         if text != self._message_text:
             self._message_text = text
-            self._message.setText(text)
-            self._message.setVisible(bool(text))
+            self._message.show_text(text)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

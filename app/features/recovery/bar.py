@@ -29,7 +29,7 @@ from ...exchange.drawing.drawing import Drawing, drawing_of
 from ...exchange.drawing.painting import Painting
 from ...exchange.drawing.styles import PictureStyle
 from ...exchange.errors import ExchangeError
-from ...qt.labels import Label, tip_of
+from ...qt.labels import MUTED, WARNING, Label, tip_of
 from ...storage.files import printable_path
 from ...storage.recovery import Snapshot, SnapshotOrigin
 from ...tasks.progress import silent
@@ -106,7 +106,7 @@ class RecoveryBar(OverlayFrame):
     def _build_rows(self, note: str) -> None:
         content = QWidget()
         self._pictures.clear()
-        self._note = Label(note, name="recoveryNote", wordWrap=True) if note else None
+        self._note = Label(note, name="recoveryNote", wordWrap=True, role=WARNING) if note else None
         notes = [self._note] if self._note is not None else []
         rows = [self._row(index, work) for index, work in enumerate(self._unsaved)]
         column_of(*notes, *rows, 1, margins=(0, 0, 6, 0), spacing=4, parent=content)
@@ -119,13 +119,12 @@ class RecoveryBar(OverlayFrame):
         picture = Label(name=f"recoveryPicture{index}", label=f"Picture of {work.name}")
         self._pictures.append(picture)
         picture.setFixedSize(*_PICTURE)
-        name, details = ElidedLabel(), ElidedLabel()
+        name, details = ElidedLabel(), ElidedLabel("recoveryTold", role=MUTED)
         name.setText(work.name)
         font = name.font()
         font.setBold(True)
         name.setFont(font)
         details.setText(work.details)
-        details.setObjectName("recoveryTold")
         name.setToolTip(tip_of(work.tip or work.name))
         words = column_of(1, name, details, 1, spacing=0)
         return row_of(picture, (words, 1), *self._buttons(index, work.name), spacing=10)
@@ -169,11 +168,7 @@ class RecoveryBar(OverlayFrame):
 
     def set_theme(self, theme: Theme) -> None:
         self._close.setIcon(icon("close", theme))
-        self.set_sheet(
-            "#recoveryTitle { font-weight: bold }"
-            f"#recoveryNote {{ color: {theme.warning.name()} }}"
-            f"#recoveryTold {{ color: {theme.muted.name()} }}"
-        )
+        self.set_sheet("#recoveryTitle { font-weight: bold }")
         self._paint_pictures()
 
     def _paint_pictures(self) -> None:

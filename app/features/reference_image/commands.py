@@ -69,7 +69,6 @@ class ImagePanel(FieldForm):
         self.problem.setSizePolicy(policy)
         self._lay_out(buttons)
         self._connect()
-        self.follow_theme()
         self.render_image(None)
 
     def _lay_out(self, buttons: Sequence[QAction]) -> None:

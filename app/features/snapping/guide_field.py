@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.model import Axis, Guide
-from ...qt.labels import Label
+from ...qt.labels import WARNING, Label
 from ...qt.overrides import ENTER, PASSING, ClaimsKeys
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
@@ -87,7 +87,7 @@ class GuideField(OverlayFrame):
         self.edit.given_up.connect(self.close_field)
         self.edit.textEdited.connect(lambda: self._say(""))
         self._label, self._suffix = Label(), Label()
-        self._remark = Label(name="guideRemark", wordWrap=True)
+        self._remark = Label(name="guideRemark", wordWrap=True, role=WARNING)
         row = row_of(self._label, self.edit, self._suffix, spacing=6)
         column_of(row, self._remark, margins=(8, 6, 8, 6), spacing=4, parent=self)
         self.hide()
@@ -112,8 +112,7 @@ class GuideField(OverlayFrame):
         self._axis, self._unit, self._corner = axis, unit, corner
         self._now = 0.0 if position is None else position
         self._label.setText(f"{axis.value} =")
-        self._suffix.setText(unit)
-        self._suffix.setVisible(bool(unit))
+        self._suffix.show_text(unit)
         self.edit.setText("" if position is None else typed_text(self._now))
         self._say("")
         self.show()
@@ -137,7 +136,6 @@ class GuideField(OverlayFrame):
 
     def set_theme(self, theme: Theme) -> None:
         self.set_sheet()
-        self._remark.setStyleSheet(f"color: {theme.warning.name()}")
 
     def _enter(self) -> None:
         text = self.edit.text()
@@ -147,13 +145,12 @@ class GuideField(OverlayFrame):
         try:
             typed = read_length(text, self._unit, self._now)
         except ExpressionError as reason:
-            self._say(f"⚠ {reason}")
+            self._say(str(reason))
             self.edit.selectAll()
             return
         self.close_field()
         self.entered.emit(Guide(self._axis, typed))
 
     def _say(self, text: str) -> None:
-        self._remark.setText(text)
-        self._remark.setVisible(bool(text))
+        self._remark.show_problem(text)
         self.place()

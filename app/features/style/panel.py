@@ -8,13 +8,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import QFormLayout, QFrame, QSizePolicy, QWidget
 
-from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.several_curves import common_values
 from ...document.style import NO_PAINT, FillRule, LineCap, LineJoin, Style
 from ...document.transforms import round_step_below
 from ...document.words import decimal_product, decimal_sum
-from ...qt.labels import Label, tip_of
+from ...qt.labels import MUTED, Label, tip_of
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ChoiceRow, action_button
 from ...widgets.fields import FieldForm, NumberEdit, read_number
@@ -69,8 +68,9 @@ class StylePanel(FieldForm):
         super().__init__("stylePanel", "styleProblem", parent)
         self._unit = ""
         self._subject = Label(name="styleSubject")
-        self._note = Label(name="styleNote", wordWrap=True)
-        self._no_dots = Label(name="styleUnseenDots", wordWrap=True)
+        self._subject.setStyleSheet("font-weight: bold")
+        self._note = Label(name="styleNote", wordWrap=True, role=MUTED)
+        self._no_dots = Label(name="styleUnseenDots", wordWrap=True, role=MUTED)
         self.fill = PaintField("fillPaint", "Fill")
         self.stroke = PaintField("strokePaint", "Stroke")
         self._rule = ChoiceRow("fillRule", "Fill rule", "Regions to fill where curves cross", FillRule)
@@ -85,7 +85,6 @@ class StylePanel(FieldForm):
         self._rendered: tuple[object, ...] = ()
         self._lay_out(buttons, swap)
         self._connect()
-        self.follow_theme()
 
     def _make_numbers(self) -> None:
         self._width = NumberEdit(
@@ -197,10 +196,8 @@ class StylePanel(FieldForm):
         self._render_numbers(values, unit)
         self._enable(styles)
         unseen = _UNSEEN_DOTS if any(map(_has_unseen_dots, styles)) else ""
-        self._note.setText(note)
-        self._note.setVisible(bool(note))
-        self._no_dots.setText(unseen)
-        self._no_dots.setVisible(bool(unseen))
+        self._note.show_text(note)
+        self._no_dots.show_text(unseen)
         self.show_problem("")
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -231,13 +228,6 @@ class StylePanel(FieldForm):
             field.setEnabled(has_stroke)
         self._limit.setEnabled(has_stroke and any(style.join is LineJoin.MITER for style in styles))
         self._offset.setEnabled(has_stroke and any(style.dash for style in styles))
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take the colours of `theme`."""
-        super().set_theme(theme)
-        self._subject.setStyleSheet("font-weight: bold")
-        for note in (self._note, self._no_dots):
-            note.setStyleSheet(f"color: {theme.muted.name()}")
 
 
 def _has_unseen_dots(style: Style) -> bool:

@@ -15,7 +15,7 @@ from ...appearance.icons import icon
 from ...appearance.theme import Theme
 from ...document.model import Vector
 from ...document.transforms import Reference
-from ...qt.labels import Label
+from ...qt.labels import MUTED, Label
 from ...qt.overrides import SafeOverrides
 from ...view_model.boxes import NINE, Bounds, position_name
 from ...widgets.boxes import Part, column_of, row_of
@@ -118,7 +118,7 @@ class TransformPanel(FieldForm):
             (reference.label for reference in Reference),
             (reference.tip for reference in Reference),
         )
-        self._units = Label()
+        self._units = Label(role=MUTED)
         self._lay_out(actions)
         self._connect()
         self.follow_theme()
@@ -208,8 +208,7 @@ class TransformPanel(FieldForm):
         self._values = values
         bounds, is_there = values.bounds, values.bounds is not None and not values.problem
         self.what.setText(values.what)
-        self._units.setText(values.unit)
-        self._units.setVisible(bool(values.unit))
+        self._units.show_text(values.unit)
         edits = (self.x_edit, self.y_edit, self.width_edit, self.height_edit)
         for edit, value in zip(edits, self._numbers(), strict=True):
             if bounds is None:
@@ -234,8 +233,6 @@ class TransformPanel(FieldForm):
 
     def set_theme(self, theme: Theme) -> None:
         """Take the colours of `theme`."""
-        super().set_theme(theme)
-        self._units.setStyleSheet(f"color: {theme.muted.name()}")
         self.turn_button.setIcon(icon("rotate", theme))
         for button, name in zip(self.skew_buttons, ("skew", "skew-vertically"), strict=True):
             button.setIcon(icon(name, theme))
