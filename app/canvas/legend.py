@@ -10,7 +10,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from curvecore.arrays import FloatArray
 
@@ -23,6 +23,7 @@ from ..qt.labels import Label, tip_of
 from ..tasks.task import DelayedCall
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
+from ..widgets.boxes import grid_of
 from ..widgets.controls import named, tool_button
 from ..widgets.frames import OverlayFrame
 
@@ -128,11 +129,7 @@ class Legend(OverlayFrame):
         self._corner, self._form = Corner.LOWER_RIGHT, Form.WHOLE
         self._visible_rows: list[_VisibleRow] = []
         self._move_timer = DelayedCall(self, _MOVE_DELAY_MS, self._move_away)
-        self._grid = QGridLayout(self)
-        self._grid.setContentsMargins(8, 5, 6, 5)
-        self._grid.setHorizontalSpacing(7)
-        self._grid.setVerticalSpacing(1)
-        self._grid.setColumnStretch(1, 1)
+        self._grid = grid_of(7, 1, stretched=[1], margins=(8, 5, 6, 5), parent=self)
         self.render_style()
         self.hide()
 

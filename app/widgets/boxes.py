@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QBoxLayout, QFormLayout, QHBoxLayout, QLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QFormLayout, QGridLayout, QHBoxLayout, QLayout, QVBoxLayout, QWidget
 
 from ..qt.labels import Label
 
@@ -48,6 +48,33 @@ def form_of(
     for label, part in rows:
         layout.addRow(label, part)
     return layout
+
+
+def grid_of(
+    across: int = -1,
+    down: int = -1,
+    *,
+    stretched: Iterable[int] = (),
+    margins: Margins = None,
+    parent: QWidget | None = None,
+) -> QGridLayout:
+    """Return an empty grid with `stretched` columns; spacings of -1 are those of the style."""
+    layout = QGridLayout(parent)
+    _set_margins(layout, margins)
+    layout.setHorizontalSpacing(across)
+    layout.setVerticalSpacing(down)
+    for column in stretched:
+        layout.setColumnStretch(column, 1)
+    return layout
+
+
+def in_columns(widgets: Sequence[QWidget], count: int, across: int = -1) -> QWidget:
+    """Return a widget that holds others row by row, in `count` columns."""
+    holder = QWidget()
+    grid = grid_of(across, margins=0, parent=holder)
+    for index, widget in enumerate(widgets):
+        grid.addWidget(widget, index // count, index % count)
+    return holder
 
 
 def _filled(

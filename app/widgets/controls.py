@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QCheckBox,
     QComboBox,
+    QMenu,
     QProgressBar,
     QPushButton,
     QToolButton,
@@ -19,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from ..appearance.theme import FollowsTheme, Theme, mix
 from ..document.words import NamedEnum
-from ..qt.overrides import SafeOverrides
+from ..qt.overrides import SafeOverrides, guard
 from .boxes import row_of
 
 _Named = TypeVar("_Named", bound=QWidget)
@@ -49,18 +50,24 @@ def check_box(name: str, text: str, tip: str, label: str = "") -> QCheckBox:
     return named(QCheckBox(text), name, label, tip)
 
 
-class ChoiceBox(SafeOverrides, QComboBox):
+class WheelNeedsFocus(SafeOverrides):
+    """Mixin for widgets, named before Qt's class: without the focus the wheel scrolls the area around."""
+
+    @guard
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Step with the focus; called by Qt."""
+        if self.hasFocus():  # type: ignore[attr-defined]  # of the widget's class
+            super().wheelEvent(event)  # type: ignore[misc]
+        else:
+            event.ignore()
+
+
+class ChoiceBox(WheelNeedsFocus, QComboBox):
     """A box of choices that reacts to the wheel only while it has the focus."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
 
 def choice_box(
@@ -97,6 +104,13 @@ class ToolbarWidget(QWidget):
 
     def set_compact(self, compact: bool) -> None:
         """Use less room in a narrow window, or the usual one."""
+
+
+def menu_with_tips(name: str, parent: QWidget, label: str = "") -> QMenu:
+    """Return an empty menu that shows the tips of its entries."""
+    menu = named(QMenu(parent), name, label)
+    menu.setToolTipsVisible(True)
+    return menu
 
 
 ICON = 16

@@ -6,15 +6,17 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QEvent, QLocale, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QWheelEvent
+from PySide6.QtGui import QFocusEvent, QFont, QKeyEvent, QKeySequence, QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QAbstractSpinBox,
     QDialog,
     QDoubleSpinBox,
+    QHeaderView,
     QLineEdit,
     QSpinBox,
     QStyledItemDelegate,
+    QTableView,
     QWidget,
 )
 
@@ -22,8 +24,8 @@ from ..appearance.theme import FollowsTheme
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
 from ..qt.labels import WARNING, Label, set_tip
-from ..qt.overrides import PASSING, ClaimsKeys, SafeOverrides
-from .controls import named
+from ..qt.overrides import PASSING, ClaimsKeys
+from .controls import WheelNeedsFocus, named
 from .number_text import angle_text, decimal_mark, field_text, typed_text
 
 _DOCUMENT_KEYS = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
@@ -272,14 +274,6 @@ def _step_between(box: RangedSpinBox | RangedDoubleSpinBox, steps: int) -> None:
     box.setValue(min(max(box.value(), box.least), box.most))  # type: ignore[arg-type]  # each has its own kind
 
 
-def _turn_wheel(box: RangedSpinBox | RangedDoubleSpinBox, event: QWheelEvent) -> None:
-    """Step while the box has the focus, otherwise let the area around it scroll; called by Qt."""
-    if box.hasFocus():
-        QAbstractSpinBox.wheelEvent(box, event)
-    else:
-        event.ignore()
-
-
 def _problem_of(box: RangedSpinBox | RangedDoubleSpinBox) -> str:
     """Return why the number in the box is not possible; empty if it is."""
     if box.least <= box.value() <= box.most:
@@ -293,7 +287,7 @@ def _describe(box: RangedSpinBox | RangedDoubleSpinBox, name: str, label: str, t
     named(box, name, label, tip)
 
 
-class RangedSpinBox(SafeOverrides, QSpinBox):
+class RangedSpinBox(WheelNeedsFocus, QSpinBox):
     """A whole number between two limits, typed or stepped; the arrows stay between them.
 
     Attributes
@@ -310,11 +304,10 @@ class RangedSpinBox(SafeOverrides, QSpinBox):
 
     # In the body of each class, where `SafeOverrides` finds overrides.
     stepBy = _step_between  # noqa: N815 - as Qt calls it
-    wheelEvent = _turn_wheel
     problem = property(_problem_of)
 
 
-class RangedDoubleSpinBox(SafeOverrides, QDoubleSpinBox):
+class RangedDoubleSpinBox(WheelNeedsFocus, QDoubleSpinBox):
     """A `RangedSpinBox` with decimals."""
 
     def __init__(self, name: str, label: str, tip: str, limits: tuple[float, float]) -> None:
@@ -323,7 +316,6 @@ class RangedDoubleSpinBox(SafeOverrides, QDoubleSpinBox):
         _describe(self, name, label, tip)
 
     stepBy = _step_between  # noqa: N815 - as Qt calls it
-    wheelEvent = _turn_wheel
     problem = property(_problem_of)
 
 
@@ -403,6 +395,28 @@ class FieldForm(FollowsTheme, QWidget):
 
     def _render_problem(self) -> None:
         self.problem.show_problem(self._refusal or self._document_problem)
+
+
+def set_up_number_table(view: QTableView, padding: int) -> None:
+    """Give a table digits of one width, low rows without lines, and headers that are sized by the program."""
+    font = QFont(view.font())
+    font.setFeature(QFont.Tag("tnum"), 1)
+    view.setFont(font)
+    view.setShowGrid(False)
+    view.setWordWrap(False)
+    across, down = view.horizontalHeader(), view.verticalHeader()
+    across.setHighlightSections(False)
+    across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {padding}px }}")
+    for header in (across, down):
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    # Qt's own least height follows the font too late.
+    down.setMinimumSectionSize(1)
+    fit_row_height(view)
+
+
+def fit_row_height(view: QTableView) -> None:
+    """Give the rows of a table the height for its font."""
+    view.verticalHeader().setDefaultSectionSize(view.fontMetrics().height() + 8)
 
 
 def end_editing(view: QAbstractItemView) -> None:

@@ -13,6 +13,7 @@ from shiboken6 import isValid
 from ..appearance.theme import FollowsTheme, mix
 from ..qt.overrides import SafeOverrides
 from .boxes import column_of
+from .controls import named
 
 _MOVES = (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hide)
 
@@ -78,6 +79,7 @@ _IN_DIALOG = QSize(900, 360)
 
 
 Content = TypeVar("Content", bound=QWidget)
+_Area = TypeVar("_Area", bound=QScrollArea)
 
 
 def room_on(screen: QScreen) -> QSize:
@@ -91,6 +93,14 @@ class _QuietBar(SafeOverrides, QScrollBar):
     def paintEvent(self, event: QPaintEvent) -> None:
         if self.maximum() > self.minimum():
             super().paintEvent(event)
+
+
+def scroll_vertically(area: _Area, name: str, label: str = "") -> _Area:
+    """Name an area whose content is as wide as it, and return it."""
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    return named(area, name, label)
 
 
 class Scrolled(SafeOverrides, QScrollArea, Generic[Content]):

@@ -9,13 +9,14 @@ from typing import Any, Generic
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFocusEvent, QMouseEvent
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
 
 from ..document.expression import ExpressionError
 from ..document.words import NamedEnum
 from ..qt.labels import WARNING, Label
 from ..qt.overrides import SafeOverrides
 from ..settings.kinds import Choice, Distance, Setting, Several, Switch, Text, Value, WholeNumber
+from .boxes import in_columns
 from .controls import check_box, choice_box
 from .fields import NumberEdit, RangedSpinBox, read_number
 from .number_text import typed_text
@@ -109,12 +110,7 @@ class SeveralPreference(PreferenceField[Collection[NamedEnum]]):
         self._checks = {member: _check_of(setting, member) for member in setting.kind}
         for member, check in self._checks.items():
             check.clicked.connect(lambda _checked, member=member: self._switch(member))
-        checks = QWidget()
-        grid = QGridLayout(checks)
-        grid.setContentsMargins(0, 0, 0, 0)
-        for row, check in enumerate(self._checks.values()):
-            grid.addWidget(check, row // 2, row % 2)
-        self.rows = [(setting.label, checks)]
+        self.rows = [(setting.label, in_columns(list(self._checks.values()), 2))]
 
     def _switch(self, member: NamedEnum) -> None:
         self._value ^= {member}

@@ -6,19 +6,18 @@ from collections.abc import Callable
 from math import log10
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QAbstractSlider, QSlider, QWidget
 
 from ..qt.labels import Label
-from ..qt.overrides import SafeOverrides
 from ..view_model.settings import Count, Factor
 from .boxes import row_of
-from .controls import named
+from .controls import WheelNeedsFocus, named
 
 _MOVE = QAbstractSlider.SliderAction.SliderMove.value
 
 
-class LiveSlider(SafeOverrides, QSlider):
+class LiveSlider(WheelNeedsFocus, QSlider):
     """A slider whose drag can be cancelled with Escape.
 
     Signals
@@ -67,13 +66,6 @@ class LiveSlider(SafeOverrides, QSlider):
             self.abandon()
             return
         super().keyPressEvent(event)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            # The area around the slider scrolls.
-            event.ignore()
 
     def abandon(self) -> None:
         """End a drag; further moves of the mouse before its release are ignored."""

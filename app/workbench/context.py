@@ -15,6 +15,7 @@ from ..plotting.tool_plot import ToolPlot
 from ..session import Session
 from ..settings.preferences import Preferences
 from ..state.window_state import Analysis, WindowStore
+from ..widgets.controls import menu_with_tips
 from .central_area import CentralArea
 from .docks import Docks
 from .document_files import DocumentFiles
@@ -107,9 +108,7 @@ def bar_menu(
 
     With `is_short`, the menu and its submenus have only enabled actions.
     """
-    menu = QMenu(context.window)
-    menu.setObjectName(name)
-    menu.setToolTipsVisible(True)
+    menu = menu_with_tips(name, context.window)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     submenus: dict[str, QMenu] = {}
     for group in context.actions.with_sections(bar).values():

@@ -29,7 +29,7 @@ from ...qt.overrides import DELETE, ENTER, ClaimsKeys, SafeOverrides
 from ...view_model.palette import adjustment_of
 from ...widgets.boxes import column_of, row_of
 from ...widgets.colour_popup import ColourPopup
-from ...widgets.controls import action_button, named
+from ...widgets.controls import action_button, menu_with_tips, named
 from ...widgets.fields import end_editing
 from .model import CurveListModel, RowMarks
 from .row_drag import RowDrag, stays
@@ -414,10 +414,8 @@ def colour_menu(
     parent: QWidget,
 ) -> QMenu:
     """Return the menu of colours for curves of a style; it calls `paint` or `fill`."""
-    menu = QMenu(parent)
-    menu.setObjectName("colourMenu")
+    menu = menu_with_tips("colourMenu", parent)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    menu.setToolTipsVisible(True)
     _add_paints(menu, "colour", CURVE_COLOURS, style.colour, paint)
     menu.addSeparator()
     other = menu.addAction("Other Colour…", choose_other)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+from PySide6.QtWidgets import QScrollArea, QWidget
 
 from ...document.words import NamedEnum
 from ...families import FAMILIES, Family
@@ -14,6 +14,7 @@ from ...qt.overrides import SafeOverrides
 from ...widgets.boxes import column_of, form_of, row_of
 from ...widgets.controls import ThinProgress, check_box, choice_box, push_button
 from ...widgets.fields import RangedDoubleSpinBox, RangedSpinBox
+from ...widgets.frames import scroll_vertically
 
 _DIGITS = 6
 _COUNTS = (2, 500)
@@ -52,10 +53,7 @@ class FitPanel(SafeOverrides, QScrollArea):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("fitPanel")
-        self.setWidgetResizable(True)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll_vertically(self, "fitPanel")
         self._families = list(FAMILIES)
         titles = [family.label for family in self._families]
         self.family = choice_box("fitFamily", "Family", "Family of the curve with fewer points", titles)

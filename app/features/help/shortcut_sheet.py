@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import msgspec
 from PySide6.QtCore import QEvent, QMargins, QObject, Qt
 from PySide6.QtGui import QAction, QHideEvent, QKeyEvent, QKeySequence, QMouseEvent, QShowEvent
-from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QLineEdit, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QScrollArea, QSizePolicy, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -16,9 +16,9 @@ from ...qt.labels import Label, html_of
 from ...qt.overrides import application
 from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, GestureRow, ToolRecord
-from ...widgets.boxes import column_of, row_of
+from ...widgets.boxes import column_of, grid_of, row_of
 from ...widgets.controls import ICON, named, tool_button
-from ...widgets.frames import OverlayFrame
+from ...widgets.frames import OverlayFrame, scroll_vertically
 
 Rows = Sequence[tuple[str, str]]
 _WIDEST, _MARGIN, _KEYS_WIDTH = 560, 24, 190
@@ -144,11 +144,7 @@ class ShortcutSheet(OverlayFrame):
         label = "Close the sheet"
         self._close = tool_button("closeShortcuts", label, f"{label} (Esc)", icon_size=ICON, flat=True)
         self._close.clicked.connect(self.dismiss)
-        self._area = QScrollArea()
-        self._area.setObjectName("shortcutArea")
-        self._area.setWidgetResizable(True)
-        self._area.setFrameShape(QFrame.Shape.NoFrame)
-        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._area = scroll_vertically(QScrollArea(), "shortcutArea")
         self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         heading = Label("<b>Keys and mouse</b>", is_html=True)
         top = row_of(heading, (self._search, 1), self._close, margins=(16, 8, 8, 4), spacing=16)
@@ -258,12 +254,8 @@ def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:
     """Return a widget with all sections in one grid, so that their columns are aligned."""
     content = QWidget()
     content.setObjectName("shortcutRows")
-    grid = QGridLayout(content)
-    grid.setContentsMargins(16, 0, 16, 8)
-    grid.setHorizontalSpacing(16)
-    grid.setVerticalSpacing(4)
+    grid = grid_of(16, 4, stretched=[1], margins=(16, 0, 16, 8), parent=content)
     grid.setColumnMinimumWidth(0, _KEYS_WIDTH)
-    grid.setColumnStretch(1, 1)
     line = 0
     for title, rows in sections:
         if not rows:

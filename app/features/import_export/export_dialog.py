@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
 from functools import singledispatch
 from itertools import groupby
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Generic
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPixmap, QStandardItemModel
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from ...appearance.theme import DARK, LIGHT, mix
 from ...document.expression import ExpressionError, parse_number
@@ -37,7 +37,7 @@ from ...exchange.options import (
 from ...qt.labels import Label
 from ...tasks.progress import Report
 from ...tasks.task import DelayedCall
-from ...widgets.boxes import column_of, form_of, row_of
+from ...widgets.boxes import column_of, form_of, in_columns, row_of
 from ...widgets.controls import check_box, choice_box
 from ...widgets.fields import FieldEdit, RangedSpinBox
 from ...widgets.number_text import decimal_mark, exact_text
@@ -231,7 +231,7 @@ class ExportForm(QWidget):
         for label, group in groupby(self._options, lambda option: option.label):
             options = tuple(group)
             widgets = [self.fields[option.name].widget for option in options]
-            row = widgets[0] if len(widgets) == 1 else in_columns(widgets, 2)
+            row = widgets[0] if len(widgets) == 1 else in_columns(widgets, 2, 14)
             self._form.addRow(label, row)
             self._rows.append((row, options))
 
@@ -418,7 +418,7 @@ class SomeOfField(Field[tuple[str, ...]]):
             choice: _check(option.widget.format(choice), choice, option.tip.format(choice), change)
             for choice in option.choices
         }
-        self.widget = in_columns(list(self.checks.values()), 3)
+        self.widget = in_columns(list(self.checks.values()), 3, 14)
 
     def value(self) -> tuple[str, ...]:
         """Return the value that the widget shows."""
@@ -481,14 +481,3 @@ def _check(name: str, text: str, tip: str, change: Callable[[], object]) -> QChe
     check = check_box(name, text, tip)
     check.clicked.connect(change)
     return check
-
-
-def in_columns(widgets: Sequence[QWidget], count: int) -> QWidget:
-    """Return widgets side by side, `count` in a row."""
-    holder = QWidget()
-    grid = QGridLayout(holder)
-    grid.setContentsMargins(0, 0, 0, 0)
-    grid.setHorizontalSpacing(14)
-    for index, widget in enumerate(widgets):
-        grid.addWidget(widget, index // count, index % count)
-    return holder

@@ -16,8 +16,8 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QAction, QFont, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
 from ...appearance.theme import LIGHT, FollowsTheme, Theme
 from ...document.words import number
@@ -26,6 +26,7 @@ from ...qt.overrides import ENTER, ClaimsKeys, SafeOverrides
 from ...view_model.analysis.joints import Certificate, JointKind, JointRow
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import action_button, named
+from ...widgets.fields import fit_row_height, set_up_number_table
 from ...widgets.number_text import decimal_mark
 
 COLUMNS = ("Joint", "Class", "c", "c′", "c″", "c‴", "∠", "κ")
@@ -151,33 +152,19 @@ class JointsView(ClaimsKeys, QTableView):
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setShowGrid(False)
-        self.setWordWrap(False)
         self.setTabKeyNavigation(False)
-        font = QFont(self.font())
-        font.setFeature(QFont.Tag("tnum"), 1)
-        self.setFont(font)
+        set_up_number_table(self, _PADDING)
+        self.horizontalHeader().setObjectName("jointsColumns")
+        self.horizontalHeader().setMinimumSectionSize(18)
+        self.verticalHeader().hide()
         self._joints, self._needed = model, list[int]()
-        self._set_up_headers()
         self.clicked.connect(lambda index: self.visited.emit(index.row()))
         self.verticalScrollBar().valueChanged.connect(lambda: self.fit_columns(anew=False))
-
-    def _set_up_headers(self) -> None:
-        across, down = self.horizontalHeader(), self.verticalHeader()
-        across.setObjectName("jointsColumns")
-        across.setHighlightSections(False)
-        across.setMinimumSectionSize(18)
-        across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {_PADDING}px }}")
-        across.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        down.hide()
-        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        down.setMinimumSectionSize(1)
-        down.setDefaultSectionSize(self.fontMetrics().height() + 8)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and hasattr(self, "_needed"):
-            self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
+            fit_row_height(self)
             self.fit_columns(anew=True)
 
     def fit_columns(self, *, anew: bool) -> None:

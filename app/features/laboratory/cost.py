@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QWheelEvent
-from PySide6.QtWidgets import QGridLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from curvecore.arrays import FloatArray
 
@@ -24,7 +24,7 @@ from ...qt.labels import Label
 from ...view_model.analysis.laboratory import SolvingCost, cost_chart
 from ...view_model.analysis.settings import Calculation
 from ...view_model.line_styles import LineStyle
-from ...widgets.boxes import column_of
+from ...widgets.boxes import column_of, grid_of
 from ...widgets.controls import named
 
 _SMALL = 30
@@ -38,7 +38,7 @@ class CostPanel(QWidget):
         super().__init__()
         self.setObjectName("costPanel")
         self._words = Label(name="costWords", wordWrap=True)
-        self._numbers = QGridLayout()
+        self._numbers = grid_of(12, stretched=[0])
         self._cells: dict[str, Label] = {}
         self._lay_out_numbers()
         self._note = Label(name="costNote", wordWrap=True)
@@ -50,8 +50,6 @@ class CostPanel(QWidget):
         column_of(*parts, margins=12, spacing=10, parent=self)
 
     def _lay_out_numbers(self) -> None:
-        self._numbers.setColumnStretch(0, 1)
-        self._numbers.setHorizontalSpacing(12)
         for column, text in enumerate(("", "Solving, n³", "Basis form, n²")):
             self._numbers.addWidget(Label(text), 0, column)
         for line, (key, text) in enumerate(_ROWS.items(), start=1):

@@ -22,7 +22,7 @@ from ...view_model.analysis.settings import (
     RoundedPart,
 )
 from ...view_model.curve.curve_view import CurveView
-from ...widgets.boxes import column_of, row_of
+from ...widgets.boxes import column_of, grid_of, row_of
 from ...widgets.controls import action_button, choice_box, named, push_button
 from ...widgets.fields import NumberEdit, read_number
 from ...widgets.frames import Scrolled
@@ -114,10 +114,7 @@ class LaboratoryPanel(QTabWidget):
         return page
 
     def _controls(self) -> QGridLayout:
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(8)
-        grid.setColumnStretch(1, 1)
+        grid = grid_of(10, 8, stretched=[1])
         grid.addWidget(Label("Round"), 0, 0)
         grid.addWidget(self.what, 0, 1, 1, 2)
         grid.addWidget(Label("to"), 1, 0)

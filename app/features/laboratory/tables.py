@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QFontDatabase, QIcon, QPalette
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
+from PySide6.QtGui import QFontDatabase, QIcon
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number, short, with_minus
 from ...plotting.pens import SIGN, sign_pixmap
-from ...qt.labels import Label
+from ...qt.labels import MUTED, Label
 from ...view_model.analysis.laboratory import Digits, Trial
 from ...view_model.analysis.settings import Calculation, RoundedPart
+from ...widgets.boxes import grid_of
 from ...widgets.controls import check_box, named
 
 _HEADINGS = (
@@ -49,15 +50,10 @@ class MethodTable(FollowsTheme, QWidget):
     def __init__(self) -> None:
         super().__init__()
         named(self, "laboratoryTable", "Methods and their errors")
-        self._grid = QGridLayout(self)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(4)
-        self._grid.setVerticalSpacing(4)
-        self._grid.setColumnStretch(0, 1)
+        self._grid = grid_of(4, 4, stretched=[0], margins=0, parent=self)
         for column, (text, tip) in enumerate(_HEADINGS):
-            heading = Label(text)
+            heading = Label(text, role=MUTED)
             heading.setToolTip(tip)
-            heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             heading.setAlignment(_side(column))
             self._grid.addWidget(heading, 0, column)
         self._compared = frozenset[Calculation]()
@@ -140,16 +136,11 @@ class DigitsTable(QWidget):
         self._title.setToolTip(
             "Move the scrub line (T) to choose t; otherwise t is where the error is largest"
         )
-        self._grid = QGridLayout(self)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(6)
-        self._grid.setVerticalSpacing(2)
-        self._grid.setColumnStretch(0, 1)
+        self._grid = grid_of(6, 2, stretched=[0], margins=0, parent=self)
         self._grid.addWidget(self._title, 0, 0)
         for column, text in ((1, "x"), (2, "y")):
-            heading = Label(_aligned(text))
+            heading = Label(_aligned(text), role=MUTED)
             heading.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-            heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             self._grid.addWidget(heading, 0, column)
         self._rows: list[tuple[Label, Label, Label]] = []
 

@@ -20,6 +20,7 @@ from ...qt.labels import Label, html_of
 from ...view_model.analysis.goals import GoalResult
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named, push_button
+from ...widgets.frames import scroll_vertically
 from .lesson import Lesson
 
 _MARGIN = 10
@@ -78,10 +79,7 @@ class LessonPanel(QWidget):
         cards = QWidget()
         buttons = [self._card(number, lesson) for number, lesson in enumerate(lessons, start=1)]
         column_of(*buttons, 1, margins=4, spacing=0, parent=cards)
-        gallery = named(QScrollArea(), "lessonList", "Lessons")
-        gallery.setFrameShape(QFrame.Shape.NoFrame)
-        gallery.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        gallery.setWidgetResizable(True)
+        gallery = scroll_vertically(QScrollArea(), "lessonList", "Lessons")
         # The cards take the keyboard focus, and show it.
         gallery.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         gallery.setWidget(cards)

@@ -9,8 +9,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QIcon, QPalette
 from PySide6.QtWidgets import (
     QCheckBox,
-    QFrame,
-    QGridLayout,
     QScrollArea,
     QSizePolicy,
     QToolButton,
@@ -26,9 +24,10 @@ from ...tasks.task import DelayedCall
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, ErrorSize, Overlay
 from ...view_model.settings import Count, Factor, OwnedSetting, SwitchSetting
-from ...widgets.boxes import Part, column_of, row_of
+from ...widgets.boxes import Part, column_of, grid_of, row_of
 from ...widgets.controls import action_button, check_box, mirror, tool_button
 from ...widgets.fields import NumberEdit, read_number
+from ...widgets.frames import scroll_vertically
 from ...widgets.sliders import SettingSlider, slider_of
 
 _NOTES_MS = 60
@@ -42,10 +41,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         self, analysis: Analysis, actions: Callable[[str], QAction], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self.setObjectName("analysisPanel")
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setWidgetResizable(True)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll_vertically(self, "analysisPanel")
         self._analysis, self._actions = analysis, actions
         self._refusal = ""
         self._notes: dict[Overlay, Label] = {}
@@ -55,10 +51,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
         self._ghost_boxes: dict[Ghost, QCheckBox] = {}
         self._use_buttons: dict[Ghost, QToolButton] = {}
         self._problem = _note("analysisProblem", WARNING)
-        self._rows = QGridLayout()
-        self._rows.setHorizontalSpacing(10)
-        self._rows.setVerticalSpacing(7)
-        self._rows.setColumnStretch(1, 1)
+        self._rows = grid_of(10, 7, stretched=[1])
         self._build()
         self._connect()
         self.follow_theme()

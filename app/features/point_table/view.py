@@ -25,7 +25,6 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemDelegate,
     QAbstractItemView,
-    QHeaderView,
     QLineEdit,
     QStyle,
     QStyledItemDelegate,
@@ -37,7 +36,7 @@ from PySide6.QtWidgets import (
 from ...appearance.theme import LIGHT, Theme, mix
 from ...qt.overrides import DELETE, ENTER, PASSING, ClaimsKeys, SafeOverrides
 from ...widgets.controls import named
-from ...widgets.fields import end_editing
+from ...widgets.fields import end_editing, fit_row_height, set_up_number_table
 from ...widgets.number_text import (
     Extent,
     column_decimals,
@@ -381,25 +380,14 @@ class PointTableView(ClaimsKeys, QTableView):
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        self.setShowGrid(False)  # the delegate draws fine lines between the rows
-        self.setWordWrap(False)
         self.setTabKeyNavigation(True)
 
     def _set_up_headers(self) -> None:
-        font = QFont(self.font())
-        font.setFeature(QFont.Tag("tnum"), 1)
-        self.setFont(font)
+        set_up_number_table(self, PADDING)  # the delegate draws fine lines between the rows
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setObjectName("pointTableColumns")
         across.setMinimumSectionSize(20)
-        across.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        across.setHighlightSections(False)
-        across.setStyleSheet(f"QHeaderView::section {{ padding: 5px {PADDING}px }}")
         down.setObjectName("pointTableRows")
-        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        # Qt's own least height follows the font too late.
-        down.setMinimumSectionSize(1)
-        down.setDefaultSectionSize(self.fontMetrics().height() + 8)
         down.setHighlightSections(False)
         down.setStyleSheet("QHeaderView::section { padding: 0 6px 0 2px; border: none }")
         corner = self.findChild(QAbstractButton)
@@ -409,7 +397,7 @@ class PointTableView(ClaimsKeys, QTableView):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and hasattr(self, "_first_typed"):
-            self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
+            fit_row_height(self)
             self.fit_columns(streaming=self._streaming)
 
     # Widths of columns

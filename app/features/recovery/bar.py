@@ -17,7 +17,7 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QDateTime, QLocale, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QKeyEvent, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QScrollArea, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -36,7 +36,7 @@ from ...tasks.progress import silent
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import push_button, tool_button
 from ...widgets.elided_label import ElidedLabel
-from ...widgets.frames import OverlayFrame
+from ...widgets.frames import OverlayFrame, scroll_vertically
 from ...workbench.document_files import NEW_NAME
 
 _WIDEST, _SIDE, _BELOW = 640, 40, 44
@@ -73,11 +73,7 @@ class RecoveryBar(OverlayFrame):
         tip = "Decide later: the next start asks again"
         self._close = tool_button("closeRecovery", "Decide later", tip, flat=True)
         self._close.clicked.connect(self.closed)
-        self._rows = QScrollArea()
-        self._rows.setObjectName("recoveryRows")
-        self._rows.setFrameShape(QFrame.Shape.NoFrame)
-        self._rows.setWidgetResizable(True)
-        self._rows.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._rows = scroll_vertically(QScrollArea(), "recoveryRows")
         head = row_of((self._title, 1), (self._close, Qt.AlignmentFlag.AlignTop))
         column_of(head, self._rows, margins=(14, 4, 8, 8), spacing=2, parent=self)
         self.follow_theme()

@@ -7,7 +7,7 @@ from string import capwords
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QComboBox, QMenu, QSizePolicy, QToolButton
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolButton
 
 from ... import view_model
 from ...actions.declaration import (
@@ -50,7 +50,7 @@ from ...session import Session
 from ...storage.resources import has_resource
 from ...view_model.curve.curve_view import CurveView
 from ...widgets.boxes import row_of
-from ...widgets.controls import ToolbarWidget, choice_box, named
+from ...widgets.controls import ToolbarWidget, choice_box, menu_with_tips, named
 from ...widgets.sliders import LiveSlider
 from ...workbench.context import WindowContext
 from ...workbench.form_edits import SliderGesture
@@ -184,7 +184,7 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         self.button.setCheckable(True)
         self.button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.button.setIconSize(QSize(_ICON, _ICON))
-        self._menu = self._make_menu()
+        self._menu = menu_with_tips("familiesMenu", self.button)
         self.button.setMenu(self._menu)
         row_of(self.button, margins=(0, 0, 0, 0), parent=self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
@@ -202,12 +202,6 @@ class FamilyButton(FollowsTheme, ToolbarWidget):
         self._words = dict(further)
         self.button.setVisible(bool(further))
         self.show_in_use()
-
-    def _make_menu(self) -> QMenu:
-        menu = QMenu(self.button)
-        menu.setObjectName("familiesMenu")
-        menu.setToolTipsVisible(True)
-        return menu
 
     def set_theme(self, theme: Theme) -> None:
         self.show_in_use()

@@ -9,7 +9,7 @@ from functools import partial
 import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QButtonGroup, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QToolButton, QWidget
 
 from ...appearance.icons import icon
 from ...appearance.theme import Theme
@@ -18,7 +18,7 @@ from ...document.transforms import Reference
 from ...qt.labels import MUTED, Label
 from ...qt.overrides import SafeOverrides
 from ...view_model.boxes import NINE, Bounds, position_name
-from ...widgets.boxes import Part, column_of, row_of
+from ...widgets.boxes import Part, column_of, grid_of, row_of
 from ...widgets.controls import ICON, action_button, choice_box, named, tool_button
 from ...widgets.fields import FieldForm, NumberEdit, read_number
 from ...widgets.number_text import read_length
@@ -135,9 +135,7 @@ class TransformPanel(FieldForm):
         return read_length(text, unit, now())
 
     def _lay_out(self, actions: PanelActions) -> None:
-        fields = QGridLayout()
-        fields.setHorizontalSpacing(6)
-        fields.setVerticalSpacing(6)
+        fields = grid_of(6, 6, stretched=[1, 3])
         rows: tuple[tuple[str, QWidget, str, QWidget], ...] = (
             ("X", self.x_edit, "Y", self.y_edit),
             ("W", self.width_edit, "H", self.height_edit),
@@ -147,8 +145,6 @@ class TransformPanel(FieldForm):
                 fields.addWidget(part, row, column)
         fields.addWidget(self._units, 0, 4)
         fields.addWidget(self.proportions, 1, 4)
-        fields.setColumnStretch(1, 1)
-        fields.setColumnStretch(3, 1)
         turn = row_of(
             "Angle", (self.angle_edit, 1), "Rotate by", (self.turn_edit, 1), self.turn_button, spacing=6
         )
@@ -289,9 +285,7 @@ class PivotChooser(SafeOverrides, QWidget):
     def __init__(self) -> None:
         super().__init__()
         named(self, "pivotChooser", "Pivot")
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(3)
+        grid = grid_of(3, 3, margins=0, parent=self)
         self._group = QButtonGroup(self)
         self._buttons: dict[tuple[int, int], QToolButton] = {}
         for rank, at in enumerate(NINE):

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMenu, QSizePolicy, QToolButton
+from PySide6.QtWidgets import QDockWidget, QSizePolicy, QToolButton
 
 from ...actions.declaration import Action, action, action_for_each, also, also_for_each, switch, widget_at
 from ...actions.keymap import action_name
@@ -34,7 +34,7 @@ from ...tools.canvas.select import SELECT
 from ...tools.tool import TOOLS, ToolRecord
 from ...view_model.settings import ChoiceSetting
 from ...widgets.boxes import row_of
-from ...widgets.controls import ToolbarWidget, named
+from ...widgets.controls import ToolbarWidget, menu_with_tips, named
 from ...workbench.context import WindowContext
 from ...workbench.docks import hide_idle_docks
 from .zoom import ZoomCommands
@@ -104,8 +104,7 @@ class MoreToolsButton(ToolbarWidget):
         self.button.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         self.button.setIconSize(QSize(_ICON, _ICON))
         self.button.setFixedWidth(_ICON + _ARROW)
-        self._menu = named(QMenu(self.button), "moreToolsMenu")
-        self._menu.setToolTipsVisible(True)
+        self._menu = menu_with_tips("moreToolsMenu", self.button)
         row_of(self.button, margins=(0, 0, 0, 0), parent=self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 

@@ -6,19 +6,20 @@ import math
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPalette, QPen
-from PySide6.QtWidgets import QFrame, QGridLayout, QPushButton, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QPushButton, QScrollArea, QSizePolicy, QWidget
 
 from ...appearance.colours import point_colours
 from ...appearance.theme import theme_of
 from ...document.derivatives import DERIVATIVES
 from ...document.words import short
-from ...qt.labels import Label
+from ...qt.labels import MUTED, Label
 from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.wiggle import CURES, MOST_PULLS, Cure, Cures, Explanation, Pull
 from ...view_model.curve.curve_view import CurveView
-from ...widgets.boxes import column_of
+from ...widgets.boxes import column_of, grid_of
 from ...widgets.controls import named
+from ...widgets.frames import scroll_vertically
 
 _ROW = 19
 
@@ -154,14 +155,11 @@ class WigglePanel(QScrollArea):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("wigglePanel")
-        self.setWidgetResizable(True)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll_vertically(self, "wigglePanel")
         self.words = Label(_NOWHERE, name="wiggleWords", wordWrap=True)
         self.title = Label(name="wiggleTitle")
         self.bars = WeightBars()
-        self._headings = [Label(name=name) for name in ("curesState", "swingNow", "lebesgueNow")]
+        self._headings = [Label(name=name, role=MUTED) for name in ("curesState", "swingNow", "lebesgueNow")]
         self.buttons: dict[str, CureButton] = {}
         self._effects: dict[str, tuple[Label, Label]] = {}
         self.calm = Label(name="nothingToCure", wordWrap=True)
@@ -177,13 +175,8 @@ class WigglePanel(QScrollArea):
         self.setMinimumWidth(page.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _fill_rows(self) -> None:
-        grid = QGridLayout(self._rows)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(10)
-        grid.setVerticalSpacing(3)
-        grid.setColumnStretch(0, 1)
+        grid = grid_of(10, 3, stretched=[0], margins=0, parent=self._rows)
         for column, heading in enumerate(self._headings):
-            heading.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             if column:
                 heading.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(heading, 0, column)
