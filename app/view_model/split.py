@@ -240,21 +240,22 @@ def crossings_of(views: Mapping[int, CurveView]) -> Crossings:
     Where curves run along each other they meet everywhere, and the result is not complete.
     """
     curves = {index: view.curve for index, view in views.items() if view.curve is not None}
+    boxes = {index: curvecore.bounding_box(curve) for index, curve in curves.items()}
     size = size_of(np.vstack([view.points for view in views.values()]))
-    met, is_complete = {index: list[float]() for index in curves}, True
+    met, is_complete, reach = {index: list[float]() for index in curves}, True, _MEET * size
     for one, other in combinations_with_replacement(curves, 2):
+        ends = ((boxes[one], boxes[other]), (boxes[other], boxes[one]))
+        if any((low.minimum > high.maximum + reach).any() for low, high in ends):
+            continue
         found: SelfIntersections | Intersections = (
-            curvecore.self_intersections(curves[one], _MEET * size)
+            curvecore.self_intersections(curves[one], reach)
             if one == other
-            else curvecore.intersections(curves[one], curves[other], _MEET * size)
+            else curvecore.intersections(curves[one], curves[other], reach)
         )
         parameters = found.parameters
         if not found.is_complete:
             # Where they run along each other there is a meeting at any of their points.
-            v, w = (
-                curve.evaluate(t, 1)
-                for curve, t in zip((curves[one], curves[other]), parameters.T, strict=True)
-            )
+            v, w = curves[one].evaluate(parameters[:, 0], 1), curves[other].evaluate(parameters[:, 1], 1)
             is_crossing = np.abs(cross(v, w)) > _PARALLEL * vector_lengths(v) * vector_lengths(w)
             parameters, is_complete = parameters[is_crossing], False
         met[one] += parameters[:, 0].tolist()
