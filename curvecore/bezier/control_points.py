@@ -302,7 +302,7 @@ def _shape_between(curve: ParametricCurve, joints: FloatArray, tolerance: float)
             is_bound = is_proved and float(worst.max()) > _ROUNDING * size
             return CubicPath(pieces, parameters, float(worst.max()), is_bound)
         # As many pieces again with equal deviations, which are of order h**6; then more of them.
-        expected = np.maximum(count + is_spread, np.floor(0.8 * count * (worst / tolerance) ** (1 / 6)))
+        expected = np.maximum(count + is_spread, np.floor(0.7 * count * (worst / tolerance) ** (1 / 6)))
         wanted = np.where(worst > tolerance, expected, count)
         if not wanted.sum() <= MAX_PIECES:
             return None
@@ -357,7 +357,7 @@ def _longer_handles(
     # Where a length changes nothing, as on a straight line, it stays.
     least = 1e-9 * np.square(handles).sum(axis=(1, 2))[:, None, None] * np.eye(2) + np.eye(2) / LIMIT
     s, factors = np.broadcast_to(_NODES, t.shape), np.ones((len(plain), 2))
-    for _ in range(6):
+    for _ in range(3):
         bernstein = weights(s.ravel(), 3).reshape(*s.shape, 4)
         moves = bernstein[..., 1:3, None] * handles[:, None]
         off = np.concatenate([moves, (exact - bernstein @ plain)[..., None, :]], axis=2)

@@ -306,15 +306,15 @@ def ending_in(path: str | os.PathLike[str], known: Format) -> str:
     return _longest(Path(path).name, known.endings)
 
 
-def typed_format(path: Path, chosen: Format) -> Format:
+def typed_format(path: Path, selected: Format) -> Format:
     """Return the format that the ending of a typed name stands for.
 
-    That is the chosen one if the name has no known ending, or the last part of the chosen one's: p.csv is the
-    name of a table of points (``.points.csv``) where that was chosen.
+    That is the selected one if the name has no known ending, or the last part of the selected one's: p.csv is
+    the name of a table of points (``.points.csv``) where that is selected.
     """
     typed = _longest(path.name, endings_of(FORMATS.written))
-    if not typed or any(ending.endswith(typed) for ending in chosen.endings):
-        return chosen
+    if not typed or any(ending.endswith(typed) for ending in selected.endings):
+        return selected
     return next(form for form in FORMATS.written if typed in form.endings)
 
 

@@ -139,20 +139,20 @@ def _by_template(
     It has the Bézier pieces of every curve: its own, or cubics as `beziers_of` makes them.
     """
     curves, template = curves_of(document, options), resource("code", name).read_text(encoding="utf-8")
-    head, each = map(Template, template.split(_EACH))
+    head, entry = map(Template, template.split(_EACH))
     margin = template.partition("$pieces")[0].rpartition("\n")[2]
     body, parts = list[str](), list[Beziers]()
     for identifier, curve in zip(identifiers_of(c.name for c in curves.curves), curves, strict=True):
-        own = [beziers_of(piece, curves.tolerance) for piece in curve.core.pieces]
-        controls = (part.control_points * (1.0, y_sign) + 0.0 for part in own)
+        paths = [beziers_of(piece, curves.tolerance) for piece in curve.core.pieces]
+        controls = (part.control_points * (1.0, y_sign) + 0.0 for part in paths)
         pieces = f",\n{margin}".join(str(piece) for part in controls for piece in part.tolist())
-        ends = [float(own[0].parameters[0]), *(t for part in own for t in part.parameters[1:].tolist())]
+        ends = [float(paths[0].parameters[0]), *(t for part in paths for t in part.parameters[1:].tolist())]
         body.append(
-            each.substitute(
+            entry.substitute(
                 name=identifier, data=identifier.upper(), title=_title(curve), ends=ends, pieces=pieces
             )
         )
-        parts += own
+        parts += paths
     deviation, is_bound = largest_deviation(parts)
     deviation += 2**0.5 * unit_roundoff * max(float(np.abs(part.control_points).max()) for part in parts)
     note = " ".join([accuracy(deviation, is_bound), *map(one_line, curves.remarks)])

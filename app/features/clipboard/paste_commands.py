@@ -182,13 +182,13 @@ class PasteCommands:
             session.selected.select_imported(indices, style)
         is_one = common_name(document, indices) is not None
         message = f"Pasted “{name}”; it is selected." if is_one else f"Pasted {name}; they are selected."
-        it, is_seen = ("it" if is_one else "them"), framing.shows_curves(indices)
+        it, is_visible = ("it" if is_one else "them"), framing.shows_curves(indices)
         box = box_of([session.views[index] for index in indices])
         is_speck = box is None or (box.high - box.low).max() < _SPECK * canvas.camera.pixel_size
-        if fits and (is_speck or not is_seen):
+        if fits and (is_speck or not is_visible):
             self._context.actions["fitSelection"].trigger()
             message = f"{message} The view was changed to show all of {it}."
-        elif not is_seen:
+        elif not is_visible:
             # The view does not move while somebody works in it.
             key = key_or_name(self._context.actions["fitSelection"])
             part = f"Part of {it} is outside the view"

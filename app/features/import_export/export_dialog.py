@@ -107,7 +107,7 @@ class ExportDialog(WorkDialog):
         self._soon.start()
 
     def _show_automatic(self, choice: ExportChoice) -> None:
-        """Show the number of the automatic tolerance of what would be exported."""
+        """Show the number of the automatic tolerance of the curves to export."""
         if self._document is not None:
             part = choice.request(self._document, self._active, self._selected).document
             self.form.fields[TOLERANCE.name].show_automatic(automatic_tolerance(part))
