@@ -203,13 +203,6 @@ def make_corner(
     return _with_point(document, curve, index, corner)
 
 
-def make_smooth(document: Document, curve: int, index: int, velocity: Vector | None) -> Document:
-    """Give point `index` one velocity on both sides (None: estimated)."""
-    point = document.curves[curve].points[index]
-    smooth = replace(point.without_corner(), velocity=velocity)
-    return _with_point(document, curve, index, smooth)
-
-
 class JetValue(msgspec.Struct, frozen=True):
     """A position (order 0) or a derivative of some order that a point gets.
 

@@ -157,11 +157,11 @@ def newly_set(before: Sequence[Curve], after: Sequence[Curve], own: Collection[V
             estimated |= {curve.points[index].position for index in every - explicit_points(curve, every)}
     estimated -= set(own)
     parts = []
-    for place, curve in enumerate(after):
+    for number, curve in enumerate(after):
         if id(curve) not in same:
             are_set = explicit_points(curve, range(len(curve.points)))
             known = (index for index in are_set if curve.points[index].position in estimated)
-            parts.append((place, frozenset(known)))
+            parts.append((number, frozenset(known)))
     return group_points(parts)
 
 

@@ -33,7 +33,7 @@ from ..document.constraints import (
 from ..document.derivatives import DERIVATIVES
 from ..document.limits import EditError
 from ..document.model import Curve, Document, Point, Vector
-from ..document.point_edits import JetValue, clear_derivatives, make_smooth, with_jet_values
+from ..document.point_edits import JetValue, clear_derivatives, with_jet_values
 from ..document.straight_edits import corners_of, straight_refusal, straighten
 from ..families import Family, titles_with_derivatives
 from .append import closed_by_pen, has_pulled_handle, with_bare_corner, with_point_appended
@@ -152,9 +152,10 @@ def _symmetric(view: CurveView, index: int, lengths: tuple[float, float]) -> Poi
 
 def with_estimated_points(view: CurveView, indices: Collection[int]) -> Curve:
     """Return the curve with all derivatives at these points left to the rules."""
-    document = Document((view.source,))
+    points = list(view.source.points)
     for index in indices:
-        document = make_smooth(document, 0, index, None)
+        points[index] = points[index].without_corner()
+    document = Document((replace(view.source, points=tuple(points)),))
     return clear_derivatives(document, 0, indices).curves[0]
 
 

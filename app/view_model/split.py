@@ -176,9 +176,9 @@ def _cut(whole: CurveView, start: int, end: int, name: str) -> Curve:
         for row in rows.tolist()
     ]
     if whole.sides is not None:
-        for place, knot, open_end in ((0, start, 0), (-1, end, count - 1)):
+        for end_index, knot, open_end in ((0, start, 0), (-1, end, count - 1)):
             if source.is_closed or knot != open_end:
-                points[place] = with_jets(points[place], whole.sides, knot % count)
+                points[end_index] = with_jets(points[end_index], whole.sides, knot % count)
     points[0], points[-1] = beginning(points[0]), points[-1].without_corner()
     part = part_of(source, points, points[-1].t or 0.0, name)
     return part if whole.sides is None else with_sides_kept(whole.sides, part, rows % count, rows - start)

@@ -125,12 +125,6 @@ def test_reversing_a_corner_exchanges_its_jerks():
     validate(document)
 
 
-def test_a_smooth_point_has_one_velocity():
-    cornered = point_edits.make_corner(manual(), 0, 1, (1.0, 0.0), (0.0, 1.0))
-    point = point_edits.make_smooth(cornered, 0, 1, (0.5, 0.5)).curves[0].points[1]
-    assert point == replace(manual().curves[0].points[1], velocity=(0.5, 0.5))
-
-
 def test_each_side_of_a_corner_is_set_by_itself():
     document = point_edits.make_corner(manual(), 0, 1, None, None)
     document = point_edits.set_velocity(document, 0, 1, (3.0, 0.0), ahead=True)

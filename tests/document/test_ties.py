@@ -154,9 +154,6 @@ def test_an_estimated_velocity_ends_the_tie():
     assert (
         point_edits.clear_derivatives(document(family=QUINTIC_HERMITE), 0, [2], (2,)).curves[0].points[2].tied
     )
-    assert point_edits.make_smooth(document(), 0, 2, (1.0, 1.0)).curves[0].points[2] == Point(
-        3.0, 2.5, velocity=(1.0, 1.0)
-    )
 
 
 def test_accelerations_of_a_tied_point_are_independent():

@@ -397,7 +397,7 @@ class Gestures(RuleBasedStateMachine):
         if corner:
             self.edit(point_edits.make_corner, index, (1.0, 2.0), None)
         else:
-            self.edit(point_edits.make_smooth, index, None)
+            self.edit(point_edits.clear_derivatives, [index])
 
     @rule()
     def delete(self):

@@ -168,12 +168,7 @@ _ORDER_NAMES = {derivative.order: derivative.name for derivative in DERIVATIVES}
 
 def explicit_orders(points: Sequence[Point], indices: Collection[int], orders: Collection[int]) -> set[int]:
     """Return the orders of derivatives, of `orders`, that are set at any of `indices`."""
-    orders_found = set[int]()
-    for index in indices:
-        for order in orders:
-            if any(points[index].explicit_sides(order)):
-                orders_found.add(order)
-    return orders_found
+    return {k for k in orders if any(any(points[index].explicit_sides(k)) for index in indices)}
 
 
 def points_with_kept_derivatives(
