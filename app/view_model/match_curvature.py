@@ -227,7 +227,8 @@ def matched(views: Sequence[CurveView], joints: Sequence[Joint]) -> Matched:
     start = {side.curve: views[side.curve] for side in chain.from_iterable(joints)}
     rigid = {curve: why for curve, view in start.items() if (why := _why_rigid(view))}
     refusals = {joint: rigid[side.curve] for joint in joints for side in joint if side.curve in rigid}
-    while (result := _searched(start, [joint for joint in joints if joint not in refusals])).refusals:
+    others = {curve: view for curve, view in start.items() if curve not in rigid}
+    while (result := _searched(others, [joint for joint in joints if joint not in refusals])).refusals:
         refusals |= result.refusals
     return replace(result, refusals=refusals)
 
