@@ -439,17 +439,18 @@ def natural_spline_accelerations(
         before, after = _beside(slope)
         return _applied(_natural_accelerations, h, after - before, None)
     split = _split(h.tobytes(), given.is_set.tobytes())
+    first, inner = split.first, split.inner
     # Beyond an end the velocity is the slope, and between the two rows of a joint.
     before, after = _beside(slope)
-    before, after = (
-        np.where(split.is_end[side], given.rows, each) for side, each in enumerate((before, after))
-    )
-    jumps = np.empty((len(split.is_set), slope.shape[1]))
-    jumps[split.first] = np.where(split.is_twice, given.rows, after) - before
-    jumps[split.last] = after - np.where(split.is_twice, given.rows, before)
-    bends = _applied(_natural_accelerations, split.lengths, jumps, split.is_set)
-    start = bends[split.first]
-    return start + split.share * (bends[split.last] - start)
+    for slopes, ends in zip((before, after), split.ends, strict=True):
+        slopes[ends] = given.rows[ends]
+    jumps = (after - before)[split.joints]
+    jumps[first[inner]] = given.rows[inner] - before[inner]
+    jumps[first[inner] + 1] = after[inner] - given.rows[inner]
+    rows = _applied(_natural_accelerations, split.lengths, jumps, split.is_set)
+    bends: FloatArray = rows[first]
+    bends[inner] += split.share * (rows[first[inner] + 1] - bends[inner])
+    return bends
 
 
 class _Split(NamedTuple):
@@ -461,22 +462,24 @@ class _Split(NamedTuple):
         The segment lengths; 0 between the rows of one joint.
     is_set : ndarray of bool, shape (m,)
         Whether a velocity is set.
-    first, last : ndarray of int, shape (n,)
-        The rows of each joint.
-    is_twice : ndarray of bool, shape (n, 1)
-        Whether these are two.
-    is_end : tuple of ndarray of bool, shape (n, 1)
-        Whether there is no segment before a joint, and after it.
-    share : ndarray, shape (n, 1)
-        What the segment after a joint counts in a mean: that of the shorter one is the larger.
+    joints : ndarray of int, shape (m,)
+        The joint of each row.
+    first : ndarray of int, shape (n,)
+        The first row of each joint.
+    inner : ndarray of int
+        The joints with two rows.
+    ends : tuple of ndarray of int
+        The joints with no segment before them, and with none after them.
+    share : ndarray, shape (len(inner), 1)
+        What the segment after a joint counts in the mean: that of the shorter one is the larger.
     """
 
     lengths: FloatArray
     is_set: BoolArray
+    joints: IntArray
     first: IntArray
-    last: IntArray
-    is_twice: BoolArray
-    is_end: tuple[BoolArray, BoolArray]
+    inner: IntArray
+    ends: tuple[IntArray, IntArray]
     share: FloatArray
 
 
@@ -484,14 +487,14 @@ class _Split(NamedTuple):
 def _split(lengths: bytes, is_set: bytes) -> _Split:
     h, mask = np.frombuffer(lengths)[:, None], np.frombuffer(is_set, dtype=np.bool_)
     left, right = _beside(h)
-    is_twice = mask[:, None] & (left > 0.0) & (right > 0.0)
-    last = np.arange(len(mask)) + np.cumsum(is_twice)
-    first = last - is_twice[:, 0]
-    longer = np.zeros((last[-1], 1))
-    longer[last[:-1]] = h
-    rows = np.repeat(mask, 1 + is_twice[:, 0])
-    ends = left == 0.0, right == 0.0
-    return _Split(longer, rows, first, last, is_twice, ends, left / (left + right))
+    is_twice = mask & (left > 0.0)[:, 0] & (right > 0.0)[:, 0]
+    joints, inner = np.repeat(np.arange(len(mask)), 1 + is_twice), np.flatnonzero(is_twice)
+    # The segments lie behind the last row of each joint but the last one.
+    longer = np.zeros((len(joints) - 1, 1))
+    longer[np.cumsum(1 + is_twice)[:-1] - 1] = h
+    ends = np.flatnonzero(left == 0.0), np.flatnonzero(right == 0.0)
+    share = left[inner] / (left[inner] + right[inner])
+    return _Split(longer, mask[joints], joints, np.cumsum(1 + is_twice) - 1 - is_twice, inner, ends, share)
 
 
 def _natural_accelerations(h: FloatArray, jumps: FloatArray, is_set: BoolArray | None) -> FloatArray:

@@ -279,6 +279,7 @@ def _estimate(
     is_plain = not (closed or corners.any())
     # Tied velocities are conditions of a spline; other rules go on there, for the curve is smooth.
     divides = corners if curve.rules[0].is_spline else corners & ~ties
+    rows: _Rows | None = None
     for order, (rule, estimate) in enumerate(zip(curve.rules, estimates, strict=True)):
         if given is not None and not np.isnan(given[:, :, order, 0]).any():
             _take(sides, order, given)
@@ -289,7 +290,7 @@ def _estimate(
             sides.before[:, order] = sides.after[:, order] = estimate(data, parameters, **at)
             _take(sides, order, given)
             continue
-        rows = _rows_of(parameters, divides, closed=closed)
+        rows = rows or _rows_of(parameters, divides, closed=closed)
         for run in [rows] if rule.is_spline else rows.runs():
             if given is not None and run.is_all_set(given[:, :, order, 0]):
                 continue
