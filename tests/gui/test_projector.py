@@ -5,11 +5,12 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QTabBar, QToolButton
+from PySide6.QtWidgets import QLabel, QTabBar, QToolButton, QWidget
 
 from app.document.model import Document, make_curve
 from app.families import HERMITE
 from app.features.lessons.commands import LessonCommands
+from tests.waiting import until
 
 POINTS = [(0, 0), (1, 1), (2, 0.2), (4, 1), (5.3, -1.2)]
 
@@ -159,12 +160,22 @@ def test_a_lesson_and_its_laboratory_leave_the_canvas_half_of_the_width(editor):
     window.commands[LessonCommands].open("04_decimal_accuracy")
     editor.settle()
     before = layout_of(editor)
+    table = window.findChild(QWidget, "digitsTable")
+
+    def digits():
+        return [label.font().pointSizeF() for label in table.findChildren(QLabel)]
+
+    until(lambda: len(digits()) > 6)
+    small = digits()
     press_f11(editor)
     # Wider than the screen of the tests.
     window.resize(1440, 900)
     enlarge(editor)
     assert window.context.docks["laboratoryDock"].isVisible()
+    # The digits of the laboratory have a font of their own.
+    assert digits() == pytest.approx([2 * size for size in small])
     assert window.canvas.width() >= window.width() / 2 - 12
     press_f11(editor)
     editor.settle()
     assert layout_of(editor) == before
+    assert digits() == small

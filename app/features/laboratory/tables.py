@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QFontDatabase, QIcon
-from PySide6.QtWidgets import QCheckBox, QWidget
+from PySide6.QtWidgets import QApplication, QCheckBox, QWidget
 
 from ...appearance.theme import FollowsTheme, Theme
 from ...document.words import number, short, with_minus
 from ...plotting.pens import SIGN, sign_pixmap
 from ...qt.labels import MUTED, Label
+from ...qt.overrides import SafeOverrides
 from ...view_model.analysis.laboratory import Digits, Trial
 from ...view_model.analysis.settings import Calculation, RoundedPart
 from ...widgets.boxes import grid_of
@@ -126,7 +127,7 @@ _USUAL_DIGITS = 9
 _SMALLER = 0.75
 
 
-class DigitsTable(QWidget):
+class DigitsTable(SafeOverrides, QWidget):
     """Table of x and y at one t with all digits: the true values, then those of each method."""
 
     def __init__(self) -> None:
@@ -143,6 +144,7 @@ class DigitsTable(QWidget):
             heading.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
             self._grid.addWidget(heading, 0, column)
         self._rows: list[tuple[Label, Label, Label]] = []
+        self._count = 0
 
     @property
     def texts(self) -> list[tuple[str, str, str]]:
@@ -159,12 +161,22 @@ class DigitsTable(QWidget):
         rows += [(method.label, *map(_aligned, pair)) for method, pair in digits.rows]
         while len(self._rows) < len(rows):
             self._add_row()
-        style = _digits_style(count)
+        self._count = count
         for index, labels in enumerate(self._rows):
             texts = rows[index] if index < len(rows) else ("", "", "")
             for label, text in zip(labels, texts, strict=True):
                 label.setText(text)
                 label.setVisible(index < len(rows))
+        self._style_digits()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange and hasattr(self, "_rows"):
+            self._style_digits()
+
+    def _style_digits(self) -> None:
+        style = _digits_style(self._count, self.font().pointSizeF() / QApplication.font().pointSizeF())
+        for labels in self._rows:
             for label in labels[1:]:
                 label.setStyleSheet(style)
 
@@ -177,13 +189,13 @@ class DigitsTable(QWidget):
         self._rows.append(labels)
 
 
-def _digits_style(count: int) -> str:
+def _digits_style(count: int, scale: float) -> str:
     """Return the style of so many digits: two long numbers must fit beside each other in a narrow dock.
 
     It is a style sheet because that of an enlarged dock would override a font.
     """
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-    size = f" font-size: {_SMALLER * font.pointSizeF()}pt;" if count > _USUAL_DIGITS else ""
+    size = f" font-size: {scale * _SMALLER * font.pointSizeF()}pt;" if count > _USUAL_DIGITS else ""
     return f'font-family: "{font.family()}";{size}'
 
 
