@@ -18,9 +18,6 @@ ACCENT: Final = {"light": "#2563d9", "dark": "#6ea8fe"}
 LEAST_CONTRAST: Final = 3.0
 """Least contrast of a curve against its paper: WCAG 2.1, success criterion 1.4.11, for graphics."""
 
-TOO_PALE: Final = 1.5
-"""Contrast below which a colour was meant for another paper."""
-
 OKABE_ITO: Final = {
     # On light paper five of the seven are too pale. Lightness alone is moved, by hand and search,
     # so that colours stay apart for red-, green- and blue-blind eyes too (tests/gui/test_theme.py).

@@ -18,7 +18,7 @@ from ... import __version__
 from ...document.lengths import MILLIMETRES, known_unit
 from ...document.model import Document
 from ...tasks.progress import part
-from ...view_model.palette import TOO_PALE, contrast
+from ...view_model.palette import contrast
 from ..errors import ExchangeError
 from ..formats import ExportResult
 from ..options import Options
@@ -131,11 +131,15 @@ def _preview(
     return PicturePreview(_painted(drawing, pixels, style, options), size, _colours_remark(drawing, style))
 
 
+_VANISHING = 1.25
+"""Contrast below which a curve is lost on white paper; yellow has 1.3."""
+
+
 def _colours_remark(drawing: Drawing, style: PictureStyle) -> str:
     """Return the remark on curves whose colours are changed for the paper, or vanish on a white one."""
     lines = [outline for outline in drawing.outlines if not outline.style.has_fill]
     if style.paper is None:
-        pale = [line for line in lines if contrast(style.visible_colour(line.colour), "#ffffff") < TOO_PALE]
+        pale = [line for line in lines if contrast(style.visible_colour(line.colour), "#ffffff") < _VANISHING]
         if not pale:
             return ""
         name = pale[0].shape or pale[0].name

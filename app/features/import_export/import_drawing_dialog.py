@@ -20,7 +20,7 @@ from ...exchange.options import Options
 from ...qt.labels import Label
 from ...tasks.progress import Report
 from ...tasks.task import SingleTask
-from ...view_model.palette import TOO_PALE, contrast
+from ...view_model.palette import contrast
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import named
 from .work_dialog import A_NEW_DOCUMENT, ImportFoot, Verb, WorkDialog, into_box
@@ -42,6 +42,10 @@ _Chain = tuple[str | int, ...]
 """Names of groups, the outermost first; at the end, perhaps, the number of a shape."""
 
 _PICTURE_WIDTH, _PICTURE_HEIGHT = 280, 260
+
+
+_TOO_PALE = 1.5
+"""Contrast with light paper that somebody drew for dark."""
 
 
 class ImportDrawingDialog(WorkDialog):
@@ -284,5 +288,5 @@ def _is_for_dark_paper(document: Document) -> bool:
         if paint != "none"
     }
     return bool(paints) and all(
-        paint.startswith("#") and contrast(paint, LIGHT.paper or "#ffffff") < TOO_PALE for paint in paints
+        paint.startswith("#") and contrast(paint, LIGHT.paper or "#ffffff") < _TOO_PALE for paint in paints
     )
