@@ -109,8 +109,7 @@ def cross(first: FloatArray, second: FloatArray) -> FloatArray:
 
 def along_last(operation: np.ufunc, values: FloatArray) -> FloatArray:
     """Reduce the last axis entry by entry: where it is short, NumPy would begin a loop for every vector."""
-    reduced: FloatArray = reduce(operation, np.moveaxis(values, -1, 0))
-    return reduced
+    return reduce(operation, np.moveaxis(values, -1, 0))
 
 
 def vector_lengths(vectors: FloatArray) -> FloatArray:
@@ -120,8 +119,7 @@ def vector_lengths(vectors: FloatArray) -> FloatArray:
     with np.errstate(over="ignore", under="ignore"):
         shares = (coordinate / divisor for coordinate in np.moveaxis(vectors, -1, 0))
         result = largest * np.sqrt(sum(map(np.square, shares)))
-    limited: FloatArray = np.minimum(result, LARGEST)
-    return limited
+    return np.asarray(np.minimum(result, LARGEST))
 
 
 # Numbers of 106 bits

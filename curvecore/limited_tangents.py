@@ -288,14 +288,12 @@ def _end_cases(steps: Steps) -> list[_EndCase]:
 def _end_parabola(steps: Steps, near: int, beside: int) -> FloatArray:
     """Return the velocity of the parabola through the three points at an end."""
     h, slope = steps
-    velocity: FloatArray = slope[near] + h[near] / (h[near] + h[beside]) * (slope[near] - slope[beside])
-    return velocity
+    return np.asarray(slope[near] + h[near] / (h[near] + h[beside]) * (slope[near] - slope[beside]))
 
 
 def _vanishes(number: FloatArray, beside: FloatArray) -> BoolArray:
     """Whether a number is 0, but for rounding, beside another one; of two that are 0 both."""
-    vanishes: BoolArray = np.abs(number) <= _STRAIGHT * np.abs(beside)
-    return vanishes
+    return np.abs(number) <= _STRAIGHT * np.abs(beside)
 
 
 def _monotone_ends(steps: Steps) -> FloatArray:
@@ -317,8 +315,7 @@ def _with_outer(slope: FloatArray) -> FloatArray:
 def _is_straight(slope: FloatArray) -> BoolArray:
     """Whether the slopes before each joint are the same, and those after it."""
     turn = np.abs(np.diff(slope, axis=0))
-    straight: BoolArray = turn[:-2] + turn[2:] <= _STRAIGHT * _sizes(slope)
-    return straight
+    return turn[:-2] + turn[2:] <= _STRAIGHT * _sizes(slope)
 
 
 def _sizes(slope: FloatArray) -> FloatArray:

@@ -219,15 +219,13 @@ class BasisView(msgspec.Struct, frozen=True, eq=False, dict=True):
     def value_at(self, t: float, kind: int) -> FloatArray:
         """Return the scaled functions of one kind at `t`, one for each knot."""
         values = _functions(self.curve, np.array([t]), self.owners)
-        scaled: FloatArray = values[0, :, kind] * self.scales[:, kind]
-        return scaled
+        return values[0, :, kind] * self.scales[:, kind]
 
 
 def _spread(combine: np.ufunc, values: FloatArray) -> FloatArray:
     """Combine every sample with the two on either side of it."""
     padded = np.pad(values, 2, mode="edge")
-    result: FloatArray = reduce(combine, (padded[by : by + len(values)] for by in range(5)))
-    return result
+    return reduce(combine, (padded[by : by + len(values)] for by in range(5)))
 
 
 def basis_view(view: CurveView, previous: BasisView | None = None) -> BasisView | None:
@@ -350,8 +348,7 @@ def weights_at(view: CurveView, t: float) -> FloatArray:
         return np.asarray(view.cardinal.basis(t))
     assert view.basis_curve is not None
     basis = view.basis_curve.basis(np.array([t]))[:, :, 0]
-    weights: FloatArray = by_point(basis, len(view.source.points))[0]
-    return weights
+    return np.asarray(by_point(basis, len(view.source.points))[0])
 
 
 def set_weights_at(view: CurveView, t: float) -> dict[SetDerivative, float]:
@@ -425,8 +422,7 @@ class CardinalView(BasisView, frozen=True, eq=False, dict=True):
 
     def _at(self, t: FloatArray) -> FloatArray:
         assert self.cardinal is not None
-        values: FloatArray = self.cardinal.basis(t)
-        return values
+        return self.cardinal.basis(t)
 
 
 def cardinal_view(view: CurveView) -> CardinalView | None:

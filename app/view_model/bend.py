@@ -185,8 +185,7 @@ class Bend:
             return None
         view, t = after
         assert view.curve is not None
-        moved: FloatArray = view.curve.evaluate(t) - self._start
-        return moved
+        return view.curve.evaluate(t) - self._start
 
     def _moved_by_all(self, bend: FloatArray) -> float:
         """Return the move of the grabbed point, after a bend, per unit by which all points move.
@@ -332,8 +331,7 @@ def slope_at_rest(answer: Callable[[FloatArray], FloatArray | None], size: float
 
 def broyden(slope: FloatArray, step: FloatArray, answer: FloatArray) -> FloatArray:
     """Return the Jacobian that also explains that `step` gave `answer`."""
-    updated: FloatArray = slope + np.outer(answer - slope @ step, step) / (step @ step)
-    return updated
+    return slope + np.outer(answer - slope @ step, step) / (step @ step)
 
 
 # The hold of the data on the curve

@@ -38,8 +38,7 @@ def compute_boxes(views: Sequence[CurveView]) -> None:
 
 def exact_box(view: CurveView) -> FloatArray:
     """Return the box that `compute_boxes` has kept: lowest and highest corner, (2, 2)."""
-    box: FloatArray = view.__dict__["bounds"]
-    return box
+    return np.asarray(view.__dict__["bounds"])
 
 
 def _keeps_axes(curve_map: CurveMap) -> bool:

@@ -244,8 +244,7 @@ def _fitted_jets(view: CurveView, segment: _Segment) -> FloatArray:
 def _side(view: CurveView, knot: int, *, ahead: bool) -> FloatArray:
     """Return the jet on one side of a knot of the old curve, (R, 2)."""
     assert view.sides is not None
-    jet: FloatArray = view.sides[ahead][knot % len(view.source.points)]
-    return jet
+    return np.asarray(view.sides[ahead][knot % len(view.source.points)])
 
 
 def _spacing(view: CurveView, segment: int) -> float:
@@ -270,5 +269,4 @@ def _directions(view: CurveView, segment: _Segment, samples: FloatArray) -> Floa
     size = float(np.ptp(samples, axis=0).max())
     chords = np.array([samples[1] - samples[0], samples[-1] - samples[-2]])
     handles = np.where((lengths > SAME * size)[:, None], handles, chords)
-    directions: FloatArray = handles / np.hypot(handles[:, 0], handles[:, 1])[:, None]
-    return directions
+    return np.asarray(handles / np.hypot(handles[:, 0], handles[:, 1])[:, None])

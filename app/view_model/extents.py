@@ -184,5 +184,4 @@ def _miters(
     cosine, aside = (before * after).sum(axis=1), before + after
     outwards = np.sign(cross(before, after))[:, None] * np.stack((aside[:, 1], -aside[:, 0]), axis=1)
     # The tip is 1 / cos(φ/2) as far away as the sides, φ being the turn.
-    tips: FloatArray = points + half * outwards / (1.0 + cosine)[:, None]
-    return tips
+    return np.asarray(points + half * outwards / (1.0 + cosine)[:, None])

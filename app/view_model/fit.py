@@ -326,8 +326,7 @@ def _feet(
     moved[[0, -1]] = start, end
     there = curve.evaluate(moved) - positions
     is_nearer = (there * there).sum(axis=1) < (away * away).sum(axis=1)
-    nearer: FloatArray = np.where(is_nearer, moved, u)
-    return nearer
+    return np.where(is_nearer, moved, u)
 
 
 # Curves simplified

@@ -38,8 +38,7 @@ def at_knots(points: FloatArray, *, closed: bool) -> FloatArray:
 def unit_tangents(velocities: FloatArray) -> FloatArray:
     """Return vectors (m, 2) of length 1 in the same directions, zero for zero."""
     lengths = vector_lengths(velocities)
-    result: FloatArray = velocities / np.where(lengths > 0, lengths, 1.0)[:, None]
-    return result
+    return velocities / np.where(lengths > 0, lengths, 1.0)[:, None]
 
 
 def to_the_left(vectors: FloatArray) -> FloatArray:
@@ -66,8 +65,7 @@ def usual_length(vectors: FloatArray, longest: float) -> float:
 
 def within_segments(knots: FloatArray, shares: FloatArray) -> FloatArray:
     """Return the parameters at these shares (m,) of every segment, (k - 1, m)."""
-    result: FloatArray = knots[:-1, None] + np.diff(knots)[:, None] * shares
-    return result
+    return knots[:-1, None] + np.diff(knots)[:, None] * shares
 
 
 def all_along(knots: FloatArray, per_segment: int) -> FloatArray:
@@ -153,8 +151,7 @@ def windings(outlines: Sequence[FloatArray], points: FloatArray) -> npt.NDArray[
 
 def is_inside(turns: npt.NDArray[np.int64], rule: FillRule) -> npt.NDArray[np.bool_]:
     """Return the mask of points inside, given the winding numbers around them."""
-    inside: npt.NDArray[np.bool_] = turns != 0 if rule is FillRule.NONZERO else turns % 2 == 1
-    return inside
+    return np.asarray(turns != 0 if rule is FillRule.NONZERO else turns % 2 == 1)
 
 
 def fills_holes(outlines: Sequence[FloatArray]) -> bool:

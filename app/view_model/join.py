@@ -304,8 +304,7 @@ def end_of(views: Sequence[CurveView], group: PointGroup) -> End | None:
 
 def position_of(views: Sequence[CurveView], end: End) -> FloatArray:
     """Return the position of an end, (2,)."""
-    position: FloatArray = views[end.curve].points[-1 if end.is_last else 0]
-    return position
+    return np.asarray(views[end.curve].points[-1 if end.is_last else 0])
 
 
 def nearest_links(views: Sequence[CurveView], curves: Sequence[int], first: End | None = None) -> list[Link]:

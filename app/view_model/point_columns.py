@@ -280,16 +280,14 @@ def _set_derivatives(
 
 
 def _lengths(order: int, ahead: bool, view: CurveView) -> FloatArray:
-    lengths: FloatArray = np.hypot(*handle_offsets(view, order, ahead=ahead).T)
-    return lengths
+    return np.asarray(np.hypot(*handle_offsets(view, order, ahead=ahead).T))
 
 
 def _angles(order: int, ahead: bool, view: CurveView) -> FloatArray:
     """Return the degrees of handles, counterclockwise from x, (n,); NaN where the length is 0."""
     x, y = handle_offsets(view, order, ahead=ahead).T
     # Without a negative zero, which would be −180°.
-    angles: FloatArray = np.where((x == 0.0) & (y == 0.0), np.nan, np.degrees(np.arctan2(y + 0.0, x)))
-    return angles
+    return np.where((x == 0.0) & (y == 0.0), np.nan, np.degrees(np.arctan2(y + 0.0, x)))
 
 
 def _set_handle(

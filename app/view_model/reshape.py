@@ -312,8 +312,7 @@ def _moves(after: CurveView, was: FloatArray, now: FloatArray, old: IntArray, ne
     if after.source.is_closed:
         longest[new == 0] = max(steps[0], steps[-1])
     away = np.abs(now[new, 1:] - was[old, 1:]).max(axis=2) * longest**orders
-    moves: BoolArray = away > _ROUNDING * np.abs(after.points).max()
-    return moves
+    return np.asarray(away > _ROUNDING * np.abs(after.points).max())
 
 
 def with_older_estimates(document: Document) -> tuple[Document, int]:

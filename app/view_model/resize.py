@@ -46,8 +46,7 @@ class Secants:
         xs, images = (np.array(values) for values in zip(*self._tried, strict=True))
         residuals = images - xs
         weights, *_ = np.linalg.lstsq(np.diff(residuals, axis=0).T, residuals[-1], rcond=_NEGLIGIBLE)
-        nearer: FloatArray = image - weights @ np.diff(images, axis=0)
-        return nearer
+        return np.asarray(image - weights @ np.diff(images, axis=0))
 
     def forget(self) -> None:
         """Start again, where the last steps led away from the solution."""

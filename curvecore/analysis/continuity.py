@@ -252,8 +252,7 @@ def _sides(curve: ParametricCurve, indices: IntArray) -> tuple[_Side, _Side, Flo
 
 def _rests(side: _Side, limits: FloatArray, typical: FloatArray) -> BoolArray:
     """Return whether the speed is certainly within the limit of the typical one: there is no direction."""
-    rests: BoolArray = np.maximum(side.sizes, side.roundings)[:, 1] <= (limits * typical)[:, 1]
-    return rests
+    return np.maximum(side.sizes, side.roundings)[:, 1] <= (limits * typical)[:, 1]
 
 
 class _Jumps(NamedTuple):
@@ -347,8 +346,7 @@ def _angles(first: FloatArray, second: FloatArray) -> FloatArray:
     """Return angles between vectors: 2 atan2(|a - b|, |a + b|), accurate for small and large ones."""
     a, b = _unit(first), _unit(second)
     # Not `vector_lengths`: it would turn NaN into an angle.
-    angle: FloatArray = 2.0 * np.arctan2(np.linalg.norm(a - b, axis=1), np.linalg.norm(a + b, axis=1))
-    return angle
+    return np.asarray(2.0 * np.arctan2(np.linalg.norm(a - b, axis=1), np.linalg.norm(a + b, axis=1)))
 
 
 class _Bends(NamedTuple):
@@ -374,8 +372,7 @@ def _bend_vectors(values: FloatArray) -> FloatArray:
     """Return the curvature vectors: the part of c'' across c', over |c'|**2."""
     unit = _unit(values[:, 1])
     across = values[:, 2] - (values[:, 2] * unit).sum(axis=1, keepdims=True) * unit
-    bend: FloatArray = across / vector_lengths(values[:, 1])[:, None] ** 2
-    return bend
+    return np.asarray(across / vector_lengths(values[:, 1])[:, None] ** 2)
 
 
 def _turn_vectors(values: FloatArray) -> FloatArray:
@@ -387,5 +384,4 @@ def _turn_vectors(values: FloatArray) -> FloatArray:
     growth = (unit * values[:, 2]).sum(axis=1, keepdims=True)
     # Step by step: the cube of a speed is soon beyond the doubles.
     third = (values[:, 3] - 3.0 * (growth / speed) * values[:, 2]) / speed / speed / speed
-    across: FloatArray = third - (third * unit).sum(axis=1, keepdims=True) * unit
-    return across
+    return np.asarray(third - (third * unit).sum(axis=1, keepdims=True) * unit)

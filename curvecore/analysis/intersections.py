@@ -222,8 +222,7 @@ class _TwoCurves:
     def parameters(self, u: FloatArray, side: int) -> FloatArray:
         """Return the parameters of one of the curves."""
         share, (start, end) = np.clip(u - _STARTS[side], 0.0, 1.0), self._curves[side].domain
-        result: FloatArray = (1.0 - share) * start + share * end
-        return result
+        return (1.0 - share) * start + share * end
 
     def evaluate(self, t: FloatArray, order: int = 0) -> FloatArray:
         result = np.empty((*t.shape, 2))
@@ -322,8 +321,7 @@ def _starting_parameters(pairs: Pairs) -> tuple[FloatArray, FloatArray]:
 
 
 def _foot(offset: FloatArray, along: FloatArray) -> FloatArray:
-    foot: FloatArray = np.nan_to_num((offset * along).sum(axis=1) / np.square(along).sum(axis=1))
-    return foot
+    return np.asarray(np.nan_to_num((offset * along).sum(axis=1) / np.square(along).sum(axis=1)))
 
 
 def _polished(curve: _Path, parameters: FloatArray, width: FloatArray) -> _Meetings:
@@ -368,8 +366,7 @@ def _is_loop(curve: _Path, pairs: FloatArray, reach: float, joints: FloatArray) 
     before = joints[np.maximum(np.searchsorted(joints, b, side="left") - 1, 0)]
     inner = np.column_stack([inner, np.clip(after, a, b), np.clip(before, a, b)])
     away = curve.evaluate(inner.ravel()).reshape(*inner.shape, 2) - curve.evaluate(a)[:, None]
-    leaves: BoolArray = vector_lengths(away).max(axis=1) > reach
-    return leaves
+    return np.asarray(vector_lengths(away).max(axis=1) > reach)
 
 
 def _clusters(curve: _Path, meetings: _Meetings, tolerance: float) -> IntArray:
@@ -559,8 +556,7 @@ def _joined_pairs(parts: list[Pairs]) -> Pairs:
 
 
 def _extent(controls: FloatArray) -> FloatArray:
-    extent: FloatArray = np.ptp(controls, axis=1).max(axis=1)
-    return extent
+    return np.asarray(np.ptp(controls, axis=1).max(axis=1))
 
 
 def _are_straight(arcs: Arcs, small: float) -> BoolArray:
@@ -569,8 +565,7 @@ def _are_straight(arcs: Arcs, small: float) -> BoolArray:
     if degree < 2:
         return np.ones(len(arcs.start), dtype=bool)
     bend = vector_lengths(np.diff(arcs.controls, n=2, axis=1)).max(axis=1)
-    straight: BoolArray = bend * (degree * (degree - 1) / 8.0) <= _STRAIGHT * small
-    return straight
+    return np.asarray(bend * (degree * (degree - 1) / 8.0) <= _STRAIGHT * small)
 
 
 def _within_half_plane(slopes: FloatArray) -> BoolArray:
@@ -580,15 +575,12 @@ def _within_half_plane(slopes: FloatArray) -> BoolArray:
     mean_x, mean_y = (along_last(np.add, slope / divisor)[:, None] for slope in (x, y))
     # A slope of 0, at a point at rest, turns nowhere.
     ahead = (x * mean_x + y * mean_y > 0.0) | (size == 0.0)
-    within: BoolArray = ahead.all(axis=1) & (size > 0.0).any(axis=1)
-    return within
+    return np.asarray(ahead.all(axis=1) & (size > 0.0).any(axis=1))
 
 
 def _adjoining(pairs: Pairs) -> BoolArray:
-    touching: BoolArray = (pairs.first.end == pairs.second.start) & (
-        pairs.first.controls[:, -1] == pairs.second.controls[:, 0]
-    ).all(axis=1)
-    return touching
+    is_next = pairs.first.end == pairs.second.start
+    return np.asarray(is_next & (pairs.first.controls[:, -1] == pairs.second.controls[:, 0]).all(axis=1))
 
 
 def _may_meet(pairs: Pairs, margin: float) -> BoolArray:
@@ -615,10 +607,7 @@ def _overlap_along(a: FloatArray, b: FloatArray, x: FloatArray, y: FloatArray, m
 def _overlap(one: FloatArray, other: FloatArray, room: FloatArray | float) -> BoolArray:
     """Tell which rows of two arrays overlap as intervals, or are no farther apart than `room`."""
     low, high = along_last(np.minimum, one), along_last(np.maximum, one)
-    overlap: BoolArray = (low - room <= along_last(np.maximum, other)) & (
-        along_last(np.minimum, other) - room <= high
-    )
-    return overlap
+    return (low - room <= along_last(np.maximum, other)) & (along_last(np.minimum, other) - room <= high)
 
 
 # Results that belong to one meeting

@@ -508,8 +508,7 @@ def _some_integrals(slopes: FloatArray, start: FloatArray, end: FloatArray) -> F
     degree = slopes.shape[1] - 1
     bernstein = weights(s.ravel(), degree).reshape(*s.shape, degree + 1)
     speeds = np.linalg.norm(bernstein @ slopes, axis=2)
-    result: FloatArray = length * (speeds @ gauss)
-    return result
+    return np.asarray(length * (speeds @ gauss))
 
 
 def share_at_length(slopes: FloatArray, wanted: FloatArray, whole: FloatArray) -> FloatArray:

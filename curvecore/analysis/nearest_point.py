@@ -185,8 +185,7 @@ def _point_of(curve: ParametricCurve, point: ArrayLike) -> FloatArray:
     target = number_array(point, "point")
     if target.shape != (dim,):
         raise CurveError(f"point must have the shape ({dim},), like the points of the curve")
-    checked: FloatArray = jet_array(target[None, None], (1, 1))[0, 0]
-    return checked
+    return np.asarray(jet_array(target[None, None], (1, 1))[0, 0])
 
 
 class NearestWithin:

@@ -302,8 +302,7 @@ def sums_of_data(curve: ParametricCurve, t: FloatArray, sizes: FloatArray, order
     if curve.is_local and len(curve.pieces) == 1:
         local = curve.local_basis(t, order)
         both = np.stack((sizes[local.segment], sizes[local.segment + 1]), axis=1)
-        result: FloatArray = (np.abs(local.values) * both).sum(axis=(1, 2))
-        return result
+        return np.asarray((np.abs(local.values) * both).sum(axis=(1, 2)))
     basis = np.abs(curve.basis(t, order))
     return basis.reshape(len(basis), -1) @ sizes.ravel()
 
@@ -341,8 +340,7 @@ def _across(moves: FloatArray, velocity: FloatArray, farthest: FloatArray) -> Fl
 def _farthest(moves: FloatArray) -> FloatArray:
     """Return the largest length of a sum of +-moves, shape (m, n, dim) to (m,)."""
     if moves.shape[2] != 2:
-        total: FloatArray = vector_lengths(moves).sum(axis=1)
-        return total
+        return np.asarray(vector_lengths(moves).sum(axis=1))
     # The corners of the zonotope: all moves turned to point up, then one after the other reversed in
     # the order of their directions.
     down = (moves[:, :, 1] < 0.0) | ((moves[:, :, 1] == 0.0) & (moves[:, :, 0] < 0.0))
@@ -350,8 +348,7 @@ def _farthest(moves: FloatArray) -> FloatArray:
     order = np.argsort(np.arctan2(up[:, :, 1], up[:, :, 0]), axis=1)
     sorted_ = np.take_along_axis(up, order[:, :, None], axis=1)
     corners = sorted_.sum(axis=1, keepdims=True) - 2.0 * np.cumsum(sorted_, axis=1)
-    result: FloatArray = vector_lengths(corners).max(axis=1)
-    return result
+    return np.asarray(vector_lengths(corners).max(axis=1))
 
 
 # Random errors

@@ -232,8 +232,7 @@ def _largest_of(controls: list[FloatArray]) -> list[float]:
             for first in range(0, len(segment), step)
         ]
         # Sums beyond all floats, and those of infinities of either sign, which are no numbers.
-        totals: FloatArray = np.fmin(np.concatenate(blocks), LARGEST)
-        return totals
+        return np.asarray(np.fmin(np.concatenate(blocks), LARGEST))
 
     owner = np.repeat(np.arange(len(controls)), counts)
     segments = np.arange(len(owner))

@@ -91,8 +91,7 @@ def derivative(coefficients: FloatArray) -> FloatArray:
     degree = coefficients.shape[1] - 1
     if degree == 0:
         return np.zeros_like(coefficients)
-    result: FloatArray = degree * np.diff(coefficients, axis=1)
-    return result
+    return np.asarray(degree * np.diff(coefficients, axis=1))
 
 
 def product(first: FloatArray, second: FloatArray) -> FloatArray:
@@ -245,8 +244,7 @@ def end_signs(coefficients: FloatArray, noise: FloatArray, direction: int) -> Fl
     """Return signs just inside the left (direction 1) or right end (-1); 0 if all is noise."""
     signs = np.where(np.abs(coefficients) > noise[:, None], np.sign(coefficients), 0.0)[:, ::direction]
     first = np.argmax(signs != 0.0, axis=1)
-    result: FloatArray = signs[np.arange(len(signs)), first]
-    return result
+    return np.asarray(signs[np.arange(len(signs)), first])
 
 
 def _variations(coefficients: FloatArray, noise: FloatArray) -> IntArray:

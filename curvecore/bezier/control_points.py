@@ -405,5 +405,4 @@ def _measured_deviation(
     t = parameters[:-1, None] + np.diff(parameters)[:, None] * samples
     exact = curve.evaluate(t.ravel()).reshape(*t.shape, -1)
     approximate = weights(samples, 3) @ pieces
-    worst: FloatArray = vector_lengths(approximate - np.clip(exact, -LIMIT, LIMIT)).max(axis=1)
-    return worst
+    return np.asarray(vector_lengths(approximate - np.clip(exact, -LIMIT, LIMIT)).max(axis=1))

@@ -395,8 +395,7 @@ def _bends(t: FloatArray, points: FloatArray) -> FloatArray:
     step, h = np.diff(points, axis=0), np.diff(t)
     quotient = (h[1:] / h[:-1])[:, None]
     change = np.hypot(*(step[1:] / np.maximum(quotient, 1.0) - step[:-1] * np.minimum(quotient, 1.0)).T)
-    bends: FloatArray = np.maximum(np.append(change, 0.0), np.insert(change, 0, 0.0))
-    return bends
+    return np.asarray(np.maximum(np.append(change, 0.0), np.insert(change, 0, 0.0)))
 
 
 def _enters(points: FloatArray, box: FloatArray | None) -> BoolArray:
@@ -459,8 +458,7 @@ def _chord_distance(samples: FloatArray, start: FloatArray, end: FloatArray) -> 
     change = np.stack((two - 2.0 * one, one - 2.0 * two + three, two - 2.0 * three + length))
     bend = np.abs(change).max(axis=0)
     turns = np.minimum(one, length - three) < bend
-    distance: FloatArray = np.hypot(across, beyond).max(axis=0) + np.where(turns, 0.125 * bend, 0.0)
-    return distance
+    return np.asarray(np.hypot(across, beyond).max(axis=0) + np.where(turns, 0.125 * bend, 0.0))
 
 
 def _inflated(shape: FloatArray) -> FloatArray:
@@ -549,8 +547,7 @@ def chord_bound(controls: FloatArray) -> FloatArray:
         return np.zeros(len(controls))
     second = controls[:, 2:] - 2.0 * controls[:, 1:-1] + controls[:, :-2]
     sizes = np.hypot(second[:, :, 0], second[:, :, 1])
-    bound: FloatArray = _along_columns(np.maximum, sizes) * (degree * (degree - 1) / 8.0)
-    return bound
+    return np.asarray(_along_columns(np.maximum, sizes) * (degree * (degree - 1) / 8.0))
 
 
 def may_enter(points: FloatArray, box: FloatArray) -> BoolArray:

@@ -104,8 +104,7 @@ def _reached(whole: _Stretches) -> FloatArray:
     hit = np.append(whole.before == 0.0, False) | np.append(False, whole.after == 0.0)
     is_constant = (whole.before == 0.0) & (whole.after == 0.0)
     hit[1:-1] &= ~(is_constant[:-1] & is_constant[1:])
-    reached: FloatArray = knots[hit]
-    return reached
+    return np.asarray(knots[hit])
 
 
 def _crossed(curve: ParametricCurve, pieces: BezierPieces, stretches: _Stretches, value: float) -> FloatArray:

@@ -254,5 +254,4 @@ class MovedPoints:
         share = np.clip(share, 0.0, 1.0)[:, None]
         off = points[middle] - start - share * chord
         direction = w[middle] - (1.0 - share) * w[middle - 1] - share * w[middle + 1]
-        result: FloatArray = np.hypot(off[:, 0], off[:, 1]) + self._reach * np.abs(direction[:, 0])
-        return result
+        return np.asarray(np.hypot(off[:, 0], off[:, 1]) + self._reach * np.abs(direction[:, 0]))

@@ -93,8 +93,7 @@ class BSplineCurve(ParametricCurve):
         inner = self.knots[np.arange(1, n + 1)[:, None] + np.arange(p)]
         # Of what begins at the first knot, so that no rounding moves them beyond the ends.
         means = inner[:, 0] + (inner - inner[:, :1]).mean(axis=1)
-        nodes: FloatArray = np.minimum(means, self.domain[1])
-        return nodes
+        return np.asarray(np.minimum(means, self.domain[1]))
 
     @property
     def is_positive(self) -> bool:
@@ -312,8 +311,7 @@ class BSplineCurve(ParametricCurve):
                     carried = share
             values = [*next_values, carried]
         stacked = np.stack([value.high for value in values], axis=1)
-        result: FloatArray = np.ldexp(stacked, -order * exponent)
-        return result
+        return np.asarray(np.ldexp(stacked, -order * exponent))
 
 
 def _functions(t: FloatArray, knots: FloatArray) -> FloatArray:

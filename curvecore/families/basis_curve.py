@@ -201,8 +201,7 @@ class BasisCurve(ParametricCurve):
         functions = self._functions(samples.ravel(), 0).reshape(*samples.shape, len(parameters))
         stencil = LagrangeCurve(np.zeros((_STENCIL.size, 1)), _STENCIL)
         weights = stencil.basis((t - middle) / step, order)[:, :, 0]
-        result: FloatArray = np.einsum("mk,mkn->mn", weights, functions) / step[:, None] ** order
-        return result
+        return np.asarray(np.einsum("mk,mkn->mn", weights, functions) / step[:, None] ** order)
 
     def _inside_of_a_piece(self, t: FloatArray, reach: FloatArray) -> FloatArray:
         """Return t, moved so far that all parameters within `reach` lie in the same piece."""
@@ -231,5 +230,4 @@ class BasisCurve(ParametricCurve):
         t = self._parameters
         if _PROBES * (len(t) - 1) > _MOST_PROBES:
             return np.linspace(t[0], t[-1], _MOST_PROBES)
-        inner: FloatArray = (t[:-1, None] + np.diff(t)[:, None] * (np.arange(1, _PROBES) / _PROBES)).ravel()
-        return inner
+        return (t[:-1, None] + np.diff(t)[:, None] * (np.arange(1, _PROBES) / _PROBES)).ravel()

@@ -91,8 +91,7 @@ class _Lines(TaylorPieces):
         joints -= t
         joints /= h
         joints *= bends
-        values: FloatArray = joints[1] - joints[0]
-        return values
+        return np.asarray(joints[1] - joints[0])
 
 
 class CubicSplineCurve(ParametricCurve):

@@ -76,8 +76,7 @@ def _of_polynomial(knots: FloatArray, start: float, end: float, columns: int) ->
     t = crowded_at_ends(start, end, min(max(columns, 2), _MOST))
     inside = knots[(knots > start) & (knots < end)]
     t = np.concatenate([t, inside]) if len(inside) < len(t) / 2 else t
-    result: FloatArray = np.unique(np.clip(t, start, end))
-    return result
+    return np.unique(np.clip(t, start, end))
 
 
 def _of_segments(cuts: FloatArray, pixels: float, knots: FloatArray) -> PlotSamples:

@@ -219,12 +219,9 @@ def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estim
 
     def changes(both: FloatArray, t: ArrayLike, **given: FloatArray) -> FloatArray:
         if coordinate is not None:
-            one: FloatArray = function(both[:, [coordinate]], t, both[:, 2:], one_sided=True)[:, 0]
-            return one
-        mean: FloatArray = function(both[:, :2], t, both[:, 2:], **_further(rule, curve), **given).mean(
-            axis=1
-        )
-        return mean
+            return np.asarray(function(both[:, [coordinate]], t, both[:, 2:], one_sided=True)[:, 0])
+        each = function(both[:, :2], t, both[:, 2:], **_further(rule, curve), **given)
+        return np.asarray(each.mean(axis=1))
 
     return changes
 
@@ -235,8 +232,7 @@ def two_sided_knots(arrays: PointArrays, count: int) -> list[int]:
 
 
 def _knots_where(holds: BoolArray, count: int) -> list[int]:
-    knots: list[int] = _at_knots(holds, count).nonzero()[0].tolist()
-    return knots
+    return _at_knots(holds, count).nonzero()[0].tolist()
 
 
 def _at_knots(rows: NDArray[Any], count: int) -> NDArray[Any]:
@@ -249,8 +245,7 @@ def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
 
     def estimate(points: FloatArray, t: ArrayLike, **given: FloatArray) -> FloatArray:
         data = (points, t) if "parameters" in rule.takes else (points,)
-        estimates: FloatArray = function(*data, **_further(rule, curve), **given)
-        return estimates
+        return np.asarray(function(*data, **_further(rule, curve), **given))
 
     return estimate
 

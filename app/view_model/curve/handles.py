@@ -268,8 +268,7 @@ def _controls_on(view: CurveView, index: int, ahead: bool, derivative: Vector, o
     h = _signed_spacing(view, index, ahead=ahead)
     below = [view.derivative_of(index, lower, ahead=ahead) or (0.0, 0.0) for lower in range(1, order)]
     jet = [view.source.points[index].position, *below, derivative]
-    controls: FloatArray = _control_points(np.array([jet]), np.array([h]), _degree(view))[0]
-    return controls
+    return np.asarray(_control_points(np.array([jet]), np.array([h]), _degree(view))[0])
 
 
 def offset_of_handle(view: CurveView, index: int, order: int, derivative: Vector, *, ahead: bool) -> Vector:

@@ -141,13 +141,11 @@ class _Spans:
 
     def repeated(self, values: FloatArray) -> FloatArray:
         """Return the value of its part for each row of the array."""
-        result: FloatArray = np.repeat(values, self.counts, axis=0)
-        return result
+        return np.repeat(values, self.counts, axis=0)
 
     def largest(self, values: FloatArray) -> FloatArray:
         """Return the largest value in each part."""
-        result: FloatArray = np.maximum.reduceat(values, self.starts)
-        return result
+        return np.maximum.reduceat(values, self.starts)
 
     def boxes(self, points: FloatArray) -> FloatArray:
         """Return lowest and highest corner of each part of points (m, 2), as (k, 2, 2)."""
@@ -191,8 +189,7 @@ class _Moves:
     @property
     def linear(self) -> FloatArray:
         """The linear parts of the maps, (k, 2, 2)."""
-        maps: FloatArray = self._by @ self._before
-        return maps
+        return np.asarray(self._by @ self._before)
 
     @property
     def stretch(self) -> FloatArray:
@@ -242,8 +239,7 @@ class _Moves:
         following = np.arange(1, len(self.new) + 1)
         following[starts + self.spans.counts - 1] = starts
         lengths = np.linalg.norm(self.new[following] - self.new, axis=1)
-        shortest: FloatArray = np.minimum.reduceat(lengths, starts)
-        return shortest
+        return np.minimum.reduceat(lengths, starts)
 
     def _vectors_follow(self) -> BoolArray:
         """Return the mask of the curves whose derivatives that are set were mapped with the points."""
@@ -254,10 +250,8 @@ class _Moves:
         same = (np.isnan(old) == np.isnan(new)).all(axis=(1, 2))
         off = np.nan_to_num(np.abs(mapped - new)).max(axis=(1, 2))
         size = np.nan_to_num(np.abs(new)).max(axis=(1, 2))
-        follows: BoolArray = (self.spans.largest(off) <= _OFF * self.spans.largest(size)) & (
-            self.spans.largest(~same) == 0
-        )
-        return follows
+        follows = self.spans.largest(off) <= _OFF * self.spans.largest(size)
+        return np.asarray(follows & (self.spans.largest(~same) == 0))
 
 
 def _given(curves: Sequence[FloatArray], others: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
@@ -271,8 +265,7 @@ def _given(curves: Sequence[FloatArray], others: Sequence[FloatArray]) -> tuple[
 def _times(matrices: FloatArray, vectors: FloatArray) -> FloatArray:
     """Return matrices (…, 2, 2) times vectors (…, 2)."""
     # Not by einsum, nor by matmul: they take several times as long for matrices as small as these.
-    products: FloatArray = matrices[..., 0] * vectors[..., :1] + matrices[..., 1] * vectors[..., 1:]
-    return products
+    return matrices[..., 0] * vectors[..., :1] + matrices[..., 1] * vectors[..., 1:]
 
 
 def _keeps_angles(linear: FloatArray) -> BoolArray:
@@ -280,8 +273,7 @@ def _keeps_angles(linear: FloatArray) -> BoolArray:
     squares = linear.swapaxes(1, 2) @ linear
     size = squares.max(axis=(1, 2))
     uneven = np.abs(squares[:, 0, 0] - squares[:, 1, 1]) + np.abs(squares[:, 0, 1])
-    keeps: BoolArray = uneven <= _OFF * size
-    return keeps
+    return np.asarray(uneven <= _OFF * size)
 
 
 def _around(boxes: FloatArray, others: FloatArray) -> FloatArray:

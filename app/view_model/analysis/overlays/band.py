@@ -115,8 +115,7 @@ def _abrupt(behind: FloatArray, tangents: FloatArray) -> BoolArray:
     """Return the mask of samples where the outline turns so far that the disc is needed; with both ends."""
     jumps = np.abs(np.diff(behind)) > _JUMP
     jumps |= (tangents[1:] * tangents[:-1]).sum(axis=1) < _TURN
-    needed: BoolArray = np.append(True, jumps) | np.append(jumps, True)
-    return needed
+    return np.asarray(np.append(True, jumps) | np.append(jumps, True))
 
 
 def _ribbons(left: FloatArray, right: FloatArray, tangents: FloatArray) -> list[FloatArray]:
@@ -143,8 +142,7 @@ def _untwisted(cells: FloatArray) -> FloatArray:
     """Return quadrilaterals (k, 4, 2) with their corners in order around the middle."""
     away = cells - cells.mean(axis=1, keepdims=True)
     order = np.argsort(np.arctan2(away[:, :, 1], away[:, :, 0]), axis=1)
-    result: FloatArray = np.take_along_axis(cells, order[:, :, None], axis=1)
-    return result
+    return np.take_along_axis(cells, order[:, :, None], axis=1)
 
 
 def _discs(centres: FloatArray, radii: FloatArray) -> list[FloatArray]:
