@@ -280,8 +280,7 @@ def relative_spacing(points: FloatArray, alpha: float, rule: str) -> FloatArray:
     """
     with np.errstate(under="ignore"):
         spacing = _spacing(points, _exponent(alpha), rule).high
-        relative: FloatArray = spacing / spacing.max()
-    return relative
+        return np.asarray(spacing / spacing.max())
 
 
 def _exponent(alpha: float) -> float:

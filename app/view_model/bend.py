@@ -78,12 +78,11 @@ class Bend:
     """
 
     def __init__(self, view: CurveView, t: float, using: BendWith) -> None:
-        assert view.curve is not None
         self._view, self._hold = view, required_hold(view, t, using)
         self._segment = segment_at(view.parameters, t)
         start, end = view.parameters[self._segment : self._segment + 2]
         self._share = (t - start) / (end - start)
-        self._start = view.curve.evaluate(t)
+        self._start = view.present_curve.evaluate(t)
         self._size = size_of(view.points)
         nearness = 1.0 - min(self._share, 1.0 - self._share) / _DAMPED_SHARE
         self._damping = _DAMPING * max(nearness, 0.0) if self._hold.offset else 0.0
@@ -95,9 +94,8 @@ class Bend:
     @cached_property
     def _length(self) -> float:
         """The length of the segment."""
-        assert self._view.curve is not None
         start, end = self._view.parameters[self._segment : self._segment + 2].tolist()
-        steps = np.diff(self._view.curve.evaluate(np.linspace(start, end, _SAMPLES)), axis=0)
+        steps = np.diff(self._view.present_curve.evaluate(np.linspace(start, end, _SAMPLES)), axis=0)
         return float(np.hypot(*steps.T).sum()) or math.inf
 
     def is_limited(self, target: Vector) -> bool:
@@ -184,8 +182,7 @@ class Bend:
         if (after := self._after(bend)) is None:
             return None
         view, t = after
-        assert view.curve is not None
-        return view.curve.evaluate(t) - self._start
+        return view.present_curve.evaluate(t) - self._start
 
     def _moved_by_all(self, bend: FloatArray) -> float:
         """Return the move of the grabbed point, after a bend, per unit by which all points move.

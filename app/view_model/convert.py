@@ -44,11 +44,10 @@ class Outlook(msgspec.Struct, frozen=True):
 
 def outlook(view: CurveView, family: Family) -> Outlook:
     """Return the outlook of converting a current curve to `family`."""
-    assert view.curve is not None
-    if family.curve_class.follows and not all(piece.has_exact_pieces for piece in view.curve.pieces):
+    if family.curve_class.follows and not all(piece.has_exact_pieces for piece in view.present_curve.pieces):
         return Outlook(within=_tolerance(view))
     try:
-        family.curve_class.check_shape(view.curve)
+        family.curve_class.check_shape(view.present_curve)
     except CurveError as problem:
         return Outlook(refusal=_refusal(family, problem))
     return Outlook()
@@ -65,13 +64,12 @@ def converted(view: CurveView, family: Family) -> Reshaped:
         If there is no curve, or the family has no such curve: the sentence says why.
     """
     refuse_without_curve(view)
-    assert view.curve is not None
     prospect = outlook(view, family)
     if prospect.refusal:
         raise EditError(prospect.refusal)
     tolerance = _tolerance(view)
     try:
-        same = family.curve_class.near(view.curve, tolerance)
+        same = family.curve_class.near(view.present_curve, tolerance)
     except CurveError as problem:
         raise EditError(_refusal(family, problem)) from None
     result = through(view, same, family)
@@ -132,11 +130,10 @@ def _jumps(before: CurveView, after: CurveView) -> str:
 
 def _growth(view: CurveView, family: Family) -> str:
     """Return a sentence about the growth of errors from points of a polynomial to control points."""
-    assert view.curve is not None
-    if family.interpolates or not view.curve.is_one_polynomial:
+    if family.interpolates or not view.present_curve.is_one_polynomial:
         return ""
     # By way of the package: the module is loaded when it is first used.
-    condition = curvecore.lagrange_to_bezier(view.curve).condition
+    condition = curvecore.lagrange_to_bezier(view.present_curve).condition
     if condition < _WORTH_A_WORD:
         return ""
     return f"An error of a point grows by a factor of up to {number(condition, 2)} in the control points."

@@ -174,8 +174,6 @@ def _with_jets(view: CurveView, after: CurveView, segments: Sequence[_Segment], 
 
 def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Segment]) -> float:
     """Return the largest distance of two curves, segment by segment."""
-    assert before.curve is not None
-    assert after.curve is not None
     same = [(segment.start, segment.index) for segment in segments if not segment.is_new]
     moved = 0.0
     if same:
@@ -183,11 +181,13 @@ def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Seg
             np.linspace(view.parameters[which], view.parameters[which + 1], _SAMPLES + 1).ravel()
             for view, which in zip((before, after), np.array(same).T, strict=True)
         )
-        moved = float(np.hypot(*(before.curve.evaluate(old) - after.curve.evaluate(new)).T).max())
+        away = before.present_curve.evaluate(old) - after.present_curve.evaluate(new)
+        moved = float(np.hypot(*away.T).max())
     for segment in segments:
         if segment.is_new:
             between = after.parameters[segment.index : segment.index + 2]
-            moved = max(moved, farthest(after.curve, _samples_along(before, segment), *between.tolist()))
+            samples = _samples_along(before, segment)
+            moved = max(moved, farthest(after.present_curve, samples, *between.tolist()))
     return moved
 
 
@@ -254,12 +254,10 @@ def _spacing(view: CurveView, segment: int) -> float:
 def _samples_along(view: CurveView, segment: _Segment) -> FloatArray:
     """Return samples along the old segments, as many on each, (m, 2)."""
     count, samples = len(view.source.points), []
-    assert view.curve is not None
     for index in range(segment.start, segment.end):
         start, end = view.parameters[index % count : index % count + 2]
-        samples.append(view.curve.evaluate(np.linspace(start, end, _SAMPLES + 1))[:-1])
-    last = view.points[segment.end % count]
-    return np.vstack([*samples, last])
+        samples.append(view.present_curve.evaluate(np.linspace(start, end, _SAMPLES + 1))[:-1])
+    return np.vstack([*samples, view.points[segment.end % count]])
 
 
 def _directions(view: CurveView, segment: _Segment, samples: FloatArray) -> FloatArray:

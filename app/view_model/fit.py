@@ -108,12 +108,11 @@ def data_of(view: CurveView) -> Data:
     """
     if not view.is_current:
         raise EditError(view.problem)
-    assert view.curve is not None
     t = view.parameters
     if not is_of_points_alone(view):
         share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
         t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
-        return Data(view.curve.evaluate(t), t)
+        return Data(view.present_curve.evaluate(t), t)
     return Data(view.at_knots, t)
 
 
@@ -404,15 +403,13 @@ def size_of(views: Sequence[CurveView]) -> float:
 
 
 def _can_be_simpler(view: CurveView) -> bool:
-    curve = view.source
-    return view.is_current and len(curve.points) > 2
+    return view.is_current and len(view.source.points) > 2
 
 
 def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, float]:
     """Return a simpler curve near another one, and its largest deviation."""
-    assert view.curve is not None
     closed = view.source.is_closed
-    path = curvecore.cubic_path(view.curve, max(RELATIVE_TOLERANCE * size_of([view]), 1e-300))
+    path = curvecore.cubic_path(view.present_curve, max(RELATIVE_TOLERANCE * size_of([view]), 1e-300))
     pieces, corners = path.control_points, _corners(path.control_points, tolerance, closed=closed)
     if closed and len(corners):
         # It begins at a corner.

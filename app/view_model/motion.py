@@ -351,9 +351,8 @@ def _is_estimated(view: CurveView) -> bool:
 
 
 def _jump_sentence(view: CurveView) -> str:
-    assert view.curve is not None
     is_one = view.source.family.curve_class.is_one_polynomial
-    joints = [] if is_one else joint_report(view.curve, closed=view.source.is_closed)
+    joints = [] if is_one else joint_report(view.present_curve, closed=view.source.is_closed)
     if not joints:
         return "no joints."
     rough = [joint for joint in joints if joint.parametric < 2]

@@ -462,8 +462,8 @@ class CardinalBasis:
         if size.ndim:
             weighted = weighted * size[points]
         with np.errstate(over="ignore", under="ignore"):
-            result: FloatArray = np.minimum(weighted.sum(axis=1) * (1.0 if size.ndim else size), LARGEST)
-        return result
+            totals = weighted.sum(axis=1) * (1.0 if size.ndim else size)
+            return np.asarray(np.minimum(totals, LARGEST))
 
     # Errors on one side of kinks
 
@@ -481,8 +481,7 @@ class CardinalBasis:
             moved = [np.einsum("mer,merk->mk", basis[:, :, :2], jet[segment]) + near for jet in jets]
             # Where a velocity jumps, its effect at the joint is no number.
             largest = np.fmax.reduce(np.abs(np.concatenate(moved, axis=1)), axis=1)
-            result: FloatArray = np.fmin(largest + far, LARGEST)
-        return result
+            return np.asarray(np.fmin(largest + far, LARGEST))
 
     def _by_higher_derivatives(
         self, segment: IntArray, basis: FloatArray, errors: FloatArray

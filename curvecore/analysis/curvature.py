@@ -92,8 +92,7 @@ def speed(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """
     at = parameter_values(t)
     (velocity,) = curve.derivatives_at(at.values, (1,))
-    result = vector_lengths(velocity)
-    return at.shaped(result)
+    return at.shaped(vector_lengths(velocity))
 
 
 def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
@@ -142,8 +141,7 @@ def curvature(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     """
     at = parameter_values(t)
     velocity, acceleration = curve.derivatives_at(at.values, (1, 2))
-    result = curvature_of(velocity, acceleration)
-    return at.shaped(result)
+    return at.shaped(curvature_of(velocity, acceleration))
 
 
 @np.errstate(over="ignore", under="ignore", invalid="ignore", divide="ignore")

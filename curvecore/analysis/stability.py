@@ -124,8 +124,7 @@ def derivative_sums(curve: ParametricCurve, t: ArrayLike) -> FloatArray:
     [0.5]
     """
     at = parameter_values(t)
-    result = _sums(curve, at.values)[:, 1:]
-    return at.shaped(result)
+    return at.shaped(_sums(curve, at.values)[:, 1:])
 
 
 def lebesgue_constant(curve: ParametricCurve | CardinalBasis) -> float:
@@ -308,5 +307,4 @@ def _sums(curve: ParametricCurve, t: FloatArray) -> FloatArray:
     """Return the sums of all |B_ir|, shape (m, R)."""
     values = curve.local_basis(t).values if curve.is_local else curve.basis(t)
     with np.errstate(over="ignore", under="ignore"):
-        result: FloatArray = np.minimum(np.abs(values).sum(axis=1), LARGEST)
-    return result
+        return np.asarray(np.minimum(np.abs(values).sum(axis=1), LARGEST))

@@ -72,8 +72,7 @@ def weights(s: FloatArray, degree: int) -> FloatArray:
     s, r = s[:, None], (1.0 - s)[:, None]
     k = np.arange(degree + 1)
     with np.errstate(under="ignore"):
-        result: FloatArray = binomials(degree) * s**k * r ** (degree - k)
-    return result
+        return np.asarray(binomials(degree) * s**k * r ** (degree - k))
 
 
 def values(coefficients: FloatArray, at: FloatArray) -> FloatArray:
@@ -110,8 +109,7 @@ def squared_length(vectors: FloatArray) -> FloatArray:
     """Return the coefficients of the squared lengths of vectors, shape (k, d + 1, dim) to (k, 2 d + 1)."""
     with np.errstate(under="ignore"):
         products = vectors @ vectors.swapaxes(1, 2)
-        result: FloatArray = products.reshape(len(vectors), -1) @ _product_weights(vectors.shape[1] - 1)
-    return result
+        return products.reshape(len(vectors), -1) @ _product_weights(vectors.shape[1] - 1)
 
 
 @cache

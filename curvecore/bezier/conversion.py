@@ -98,8 +98,7 @@ def elevate_degree(control_points: ArrayLike, by: int = 1) -> FloatArray:
     """
     controls = data_array(control_points, "control_points")
     with np.errstate(under="ignore"):
-        result: FloatArray = elevated(controls[None], integer(by, "by", 0))[0]
-    return result
+        return np.asarray(elevated(controls[None], integer(by, "by", 0))[0])
 
 
 def lagrange_to_bezier(curve: ParametricCurve) -> LagrangeBezier:

@@ -107,8 +107,7 @@ def parameters_at(pieces: BezierPieces, piece: np.ndarray, s: FloatArray) -> Flo
     """Return the parameters t of local parameters s in [0, 1] of pieces."""
     start, end = pieces.starts[piece], pieces.ends[piece]
     with np.errstate(under="ignore"):
-        result: FloatArray = np.minimum(start + s * (end - start), end)
-    return result
+        return np.asarray(np.minimum(start + s * (end - start), end))
 
 
 def _scaled(

@@ -237,8 +237,7 @@ class LagrangeCurve(ParametricCurve):
         """Return dc(t)/dt_i = -L_i(t) c'(t_i), shape (m, n, dim)."""
         (velocity,) = self.derivatives_at(self._parameters, (1,))
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
-            moves: FloatArray = -self._basis(parameter_row(t), 0)[:, :, None] * velocity
-        return moves
+            return -self._basis(parameter_row(t), 0)[:, :, None] * velocity
 
     def _evaluate(self, t: FloatArray, order: int) -> FloatArray:
         return self._product_form.sums(t, order, self.points)

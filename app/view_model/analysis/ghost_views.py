@@ -64,8 +64,7 @@ class GhostView:
 
     @cached_property
     def _sampled(self) -> FloatArray:
-        curve = self.view.curve
-        assert curve is not None
+        curve = self.view.present_curve
         count = max(_SAMPLES // (len(curve.parameters) - 1), _PER_SEGMENT)
         return curve.evaluate(all_along(curve.parameters, count))
 

@@ -192,8 +192,7 @@ def _number(goal: Goal) -> float:
 
 def _overshoot(view: CurveView) -> float:
     """Return the distance by which the curve leaves the box of its points, in percent of its longer side."""
-    curve = view.curve
-    assert curve is not None
+    curve = view.present_curve
     drawn = curve.evaluate(np.linspace(*curve.domain, _SAMPLES))
     low, high = view.points.min(axis=0), view.points.max(axis=0)
     beyond = max(float((low - drawn.min(axis=0)).max()), float((drawn.max(axis=0) - high).max()), 0.0)
@@ -203,8 +202,7 @@ def _overshoot(view: CurveView) -> float:
 
 def _smoothness(view: CurveView) -> float:
     """Return the number of derivatives that are certified continuous at every joint."""
-    assert view.curve is not None
-    joints = joint_report(view.curve, closed=view.source.is_closed)
+    joints = joint_report(view.present_curve, closed=view.source.is_closed)
     return float(min((joint.parametric for joint in joints), default=np.inf))
 
 

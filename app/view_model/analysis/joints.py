@@ -148,9 +148,8 @@ def certificate_of(view: CurveView) -> Certificate:
 
 def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
     point = view.owner(joint.joint)
-    assert view.curve is not None
     is_there = view.source.family.interpolates
-    x, y = (view.points[point] if is_there else view.curve.evaluate(joint.parameter)).tolist()
+    x, y = (view.points[point] if is_there else view.present_curve.evaluate(joint.parameter)).tolist()
     sizes = (math.hypot(*jump.tolist()) for jump in joint.jumps)
     continuity = (joint.parametric, max(joint.parametric, joint.geometric))
     kind = _kind(joint)

@@ -58,12 +58,11 @@ class PlotSamples:
 
 def samples_over(view: CurveView, t_range: tuple[float, float], columns: int) -> PlotSamples:
     """Return the samples of the part of a current curve within `t_range`, over `columns` pixels."""
-    assert view.curve is not None
-    knots = view.curve.breaks
+    knots = view.present_curve.breaks
     start, end = max(t_range[0], float(knots[0])), min(t_range[1], float(knots[-1]))
     if not start < end:
         return PlotSamples(np.empty(0), np.empty(0, dtype=np.intp))
-    if len(knots) == 2 and not view.curve.is_local:
+    if len(knots) == 2 and not view.present_curve.is_local:
         return PlotSamples(_of_polynomial(view.parameters, start, end, columns), np.empty(0, dtype=np.intp))
     first = max(int(np.searchsorted(knots, start, side="right")) - 1, 0)
     last = min(int(np.searchsorted(knots, end, side="left")), len(knots) - 1)
@@ -91,12 +90,11 @@ def _of_segments(cuts: FloatArray, pixels: float, knots: FloatArray) -> PlotSamp
 
 def derivatives_of(view: CurveView, t: FloatArray, orders: tuple[int, ...]) -> dict[int, FloatArray]:
     """Return derivatives (m, 2) of a current curve by their order."""
-    assert view.curve is not None
     if not orders:
         return {}
     # Overflows are infinite, and leave the plot.
     with np.errstate(all="ignore"):
-        return dict(zip(orders, view.curve.derivatives_at(t, orders), strict=True))
+        return dict(zip(orders, view.present_curve.derivatives_at(t, orders), strict=True))
 
 
 def is_slow(view: CurveView) -> bool:

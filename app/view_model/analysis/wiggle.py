@@ -94,23 +94,23 @@ class Explanation:
 
 def widest(view: CurveView) -> float:
     """Return the t at which the curve is farthest from the straight line between its neighbouring points."""
-    assert view.curve is not None
     knots = view.parameters
     count = max(1, min(_COARSE, _MOST_COARSE // len(knots)))
     shares = np.linspace(0.0, 1.0, count + 2)[1:-1]
     t = within_segments(knots, shares)
-    at = view.curve.evaluate(knots)
-    away = _distances(view.curve.evaluate(t.ravel()).reshape(*t.shape, 2), at[:-1, None], at[1:, None])
+    at = view.present_curve.evaluate(knots)
+    away = _distances(
+        view.present_curve.evaluate(t.ravel()).reshape(*t.shape, 2), at[:-1, None], at[1:, None]
+    )
     return float(t.ravel()[int(np.argmax(away))])
 
 
 def overshoot(view: CurveView, knot: int) -> tuple[float, float]:
     """Return the largest distance of a segment from the straight line between its ends, and its t."""
-    assert view.curve is not None
     low, high = view.parameters[knot : knot + 2].tolist()
     t = np.linspace(low, high, _FINE)
-    ends = view.curve.evaluate(np.array([low, high]))
-    away = _distances(view.curve.evaluate(t), ends[0], ends[1])
+    ends = view.present_curve.evaluate(np.array([low, high]))
+    away = _distances(view.present_curve.evaluate(t), ends[0], ends[1])
     farthest = int(np.argmax(away))
     return float(away[farthest]), float(t[farthest])
 
@@ -186,10 +186,9 @@ def _pull_words(view: CurveView, pulls: tuple[Pull, ...], segment: tuple[int, in
 
 def _control_words(view: CurveView, t: float, pulls: tuple[Pull, ...]) -> tuple[str, str]:
     """Return sentences about the control points that pull, and that the curve stays in their hull."""
-    assert view.curve is not None
     count = sum(abs(pull.weight) >= _FAR_WEIGHT for pull in pulls)
     first = pulls[0]
-    away = float(np.hypot(*(view.curve.evaluate(t) - view.points[first.point])))
+    away = float(np.hypot(*(view.present_curve.evaluate(t) - view.points[first.point])))
     strongest = (
         f"Point {first.point} pulls hardest, with weight {short(first.weight)}; the curve passes it at a "
         f"distance of {short(away)}."

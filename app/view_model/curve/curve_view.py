@@ -155,6 +155,12 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self._core.curve
 
     @property
+    def present_curve(self) -> ParametricCurve:
+        """The curve of a view that has one."""
+        assert self.curve is not None
+        return self.curve
+
+    @property
     def known_curve(self) -> ParametricCurve | None:
         """The core's curve, or one with the same functions if it has yet to be made."""
         return self.curve_map.root.curve if self.curve_map is not None and self.is_followed else self.curve
@@ -301,8 +307,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
         Curves of families that differ agree at few of them.
         """
-        assert self.curve is not None
-        return self.curve.evaluate(np.linspace(self.parameters[0], self.parameters[-1], _SAMPLES))
+        return self.present_curve.evaluate(np.linspace(self.parameters[0], self.parameters[-1], _SAMPLES))
 
     @cached_property
     def extent(self) -> FloatArray:

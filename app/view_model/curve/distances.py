@@ -69,9 +69,7 @@ def dense(knots: FloatArray) -> FloatArray:
 
 def largest_distance(first: CurveView, at: FloatArray, second: CurveView, at_second: FloatArray) -> float:
     """Return the largest distance between `first` at the parameters `at` and `second` at `at_second`."""
-    assert first.curve is not None
-    assert second.curve is not None
-    away = first.curve.evaluate(at) - second.curve.evaluate(at_second)
+    away = first.present_curve.evaluate(at) - second.present_curve.evaluate(at_second)
     return float(np.hypot(away[:, 0], away[:, 1]).max())
 
 

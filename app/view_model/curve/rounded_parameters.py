@@ -69,10 +69,9 @@ def curvature_error(view: CurveView, t: FloatArray) -> FloatArray:
 
     Rounded parameters are compared at the same share of the segment.
     """
-    assert view.curve is not None
-    error, rounding = curvecore.curvature_error(view.curve, t), ParameterRounding(view)
+    error, rounding = curvecore.curvature_error(view.present_curve, t), ParameterRounding(view)
     if rounding.shares.max() > _SHOWS:
-        curvature = curvecore.curvature(view.curve, t)
+        curvature = curvecore.curvature(view.present_curve, t)
         for curve, weight in rounding.disturbed():
             there = np.interp(t, view.parameters, curve.parameters)
             error += weight * np.abs(curvecore.curvature(curve, there) - curvature)
@@ -93,16 +92,15 @@ class ParameterRounding:
     __slots__ = ("_view", "shares", "sizes")
 
     def __init__(self, view: CurveView) -> None:
-        assert view.curve is not None
         self._view = view
-        rule, t = view.source.parametrization, view.curve.parameters
+        rule, t = view.source.parametrization, view.present_curve.parameters
         # The rules of Chebyshev are sines of rounded angles.
         sizes = (3.0 if rule.exponent is None else 0.51) * np.spacing(np.abs(t))
         if (rule.start, rule.end) != (0.0, 1.0):
             # The share of the interval, its product with the length and the sum are rounded each.
             sizes += 1.6 * np.spacing(np.abs(t - rule.start))
         sizes[[0, -1]] = 0.0
-        self.sizes: FloatArray = sizes * ~(view.curve.idle_parameters | view.source.is_manual)
+        self.sizes: FloatArray = sizes * ~(view.present_curve.idle_parameters | view.source.is_manual)
         self.shares: FloatArray = (self.sizes[1:] + self.sizes[:-1]) / (t[1:] - t[:-1])
 
     @property

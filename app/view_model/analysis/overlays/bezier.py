@@ -41,8 +41,7 @@ def bezier(data: OverlayInput) -> Figures:
 
 def _of_polynomial(data: OverlayInput) -> Figures:
     """Return the control polygon of a Lagrange curve, or a note why it is not drawn; heavy."""
-    curve = data.view.curve
-    assert curve is not None
+    curve = data.view.present_curve
     count = len(curve.parameters)
     if count > _MOST:
         return Figures(
