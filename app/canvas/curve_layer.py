@@ -164,12 +164,9 @@ class CurveLayer(Layer):
         self._is_covered = covered
         self.update()
 
-    def _paints_line(self, view: CurveView) -> bool:
-        return is_faint(view) or is_plain(view)
-
     def _pens(self, view: CurveView) -> Sequence[QPen]:
         """Return the pens of the line, from the bottom to the top."""
-        if self._paints_line(view):
+        if is_faint(view) or is_plain(view):
             casing = [self._pen_of(self.theme.paper, _WIDTH + 2 * CASING)] if self._is_cased else []
             return (*casing, self._pen(view))
         if self._is_covered or not view.source.style.has_stroke:

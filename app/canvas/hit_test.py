@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from curvecore.arrays import FloatArray
 
 from ..document.groups import shape_ranges
-from ..document.model import Curve, Vector
+from ..document.model import Vector
 from ..document.point_group import PointGroup
 from ..plotting.pixel_map import PixelMap
 from ..tools.pointer import Hit, Part
@@ -390,7 +390,8 @@ class FilledAreas:
 
     def _find(self) -> None:
         curves = [view.source for view in self._views]
-        filled = [indices for indices in shape_ranges(curves) if _is_pressed(curves[indices.start])]
+        shapes = [(curves[indices.start], indices) for indices in shape_ranges(curves)]
+        filled = [indices for first, indices in shapes if first.style.has_fill and first.is_selectable]
         self._shapes = [indices for indices in filled if self._drawn(indices)]
         self._boxes = np.array([self._box(indices) for indices in self._shapes]).reshape(-1, 2, 2)
 
@@ -403,8 +404,3 @@ class FilledAreas:
             return first
         corners = np.vstack([first, *others])
         return np.array([corners.min(axis=0), corners.max(axis=0)])
-
-
-def _is_pressed(curve: Curve) -> bool:
-    """Whether the shape that begins with a curve is filled, visible and unlocked."""
-    return curve.style.has_fill and curve.is_selectable

@@ -321,7 +321,8 @@ def _fitted(
 
 def _on_groups(source: ImportResult, only: Sequence[str]) -> tuple[str, ...]:
     """Return a remark on --only where a file has many curves in groups."""
-    count = len(source.document.curves)
-    if only or not source.has_groups or count <= _MANY_CURVES:
+    curves = source.document.curves
+    if only or len(curves) <= _MANY_CURVES or not any(curve.groups for curve in curves):
         return ()
-    return (f"The file contains {count} curves; --only NAME selects those of a group: {source.contents()}.",)
+    groups = source.contents()
+    return (f"The file contains {len(curves)} curves; --only NAME selects those of a group: {groups}.",)

@@ -44,11 +44,8 @@ def print_remarks(remarks: Iterable[str]) -> None:
 def reason_of(problem: OSError) -> str:
     """Return the message of an error of the system, with the name of its file."""
     reason = problem.strerror or str(problem) or type(problem).__name__
-    return f"{reason}: “{os.fsdecode(problem.filename)}”" if _has_name(problem) else reason
-
-
-def _has_name(problem: OSError) -> bool:
-    return isinstance(problem.filename, str | bytes | os.PathLike) and bool(problem.filename)
+    is_named = isinstance(problem.filename, str | bytes | os.PathLike) and problem.filename
+    return f"{reason}: “{os.fsdecode(problem.filename)}”" if is_named else reason
 
 
 def one_line(text: str) -> str:

@@ -83,11 +83,6 @@ class ImportResult:
     remarks: tuple[str, ...] = ()
 
     @property
-    def has_groups(self) -> bool:
-        """Whether any curve lies in a group."""
-        return any(curve.groups for curve in self.document.curves)
-
-    @property
     def has_curves(self) -> bool:
         """Whether any curve has a point."""
         return any(curve.points for curve in self.document.curves)

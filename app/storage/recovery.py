@@ -211,7 +211,8 @@ def _record_of(text: bytes, origin: SnapshotOrigin) -> bytes:
             format="curvebench snapshot",
             version=2,
             written=time.time(),
-            path=_bytes_of(origin.path),
+            # As bytes: a file name need not be valid text.
+            path=None if origin.path is None else os.fsencode(origin.path.absolute()),
             stamp=origin.stamp,
             checksum=_checksum(text),
             document=text.decode(),
@@ -219,11 +220,6 @@ def _record_of(text: bytes, origin: SnapshotOrigin) -> bytes:
             file_stem=printable_path(origin.file_stem),
         )
     )
-
-
-def _bytes_of(path: Path | None) -> bytes | None:
-    """Return a path as bytes, because a file name need not be valid text."""
-    return os.fsencode(path.absolute()) if path is not None else None
 
 
 def _path_of(name: bytes | None) -> Path | None:

@@ -57,10 +57,6 @@ class ColourPopup(SafeOverrides, QFrame):
         """The previewed colour, "#rrggbb"."""
         return self._choice.currentColor().name()
 
-    def open_below(self, widget: QWidget) -> None:
-        """Open the popup below a widget, or where it fits on the screen."""
-        self.open_at(widget.mapToGlobal(QPoint(0, widget.height())))
-
     def open_at(self, position: QPoint) -> None:
         """Open the popup at a position of the screen, or as near as it fits."""
         self.adjustSize()

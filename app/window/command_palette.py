@@ -294,7 +294,8 @@ class _CommandDelegate(SafeOverrides, QStyledItemDelegate):
         painter.setPen(theme.muted if enabled else faint)
         self._write(painter, room, native(keys[0]) if keys else "", right=True)
         painter.setPen(theme.ink if enabled else faint)
-        room.setLeft(room.left() + self._write(painter, room, _checked_name(command)) + 12)
+        text = f"{command.name}  ✓" if command.is_on else command.name
+        room.setLeft(room.left() + self._write(painter, room, text) + 12)
         small = QFont(option.font)
         small.setPointSizeF(max(option.font.pointSizeF() - 1, 7.0))
         painter.setFont(small)
@@ -311,8 +312,3 @@ class _CommandDelegate(SafeOverrides, QStyledItemDelegate):
         if right and text:
             room.setRight(room.right() - width - 12)
         return width
-
-
-def _checked_name(command: Command) -> str:
-    """Return the name, with a check mark for a switch that is on."""
-    return f"{command.name}  ✓" if command.is_on else command.name

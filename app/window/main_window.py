@@ -94,7 +94,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         self.actions_by_name.attach(self.splitter)
         self.central.fit()
         # Not the usual ranges: an open lesson may have set them.
-        on_first_show(self, self.central.fit_again)
+        FirstShow(self, self.central.fit_again)
 
     # Building
 
@@ -279,7 +279,8 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
         layout.activate()
     window.resize(usual)
     geometry, state = preferences.window_geometry, preferences.window_state
-    if not geometry.isEmpty() and not (window.restoreGeometry(geometry) and _is_usable(window.size())):
+    is_restored = geometry.isEmpty() or window.restoreGeometry(geometry)
+    if not is_restored or window.size() != window.size().expandedTo(_LEAST):
         window.resize(usual)
     if not state.isEmpty() and not window.restoreState(state):
         preferences.refuse("window/state", "it is not a layout")
@@ -288,7 +289,7 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
         preferences.refuse("window/splitter", "it is not a layout")
     hide_idle_docks(window)
     if floating_docks(window):
-        on_first_show(window, lambda: _lift(window))
+        FirstShow(window, lambda: _lift(window))
 
 
 def first_size(screen: QScreen) -> QSize:
@@ -307,12 +308,7 @@ def hide_floating(window: QMainWindow) -> None:
         dock.hide()
 
 
-def on_first_show(window: QMainWindow, act: Callable[[], None]) -> None:
-    """Call `act` when the window is shown for the first time and has its size."""
-    _FirstShow(window, act)
-
-
-class _FirstShow(SafeOverrides, QObject):
+class FirstShow(SafeOverrides, QObject):
     """Event filter that waits until a window is first shown."""
 
     def __init__(self, window: QMainWindow, act: Callable[[], None]) -> None:
@@ -342,7 +338,3 @@ def _lift(window: QMainWindow) -> None:
         dock.hide()
         dock.show()
         dock.raise_()
-
-
-def _is_usable(size: QSize) -> bool:
-    return size.width() >= _LEAST.width() and size.height() >= _LEAST.height()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import TypeVar
 
 import msgspec
@@ -66,11 +66,6 @@ class Pane(msgspec.Struct, frozen=True):
         return build
 
 
-def declared_panes(commands: type) -> Iterator[tuple[Callable[..., CentralPane], Pane]]:
-    """Yield the building methods and declarations of the panes of a command set."""
-    yield from marked(commands, _DECLARED)
-
-
 _STRETCH, _HEIGHT = 9, 600
 """Of the canvas, in a new window."""
 
@@ -108,7 +103,8 @@ class CentralArea:
         self.canvas = Canvas(Toolbox(session, SELECT), pane)
         self.message_bar = MessageBar(self.canvas.viewport())
         self.message_bar.clear_top = lambda: self.canvas.rulers.thickness
-        self.canvas.framing.covered_top = self._covered_top
+        bar, rulers = self.message_bar, self.canvas.rulers
+        self.canvas.framing.covered_top = lambda: max(bar.covered - rulers.thickness, 0.0)
         self.under_canvas = QVBoxLayout(pane)
         self.under_canvas.setContentsMargins(0, 0, 0, 0)
         self.under_canvas.setSpacing(0)
@@ -120,15 +116,11 @@ class CentralArea:
         # Else the background of the window shows beside the thin line of a handle.
         self.splitter.setAutoFillBackground(True)
 
-    def _covered_top(self) -> float:
-        """Return the height in pixels that the message covers at the top of the canvas."""
-        return max(self.message_bar.covered - self.canvas.rulers.thickness, 0.0)
-
     def fill(self, command_sets: Mapping[type, object]) -> None:
         """Build the panes that the command sets declare, in order."""
         heights = [_HEIGHT]
         for kind, commands in command_sets.items():
-            for build, declared in declared_panes(kind):
+            for build, declared in marked(kind, _DECLARED):
                 pane = build(commands, self.splitter)
                 pane.setObjectName(declared.name)
                 self.panes += (pane,)

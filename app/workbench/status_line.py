@@ -59,10 +59,6 @@ class StatusLine(SafeOverrides, QStatusBar):
         # It runs until the end of the event that has shown the message.
         self._fresh = QTimer(self, singleShot=True, interval=0)
 
-    def put_after(self, widget: QWidget) -> None:
-        """Insert a widget between the sentence and the numbers."""
-        self.insertPermanentWidget(1, widget)
-
     @property
     def text(self) -> str:
         """The sentence at the left."""

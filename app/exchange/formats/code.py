@@ -71,7 +71,8 @@ def python_code(document: Document, options: Options = DEFAULT) -> ExportResult:
             for piece in curve.polynomials.pieces
         ]
         deviation = max(deviation, max(rounding) + curve.polynomials.deviation)
-        body.append(f"{_listing(identifier.upper(), curve)}\n\n\n{_function(identifier, curve)}")
+        call = f"def {identifier}(t):\n    # {_title(curve)}\n    return evaluate({identifier.upper()}, t)"
+        body.append(f"{_listing(identifier.upper(), curve)}\n\n\n{call}")
     text = "\n\n\n".join([_head(deviation, curves.remarks, "import numpy as np"), *body]) + "\n"
     return ExportResult(text, deviation, curves.remarks, is_bound=False)
 
@@ -194,10 +195,6 @@ def _listing(name: str, curve: ExportedCurve) -> str:
         for piece in curve.polynomials.pieces
     )
     return f"{name} = [\n{pieces}]"
-
-
-def _function(name: str, curve: ExportedCurve) -> str:
-    return f"def {name}(t):\n    # {_title(curve)}\n    return evaluate({name.upper()}, t)"
 
 
 def _array(values: FloatArray, indent: int) -> str:

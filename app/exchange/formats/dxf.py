@@ -25,7 +25,6 @@ from ...document.model import Document
 from ...document.style import Style
 from ...tasks.progress import Report
 from ...view_model.cubics import RELATIVE_TOLERANCE
-from ...view_model.curve.curve_view import ParametricCurve
 from ..cubics_in import (
     ImportedPath,
     ImportResult,
@@ -124,14 +123,10 @@ class _ReportingStream(io.StringIO):
 def _pieces(curve: ExportedCurve, tolerance: float, cubic: bool) -> list[Beziers]:
     return [
         cubics_of(piece, tolerance, cubic_shape)
-        if cubic and _is_high(piece)
+        if cubic and (piece.degree is None or piece.degree > 3)
         else beziers_of(piece, tolerance)
         for piece in curve.core.pieces
     ]
-
-
-def _is_high(piece: ParametricCurve) -> bool:
-    return piece.degree is None or piece.degree > 3
 
 
 def _add_spline(drawing: Drawing, curve: ExportedCurve, parts: list[Beziers], layer: str) -> None:

@@ -160,7 +160,7 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
     Programs put one around their whole drawing.
     """
     clip = elements.target_of_property(declared.get("clip-path", "none"))
-    if clip is None or tag_of(clip) != "clipPath" or _is_relative_to_box(clip):
+    if clip is None or tag_of(clip) != "clipPath" or clip.get("clipPathUnits") == "objectBoundingBox":
         return None
     if "clip-path" in elements.declared(clip):
         return None
@@ -178,11 +178,6 @@ def clip_box(elements: Elements, declared: Mapping[str, str], viewport: Viewport
         return _rectangle(outline_of(part, viewport, None).subpaths)
     except ExchangeError:
         return None
-
-
-def _is_relative_to_box(clip: ET.Element) -> bool:
-    """Whether a clip is given as shares of the box around its element."""
-    return clip.get("clipPathUnits") == "objectBoundingBox"
 
 
 def _rectangle(subpaths: list[Subpath]) -> Box | None:

@@ -47,12 +47,7 @@ class OwnFile:
         """Return a style with defaults in place of the ink and the line width of a picture."""
         if not self.is_own:
             return style
-        stroke, fill = map(_restored_paint, (style.stroke, style.fill))
+        stroke, fill = (INK if paint in _INKS else paint for paint in (style.stroke, style.fill))
         usual = self._usual_width
         is_usual = style.width is not None and abs(style.width - usual) <= _ROUNDING * usual
         return replace(style, stroke=stroke, fill=fill, width=None if is_usual else style.width)
-
-
-def _restored_paint(paint: str) -> str:
-    """Return the default ink for the ink of a picture, and other paints unchanged."""
-    return INK if paint in _INKS else paint

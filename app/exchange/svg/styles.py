@@ -113,7 +113,8 @@ def style_of(
     if any(values[name].lower() != "none" for name in _MARKERS):
         losses.append(_MARKED)
     is_both = "none" not in (fill.colour, stroke.colour)
-    if is_both and _has_fill_above(values["paint-order"]):
+    order = (word for word in values["paint-order"].lower().split() if word in _PAINTS)
+    if is_both and next(order, "fill") == "stroke":
         losses.append(_COVERED)
     if is_both and properties.opacity < 1:
         losses.append(_TRANSPARENT)
@@ -146,11 +147,6 @@ def _with_stroke(
         dash_offset=offset,
         stroke_opacity=_opacity(stroke, properties, "stroke-opacity"),
     )
-
-
-def _has_fill_above(text: str) -> bool:
-    """Whether a `paint-order` lets the fill cover the stroke."""
-    return next((word for word in text.lower().split() if word in _PAINTS), "fill") == "stroke"
 
 
 def _length(values: Mapping[str, str], name: str, viewport: Viewport) -> float | None:

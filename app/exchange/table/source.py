@@ -125,7 +125,7 @@ def import_table(name: str, source: TableSource, options: ImportOptions, report:
     remarks = (
         preview.remark,
         mapping_summary(mapping, preview.titles),
-        table.blocks_remark,
+        f"The rows are divided into {len(table.blocks) + 1} curves." if table.blocks else "",
         *result.remarks,
     )
     return replace(result, remarks=tuple(filter(None, remarks)))

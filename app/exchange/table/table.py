@@ -158,11 +158,6 @@ class Table:
     blocks: tuple[int, ...] = ()
     remark: str = ""
 
-    @property
-    def blocks_remark(self) -> str:
-        """Sentence on the number of curves that the rows are divided into; empty for one."""
-        return f"The rows are divided into {len(self.blocks) + 1} curves." if self.blocks else ""
-
     def line_of(self, row: int) -> int:
         """Return the line of the file, from 1, that holds a row, from 0."""
         line = self.first_row + row

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from msgspec.structs import replace
-from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
 from ...actions.declaration import Action, action, action_for_each, also
@@ -64,7 +63,7 @@ class BasisCommands:
         panel.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
         panel.tick_edit.typed.connect(self._set_parameter)
         panel.tick_pointed.connect(self._select)
-        panel.menu_requested.connect(self._show_menu)
+        panel.menu_requested.connect(lambda at: bar_menu(context, RAIL_MENU, "railMenu").popup(at))
         return pane
 
     # Display
@@ -113,9 +112,6 @@ class BasisCommands:
         """Select the point whose tick the menu is about, unless it is selected already."""
         if point not in self._session.selection:
             self._session.selected.set_points([point])
-
-    def _show_menu(self, position: QPoint) -> None:
-        bar_menu(self._context, RAIL_MENU, "railMenu").popup(position)
 
     @action_for_each(
         _STARTS,

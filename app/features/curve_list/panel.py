@@ -328,7 +328,6 @@ class CurveList(SafeOverrides, QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("curveListPanel")
-        self._choice: ColourPopup | None = None
         self.model = CurveListModel(self)
         self.view = CurveListView(self.model, self)
         self._buttons = row_of(1, margins=(6, 4, 6, 4), spacing=2)
@@ -378,20 +377,16 @@ class CurveList(SafeOverrides, QWidget):
     def _open_choice(self, indices: frozenset[int], style: Style, position: QPoint) -> None:
         """Open the popup for any colour at a position of the screen."""
         colour = fill_colour(style.colour, theme_of(self.palette())).name()
-        popup = self._choice = ColourPopup("otherColour", colour, self)
+        popup = ColourPopup("otherColour", colour, self)
         popup.colour_changed.connect(lambda paint: self.colour_previewed.emit(indices, paint))
         popup.chosen.connect(lambda paint: self.colour_picked.emit(indices, paint))
         popup.cancelled.connect(self.preview_cancelled)
-        popup.destroyed.connect(self._forget_choice)
         popup.open_at(position)
 
     def abandon(self) -> None:
         """Close the popup of colours and cancel its preview."""
-        if self._choice is not None:
-            self._choice.cancel()
-
-    def _forget_choice(self) -> None:
-        self._choice = None
+        for popup in self.findChildren(ColourPopup):
+            popup.cancel()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Request the context menu of the curve under the pointer, or of the active one."""

@@ -170,7 +170,10 @@ class SettingFields(QObject):
     def _rebuild(self, settings: tuple[FamilySetting, ...]) -> None:
         for _ in self._fields:
             self._form.removeRow(self._first_row)
-        self._fields = {setting: _field_of(setting) for setting in settings}
+        self._fields = {
+            setting: NumberField(setting, setting.limits) if setting.limits else ChoiceField(setting)
+            for setting in settings
+        }
         for row, (setting, field) in enumerate(self._fields.items(), start=self._first_row):
             self._form.insertRow(row, setting.label, field.row)
         self.rebuilt.emit()
@@ -184,10 +187,6 @@ class SettingFields(QObject):
             field.edit.entered.connect(
                 lambda value: self.chosen.emit(setting, _whole(value) if setting.is_whole else value)
             )
-
-
-def _field_of(setting: FamilySetting) -> NumberField | ChoiceField:
-    return ChoiceField(setting) if setting.limits is None else NumberField(setting, setting.limits)
 
 
 def _whole(value: float) -> float | int:

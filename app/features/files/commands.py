@@ -105,7 +105,7 @@ class WorkCommands:
     def _show_bar(self, title: str) -> None:
         if self._bar is None:
             self._bar = JobBar(self._context.actions["cancelWork"])
-            self._context.status_line.put_after(self._bar)
+            self._context.status_line.insertPermanentWidget(1, self._bar)
         self._bar.begin(title)
 
     def _hide_bar(self) -> None:

@@ -193,10 +193,6 @@ class FitCommands(QObject):
         elif self._panel is not None:
             self._ask()
 
-    @property
-    def _is_busy(self) -> bool:
-        return self._asked is not None and self._result is None and not self._problem
-
     def _forget(self) -> None:
         self._task.give_up()
         self._asked = self._result = None
@@ -235,7 +231,7 @@ class FitCommands(QObject):
             traces.append(Trace(far, FAR_STYLE, f"farthest: {number(result.deviation, 3)}"))
         self._context.central.canvas.drawing.annotations.render_traces(_GROUP, traces, "Fewer points")
         if self._panel is not None:
-            busy = self._is_busy
+            busy = self._asked is not None and result is None and not self._problem
             words = self._words(result) if result is not None else self._problem or (_BUSY if busy else "")
             self._panel.render_result(words, can_apply=result is not None, busy=busy)
 

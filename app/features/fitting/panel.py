@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import msgspec
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QScrollArea, QWidget
 
@@ -94,7 +94,7 @@ class FitPanel(SafeOverrides, QScrollArea):
         self.family.activated.connect(self.options_changed)
         self.goal.activated.connect(self._change_goal)
         for box in (self.tolerance, self.count):
-            box.valueChanged.connect(self._number_changed)
+            box.valueChanged.connect(self.options_changed)
         self.keeps_times.clicked.connect(self.options_changed)
         self.apply_button.clicked.connect(self.applied)
         self.cancel_button.clicked.connect(self.cancelled)
@@ -102,12 +102,6 @@ class FitPanel(SafeOverrides, QScrollArea):
     def _change_goal(self) -> None:
         self._show_goal()
         self.options_changed.emit()
-
-    def _number_changed(self) -> None:
-        if not self._is_rendering:
-            self.options_changed.emit()
-
-    _is_rendering = False
 
     def _show_goal(self) -> None:
         is_count = self.goal.currentIndex() == list(FitGoal).index(FitGoal.COUNT)
@@ -129,12 +123,11 @@ class FitPanel(SafeOverrides, QScrollArea):
 
     def begin(self, family: Family, tolerance: float, count: int) -> None:
         """Show the family of a curve, and a tolerance and a number of points that suit its size."""
-        self._is_rendering = True
         if family in self._families:
             self.family.setCurrentIndex(self._families.index(family))
-        self.tolerance.setValue(tolerance)
-        self.count.setValue(min(max(count, _COUNTS[0]), _COUNTS[1]))
-        self._is_rendering = False
+        with QSignalBlocker(self.tolerance), QSignalBlocker(self.count):
+            self.tolerance.setValue(tolerance)
+            self.count.setValue(min(max(count, _COUNTS[0]), _COUNTS[1]))
         self._show_goal()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -234,9 +234,10 @@ class ShortcutSheet(OverlayFrame):
         match event.type():
             case QEvent.Type.Resize if watched is self._over:
                 self.place()
-            case QEvent.Type.KeyPress if _is_escape(event) and watched.isWidgetType():
-                self.dismiss()
-                return True
+            case QEvent.Type.KeyPress if isinstance(event, QKeyEvent) and watched.isWidgetType():
+                if event.key() == Qt.Key.Key_Escape:
+                    self.dismiss()
+                    return True
             case QEvent.Type.MouseButtonPress if isinstance(watched, QWidget) and self._is_beside(event):
                 self.dismiss()
         return False
@@ -244,10 +245,6 @@ class ShortcutSheet(OverlayFrame):
     def _is_beside(self, event: QEvent) -> bool:
         assert isinstance(event, QMouseEvent)
         return not self.rect().contains(self.mapFromGlobal(event.globalPosition().toPoint()))
-
-
-def _is_escape(event: QEvent) -> bool:
-    return isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
 
 
 def _grid(sections: Sequence[tuple[str, Rows]]) -> QWidget:

@@ -30,8 +30,6 @@ from ...actions.menus import (
     FAMILIES_MENU,
     RAIL_MENU,
     TOOLBAR,
-    BarPosition,
-    MenuSection,
 )
 from ...actions.needs import UNLOCKED_CURVE, Need
 from ...actions.state import ActionState
@@ -255,16 +253,6 @@ def _icon_of(family: Family) -> str:
     return name if has_resource("icons", f"{name}.svg") else "spline"
 
 
-def _section_of(family: Family) -> MenuSection:
-    """Return the section of the menu Curve for a family."""
-    return CURVE_FAMILY if family in FAMILIES[:_BUTTONS] else CURVE_FAMILIES
-
-
-def _position_of(family: Family) -> BarPosition:
-    """Return the position of a family in the toolbar."""
-    return TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10)
-
-
 def _active_curve(family: Family) -> Need:
     """Return the condition of the digit key of a family, which could be pressed by accident."""
 
@@ -285,7 +273,12 @@ class RuleCommands:
         self._actions.switched.connect(self._families.show_in_use)
         self._bar.kind_picked.connect(self._use_parametrization)
         self._bar.drag_changed.connect(context.central.canvas.drawing.hold_ghost)
-        self._alpha = SliderGesture(context.session, self._bar.slider, self._with_alpha, _alpha_step)
+        self._alpha = SliderGesture(
+            context.session,
+            self._bar.slider,
+            self._with_alpha,
+            lambda position: f"Set α to {position / STEPS:.2f}",
+        )
 
     @widget_at(TOOLBAR(50))
     def build_bar(self) -> ToolbarWidget:
@@ -315,7 +308,7 @@ class RuleCommands:
         lambda family: Action(
             family.action_name,
             family.label,
-            _section_of(family),
+            CURVE_FAMILY if family in FAMILIES[:_BUTTONS] else CURVE_FAMILIES,
             _key_of(family),
             _icon_of(family),
             family.tip,
@@ -326,7 +319,7 @@ class RuleCommands:
             key_needs=_active_curve(family),
         ),
     )
-    @also_for_each(lambda family: (_position_of(family),))
+    @also_for_each(lambda family: (TOOLBAR(40) if family in FAMILIES[:_BUTTONS] else FAMILIES_MENU(10),))
     def _use_family(self, family: Family) -> None:
         session = self._session
         selected = sorted(session.selected.target_curves)
@@ -466,10 +459,6 @@ class RuleCommands:
         within = number(outlook.within, 1)
         follow = f"Approximate the curve, which is not a polynomial, with {family.a_curve}"
         return OpenedEntry(f"{text}Within {within}", f"{follow}; it changes by at most about {within}")
-
-
-def _alpha_step(position: int) -> str:
-    return f"Set α to {position / STEPS:.2f}"
 
 
 COMMAND_SETS = (RuleCommands,)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon
 from PySide6.QtWidgets import QApplication, QBoxLayout, QComboBox, QToolButton, QWidget
 
@@ -76,7 +76,6 @@ class PaintField(FollowsTheme, QWidget):
         self._value: object = None
         self._recent: tuple[str, ...] = ()
         self._swatches: dict[str, QToolButton] = {}
-        self._popup: ColourPopup | None = None
         tip = f"{label}: choose any colour, with a live preview; Escape cancels"
         self._button = tool_button(f"{name}Button", f"{label}, choose a colour", tip, icon_size=_PICTURE)
         # The same height with a colour and with the dots of mixed colours.
@@ -158,21 +157,17 @@ class PaintField(FollowsTheme, QWidget):
     def open_popup(self) -> ColourPopup:
         """Open the choice of colours below the button."""
         begin = self._value if isinstance(self._value, str) else INK
-        self._popup = ColourPopup(f"{self.objectName()}Popup", fill_colour(begin, self.theme).name(), self)
-        self._popup.colour_changed.connect(self.previewed)
-        self._popup.chosen.connect(self._choose)
-        self._popup.cancelled.connect(self.cancelled)
-        self._popup.destroyed.connect(self._forget_popup)
-        self._popup.open_below(self._button)
-        return self._popup
+        popup = ColourPopup(f"{self.objectName()}Popup", fill_colour(begin, self.theme).name(), self)
+        popup.colour_changed.connect(self.previewed)
+        popup.chosen.connect(self._choose)
+        popup.cancelled.connect(self.cancelled)
+        popup.open_at(self._button.mapToGlobal(QPoint(0, self._button.height())))
+        return popup
 
     def abandon(self) -> None:
         """Close the popup and cancel its preview."""
-        if self._popup is not None:
-            self._popup.cancel()
-
-    def _forget_popup(self) -> None:
-        self._popup = None
+        for popup in self.findChildren(ColourPopup):
+            popup.cancel()
 
 
 _PRESETS: dict[str, tuple[float, ...]] = {
