@@ -24,7 +24,7 @@ from ..appearance.theme import FollowsTheme
 from ..document.expression import ExpressionError, parse_number
 from ..document.words import number, with_minus
 from ..qt.labels import WARNING, Label, set_tip
-from ..qt.overrides import PASSING, ClaimsKeys
+from ..qt.overrides import ENTER, PASSING, ClaimsKeys
 from .controls import WheelNeedsFocus, named
 from .number_text import angle_text, decimal_mark, field_text, typed_text
 
@@ -160,6 +160,42 @@ class FieldEdit(ClaimsKeys, QLineEdit):
             event.setAccepted(isinstance(self.window(), QDialog))
         else:
             super().keyPressEvent(event)
+
+
+class PopupLine(ClaimsKeys, QLineEdit):
+    """A line edit in a small frame that appears for it.
+
+    Signals
+    -------
+    entered
+        Enter was pressed.
+    given_up
+        Escape was pressed.
+    left
+        The focus has gone elsewhere.
+    """
+
+    entered = Signal()
+    given_up = Signal()
+    left = Signal()
+
+    def __init__(self, name: str, label: str, tip: str) -> None:
+        super().__init__()
+        named(self, name, label, tip)
+
+    def claims(self, event: QKeyEvent) -> bool:
+        return event.key() in (*ENTER, Qt.Key.Key_Escape)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self.claims(event):
+            (self.entered if event.key() in ENTER else self.given_up).emit()
+        else:
+            super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() not in PASSING:
+            self.left.emit()
 
 
 def read_number(text: str) -> float:

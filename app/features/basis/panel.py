@@ -6,7 +6,7 @@ import numpy as np
 from msgspec.structs import replace
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QFocusEvent, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
@@ -14,14 +14,12 @@ from ...plotting.camera import CameraOverT
 from ...plotting.pixel_map import PixelMap
 from ...plotting.tool_plot import ToolPlot
 from ...qt.labels import WARNING, Label
-from ...qt.overrides import ENTER, PASSING, SafeOverrides
 from ...tools.pointer import Hit, Part, Pointer
 from ...tools.tool import CanvasQueries
 from ...tools.toolbox import Toolbox
 from ...view_model.basis import BasisView
 from ...widgets.boxes import column_of
-from ...widgets.controls import named
-from ...widgets.fields import read_number
+from ...widgets.fields import PopupLine, read_number
 from ...widgets.frames import OverlayFrame
 from ...widgets.number_text import decimal_mark, exact_text
 from .scene import BasisScene, RailLayer, rail_height
@@ -121,7 +119,11 @@ class TickEdit(OverlayFrame):
         self._knot = -1
         self._tick = QPointF()
         self._reason = Label(name="tickProblem", wordWrap=True, role=WARNING)
-        self.line = _TickLine(self)
+        tip = "A number or an expression such as 1/3. Enter sets it, Escape cancels"
+        self.line = PopupLine("tickValue", "Parameter t", tip)
+        self.line.entered.connect(self.confirm)
+        self.line.given_up.connect(self.close_and_return)
+        self.line.left.connect(self.hide)
         self._rows = column_of(self._reason, self.line, margins=6, spacing=4, parent=self)
         self.follow_theme()
         self.hide()
@@ -171,27 +173,6 @@ class TickEdit(OverlayFrame):
 
     def set_theme(self, theme: Theme) -> None:
         self.set_sheet()
-
-
-class _TickLine(SafeOverrides, QLineEdit):
-    def __init__(self, owner: TickEdit) -> None:
-        super().__init__(owner)
-        self._owner = owner
-        tip = "A number or an expression such as 1/3. Enter sets it, Escape cancels"
-        named(self, "tickValue", "Parameter t", tip)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in ENTER:
-            self._owner.confirm()
-        elif event.key() == Qt.Key.Key_Escape:
-            self._owner.close_and_return()
-        else:
-            super().keyPressEvent(event)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        if event.reason() not in PASSING:
-            self._owner.hide()
 
 
 class BasisPanel(ToolPlot, CanvasQueries):

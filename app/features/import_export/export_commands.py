@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData, SignalInstance
 from PySide6.QtGui import QImage
@@ -132,6 +132,10 @@ class ExportCommands:
 
 
 _WIDTH = 1600
+_TEXT, _PNG = "text/plain", "image/png"
+
+_Written = dict[str, "ExportResult"]
+"""Contents of the clipboard, by their media types; the first has the remarks."""
 
 _ANY_CURVE = Need("a curve with at least two points", lambda state: state.has_curve or state.curve_count > 1)
 
@@ -146,78 +150,51 @@ class CopyCommands:
     def _copy_svg(self) -> None:
         """Copy the selected curves, or all curves, as SVG for drawing programs and as text."""
 
-        def put(written: tuple[ExportResult, ExportResult], what: str) -> None:
-            pixels, numbers = written
-            data = QMimeData()
-            data.setData(SVG, pixels.data)
-            data.setText(numbers.text)
-            put_on_clipboard(data)
-            self._session.say(f"Copied {what} as SVG.")
-            self._context.work.warn_of(numbers.remarks)
-
-        def work(document: Document, report: Report) -> tuple[ExportResult, ExportResult]:
+        def work(document: Document, report: Report) -> _Written:
             pixels = exchange.svg_for_clipboard(document, part(report, 0.0, 0.5))
-            return pixels, exchange.svg_for_clipboard(document, part(report, 0.5, 1.0), False)
+            return {SVG: pixels, _TEXT: exchange.svg_for_clipboard(document, part(report, 0.5, 1.0), False)}
 
-        self._start("Writing SVG", "The SVG", work, put)
+        self._start("Writing SVG", "The SVG", "as SVG", work)
 
     @action("copyImage", "Copy as Image", EDIT_COPY_AS, "Ctrl+Shift+C", needs=_ANY_CURVE)
     def _copy_image(self) -> None:
         """Copy the selected curves, or all curves, as PNG and SVG on the paper of the document, if any."""
 
-        def put(pictures: tuple[ExportResult, ExportResult], what: str) -> None:
-            png, svg = pictures
-            data = QMimeData()
-            data.setData("image/png", png.data)
-            data.setData(SVG, svg.data)
-            data.setImageData(QImage.fromData(png.data))
-            put_on_clipboard(data)
-            on = "" if self._session.document.paper else " without a background"
-            self._session.say(f"Copied {what} as an image (PNG and SVG{on}).")
-            self._context.work.warn_of(png.remarks)
-
-        def work(document: Document, report: Report) -> tuple[ExportResult, ExportResult]:
+        def work(document: Document, report: Report) -> _Written:
             style = exchange.drawing.styles.ON_PAPER.get(document.paper)
             options = exchange.options.Options(
                 width=_WIDTH, style=style, transparent=style is None, report=part(report, 0.0, 0.5)
             )
             png = exchange.png_file(document, options)
-            return png, exchange.svg_for_clipboard(document, part(report, 0.5, 1.0))
+            return {_PNG: png, SVG: exchange.svg_for_clipboard(document, part(report, 0.5, 1.0))}
 
-        self._start("Drawing", "The image", work, put)
+        on = "" if self._session.document.paper else " without a background"
+        self._start("Drawing", "The image", f"as an image (PNG and SVG{on})", work)
 
     @action("copyPathData", "Copy as SVG Path", EDIT_COPY_AS, needs=_ANY_CURVE)
     def _copy_path_data(self) -> None:
         """Copy the selected curves, or all curves, as SVG path data."""
 
-        def put(written: ExportResult, what: str) -> None:
-            data = QMimeData()
-            data.setText(written.text)
-            put_on_clipboard(data)
-            self._session.say(f"Copied {what} as SVG path data.")
-            self._context.work.warn_of(written.remarks)
+        def work(document: Document, report: Report) -> _Written:
+            return {_TEXT: exchange.svg_path_data(document, exchange.options.Options(report=report))}
 
-        def work(document: Document, report: Report) -> ExportResult:
-            return exchange.svg_path_data(document, exchange.options.Options(report=report))
+        self._start("Writing path data", "The path data", "as SVG path data", work)
 
-        self._start("Writing path data", "The path data", work, put)
-
-    def _start(
-        self,
-        title: str,
-        name: str,
-        work: Callable[[Document, Report], Any],
-        put: Callable[[Any, str], None],
-    ) -> None:
+    def _start(self, title: str, name: str, how: str, work: Callable[[Document, Report], _Written]) -> None:
         """Do work on the copied curves beside the window, and put the result on the clipboard."""
         document, selected = self._session.document, self._session.selected.whole_curves
         what = "the drawing"
         if selected:
             document, what = extract_curves(document, selected), name_or_count(document, selected)
-        self._context.work.start(
-            title,
-            lambda report: work(document, report),
-            lambda result: put(result, what),
-            Path(name),
-            "copied",
-        )
+
+        def put(written: _Written) -> None:
+            data = QMimeData()
+            for kind, result in written.items():
+                data.setData(kind, result.data)
+            if _PNG in written:
+                data.setImageData(QImage.fromData(written[_PNG].data))
+            put_on_clipboard(data)
+            self._session.say(f"Copied {what} {how}.")
+            self._context.work.warn_of(next(iter(written.values())).remarks)
+
+        self._context.work.start(title, lambda report: work(document, report), put, Path(name), "copied")

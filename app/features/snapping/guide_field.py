@@ -5,56 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtWidgets import QWidget
 
 from ...appearance.theme import Theme
 from ...document.expression import ExpressionError
 from ...document.model import Axis, Guide
 from ...qt.labels import WARNING, Label
-from ...qt.overrides import ENTER, PASSING, ClaimsKeys
 from ...widgets.boxes import column_of, row_of
-from ...widgets.controls import named
+from ...widgets.fields import PopupLine
 from ...widgets.frames import OverlayFrame
 from ...widgets.number_text import read_length, typed_text
 
 _TIP = "Position of the guide: a number or an expression, with an optional unit, such as 20, 1/3 or 1 in"
 _WIDTH = 110
-
-
-class _PlaceEdit(ClaimsKeys, QLineEdit):
-    """Line edit that is confirmed with Enter and cancelled with Escape.
-
-    Signals
-    -------
-    entered
-        The input is confirmed.
-    given_up
-        The input is cancelled, by Escape or by a click elsewhere.
-    """
-
-    entered = Signal()
-    given_up = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFixedWidth(_WIDTH)
-
-    def claims(self, event: QKeyEvent) -> bool:
-        return event.key() in (*ENTER, Qt.Key.Key_Escape)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in ENTER:
-            self.entered.emit()
-        elif event.key() == Qt.Key.Key_Escape:
-            self.given_up.emit()
-        else:
-            super().keyPressEvent(event)
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        if event.reason() not in PASSING:
-            self.given_up.emit()
 
 
 class GuideField(OverlayFrame):
@@ -82,9 +45,11 @@ class GuideField(OverlayFrame):
         self._axis, self._unit = Axis.X, ""
         self._now = 0.0
         self._corner: Callable[[], QPoint] = lambda: QPoint(0, 0)
-        self.edit = named(_PlaceEdit(), "guidePlace", "Position of the guide", _TIP)
+        self.edit = PopupLine("guidePlace", "Position of the guide", _TIP)
+        self.edit.setFixedWidth(_WIDTH)
         self.edit.entered.connect(self._enter)
-        self.edit.given_up.connect(self.close_field)
+        for end in (self.edit.given_up, self.edit.left):
+            end.connect(self.close_field)
         self.edit.textEdited.connect(lambda: self._say(""))
         self._label, self._suffix = Label(), Label()
         self._remark = Label(name="guideRemark", wordWrap=True, role=WARNING)
