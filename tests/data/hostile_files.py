@@ -8,7 +8,7 @@ from pathlib import Path
 FOLDER = Path(__file__).parent / "hostile"
 
 
-def document(*, name: str = '"a"', x: str = "0.0", points: str | None = None, version: str = "3") -> bytes:
+def document(*, name: str = '"a"', x: str = "0.0", points: str | None = None, version: str = "4") -> bytes:
     if points is None:
         points = f'{{"x": {x}, "y": 0.0}}, {{"x": 1.0, "y": 2.0}}, {{"x": 3.0, "y": 1.0}}'
     rule = '{"kind": "chord_length", "alpha": 0.5, "start": 0.0, "end": 1.0}'

@@ -23,7 +23,7 @@ WORDS = {
     "fill": "Style: Stroke and Fill…",  # it was an example, by letters scattered over its path
     "colour": "Curve Colour…",
     "color": "Curve Colour…",
-    "mirror": "Flip Vertically",
+    "mirror": "Mirror Tool",
     "flip": "Flip Vertically",
     "reverse": "Reverse Curve",
     "settings": "Preferences…",

@@ -73,9 +73,14 @@ def mirror_about_axis(session: EditingSession, box: SelectionBox, result: Mirror
     """
     document, group, label, selects = _subject(session, box, result)
     by = reflection_about((0.0, 0.0), (1.0, 0.0) if axis is Axis.X else (0.0, 1.0))
-    session.preview(transform_group(document, group, by), selects=selects)
-    if session.commit(session.document, f"Mirror {label} about the {axis} axis"):
-        session.say(f"{group.remark or f'Mirrored {label} about the {axis} axis'}.")
+    active = None if selects is None else selects.active
+    mirrored = transform_group(document, group, by)
+    text = f"Mirror {label} about the {axis} axis"
+    if not session.change(text, lambda _: mirrored, active=active):
+        return
+    if selects is not None:
+        session.selected.restore(selects)
+    session.say(f"{group.remark or f'Mirrored {label} about the {axis} axis'}.")
 
 
 class MirrorLine(Drag, kw_only=True):
