@@ -205,22 +205,17 @@ The decorated method runs afterwards. Often it has only a docstring, which is th
 
 def also(*positions: BarPosition) -> Callable[[_Handler], _Handler]:
     """Place the actions of the decorated handler in bars as well: toolbar, context menus, buttons."""
-    return _also(positions)
+    return _marking(_ALSO, positions)
 
 
 def also_for_each(positions: Callable[[Any], Iterable[BarPosition]]) -> Callable[[_Handler], _Handler]:
     """Place each action of the decorated handler at the positions that `positions` returns for its record."""
-    return _also(positions)
+    return _marking(_ALSO, positions)
 
 
 def widget_at(position: BarPosition) -> Callable[[_Handler], _Handler]:
     """Place the widget that the decorated method returns in a bar."""
-
-    def mark(build: _Handler) -> _Handler:
-        setattr(build, _WIDGET, position)
-        return build
-
-    return mark
+    return _marking(_WIDGET, position)
 
 
 def declared_widgets(kind: type, commands: object) -> Iterator[tuple[BarPosition, Any]]:
@@ -229,10 +224,11 @@ def declared_widgets(kind: type, commands: object) -> Iterator[tuple[BarPosition
         yield position, build(commands)
 
 
-def _also(positions: object) -> Callable[[_Handler], _Handler]:
+def _marking(name: str, value: object) -> Callable[[_Handler], _Handler]:
+    """Return a decorator that gives a method an attribute."""
 
     def mark(handler: _Handler) -> _Handler:
-        setattr(handler, _ALSO, positions)
+        setattr(handler, name, value)
         return handler
 
     return mark

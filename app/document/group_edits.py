@@ -236,17 +236,15 @@ def ungroup(document: Document, curves: Collection[int]) -> Document:
     if not nodes:
         raise EditError("Select a group to ungroup it.")
     depths = {index: node.depth for node in nodes for index in node.indices}
-    return replace(
-        document,
-        curves=tuple(
-            _without_group(curve, depths[index]) if index in depths else curve
-            for index, curve in enumerate(document.curves)
-        ),
-    )
+    new = list(document.curves)
+    for index, depth in depths.items():
+        new[index] = _with_group(new[index], depth)
+    return replace(document, curves=tuple(new))
 
 
-def _without_group(curve: Curve, depth: int) -> Curve:
-    return replace(curve, groups=(*curve.groups[:depth], *curve.groups[depth + 1 :]))
+def _with_group(curve: Curve, depth: int, *name: str) -> Curve:
+    """Return a curve with another name for its group at a depth, or without that group."""
+    return replace(curve, groups=(*curve.groups[:depth], *name, *curve.groups[depth + 1 :]))
 
 
 def pressed_curves(document: Document, curve: int, selection: SelectionState) -> frozenset[int]:
@@ -290,12 +288,7 @@ def rename_node(document: Document, node: Node, name: str) -> Document:
         raise EditError(f"Another shape or group is called “{name}”. Enter another name.")
     if node.kind is NodeKind.SHAPE:
         return map_curves(document, node.indices, lambda curve: replace(curve, shape=name))
-    depth = node.depth
-    return map_curves(
-        document,
-        node.indices,
-        lambda curve: replace(curve, groups=(*curve.groups[:depth], name, *curve.groups[depth + 1 :])),
-    )
+    return map_curves(document, node.indices, lambda curve: _with_group(curve, node.depth, name))
 
 
 def with_unused_group_names(

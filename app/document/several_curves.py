@@ -78,12 +78,11 @@ def step_group(document: Document, group: PointGroup, by: Vector) -> Document:
 
 def transform_group(document: Document, group: PointGroup, by: Affine) -> Document:
     """Transform the points of a group and their explicit derivatives."""
-    return _whole_mapped(
-        document,
-        group,
-        positions_mapped(by),
-        lambda new, curve, indices: transform_points(new, curve, indices, by),
-    )
+
+    def edit(document: Document, curve: int, indices: Collection[int]) -> Document:
+        return transform_points(document, curve, indices, by)
+
+    return _changed_whole(document, group, positions_mapped(by), edit, _has_only_positions)
 
 
 def set_appearance(
@@ -97,13 +96,12 @@ def set_appearance(
     """Show or hide curves, lock or unlock them, set their colour; None leaves each as it is."""
     flags = {"visible": visible, "locked": locked}
     changes = {name: value for name, value in flags.items() if value is not None}
-    return map_curves(
-        document,
-        expand_to_shapes(document, curves),
-        lambda curve: replace(
-            curve, **changes, style=curve.style if colour is None else curve.style.in_colour(colour)
-        ),
-    )
+
+    def edit(curve: Curve) -> Curve:
+        style = curve.style if colour is None else curve.style.in_colour(colour)
+        return replace(curve, **changes, style=style)
+
+    return _map_shapes(document, curves, edit)
 
 
 def show_all(document: Document) -> Document:
@@ -266,11 +264,6 @@ def _whole_shifted(document: Document, group: PointGroup, shift: PointsChange) -
     return _changed_whole(document, group, shift, edit, lambda _: True)
 
 
-def _whole_mapped(document: Document, group: PointGroup, change: PointsChange, edit: PointsEdit) -> Document:
-    """Edit the points of a group; whole curves that consist of positions alone are changed by `change`."""
-    return _changed_whole(document, group, change, edit, _has_only_positions)
-
-
 def _has_only_positions(curve: Curve) -> bool:
     """Return whether nothing but positions changes when all points of a curve are moved."""
     return not (curve.has_derivatives or (curve.closed and curve.is_manual))
@@ -309,11 +302,7 @@ STYLE_WORDS: Final = {field.name: field.label for field in fields_of(Style)}
 
 def set_style(document: Document, curves: Collection[int], **fields: object) -> Document:
     """Set some fields of the styles of curves."""
-    return map_curves(
-        document,
-        expand_to_shapes(document, curves),
-        lambda curve: replace(curve, style=replace(curve.style, **fields)),
-    )
+    return _map_shapes(document, curves, lambda curve: replace(curve, style=replace(curve.style, **fields)))
 
 
 def colours_of(curves: Iterable[Curve]) -> list[str]:
@@ -326,9 +315,12 @@ def colours_of(curves: Iterable[Curve]) -> list[str]:
 
 def swap_paints(document: Document, curves: Collection[int]) -> Document:
     """Exchange the paints of fill and stroke of curves."""
-    return map_curves(
-        document, expand_to_shapes(document, curves), lambda curve: replace(curve, style=curve.style.swapped)
-    )
+    return _map_shapes(document, curves, lambda curve: replace(curve, style=curve.style.swapped))
+
+
+def _map_shapes(document: Document, curves: Collection[int], edit: Callable[[Curve], Curve]) -> Document:
+    """Edit each of these curves and of the others of their shapes."""
+    return map_curves(document, expand_to_shapes(document, curves), edit)
 
 
 def common_values(styles: Iterable[Style]) -> dict[str, object]:

@@ -65,14 +65,10 @@ class Families(Sequence[Family]):
     def called(self, words: str) -> Family | None:
         """Return the family whose name or title these words are, in small or capital letters; else None."""
         wanted = _plain(words)
-        return next(
-            (
-                family
-                for family in self
-                if wanted in map(_plain, (family.name, family.title, family.full_title))
-            ),
-            None,
-        )
+        for family in self:
+            if wanted in map(_plain, (family.name, family.title, family.full_title)):
+                return family
+        return None
 
     def add(self, family: Family) -> None:
         """Append a family.

@@ -157,11 +157,9 @@ class Selection:
         self._put(existing if existing.of(self._session.active_index) else NO_POINTS)
 
     def _existing(self, group: PointGroup) -> PointGroup:
-        return (
-            existing_points(group, self._session.document.curves, self.active_curves)
-            if group.parts
-            else NO_POINTS
-        )
+        if not group.parts:
+            return NO_POINTS
+        return existing_points(group, self._session.document.curves, self.active_curves)
 
     def _put(self, group: PointGroup) -> None:
         if group != self.group:

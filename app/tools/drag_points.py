@@ -132,8 +132,6 @@ class MovePoints(Drag, kw_only=True):
 
     Attributes
     ----------
-    group
-        The points.
     grabbed
         The curve and the index of the point under the pointer: this one snaps.
     start
@@ -144,7 +142,6 @@ class MovePoints(Drag, kw_only=True):
         0 or 1 where an axis is locked from the start.
     """
 
-    group: PointGroup
     grabbed: tuple[int, int]
     start: Vector
     snapper: Snapper
@@ -181,11 +178,6 @@ class MovePoints(Drag, kw_only=True):
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Move point 2", "Move 4 points"."""
         return f"Move {self.group.label}"
-
-    @property
-    def remark(self) -> str:
-        """The locked part of the group."""
-        return self.group.remark
 
     def amount(self, pointer: Pointer) -> str:
         """Return "Point 2: (1.7, 1.1) · moved (−0.3, 0.1)"; of several points their offset."""

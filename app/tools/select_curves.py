@@ -165,11 +165,8 @@ def _words_inside(event: ToolEvent, hit: Hit) -> str:
     if not event.pointer.shift:
         return f"Click to edit “{name}” · Shift+click: add it to the selection"
     is_selected = hit.index in event.session.selected.whole_curves
-    return (
-        f"Click to remove “{name}” from the selection"
-        if is_selected
-        else f"Click to add “{name}” to the selection"
-    )
+    change = f"remove “{name}” from" if is_selected else f"add “{name}” to"
+    return f"Click to {change} the selection"
 
 
 def _name(event: ToolEvent, hit: Hit) -> str:
@@ -254,12 +251,8 @@ def select_hit(event: ToolEvent) -> None:
         session.selected.set_group(
             points_of(hit.curve if hit.curve >= 0 else session.active_index, [hit.index])
         )
-    several = (
-        name_or_count(session.document, session.selected.whole_curves)
-        if session.selected.whole_curves
-        else ""
-    )
-    session.say(f"Editing {several}." if several else f"Editing “{session.active_view.source.display_name}”.")
+    whole, name = session.selected.whole_curves, f"“{session.active_view.source.display_name}”"
+    session.say(f"Editing {name_or_count(session.document, whole) if whole else name}.")
 
 
 def selected_curves(session: EditingSession) -> str:

@@ -74,6 +74,7 @@ from msgspec.structs import replace
 from ..document.fields import NO_SCROLL, Scroll
 from ..document.limits import EditError
 from ..document.model import Document, Vector
+from ..document.point_group import NO_POINTS, PointGroup
 from ..document.selection import SelectionState
 from ..document.transforms import round_step_above
 from ..document.words import decimal_product
@@ -283,23 +284,21 @@ class Drag(Gesture, kw_only=True):
         brings back curves of it, or removes all curves selected since (`Selection.select_returned`).
     refusal
         Why the last move changed nothing; empty where it did.
-    keys, remark
-        Effects of the modifier keys; the locked part of the selection. A subclass overrides them by a
-        property, or where they are always the same by a value in its body: ``keys = AXIS_KEYS``.
+    group
+        The points that the drag changes together; none of a drag that changes something else.
+    keys
+        Effects of the modifier keys. A subclass overrides them by a property, or where they are always the
+        same by a value in its body: ``keys = AXIS_KEYS``.
     """
 
     document: Document
     selects: SelectionState | None = None
     refusal: str = ""
+    group: PointGroup = NO_POINTS
 
     @property
     def keys(self) -> str:
         """Effects of the modifier keys, for the status line."""
-        return ""
-
-    @property
-    def remark(self) -> str:
-        """Remark for the status line: the locked part of the selection; empty for none."""
         return ""
 
     def document_at(self, pointer: Pointer) -> Document:
@@ -339,15 +338,15 @@ class Drag(Gesture, kw_only=True):
 
     def committed(self, event: ToolEvent) -> None:
         """Say the remark, after the step has been made."""
-        if self.remark:
-            event.session.say(f"{self.remark}.")
+        if self.group.remark:
+            event.session.say(f"{self.group.remark}.")
 
     def status(self, event: ToolEvent) -> str:
         """Return the amount, the remark and the keys; or why nothing changes."""
         amount = self.amount(event.pointer)
         if self.refusal or not amount:
             return self.refusal
-        return " · ".join(filter(None, (amount, self.remark, self.keys, "Escape cancels")))
+        return " · ".join(filter(None, (amount, self.group.remark, self.keys, "Escape cancels")))
 
     def marks(self, event: ToolEvent) -> Marks:
         """Return the frame around the selection, and the snap of the drag."""

@@ -102,7 +102,6 @@ class ScaleBox(Drag, kw_only=True):
     """
 
     views: Sequence[CurveView]
-    group: PointGroup
     box: TransformBox
     pivot: Vector
     grip: Grip
@@ -193,11 +192,6 @@ class ScaleBox(Drag, kw_only=True):
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Scale 4 points"."""
         return f"Scale {self.group.label}"
-
-    @property
-    def remark(self) -> str:
-        """The locked part of the group."""
-        return self.group.remark
 
     def amount(self, pointer: Pointer) -> str:
         """Return the factors."""
@@ -296,7 +290,6 @@ class Transform(TypedDrag, kw_only=True):
     """
 
     kind: TransformKind
-    group: PointGroup
     centre: Vector
     hold: Vector
     start: Vector
@@ -425,11 +418,6 @@ class Transform(TypedDrag, kw_only=True):
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Rotate 4 points", "Scale all 5 points"."""
         return f"{self.kind.title} {'all ' if self._is_all else ''}{self.group.label}"
-
-    @property
-    def remark(self) -> str:
-        """The locked part of the group."""
-        return self.group.remark
 
     @property
     def _is_all(self) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from itertools import pairwise
+from itertools import combinations_with_replacement, pairwise
 from typing import NamedTuple, TypeAlias
 
 from curvecore.arithmetic import UNIT_ROUNDOFF
@@ -88,16 +88,11 @@ def _squares(rows: list[Row]) -> Row:
 @cache
 def _products(degree: int) -> list[tuple[int, int, int, float]]:
     """Return the weights of the products of coefficients i and j in coefficient k = i + j of a square."""
-    return [
-        (
-            i + j,
-            i,
-            j,
-            (1 + (i != j)) * math.comb(degree, i) * math.comb(degree, j) / math.comb(2 * degree, i + j),
-        )
-        for i in range(degree + 1)
-        for j in range(i, degree + 1)
-    ]
+    products = []
+    for i, j in combinations_with_replacement(range(degree + 1), 2):
+        count = (1 + (i != j)) * math.comb(degree, i) * math.comb(degree, j)
+        products.append((i + j, i, j, count / math.comb(2 * degree, i + j)))
+    return products
 
 
 def _is_convex(coefficients: Row) -> bool:

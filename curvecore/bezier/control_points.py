@@ -161,9 +161,7 @@ def cubic_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
     """
     limit = tolerance_value(tolerance)
     if len(curve.pieces) > 1:
-        paths = [cubic_path(piece, limit) for piece in curve.pieces]
-        points, parameters, deviations, bounds = zip(*paths, strict=True)
-        return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations), all(bounds))
+        return _joined_paths([cubic_path(piece, limit) for piece in curve.pieces])
     controls = drawable_pieces(curve)
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         if controls is None:
@@ -171,6 +169,12 @@ def cubic_path(curve: ParametricCurve, tolerance: float) -> CubicPath:
         if controls.shape[1] <= 4:
             return CubicPath(elevated(controls, 4 - controls.shape[1]), curve.breaks.copy(), 0.0)
         return _proved_path(curve, controls, limit)
+
+
+def _joined_paths(paths: list[CubicPath]) -> CubicPath:
+    """Return the path along curves, each of which begins where the one before it ends."""
+    points, parameters, deviations, bounds = zip(*paths, strict=True)
+    return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations), all(bounds))
 
 
 def _pieces(curve: ParametricCurve, parameters: FloatArray) -> FloatArray:
@@ -276,9 +280,7 @@ def cubic_shape(curve: ParametricCurve, tolerance: float) -> CubicPath:
     """
     limit = tolerance_value(tolerance)
     if len(curve.pieces) > 1:
-        paths = [cubic_shape(piece, limit) for piece in curve.pieces]
-        points, parameters, deviations, bounds = zip(*paths, strict=True)
-        return CubicPath(np.concatenate(points), end_to_end(parameters), max(deviations), all(bounds))
+        return _joined_paths([cubic_shape(piece, limit) for piece in curve.pieces])
     joints, is_cubic = all_joints(curve), curve.degree is not None and curve.degree <= 3
     if (is_cubic and curve.bezier_pieces() is not None) or len(joints) > MAX_PIECES:
         return cubic_path(curve, limit)

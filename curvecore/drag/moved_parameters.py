@@ -170,12 +170,8 @@ class MovedParameters:
             columns, rows = self._rows_at_moved(curve, moved, weights)
             values[columns] = rows
             # Looking at every value is dear; mostly the factors tell that none can be too large.
-            bound = (
-                self._greatest
-                * np.abs(weights).max()
-                * np.abs(ratio).max()
-                * max(np.abs(of_moved).max(), 1.0)
-            )
+            growth = max(np.abs(of_moved).max(), 1.0)
+            bound = self._greatest * np.abs(weights).max() * np.abs(ratio).max() * growth
             if bound < LIMIT or np.abs(values).max() < LIMIT:
                 return values[:, :, None]
         return None

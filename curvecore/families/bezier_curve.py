@@ -409,12 +409,8 @@ def windowed_values(points: FloatArray, x: DoubleDouble, y: DoubleDouble) -> Flo
     with np.errstate(all="ignore"):
         for start in range(0, len(result), step):
             part = slice(start, start + step)
-            ratio = divide(
-                *(
-                    DoubleDouble(coordinate.high[part, None], coordinate.low[part, None])
-                    for coordinate in (x, y)
-                )
-            )
+            some = (DoubleDouble(whole.high[part, None], whole.low[part, None]) for whole in (x, y))
+            ratio = divide(*some)
             middle = np.clip(np.rint(degree * x.high[part]).astype(np.intp), 0, degree)[:, None]
             index = middle + np.arange(-reach, reach + 1)
             weights = _weights(index, middle, reach, degree, ratio)

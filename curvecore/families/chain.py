@@ -171,12 +171,10 @@ class Chain(ParametricCurve):
 
     def interpolants(self) -> list[Interpolant] | None:
         """Return the interpolants of the pieces; None where one of them has none."""
-        parts = [piece.interpolants() for piece in self._pieces]
-        return (
-            None
-            if None in parts
-            else [interpolant for part in parts if part is not None for interpolant in part]
-        )
+        parts = [part for piece in self._pieces if (part := piece.interpolants()) is not None]
+        if len(parts) < len(self._pieces):
+            return None
+        return [interpolant for part in parts for interpolant in part]
 
     def joint_derivatives(self, *, before: bool) -> JointDerivatives:
         """Return c to c''' at the ends of all segments of all pieces."""

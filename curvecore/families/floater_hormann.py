@@ -207,11 +207,9 @@ class FloaterHormannCurve(ParametricCurve):
         result = np.empty((self.points.shape[1], t.size))
         points = np.ldexp(self.points, -exponent)
         for where, values, exponents in self._rational_form.parts(t, order):
-            rows = (
-                normalise(Scaled(values, exponents))
-                if exponents is not None
-                else ScaledRows(values, _NO_EXPONENT)
-            )
+            rows = ScaledRows(values, _NO_EXPONENT)
+            if exponents is not None:
+                rows = normalise(Scaled(values, exponents))
             result[:, where] = scale_by_power(points.T @ rows.values, exponent[:, None] + rows.exponent)
         curve = np.ascontiguousarray(result.T)
         if order == 0:
@@ -441,9 +439,8 @@ class RationalForm(NamedTuple):
             terms.append(multiply(pairs.series, scaled))
             exponents.append(pairs.exponent + gap_exponent[:, None] - local.unit)
         alternating = _signs(n - d)[:, None]
-        signs = np.concatenate([signed.single * alternating, signed.pair * -alternating[:-1]])[
-            :, signed.column
-        ]
+        both = [signed.single * alternating, signed.pair * -alternating[:-1]]
+        signs = np.concatenate(both)[:, signed.column]
         high, low = (np.concatenate(both, axis=1) * signs for both in zip(*terms, strict=True))
         return total_of(Series(DoubleDouble(high, low), np.concatenate(exponents)), signs != 0.0)
 

@@ -172,14 +172,7 @@ def _quintic_5(at: LocalCoordinates) -> tuple[FloatArray, ...]:
 
 #: Entry q holds the q-th derivatives with respect to s.
 CUBIC: tuple[LeftFunctions, ...] = (_cubic_0, _cubic_1, _cubic_2, _cubic_3)
-QUINTIC: tuple[LeftFunctions, ...] = (
-    _quintic_0,
-    _quintic_1,
-    _quintic_2,
-    _quintic_3,
-    _quintic_4,
-    _quintic_5,
-)
+QUINTIC: tuple[LeftFunctions, ...] = (_quintic_0, _quintic_1, _quintic_2, _quintic_3, _quintic_4, _quintic_5)
 
 
 # Functions of any number of data, as forms
@@ -330,11 +323,7 @@ def end_derivative_terms(jets: FloatArray, parameters: FloatArray, end: int, ord
             terms = [*terms, weight * data]
         if k < order:
             terms = [term / h for term in terms]
-    return np.stack(terms) / _power(h, order - jets.shape[1])
-
-
-def _power(h: FloatArray, exponent: int) -> FloatArray:
-    return h**exponent
+    return np.asarray(np.stack(terms) / h ** (order - jets.shape[1]))
 
 
 def slopes_of(jets: FloatArray, parameters: FloatArray) -> Slopes | None:

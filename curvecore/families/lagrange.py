@@ -435,11 +435,9 @@ class ProductForm(NamedTuple):
         if order:
             plain = plain and order < n and self.least_bits < _DERIVATIVE_BITS.get(order, 0.0)
         # A series costs a Python loop over the parameters for each slice: not too few columns.
-        size = (
-            max(1, (_CHUNK >> min(order, 1)) // n)
-            if plain or not order
-            else max(64, _CHUNK // (n * (order + 1)))
-        )
+        size = max(1, (_CHUNK >> min(order, 1)) // n)
+        if order and not plain:
+            size = max(64, _CHUNK // (n * (order + 1)))
         room = np.empty((n, min(size, t.size))) if plain else None
         for start in range(0, t.size, size):
             where = slice(start, min(start + size, t.size))
@@ -637,14 +635,10 @@ def matrix_serves(parameters: FloatArray, points: FloatArray, t: FloatArray, ord
     if 2 * len(parameters) >= t.size or len(parameters) > _MATRIX_POINTS or max(orders) > 3:
         return False
     first, last = float(parameters[0]), float(parameters[-1])
-    is_sized = (
-        first <= float(t.min()) and float(t.max()) <= last and float(np.abs(points).max()) < _MATRIX_LARGEST
-    )
-    return (
-        is_sized
-        and last - first > 1.0 / _MATRIX_LARGEST
-        and np.diff(parameters).min() > 1e-9 * (last - first)
-    )
+    if not (first <= float(t.min()) and float(t.max()) <= last and last - first > 1.0 / _MATRIX_LARGEST):
+        return False
+    is_sized = float(np.abs(points).max()) < _MATRIX_LARGEST
+    return is_sized and bool(np.diff(parameters).min() > 1e-9 * (last - first))
 
 
 def derivatives_by_matrix(

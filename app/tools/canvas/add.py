@@ -323,10 +323,8 @@ class AddTool(Tool):
         if not is_quick(event.view):
             return None
         try:
-            closed = view_of(
-                self._closed(event, by_corner=event.pointer.alt).curves[event.session.active_index],
-                self._preview,
-            )
+            document = self._closed(event, by_corner=event.pointer.alt)
+            closed = view_of(document.curves[event.session.active_index], self._preview)
         except EditError:
             return None
         return closed if closed.is_current else None

@@ -145,8 +145,6 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
         Its name, such as "ellipse".
     phrase
         The name with its article.
-    plural
-        Several of them.
     regular
         Its name in a square, with the article.
     pieces
@@ -155,7 +153,6 @@ class BoxCurve(msgspec.Struct, frozen=True, kw_only=True):
 
     name: str
     phrase: str
-    plural: str
     regular: str
     pieces: Callable[[Vector, Vector], Sequence[Piece]]
 
@@ -225,11 +222,9 @@ class DrawInBox(TypedDrag, kw_only=True):
     def marks(self, event: ToolEvent) -> Marks:
         """Return the snap, and width and height beside the pointer."""
         marks, pointer = super().marks(event), event.pointer
-        return (
-            replace(marks, note=Note(pointer.position, self.amount(pointer), self.start))
-            if self.has_moved
-            else marks
-        )
+        if not self.has_moved:
+            return marks
+        return replace(marks, note=Note(pointer.position, self.amount(pointer), self.start))
 
     def _box(self, pointer: Pointer) -> tuple[Vector, Vector]:
         start, end = self.start, self.snapper.at(pointer)
@@ -316,7 +311,7 @@ def _tool(drawn: BoxCurve, *, rank: int, key: str, icon: str, keywords: str) -> 
         make=partial(BoxCurveTool, drawn),
         hint=f"{drawn.hint}; V or Escape returns to Select.",
         empty_message=f"Drag on the canvas to draw {drawn.phrase}.",
-        doing=f"drawing {drawn.plural}",
+        doing=f"drawing {drawn.name}s",
         gestures=(
             GestureRow("Drag", f"draw {drawn.phrase} from corner to corner of its box"),
             GestureRow("Ctrl, Shift", f"{drawn.regular}; about the centre"),
@@ -338,7 +333,6 @@ RECTANGLE = _tool(
     BoxCurve(
         name="rectangle",
         phrase="a rectangle",
-        plural="rectangles",
         regular="a square",
         pieces=rectangle_in,
     ),
@@ -351,7 +345,6 @@ ELLIPSE = _tool(
     BoxCurve(
         name="ellipse",
         phrase="an ellipse",
-        plural="ellipses",
         regular="a circle",
         pieces=ellipse_in,
     ),

@@ -90,14 +90,13 @@ class MirrorLine(Drag, kw_only=True):
 
     Attributes
     ----------
-    group, label
-        The points that are mirrored, and what they are.
+    label
+        What is mirrored.
     start
         The first position.
     """
 
     follows_click = True
-    group: PointGroup
     label: str
     start: Vector
     snapper: Snapper
@@ -121,11 +120,6 @@ class MirrorLine(Drag, kw_only=True):
     def undo_text(self, pointer: Pointer) -> str:
         """Return "Mirror a copy of Leaf"."""
         return f"Mirror {self.label}"
-
-    @property
-    def remark(self) -> str:
-        """The locked part of the selection."""
-        return self.group.remark
 
     def amount(self, pointer: Pointer) -> str:
         """Return what is mirrored, and the direction of the line."""

@@ -65,25 +65,17 @@ def warnings_of(view: CurveView, lebesgue: float) -> list[CurveWarning]:
     gap = _narrowest(view) if view.source.family.interpolates else None
     if gap is not None:
         shows = ", and the smallest error becomes visible" if gap.is_estimated else ""
-        warnings.append(
-            CurveWarning(
-                Topic.GAP,
-                "⚠ t almost equal",
-                f"The parameters of points {view.owner(gap.knot)} and {view.owner(gap.knot + 1)} are only "
-                f"{short(gap.width)} apart, {short(gap.wider / gap.width)} times less than the next ones: "
-                f"the curve must pass from one to the other in almost no time{shows}.",
-            )
+        sentence = (
+            f"The parameters of points {view.owner(gap.knot)} and {view.owner(gap.knot + 1)} are only "
+            f"{short(gap.width)} apart, {short(gap.wider / gap.width)} times less than the next ones: "
+            f"the curve must pass from one to the other in almost no time{shows}."
         )
+        warnings.append(CurveWarning(Topic.GAP, "⚠ t almost equal", sentence))
     if lebesgue > _LOOK_CLOSER and len(view.parameters) <= _MOST_EXACT and view.basis_curve is not None:
         lebesgue = growth_of_points(view)
     if lebesgue > LARGE_LEBESGUE:
-        warnings.append(
-            CurveWarning(
-                Topic.LEBESGUE,
-                f"⚠ Λ {short(lebesgue)}",
-                _words_on_growth(view, lebesgue),
-            )
-        )
+        sentence = _words_on_growth(view, lebesgue)
+        warnings.append(CurveWarning(Topic.LEBESGUE, f"⚠ Λ {short(lebesgue)}", sentence))
     return warnings
 
 
