@@ -22,8 +22,9 @@ import numpy as np
 
 from curvecore.arithmetic import LIMIT, vector_lengths
 from curvecore.arrays import FloatArray, IntArray, end_to_end, tolerance_value
-from curvecore.bezier.bernstein import control_points, elevated, weights
+from curvecore.bezier.bernstein import control_points, controls_between, elevated, weights
 from curvecore.errors import CurveError
+from curvecore.families.chain import joint_of_row
 from curvecore.families.curve import ParametricCurve
 
 MAX_PIECES = 1 << 12
@@ -114,6 +115,20 @@ def drawable_pieces(curve: ParametricCurve) -> FloatArray | None:
     """Return the Bezier control points of a curve, limited to +-1e300; None where it has none."""
     controls = curve.bezier_pieces()
     return None if controls is None else _limited(controls)
+
+
+def drawable_chain(curve: ParametricCurve) -> FloatArray | None:
+    """Return the Bezier control points of all curves of a chain, limited; None where their degrees differ."""
+    if curve.is_local and curve.degree == 2 * curve.jets.shape[1] - 1:
+        # Such pieces are the polynomials through the jets at their ends: all are computed at once.
+        h = np.diff(curve.parameters[joint_of_row(curve)])
+        inside = h > 0.0
+        return _limited(controls_between(curve.jets[:-1][inside], curve.jets[1:][inside], h[inside, None]))
+    parts = [drawable_pieces(piece) for piece in curve.pieces]
+    controls = [part for part in parts if part is not None]
+    if len(controls) < len(parts) or len({part.shape[1] for part in controls}) > 1:
+        return None
+    return np.concatenate(controls)
 
 
 def _limited(controls: FloatArray) -> FloatArray:

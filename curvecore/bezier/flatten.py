@@ -31,7 +31,14 @@ from curvecore.arrays import (
     tolerance_value,
 )
 from curvecore.bezier.bernstein import Arcs, evaluate_inside, weighted_columns
-from curvecore.bezier.control_points import all_joints, drawable_pieces, equal_parts, sorted_distinct, spread
+from curvecore.bezier.control_points import (
+    all_joints,
+    drawable_chain,
+    drawable_pieces,
+    equal_parts,
+    sorted_distinct,
+    spread,
+)
 from curvecore.families.curve import ParametricCurve
 from curvecore.parametrization import chebyshev
 
@@ -242,12 +249,9 @@ def _chained_pieces(curve: ParametricCurve, limit: float, edges: FloatArray | No
     A drawing has thousands of paths with a corner at every other point: one by one, the curves between two
     corners take ten times as long.
     """
-    parts = [drawable_pieces(piece) for piece in curve.pieces]
-    controls = [part for part in parts if part is not None]
-    widths = {part.shape[1] for part in controls}
-    if len(controls) < len(parts) or len(widths) > 1 or max(widths) > _WIDEST:
+    together, breaks = drawable_chain(curve), curve.breaks
+    if together is None or together.shape[1] > _WIDEST:
         return None
-    together, breaks = np.concatenate(controls), curve.breaks
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         arcs = _divided(together, limit, edges)
         # What is too wild for the vertices of one curve gets those of each; so do bounds that are no numbers.
