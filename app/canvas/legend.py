@@ -23,7 +23,7 @@ from ..qt.labels import Label, tip_of
 from ..tasks.task import DelayedCall
 from ..view_model.analysis.ghost import Ghost
 from ..view_model.analysis.legend import LegendRow
-from ..widgets.boxes import grid_of
+from ..widgets.boxes import grid_of, remove_widgets
 from ..widgets.controls import named, tool_button
 from ..widgets.frames import OverlayFrame
 
@@ -159,10 +159,7 @@ class Legend(OverlayFrame):
             self._rebuild()
 
     def _rebuild(self) -> None:
-        for widget in self._children():
-            self._grid.removeWidget(widget)
-            widget.hide()
-            widget.deleteLater()
+        remove_widgets(self._grid, self._children())
         self._visible_rows = []
         for index, row in enumerate(self.rows):
             self._add(index, row)

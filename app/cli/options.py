@@ -315,25 +315,6 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
         action="store_true",
         help="with --thin: keep the corners of a polyline within X of all rows (Douglas-Peucker)",
     )
-    _add_family_options(convert)
-    add(
-        "--columns",
-        action="append",
-        default=[],
-        metavar="A,B",
-        help="of a table to read: the role of each column, by title or number, as in t=time,x=pos_x,y=3; of "
-        "a table of samples to write: the columns t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
-    )
-    add(
-        "--missing",
-        choices=("refuse", "skip", "split"),
-        default="refuse",
-        help="rows without numbers: report an error, skip them or end the curve there (default: refuse)",
-    )
-
-
-def _add_family_options(convert: argparse.ArgumentParser) -> None:
-    add = convert.add_argument
     add(
         "--family",
         type=_family_name,
@@ -348,6 +329,20 @@ def _add_family_options(convert: argparse.ArgumentParser) -> None:
         default=[],
         metavar="NAME=VALUE",
         help=f"setting of that family: {_settings_text()}",
+    )
+    add(
+        "--columns",
+        action="append",
+        default=[],
+        metavar="A,B",
+        help="of a table to read: the role of each column, by title or number, as in t=time,x=pos_x,y=3; of "
+        "a table of samples to write: the columns t, x, y, vx, vy, ax, ay, jx, jy, curvature, length",
+    )
+    add(
+        "--missing",
+        choices=("refuse", "skip", "split"),
+        default="refuse",
+        help="rows without numbers: report an error, skip them or end the curve there (default: refuse)",
     )
 
 

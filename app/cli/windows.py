@@ -8,7 +8,7 @@ import logging
 import signal
 import socket
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -52,7 +52,10 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
             session.open(path)
     windows = [MainWindow(session) for session in sessions]
     if files:
-        _begin_empty(sessions)
+        # A sketch would look like the content of the file that they wait for.
+        for session in sessions:
+            if session.files.is_untouched:
+                session.files.new()
     for window in windows:
         window.show()
     for window, path in zip(windows, documents, strict=False):
@@ -67,13 +70,6 @@ def open_windows(files: Sequence[str], problems: Sequence[str] = (), lesson: str
     if lesson:
         windows[0].commands[LessonCommands].open(lesson)
     return windows
-
-
-def _begin_empty(sessions: Iterable[Session]) -> None:
-    """Empty the sessions that wait for their file: a sketch would look like its content."""
-    for session in sessions:
-        if session.files.is_untouched:
-            session.files.new()
 
 
 def run(application: QApplication, windows: list[MainWindow]) -> int:

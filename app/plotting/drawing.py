@@ -298,12 +298,10 @@ def _near(
 
 def is_crowd(segments: FloatArray) -> bool:
     """Whether segments (m, 4) in pixels fill the area so densely that no joint is visible."""
-    return len(segments) > _CROWD_FROM and _length(segments) > _CROWDED
-
-
-def _length(segments: FloatArray) -> float:
-    """Return the total length of segments (m, 4)."""
-    return float(np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1]).sum())
+    if len(segments) <= _CROWD_FROM:
+        return False
+    lengths = np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1])
+    return float(lengths.sum()) > _CROWDED
 
 
 def runs_of(segments: FloatArray) -> list[FloatArray]:

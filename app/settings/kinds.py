@@ -123,9 +123,6 @@ class TextSetting(Setting[Value]):
 class Choice(TextSetting[Member]):
     """Member of an enumeration with words as values and labels."""
 
-    def __init__(self, key: str, default: Member, label: str, tip: str, widget: str = "") -> None:
-        super().__init__(key, default, label, tip, widget)
-
     def _parse(self, text: str) -> Member:
         kind = type(self.default)
         try:

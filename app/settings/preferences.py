@@ -178,10 +178,6 @@ class Preferences:
         """Sentence about an unusable stored value; empty where there is none."""
         return self.file.complaint
 
-    def refuse(self, key: str, reason: str) -> None:
-        """Record that the value of `key` could be read but not used."""
-        self.file.complain(key, reason)
-
     @property
     def recent_files(self) -> list[Path]:
         """At most ten recent files that exist, the latest first."""

@@ -19,6 +19,14 @@ Margins = int | tuple[int, int, int, int] | None
 _Box = TypeVar("_Box", bound=QBoxLayout)
 
 
+def remove_widgets(layout: QLayout, widgets: Iterable[QWidget]) -> None:
+    """Remove widgets from a layout at once; they are deleted when control returns to the event loop."""
+    for widget in widgets:
+        layout.removeWidget(widget)
+        widget.hide()
+        widget.deleteLater()
+
+
 def row_of(
     *parts: Part, margins: Margins = None, spacing: int | None = None, parent: QWidget | None = None
 ) -> QHBoxLayout:

@@ -283,10 +283,10 @@ def restore_layout(window: QMainWindow, splitter: QSplitter, preferences: Prefer
     if not is_restored or window.size() != window.size().expandedTo(_LEAST):
         window.resize(usual)
     if not state.isEmpty() and not window.restoreState(state):
-        preferences.refuse("window/state", "it is not a layout")
+        preferences.file.complain("window/state", "it is not a layout")
     parts = preferences.splitter_state
     if not parts.isEmpty() and not splitter.restoreState(parts):
-        preferences.refuse("window/splitter", "it is not a layout")
+        preferences.file.complain("window/splitter", "it is not a layout")
     hide_idle_docks(window)
     if floating_docks(window):
         FirstShow(window, lambda: _lift(window))

@@ -62,3 +62,10 @@ class SliderGesture:
     def _cancel(self) -> None:
         self._session.cancel()
         self._session.say(CANCELLED)
+
+
+def cancel_preview(session: Session) -> None:
+    """Cancel the preview of a value, if there is one."""
+    if session.is_previewing:
+        session.cancel()
+        session.say(CANCELLED)

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QBoxLayout, QSizePolicy, QToolButton, QWidget
 from ..appearance.icons import icon
 from ..appearance.theme import Theme
 from ..qt.labels import Label
-from ..widgets.boxes import column_of, row_of
+from ..widgets.boxes import column_of, remove_widgets, row_of
 from ..widgets.controls import action_button, tool_button
 from ..widgets.frames import OverlayFrame
 
@@ -200,10 +200,7 @@ class NoticeBar(SentenceBar):
         """Show a sentence with a button for each action."""
         if self.text == text and self.offered == [action.objectName() for action in actions]:
             return
-        for button in self._buttons:
-            self._row.removeWidget(button)
-            button.hide()
-            button.deleteLater()
+        remove_widgets(self._row, self._buttons)
         self._buttons = [action_button(action, self, icon_size=14, beside=True) for action in actions]
         for index, button in enumerate(self._buttons):
             keep_pointer(button)

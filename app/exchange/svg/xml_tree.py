@@ -247,10 +247,7 @@ def name_of(element: ET.Element) -> str:
     """Return the name of an element: its label, its title or its id; empty without."""
     label = next((element.get(attribute, "") for attribute in _LABELS if element.get(attribute)), "")
     title = next((child.text for child in element if tag_of(child) == "title" and child.text), "")
-    return _in_line(label or title or _ESCAPED.sub(_unescaped, element.get("id", "")))
-
-
-def _in_line(name: str) -> str:
+    name = label or title or _ESCAPED.sub(_unescaped, element.get("id", ""))
     return " ".join(name.split())[:_LONGEST_NAME]
 
 

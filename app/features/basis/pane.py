@@ -191,7 +191,8 @@ class BasisPane(FollowsTheme, CentralPane):
             self._title.setText(_CARDINAL_TITLES[min(brief, 1)] if self._shows_cardinals else functions)
             for kind, formula in enumerate(formulas):
                 # The leading space keeps the text off its line sample.
-                text = _function_of(formula) if brief > 2 else formula
+                # The function without factors: B₁ of 2·B₁ ∕ h.
+                text = formula.rpartition("·")[2].partition(" ")[0] if brief > 2 else formula
                 self._kinds[kind].setText(" " + (text if brief else f"{_NAMES[kind]}  {formula}"))
             self._write_extent()
             if self._header.sizeHint().width() <= self.width():
@@ -245,11 +246,6 @@ class BasisPane(FollowsTheme, CentralPane):
         if self._extent.sizeHint() != room:
             # The brevity of the header depends on the room that this text leaves.
             self._write_header()
-
-
-def _function_of(formula: str) -> str:
-    """Return the function of a formula without factors: B₁ of 2·B₁ ∕ h."""
-    return formula.rpartition("·")[2].partition(" ")[0]
 
 
 def _reach_text(reach: tuple[float, float] | None, *, brief: bool = False) -> str:

@@ -44,10 +44,10 @@ from ...document.several_curves import (
     unlocked_curves,
 )
 from ...session import Session
-from ...tools.tool import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...workbench.context import WindowContext, bar_menu
 from ...workbench.docks import UPPER, Panel
+from ...workbench.form_edits import cancel_preview
 from ...workbench.highlight import highlighted_curves
 from .model import RowMarks
 from .panel import CurveList
@@ -276,7 +276,7 @@ class RowEdits:
         panel.colour_picked.connect(self._paint)
         panel.fill_picked.connect(self._fill)
         panel.colour_previewed.connect(self._preview)
-        panel.preview_cancelled.connect(self._cancel_preview)
+        panel.preview_cancelled.connect(partial(cancel_preview, self._session))
 
     def _with_selected(self, indices: frozenset[int]) -> frozenset[int]:
         """Return all selected curves where these are among them, or else these."""
@@ -328,11 +328,6 @@ class RowEdits:
     def _preview(self, indices: frozenset[int], code: str) -> None:
         session = self._session
         session.preview(set_appearance(session.committed, self._with_selected(indices), colour=code))
-
-    def _cancel_preview(self) -> None:
-        if self._session.is_previewing:
-            self._session.cancel()
-            self._session.say(CANCELLED)
 
     def _change_looks(
         self, verb: str, indices: frozenset[int], edit: Callable[[Document, frozenset[int]], Document]

@@ -53,12 +53,6 @@ def drop_at(entries: Sequence[Entry], gap: int, depth: int) -> Drop:
     return Drop(gap, below.indices.stop if below is not None else 0, container)
 
 
-def drop_onto(entries: Sequence[Entry], row: int) -> Drop:
-    """Return the position in the shape or group of a row, in front of its curves."""
-    node = entries[row].node
-    return Drop(row, node.indices.stop, node.as_container, is_onto=True)
-
-
 def stays(drop: Drop, dragged: Node, row: int) -> bool:
     """Return whether a drop would leave the dragged row where it is."""
     return not drop.is_onto and drop.gap in (row, row + 1) and drop.container == dragged.container
@@ -140,7 +134,9 @@ class RowDrag:
         if row not in (-1, self.row) and entries[row].holds:
             rect = self._view.visualRect(self._model.index(row))
             if abs(position.y() - rect.center().y()) <= rect.height() // 4:
-                return drop_onto(entries, row)
+                # Into the shape or group of the row, in front of its curves.
+                node = entries[row].node
+                return Drop(row, node.indices.stop, node.as_container, is_onto=True)
         gap, deeper = self._gap_at(position), round((position.x() - press.x()) / INDENT)
         depth = entries[self.row].node.depth + deeper
         if row == gap - 1 and deeper >= 0:

@@ -278,19 +278,16 @@ class CurveSettings(FieldForm):
     def _render(self) -> None:
         self._fields.setEnabled(self._view is not None)
         if self._view is None:
-            self._render_none()
+            for edit in (self.name_edit, self.start_edit, self.end_edit):
+                edit.show_text("")
+            for box in self.rule_boxes.values():
+                box.setCurrentIndex(-1)
+            self.settings.render_none()
+            self.reset_button.setVisible(False)
+            self._facts.setText(NONE_SELECTED)
+            self.show_problem("")
         else:
             self._render_curve(self._view)
-
-    def _render_none(self) -> None:
-        for edit in (self.name_edit, self.start_edit, self.end_edit):
-            edit.show_text("")
-        for box in self.rule_boxes.values():
-            box.setCurrentIndex(-1)
-        self.settings.render_none()
-        self.reset_button.setVisible(False)
-        self._facts.setText(NONE_SELECTED)
-        self.show_problem("")
 
     def _render_curve(self, view: CurveView) -> None:
         curve = view.source

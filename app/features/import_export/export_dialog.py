@@ -102,9 +102,15 @@ class ExportDialog(WorkDialog):
         self._document, self._active, self._selected = document, active, selected
         self._with_estimates = with_estimates
         self.form.show_document(document, has_selection=bool(selected))
-        with suppress(ExpressionError):  # shown already
-            self._show_automatic(self.form.choice())
+        if (choice := self._choice()) is not None:
+            self._show_automatic(choice)
         self._soon.start()
+
+    def _choice(self) -> ExportChoice | None:
+        """Return the choice that the form shows; None for one with a problem, which is shown."""
+        with suppress(ExpressionError):
+            return self.form.choice()
+        return None
 
     def _show_automatic(self, choice: ExportChoice) -> None:
         """Show the number of the automatic tolerance of the curves to export."""
@@ -130,12 +136,8 @@ class ExportDialog(WorkDialog):
     def _render_preview(self) -> None:
         document, active = self._document, self._active
         self.jobs.cancel()
-        if document is None or not self.preview_side.isVisible():
+        if document is None or not self.preview_side.isVisible() or (choice := self._choice()) is None:
             return
-        try:
-            choice = self.form.choice()
-        except ExpressionError:
-            return  # shown already
         preview = choice.format.preview
         assert preview is not None
         order = choice.request(document, active, self._selected, with_estimates=self._with_estimates)
@@ -147,10 +149,8 @@ class ExportDialog(WorkDialog):
         self.jobs.start("Drawing", draw, self._show_preview, self._refuse)
 
     def _show_preview(self, preview: PicturePreview) -> None:
-        try:
-            choice = self.form.choice()
-        except ExpressionError:
-            return  # typed meanwhile, and shown
+        if (choice := self._choice()) is None:
+            return  # typed meanwhile
         # In the theme of the picture, not of this window.
         paper = self._document.paper if self._document is not None else Paper.THEME
         style = choice.style_on(paper)

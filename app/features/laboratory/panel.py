@@ -134,7 +134,7 @@ class LaboratoryPanel(QTabWidget):
         self.rounding.activated.connect(lambda row: self._change(decimals=row - 1 if row else None))
         self.shift_button.clicked.connect(self._toggle_shift)
         self.shift_field.entered.connect(self._set_shift)
-        self.shift_field.refused.connect(self._refuse_shift)
+        self.shift_field.refused.connect(self.note.show_text)
         self.table.methods_changed.connect(self._set_methods)
         self.currentChanged.connect(lambda page: self.cost_opened.emit() if page == 1 else None)
         self._analysis.changed.connect(self._render_settings)
@@ -155,9 +155,6 @@ class LaboratoryPanel(QTabWidget):
     def _set_shift(self, shift: float) -> None:
         self.shift_field.revert()
         self._change(shift=shift)
-
-    def _refuse_shift(self, reason: str) -> None:
-        self.note.show_text(reason)
 
     def _set_methods(self, methods: frozenset[Calculation]) -> None:
         # The methods of other families stay selected.

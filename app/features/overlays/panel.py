@@ -24,7 +24,7 @@ from ...tasks.task import DelayedCall
 from ...view_model.analysis.ghost import Ghost, all_ghosts
 from ...view_model.analysis.overlay import OVERLAYS, ErrorSize, Overlay
 from ...view_model.settings import Count, Factor, OwnedSetting, SwitchSetting
-from ...widgets.boxes import Part, column_of, grid_of, row_of
+from ...widgets.boxes import Part, column_of, grid_of, remove_widgets, row_of
 from ...widgets.controls import action_button, check_box, mirror, tool_button
 from ...widgets.fields import NumberEdit, read_number
 from ...widgets.frames import scroll_vertically
@@ -138,10 +138,7 @@ class AnalysisPanel(FollowsTheme, QScrollArea):
             if ghost not in self._ghost_boxes:
                 self._add_ghost(ghost)
         for ghost in self._ghost_boxes.keys() - set(present):
-            for part in (self._ghost_boxes.pop(ghost), self._use_buttons.pop(ghost)):
-                self._rows.removeWidget(part)
-                part.hide()
-                part.deleteLater()
+            remove_widgets(self._rows, (self._ghost_boxes.pop(ghost), self._use_buttons.pop(ghost)))
         self.set_theme(self.theme)
 
     def _connect(self) -> None:

@@ -27,13 +27,12 @@ from ...session.session import Session
 from ...settings.preferences import Preferences
 from ...storage.format_error import FormatError
 from ...storage.validation import check_fields
-from ...tools.tool import CANCELLED
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of
 from ...workbench.clipboard import CURVES, clipboard_data, copied_curves_in, drawing_in, put_on_clipboard
 from ...workbench.context import WindowContext
 from ...workbench.docks import UPPER, Panel
-from ...workbench.form_edits import SliderGesture
+from ...workbench.form_edits import SliderGesture, cancel_preview
 from .. import style
 
 if TYPE_CHECKING:
@@ -98,7 +97,7 @@ class StyleCommands:
         panel.wanted.connect(self._change)
         panel.stepped.connect(partial(self._change, is_step=True))
         panel.previewed.connect(self._preview)
-        panel.preview_cancelled.connect(self._cancel_preview)
+        panel.preview_cancelled.connect(partial(cancel_preview, self._session))
         panel.became_visible.connect(self._render)
         panel.refused.connect(self._session.refuse)
         for name, field in panel.opacities.items():
@@ -199,11 +198,6 @@ class StyleCommands:
     def _preview(self, fields: dict[str, object]) -> None:
         session = self._session
         session.preview(set_style(session.committed, self._curves, **fields))
-
-    def _cancel_preview(self) -> None:
-        if self._session.is_previewing:
-            self._session.cancel()
-            self._session.say(CANCELLED)
 
     def _with_share(self, name: str, document: Document, position: int) -> Document:
         return set_style(document, self._curves, **{name: position / style.fields.STEPS})

@@ -13,7 +13,7 @@ from ...appearance.theme import FollowsTheme, Theme, theme_of
 from ...document.expression import ExpressionError
 from ...document.style import INK, LARGEST_DASHES, NO_PAINT
 from ...document.words import decimal_sum, number
-from ...widgets.boxes import column_of, row_of
+from ...widgets.boxes import column_of, remove_widgets, row_of
 from ...widgets.colour_popup import ColourPopup
 from ...widgets.controls import choice_box, named, tool_button
 from ...widgets.fields import NumberEdit, read_number
@@ -130,11 +130,9 @@ class PaintField(FollowsTheme, QWidget):
             return
         for colour in self._recent:
             button = self._swatches.pop(colour)
-            self._used.removeWidget(button)
-            # Removed from the row at once, and not found by name until it is deleted.
-            button.hide()
+            remove_widgets(self._used, [button])
+            # Not found by name until it is deleted.
             button.setObjectName("")
-            button.deleteLater()
         self._recent = recent
         for colour in recent:
             self._add_swatch(self._used, colour, colour)
