@@ -27,7 +27,7 @@ class WindowContext(msgspec.Struct, frozen=True):
     """Parts of a window that its commands act on; each command set gets one.
 
     A command set is a class with decorated methods, ``def __init__(self, context: WindowContext)``; it keeps
-    the parts that it uses.
+    the parts that it uses. `CommandSet` is one that keeps the context and the session.
 
     Attributes
     ----------
@@ -72,6 +72,13 @@ class WindowContext(msgspec.Struct, frozen=True):
         session.gesture_ended.connect(plot.abandon_gesture)
         for changed in (session.history_changed, session.active_changed):
             changed.connect(plot.hover_soon)
+
+
+class CommandSet:
+    """Base of command sets that act on the session and need nothing set up."""
+
+    def __init__(self, context: WindowContext) -> None:
+        self._context, self._session = context, context.session
 
 
 def hooks(command_sets: Iterable[object], name: str) -> list[Callable[..., object]]:

@@ -18,7 +18,7 @@ from ...view_model.basis import growth_of_points
 from ...view_model.basis_findings import findings_of, remark_on
 from ...view_model.curve.curve_view import CurveView, view_of
 from ...workbench.central_area import Pane
-from ...workbench.context import WindowContext, bar_menu
+from ...workbench.context import CommandSet, bar_menu
 from .pane import BasisPane
 from .panel import BasisPanel
 
@@ -37,12 +37,8 @@ _MOST_MEASURED_LIVE = 40
 """Points up to which the functions are measured during a drag."""
 
 
-class BasisCommands:
+class BasisCommands(CommandSet):
     """The basis functions of the active curve, and its parameters at the t-rail."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context = context
-        self._session = context.session
 
     @Pane("basisPane", stretch=4, height=267)
     def build_pane(self, parent: QWidget) -> BasisPane:

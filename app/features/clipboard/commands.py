@@ -31,7 +31,7 @@ from ...session.selection import ClipboardSelection
 from ...view_model.paste import copied, parts_of, with_parts
 from ...widgets.number_text import decimal_mark, exact_text
 from ...workbench.clipboard import CURVES, POINTS, clipboard_data, put_on_clipboard
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet, WindowContext
 from ...workbench.highlight import highlighted, remove
 from .clipboard_content import ClipboardContent
 from .paste_commands import PasteCommands, give_keys_to_drawing
@@ -93,11 +93,8 @@ def _row(point: Point, *, timed: bool) -> Sequence[float]:
     return (point.t, *point.position) if timed and point.t is not None else point.position
 
 
-class HighlightCommands:
+class HighlightCommands(CommandSet):
     """Duplicate and delete."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context, self._session = context, context.session
 
     @action("duplicateSelection", "Duplicate", EDIT_CLIPBOARD, "Ctrl+D", "duplicate", needs=HIGHLIGHTED)
     @also(POINT_MENU(34))

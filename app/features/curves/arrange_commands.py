@@ -32,7 +32,7 @@ from ...document.model import Document
 from ...document.several_curves import active_after_removal, index_of, name_or_count, reorder_curves
 from ...document.words import count_of
 from ...view_model.geometry import fills_holes
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet
 
 if TYPE_CHECKING:
     from ...session import Session
@@ -55,11 +55,8 @@ _CURVE_BEHIND = Need(
 )
 
 
-class OrderCommands:
+class OrderCommands(CommandSet):
     """Actions that change the order of the selected curves, and go through it."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
 
     @action(
         "raiseCurve",
@@ -158,11 +155,8 @@ def _selected_with_shapes(session: Session) -> frozenset[int]:
     return expand_to_shapes(session.document, session.selected.marked)
 
 
-class ShapeCommands:
+class ShapeCommands(CommandSet):
     """Actions on shapes and groups."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
 
     # Shapes
 

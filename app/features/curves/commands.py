@@ -45,7 +45,7 @@ from ...view_model.geometry import segment_at
 from ...view_model.point_kinds import segments_between
 from ...view_model.reshape import Reshaped, reversed_curve
 from ...view_model.split import Split, crossings_of, parameters_between_ends, split, without_segments
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet
 from .arrange_commands import OrderCommands, ShapeCommands
 from .join_commands import JoinCommands
 
@@ -56,12 +56,8 @@ def _with_curves(document: Document, curves: Mapping[int, Curve]) -> Document:
     return replace(document, curves=tuple(new))
 
 
-class CurveCommands:
+class CurveCommands(CommandSet):
     """Actions on a whole curve."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context = context
-        self._session = context.session
 
     # Number
 
@@ -338,11 +334,8 @@ class CurveCommands:
         return results[0]
 
 
-class SegmentCommands:
+class SegmentCommands(CommandSet):
     """Actions that delete segments and keep the points at their ends."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
 
     @action(
         "deleteSegment",

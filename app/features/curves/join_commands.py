@@ -34,14 +34,11 @@ from ...view_model.join import (
     nearest_links,
     position_of,
 )
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet
 
 
-class JoinCommands:
+class JoinCommands(CommandSet):
     """Actions that join several curves to one."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
 
     @action(
         "joinCurve",

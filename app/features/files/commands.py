@@ -12,15 +12,12 @@ from ...document.limits import EditError
 from ...qt.labels import Label
 from ...widgets.boxes import row_of
 from ...widgets.controls import ThinProgress, tool_button
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet, WindowContext
 from .disk import DiskCommands
 
 
-class DocumentCommands:
+class DocumentCommands(CommandSet):
     """Actions on documents and their windows."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context = context
 
     @action("newDocument", "New", FILE_OPEN, "Ctrl+N", "new")
     @also(TOOLBAR(10))

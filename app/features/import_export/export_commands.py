@@ -21,7 +21,7 @@ from ...exchange.formats import ExportResult, typed_format, with_ending
 from ...storage.files import StorageError
 from ...tasks.progress import Report, part
 from ...workbench.clipboard import SVG, put_on_clipboard
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet, WindowContext
 from ...workbench.document_files import file_stem, valid_stem
 from .. import import_export
 
@@ -140,11 +140,8 @@ _Written = dict[str, "ExportResult"]
 _ANY_CURVE = Need("a curve with at least two points", lambda state: state.has_curve or state.curve_count > 1)
 
 
-class CopyCommands:
+class CopyCommands(CommandSet):
     """Copies as SVG, as an image and as path data."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context, self._session = context, context.session
 
     @action("copySvg", "Copy as SVG", EDIT_COPY_AS, needs=_ANY_CURVE, keywords="inkscape, figma, markup")
     def _copy_svg(self) -> None:

@@ -19,7 +19,7 @@ from ...session import Session
 from ...state.window_state import WindowState
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.point_columns import POSITION, Column
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet
 from ...workbench.docks import UPPER, Panel
 from .edits import (
     computed_note_of,
@@ -128,7 +128,7 @@ class PointTableController:
             session.say(reset_message(step, session.document.curves, group))
 
 
-class PointTableCommands:
+class PointTableCommands(CommandSet):
     """The point table of the active curve and its selection.
 
     Attributes
@@ -138,9 +138,6 @@ class PointTableCommands:
     """
 
     panel: PointTable
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context, self._session = context, context.session
 
     @Panel("pointsDock", "Points", UPPER, built_at_start=True)
     def build_panel(self, parent: QWidget) -> QWidget:

@@ -43,7 +43,7 @@ from ...view_model.point_kinds import (
     why_no_kinds,
     with_straight_segments,
 )
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet
 
 if TYPE_CHECKING:
     from ...view_model.match_curvature import Joint
@@ -60,12 +60,8 @@ _MOST_NAMED = 3
 _HAS_KINDS = Need(HERMITE_POINTS.words, HERMITE_POINTS.is_met, why=lambda state: why_no_kinds(state.family))
 
 
-class TangentCommands:
+class TangentCommands(CommandSet):
     """Actions for the kinds of points, straight segments and velocities."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context = context
-        self._session = context.session
 
     @action_for_each(
         POINT_KINDS,
@@ -265,11 +261,8 @@ def _joints_text(views: Sequence[CurveView], joints: Sequence[Joint]) -> str:
     return enumerated([*([group.names] if points else []), *(f"the ends of {names}" for names in ends)])
 
 
-class PointCommands:
+class PointCommands(CommandSet):
     """Actions to select all points or the others, to edit points, and to reset derivatives."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._session = context.session
 
     @action(
         "selectAll",

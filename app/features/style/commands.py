@@ -30,7 +30,7 @@ from ...storage.validation import check_fields
 from ...view_model.curve.curve_view import CurveView
 from ...view_model.palette import adjustment_of
 from ...workbench.clipboard import CURVES, clipboard_data, copied_curves_in, drawing_in, put_on_clipboard
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet, WindowContext
 from ...workbench.docks import UPPER, Panel
 from ...workbench.form_edits import SliderGesture, cancel_preview
 from .. import style
@@ -254,11 +254,8 @@ STYLE = "application/x-curvebench-style"
 _NOTHING_TO_PASTE = "There is no style on the clipboard. Use Copy Style, or copy SVG."
 
 
-class StyleClipboardCommands:
+class StyleClipboardCommands(CommandSet):
     """Copy and Paste Style."""
-
-    def __init__(self, context: WindowContext) -> None:
-        self._context, self._session = context, context.session
 
     @action(
         "copyStyle",

@@ -15,7 +15,7 @@ from ...document.words import number
 from ...state.window_state import WindowState
 from ...tools.box import TransformKind
 from ...tools.canvas.mirror import MIRROR_RESULT, MirrorResult, mirror_about_axis
-from ...workbench.context import WindowContext
+from ...workbench.context import CommandSet, WindowContext
 from .align_commands import AlignCommands
 from .panel_commands import TransformPanelCommands
 
@@ -93,12 +93,11 @@ def _result(state: WindowState) -> MirrorResult:
 _Amount = TypeVar("_Amount", int, float)
 
 
-class SelectionCommands:
+class SelectionCommands(CommandSet):
     """Actions on several points at once."""
 
     def __init__(self, context: WindowContext) -> None:
-        self._context = context
-        self._session = context.session
+        super().__init__(context)
         self._target = context.central.canvas.tools.box
         context.store.changed.connect(self._show_state)
         self._session.history_changed.connect(self._target.keep_pivot)
