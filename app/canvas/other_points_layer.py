@@ -22,7 +22,7 @@ from ..view_model.curve.curve_view import CurveView
 from ..view_model.point_kinds import POINT_KINDS, kinds_of
 from .handle_marks import MOST_POINTS, TOO_MANY_HANDLES, VisibleHandles
 from .hit_test import NearestPart, PixelPoints, handle_or_point
-from .point_marks import InkCache, paint_mark
+from .point_marks import InkCache, paint_mark, paint_plain
 
 _RADIUS, _RIM, _GAP, _RING = 4.5, 1.5, 3.0, 2.0
 _REACH = 2.2
@@ -52,7 +52,7 @@ class OtherPointsLayer(Layer):
         self._views: list[tuple[int, CurveView]] = []
         self._group = NO_POINTS
         self._ringed = _SelectedStamps(self._stamp, _REACH)
-        self._plain = _SelectedStamps(_stamp_plain, _REACH)
+        self._plain = _SelectedStamps(paint_plain, _REACH)
         # As in the layer of the active curve.
         self.is_plain = False
         self._kinds: IntArray = np.arange(len(POINT_KINDS))
@@ -144,10 +144,6 @@ class OtherPointsLayer(Layer):
         of_selected = [(curve, visible_handles.of_selected(pixel_map)) for curve, visible_handles in handles]
         facing = [(curve, visible_handles.facing(pixel_map)) for curve, visible_handles in handles]
         return handle_or_point(pixel, pixel_map, point, of_selected, facing, self._group)
-
-
-def _stamp_plain(painter: QPainter, radius: float, kind: int) -> None:
-    paint_mark(painter, QPointF(0.0, 0.0), radius, kind)
 
 
 class _SelectedStamps(Stamps):

@@ -172,7 +172,7 @@ class PointStamps:
     def __init__(self) -> None:
         self._theme: Theme | None = None
         self._coloured = Stamps(self._paint_coloured, REACH)
-        self._plain = RingStamps(_paint_plain, REACH)
+        self._plain = RingStamps(paint_plain, REACH)
 
     def draw(
         self,
@@ -199,7 +199,8 @@ class PointStamps:
         paint_mark(painter, QPointF(0.0, 0.0), radius, kind, self._theme.paper)
 
 
-def _paint_plain(painter: QPainter, radius: float, kind: int) -> None:
+def paint_plain(painter: QPainter, radius: float, kind: int) -> None:
+    """Paint a mark at the origin without paper in it."""
     paint_mark(painter, QPointF(0.0, 0.0), radius, kind)
 
 

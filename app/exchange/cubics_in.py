@@ -199,7 +199,7 @@ def import_paths(paths: Sequence[ImportedPath | PathThroughPoints], losses: Loss
     """Return the curves of paths as a document; single points and curves out of range are losses."""
     curves, deviation = list[Curve](), 0.0
     for index, path in enumerate(paths):
-        outcome = _curve_through(path) if isinstance(path, PathThroughPoints) else _curve(path)
+        outcome = _curve(path)
         if isinstance(outcome, Loss):
             losses.note(outcome, index, path.name)
             continue
@@ -282,11 +282,6 @@ def _dot(path: ImportedPath) -> _CurveOfPath:
     return _CurveOfPath(_curve_with(replace(path, closed=False), _MANUAL, points))
 
 
-def _curve_through(path: PathThroughPoints) -> _CurveOfPath:
-    """Return the natural spline through points, by chord length."""
-    return _CurveOfPath(_curve_with(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
-
-
 def _curve_with(
     path: ImportedPath | PathThroughPoints, parametrization: Parametrization, points: tuple[Point, ...]
 ) -> Curve:
@@ -305,8 +300,10 @@ def _curve_with(
     )
 
 
-def _curve(path: ImportedPath) -> _CurveOfPath | Loss:
-    """Return a path as a curve, or the loss."""
+def _curve(path: ImportedPath | PathThroughPoints) -> _CurveOfPath | Loss:
+    """Return a path as a curve, or the loss; through points it is the natural spline, by chord length."""
+    if isinstance(path, PathThroughPoints):
+        return _CurveOfPath(_curve_with(path, Parametrization(), tuple(Point(x, y) for x, y in path.points)))
     # Written so that NaN fails.
     if not (np.abs(path.pieces) <= MAX_MAGNITUDE).all():
         return _TOO_LARGE

@@ -92,16 +92,13 @@ class FitPanel(SafeOverrides, QScrollArea):
 
     def _connect(self) -> None:
         self.family.activated.connect(self.options_changed)
-        self.goal.activated.connect(self._change_goal)
+        self.goal.activated.connect(self._show_goal)
+        self.goal.activated.connect(self.options_changed)
         for box in (self.tolerance, self.count):
             box.valueChanged.connect(self.options_changed)
         self.keeps_times.clicked.connect(self.options_changed)
         self.apply_button.clicked.connect(self.applied)
         self.cancel_button.clicked.connect(self.cancelled)
-
-    def _change_goal(self) -> None:
-        self._show_goal()
-        self.options_changed.emit()
 
     def _show_goal(self) -> None:
         is_count = self.goal.currentIndex() == list(FitGoal).index(FitGoal.COUNT)

@@ -87,7 +87,8 @@ class ImportTableDialog(WorkDialog):
         self._preview = preview
         self._prepared: PreparedTable | None = None
         self._tolerance: float | None = None
-        self._soon = DelayedCall(self, _SOON_MS, self._use_typed)
+        # The distance that is being typed is used when typing stops; it may still be changed.
+        self._soon = DelayedCall(self, _SOON_MS, lambda: self._take_distance(self.tolerance_edit.text()))
         self._build_reading()
         self._build_curves()
         self._build_foot()
@@ -211,10 +212,6 @@ class ImportTableDialog(WorkDialog):
     def _type_tolerance(self, text: str) -> None:
         if not self._take_distance(text):
             self.tolerance_edit.keep()
-
-    def _use_typed(self) -> None:
-        """Use the distance that is being typed; it may still be changed."""
-        self._take_distance(self.tolerance_edit.text())
 
     def _take_distance(self, text: str) -> bool:
         """Compute with a typed distance, or show its problem; return whether it is valid."""
