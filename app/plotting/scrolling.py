@@ -217,7 +217,7 @@ class EdgeScroll(QObject):
         return NO_SCROLL if self._before is None else (self._before, self._camera.ranges)
 
     def restore(self) -> None:
-        """Show what was visible before the drag."""
+        """Show the range that was visible before the drag."""
         before = self._before
         self.stop()
         if before is not None:

@@ -61,7 +61,7 @@ class Content(msgspec.Struct, frozen=True):
 
 
 class StorageError(OSError):
-    """A file cannot be read or written; the message says why, and what to do."""
+    """A file cannot be read or written; the message gives the reason and a remedy."""
 
 
 class MissingError(StorageError):
@@ -493,7 +493,7 @@ _DISK_FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 
 
 def unreadable_message(path: str | os.PathLike[str], problem: Exception) -> str:
-    """Return the message that a file cannot be read: why, and what to do."""
+    """Return the message that a file cannot be read, with the reason and a remedy."""
     name, code = quoted_path(path), getattr(problem, "errno", None)
     if code in (errno.ENOENT, errno.ENOTDIR):
         return f"There is no file {name}. Check its name and folder."
@@ -505,7 +505,7 @@ def unreadable_message(path: str | os.PathLike[str], problem: Exception) -> str:
 
 
 def unwritable_message(path: str | os.PathLike[str], problem: Exception) -> str:
-    """Return the message that a file was not written: why, and what to do."""
+    """Return the message that a file was not written, with the reason and a remedy."""
     name, code = quoted_path(path), getattr(problem, "errno", None)
     if code in (errno.ENOENT, errno.ENOTDIR):
         return f"The folder of {name} does not exist. Choose another folder."

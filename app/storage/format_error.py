@@ -1,4 +1,4 @@
-"""Refusals of the content of a file, in words; and files of other programs, with what to do with them."""
+"""Refusals of the content of a file, in words; and files of other programs, with a remedy."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class MotionCommands:
         self._stage: MotionStage | None = None
 
     def render_panel(self, view: CurveView) -> None:
-        """Update what is fixed during a drag."""
+        """Update the scale and the jumps, which are fixed during a drag."""
         if self._stage is not None:
             self._stage.settle(view)
 

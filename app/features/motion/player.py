@@ -65,7 +65,7 @@ class Player(QObject):
 
     @property
     def is_open(self) -> bool:
-        """Whether there is a motion, playing or paused."""
+        """Whether a motion plays or is paused."""
         return self._store.state.motion_visible
 
     @property

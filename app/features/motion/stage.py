@@ -165,7 +165,7 @@ class MotionStage(QObject):
     # Content
 
     def settle(self, view: CurveView) -> None:
-        """Update what is fixed during a drag: the scale of the arrows, and the jumps."""
+        """Update the scale of the arrows and the jumps, which are fixed during a drag."""
         if not self.player.is_open or self._context.session.is_previewing:
             return
         self._scales = None

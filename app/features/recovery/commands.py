@@ -49,7 +49,7 @@ class RecoveryCommands:
 
     @action("recoverWork", "Recover Unsaved Work", FILE_RECOVERY, icon="history")
     def _offer_again(self) -> None:
-        """Show unsaved work from earlier sessions, also what was discarded in this one."""
+        """Show unsaved work from earlier sessions, and work that was discarded in this one."""
         self._context.session.offer("")
         self.offer_unsaved_work()
         if not self._listing.snapshots and not self._listing.damaged:

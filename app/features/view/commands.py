@@ -79,7 +79,7 @@ _SETTLED_MS = 1000
 
 
 class _Layout(NamedTuple):
-    """What a window looks like: state of docks and splitter, size, view of the canvas, drawing size."""
+    """Look of a window: state of docks and splitter, size, view of the canvas, drawing size."""
 
     window: bytes
     splitter: bytes
