@@ -451,8 +451,13 @@ class Session(SessionSignals):
     # From state to state
 
     def _restore_step(self, state: HistoryState) -> None:
-        if self.history.is_pushing and self._is_on_screen(state):
-            self._adopt_preview(state)
+        is_previewed = self.is_previewing and state.document is self._document
+        if self.history.is_pushing and is_previewed and state.active == self.active_index:
+            # It is drawn already.
+            self.history.end_run()
+            self.gesture_ended.emit()
+            self._committed = state.document
+            self.settled.emit()
             return
         before, is_other = self._committed, state.origin is not self.files.origin
         if is_other and self.files.is_modified and self.files.path is None:
@@ -470,18 +475,6 @@ class Session(SessionSignals):
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()
-
-    def _is_on_screen(self, state: HistoryState) -> bool:
-        """Return whether a gesture previews this state."""
-        is_previewed = self.is_previewing and state.document is self._document
-        return is_previewed and state.active == self.active_index
-
-    def _adopt_preview(self, state: HistoryState) -> None:
-        """Make the previewed document the current one; it is drawn already."""
-        self.history.end_run()
-        self.gesture_ended.emit()
-        self._committed = state.document
-        self.settled.emit()
 
     def _turn_to(self, origin: DocumentOrigin) -> None:
         """Close the document before this one, with its file, selection and scrub line."""

@@ -414,12 +414,14 @@ class SnapTargets:
         """Return the snapper of a point that is added at `index`, −1 for the first of another curve."""
         # What there is before the press: later the new point would be drawn to itself.
         views, active = self._session.views, self._session.active_index
-        return self._make(lambda: targets_of(views, active, {}, index, self._kinds))
+        return self._make(lambda: targets_of(views, active, {}, index, self.settings.kinds))
 
     def for_handle(self, point: int) -> Snapper:
         """Return the snapper of the end of a handle."""
         session = self._session
-        return self._make(lambda: targets_of_handle(session.views, session.active_index, point, self._kinds))
+        return self._make(
+            lambda: targets_of_handle(session.views, session.active_index, point, self.settings.kinds)
+        )
 
     def for_points(self, group: PointGroup, grabbed: tuple[int, int] | None = None) -> Snapper:
         """Return the snapper of points that move together, of which the grabbed (curve, index) snaps."""
@@ -427,13 +429,15 @@ class SnapTargets:
         # Level with its neighbours is a point; of whole curves none has any that stay.
         curve, index = (session.active_index, -1) if grabbed is None or group.is_whole else grabbed
         views = session.views
-        return self._make(lambda: targets_of(views, curve, moving, index, self._kinds))
+        return self._make(lambda: targets_of(views, curve, moving, index, self.settings.kinds))
 
     def for_pivot(self, bounds: Bounds) -> Snapper:
         """Return the snapper of a pivot: it snaps also to the nine positions of the bounds."""
         views, active = self._session.views, self._session.active_index
         return self._make(
-            lambda: targets_of(views, active, {}, -1, self._kinds).with_positions(nine_positions(bounds))
+            lambda: targets_of(views, active, {}, -1, self.settings.kinds).with_positions(
+                nine_positions(bounds)
+            )
         )
 
     def for_grip(self, grip: Grip, group: PointGroup) -> Snapper:
@@ -442,13 +446,13 @@ class SnapTargets:
             return self.for_points(group)
         session, moving = self._session, dict(group.parts)
         views = session.views
-        return self._make(lambda: targets_of_side(views, session.active_index, moving, self._kinds))
+        return self._make(lambda: targets_of_side(views, session.active_index, moving, self.settings.kinds))
 
     def for_guide(self) -> Snapper:
         """Return the snapper of a guide: points that it meets, and the grid."""
         session = self._session
         return self._make(
-            lambda: targets_of_side(session.views, session.active_index, {}, self._kinds), guides=()
+            lambda: targets_of_side(session.views, session.active_index, {}, self.settings.kinds), guides=()
         )
 
     def _make(self, collect: Callable[[], Targets], guides: Sequence[Guide] | None = None) -> Snapper:
@@ -457,10 +461,6 @@ class SnapTargets:
         guides = self._session.document.guides if guides is None else guides
         self.now = Snapper(lambda: self.settings, self._grid, collect, guides)
         return self.now
-
-    @property
-    def _kinds(self) -> Collection[SnapKind]:
-        return self.settings.kinds
 
     def show_before_press(self, pointer: Pointer, index: int) -> None:
         """Show the snap of a press at `pointer` that adds the point of index `index`."""

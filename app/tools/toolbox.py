@@ -46,6 +46,8 @@ class Toolbox:
         The box around the selection, which transforms act on, and its pivot.
     background
         Does work that takes longer than a moment, whichever tool is in use by then.
+    is_buttonless
+        Whether the gesture in flight follows the pointer with no button down.
     """
 
     def __init__(self, session: EditingSession, record: ToolRecord) -> None:
@@ -61,7 +63,7 @@ class Toolbox:
         self.box = SelectionBox(session)
         self._made = {record.name: record.make()}
         self._gesture: Gesture | None = None
-        self._is_buttonless = False
+        self.is_buttonless = False
         self._selection_before: SelectionState | None = None
         self._pointer = Pointer((0.0, 0.0), (0.0, 0.0))
 
@@ -98,11 +100,6 @@ class Toolbox:
         return self._gesture is not None
 
     @property
-    def is_buttonless(self) -> bool:
-        """Whether the gesture in flight follows the pointer with no button down."""
-        return self._is_buttonless
-
-    @property
     def is_dragging(self) -> bool:
         """Whether the document is being dragged."""
         return isinstance(self._gesture, Drag)
@@ -114,7 +111,7 @@ class Toolbox:
 
     def press(self, pointer: Pointer) -> None:
         """Begin the gesture of the tool in use, or end the one that follows the pointer without a button."""
-        if self._is_buttonless:
+        if self.is_buttonless:
             self.release(pointer)
         else:
             self.begin(lambda event: self.tool.press(event.with_hit()), pointer)
@@ -135,7 +132,7 @@ class Toolbox:
             return False
         if gesture is None:
             return False
-        self._gesture, self._is_buttonless, self._selection_before = gesture, buttonless, before
+        self._gesture, self.is_buttonless, self._selection_before = gesture, buttonless, before
         gesture.pressed_at = pointer.pixel
         if gesture.starts_at_press or buttonless:
             gesture.has_moved = True
@@ -157,7 +154,7 @@ class Toolbox:
         if pointer != self._pointer:
             self.move(pointer)
         if self._gesture is not None and self._gesture.follows_click and not self._gesture.has_moved:
-            self._is_buttonless = self._gesture.has_moved = True
+            self.is_buttonless = self._gesture.has_moved = True
             return
         gesture = self._end()
         if gesture is not None and gesture.has_moved:
@@ -184,7 +181,7 @@ class Toolbox:
 
     def _end(self) -> Gesture | None:
         """Return the gesture that was in flight; from now on there is none."""
-        gesture, self._gesture, self._is_buttonless = self._gesture, None, False
+        gesture, self._gesture, self.is_buttonless = self._gesture, None, False
         self._selection_before = None
         self.snapping.reset()
         return gesture
@@ -263,7 +260,7 @@ class Toolbox:
         """Return the marks over the plot."""
         event, gesture = self.event, self._gesture
         marks = self.tool.marks(event) if gesture is None else gesture.marks(event)
-        if self._is_buttonless:
+        if self.is_buttonless:
             # What a tool has left on the plot stays there meanwhile.
             marks = replace(marks, ruler=self.tool.marks(event).ruler)
         if self.background.lines:

@@ -335,8 +335,7 @@ def _inserted(
 
 def _middle(view: CurveView, segment: int) -> float:
     """Return the parameter between a point and the next one."""
-    assert view.curve is not None
-    parameters, end = view.curve.nodes, view.curve.domain[1]
+    parameters, end = view.present_curve.nodes, view.present_curve.domain[1]
     after = parameters[segment + 1] if segment + 1 < len(parameters) else end
     return float(parameters[segment] + after) / 2
 
@@ -405,14 +404,13 @@ def special_points(
         If there is no curve, or it does not pass its points.
     """
     refuse_without_curve(view)
-    assert view.curve is not None
     if not view.source.family.interpolates:
         raise EditError(
             f"{view.source.family.subject} does not pass its points: none can lie at the {kind.name}. "
             f"{convert_first(view)}"
         )
     knots, free, some_taken = view.parameters, list[float](), False
-    for t in np.sort(kind.parameters(view.curve)).tolist():
+    for t in np.sort(kind.parameters(view.present_curve)).tolist():
         if segments and segment_at(knots, t) not in segments:
             continue
         if np.abs(np.append(knots, free) - t).min() > _SAME_ROOT * (knots[-1] - knots[0]):

@@ -33,6 +33,7 @@ from ..families import HERMITE, Family
 from ..tasks.progress import Report, part, silent
 from .cubics import CORNER, RELATIVE_TOLERANCE, points_of_cubics
 from .curve.curve_view import CurveView
+from .geometry import all_along, unit_tangents
 
 SCATTERED = "The data scatter this much; more points would only follow the noise."
 
@@ -110,8 +111,7 @@ def data_of(view: CurveView) -> Data:
         raise EditError(view.problem)
     t = view.parameters
     if not is_of_points_alone(view):
-        share = np.arange(ceil(_MANY / len(t))) / ceil(_MANY / len(t))
-        t = np.append((t[:-1, None] + share * np.diff(t)[:, None]).reshape(-1), t[-1])
+        t = all_along(t, ceil(_MANY / len(t)))
         return Data(view.present_curve.evaluate(t), t)
     return Data(view.at_knots, t)
 
@@ -381,7 +381,9 @@ def simplified(
     EditError
         If none of them can do with fewer points.
     """
-    indices = sorted(index for index in curves if _can_be_simpler(views[index]))
+    indices = sorted(
+        index for index in curves if views[index].is_current and len(views[index].source.points) > 2
+    )
     tolerance = SHARE * size_of([views[index] for index in indices])
     result, before, after, deviation = document, 0, 0, 0.0
     for done, index in enumerate(indices):
@@ -400,10 +402,6 @@ def size_of(views: Sequence[CurveView]) -> float:
     """Return the longer side of the box around the points of curves; 1 where there are none."""
     points = [view.points for view in views if len(view.points)]
     return float(np.ptp(np.concatenate(points), axis=0).max()) if points else 1.0
-
-
-def _can_be_simpler(view: CurveView) -> bool:
-    return view.is_current and len(view.source.points) > 2
 
 
 def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, float]:
@@ -431,7 +429,7 @@ def _simpler(view: CurveView, tolerance: float, report: Report) -> tuple[Curve, 
 
 def _corners(pieces: FloatArray, tolerance: float, *, closed: bool) -> IntArray:
     """Return the pieces that begin at a corner; an end of an open curve is none."""
-    ahead, behind = _directions(pieces, 1), _directions(pieces[:, ::-1], -1)
+    ahead, behind = _directions(pieces), -_directions(pieces[:, ::-1])
     turned = (np.roll(behind, 1, axis=0) * ahead).sum(axis=1) < _TURN
     is_long = np.linalg.norm(pieces[:, 3] - pieces[:, 0], axis=1) > _LONG * tolerance
     turned &= is_long & np.roll(is_long, 1)
@@ -439,16 +437,11 @@ def _corners(pieces: FloatArray, tolerance: float, *, closed: bool) -> IntArray:
     return np.flatnonzero(turned)
 
 
-def _directions(pieces: FloatArray, sign: int) -> FloatArray:
+def _directions(pieces: FloatArray) -> FloatArray:
     """Return the directions in which pieces begin, of length 1; 0 for a piece without length."""
-    directions, missing = np.zeros((len(pieces), 2)), np.ones(len(pieces), dtype=np.bool_)
-    for index in range(1, 4):
-        steps = sign * (pieces[:, index] - pieces[:, 0])
-        lengths = np.linalg.norm(steps, axis=1)
-        new = missing & (lengths > 0)
-        directions[new] = steps[new] / lengths[new, None]
-        missing &= ~new
-    return directions
+    steps = pieces[:, 1:] - pieces[:, :1]
+    first = steps.any(axis=2).argmax(axis=1)
+    return unit_tangents(steps[np.arange(len(steps)), first])
 
 
 def _run(pieces: FloatArray, tolerance: float, report: Report, *, closed: bool) -> tuple[FloatArray, float]:

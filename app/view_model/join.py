@@ -202,11 +202,9 @@ def _refuse_to_join(first: CurveView, second: CurveView) -> None:
 
 def _speed_at_seam(first: CurveView, second: CurveView) -> float:
     """Return the speed of the segment from one curve to the other, positive."""
-    assert first.curve is not None
-    assert second.curve is not None
     velocities = [
-        first.curve.evaluate(first.curve.domain[1], 1),
-        second.curve.evaluate(second.curve.domain[0], 1),
+        first.present_curve.evaluate(first.present_curve.domain[1], 1),
+        second.present_curve.evaluate(second.present_curve.domain[0], 1),
     ]
     speeds = np.hypot(*np.array(velocities).T)
     mean = float(speeds.mean())
@@ -463,12 +461,11 @@ class Stretch(NamedTuple):
 
     def positions(self, view: CurveView) -> FloatArray:
         """Return positions along the part, (m, 2); none where there is nothing of the curve yet."""
-        assert view.curve is not None
-        first, last = view.curve.domain
+        first, last = view.present_curve.domain
         if self.start is None or self.end is None or (self.start > self.end and not view.source.is_closed):
             return np.empty((0, 2))
         t = self.start + _SHARES * (self.end - self.start + (last - first) * (self.end < self.start))
-        return view.curve.evaluate(np.where(t > last, t - (last - first), t))
+        return view.present_curve.evaluate(np.where(t > last, t - (last - first), t))
 
 
 def stretch_along(
@@ -480,8 +477,7 @@ def stretch_along(
     lengths. From an end of an open curve the stroke goes on, without another parameter; between its ends
     it closes the curve.
     """
-    assert view.curve is not None
-    (first, last), source = view.curve.domain, view.source
+    (first, last), source = view.present_curve.domain, view.source
     if source.is_closed:
         if end is None or end == begin:
             return None
@@ -528,11 +524,10 @@ def redrawn(
     EditError
         If there is no such curve.
     """
-    assert view.curve is not None
     source, (before, after) = view.source, _kept(view, stretch)
     line = np.array(stroke[::-1] if stretch.is_against else stroke)
     for which, t in ((0, stretch.start), (-1, stretch.end)):
-        line[which] = line[which] if t is None else view.curve.evaluate(t)
+        line[which] = line[which] if t is None else view.present_curve.evaluate(t)
     velocities = _end_velocity(before, -1), _end_velocity(after, 0)
     speed = float(np.mean([np.hypot(*each) for each in velocities if each is not None])) or 1.0
     first, last = (
@@ -554,8 +549,7 @@ def redrawn(
 
 def _kept(view: CurveView, stretch: Stretch) -> tuple[CurveView | None, CurveView | None]:
     """Return the parts of a curve before and after a stretch, None for none; the same one around it."""
-    assert view.curve is not None
-    (first, last), (start, end, *_) = view.curve.domain, stretch
+    (first, last), (start, end, *_) = view.present_curve.domain, stretch
     if view.source.is_closed:
         assert start is not None
         assert end is not None

@@ -238,8 +238,10 @@ def _why_rigid(view: CurveView) -> str:
     family = view.source.family
     if view.problem or family.derivatives:
         return view.problem
-    assert view.curve is not None
-    if all(joint.geometric > 1 for joint in curvecore.joint_report(view.curve, closed=view.source.is_closed)):
+    if all(
+        joint.geometric > 1
+        for joint in curvecore.joint_report(view.present_curve, closed=view.source.is_closed)
+    ):
         return f"the curvature of {family.a_curve} is continuous already"
     return f"{family.a_curve} has no handles; choose {titles_with_derivatives()}"
 

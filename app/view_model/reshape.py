@@ -127,8 +127,7 @@ def with_point_inserted(view: CurveView, t: float) -> Reshaped:
     """
     refuse_without_curve(view)
     index = _checked_index(view, t)
-    assert view.curve is not None
-    longer = view.curve.refined(t)
+    longer = view.present_curve.refined(t)
     if longer is not None:
         with_knot = through(view, longer)
         left_rule = with_knot.is_manual and not view.source.is_manual
@@ -213,9 +212,8 @@ def through(view: CurveView, curve: ParametricCurve, family: Family | None = Non
     result = with_jet_values(result, _given(curve, len(result.points), has_corner=0 in corners))
     result = replace(result, points=tuple(_tied_as(known.get(new.position), new) for new in result.points))
     if not source.is_manual and (after := view_of(result)).is_current:
-        assert after.curve is not None
         t = dense(curve.parameters)
-        away = float(np.abs(after.curve.evaluate(t) - curve.evaluate(t)).max())
+        away = float(np.abs(after.present_curve.evaluate(t) - curve.evaluate(t)).max())
         if keeps_shape(away, (result,)):
             return replace(result, points=tuple(replace(point, t=None) for point in result.points))
     return replace(result, parametrization=replace(rule, kind=ParametrizationKind.MANUAL))
@@ -256,8 +254,7 @@ def _checked_index(view: CurveView, t: float) -> int:
     knots = view.parameters
     if not knots[0] < t < knots[-1]:
         raise EditError(f"No point can be inserted at t = {view.t_text(t)}: it is not inside the curve.")
-    assert view.curve is not None
-    away = np.where(view.curve.idle_parameters, np.inf, np.abs(knots - t))
+    away = np.where(view.present_curve.idle_parameters, np.inf, np.abs(knots - t))
     nearest = int(np.argmin(away))
     if away[nearest] <= SAME_PARAMETER * (knots[-1] - knots[0]):
         point = view.owner(nearest)
@@ -268,9 +265,8 @@ def _checked_index(view: CurveView, t: float) -> int:
 
 def _sampled(view: CurveView, t: float) -> Point:
     """Return a point on the curve at `t` with the derivatives there."""
-    assert view.curve is not None
     orders = range(view.source.family.derivatives + 1)
-    position, *derivatives = (_vector(view.curve.evaluate(t, order)) for order in orders)
+    position, *derivatives = (_vector(view.present_curve.evaluate(t, order)) for order in orders)
     return Point(*position, t=t).with_derivatives(derivatives, ())
 
 

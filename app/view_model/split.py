@@ -109,15 +109,14 @@ def parameters_between_ends(view: CurveView, indices: Collection[int]) -> list[f
 
 def _restricted(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ...] | None:
     """Return the parts as curves over their own control points; None of a family without control points."""
-    assert view.curve is not None
-    start, end = view.curve.domain
+    start, end = view.present_curve.domain
     if not all(start < t < end for t in cuts):
         return None
     parts = []
     for (low, high), name in zip(
         pairwise((start, *cuts, end)), names_of_parts(view.source.name, len(cuts) + 1), strict=True
     ):
-        part = view.curve.restricted(low, high)
+        part = view.present_curve.restricted(low, high)
         if part is None:
             return None
         parts.append(replace(through(view, part), name=name))
@@ -142,9 +141,8 @@ def _split_polynomial(view: CurveView, cuts: Sequence[float]) -> tuple[Curve, ..
 
 
 def _on_polynomial(view: CurveView, start: float, end: float) -> list[Point]:
-    assert view.curve is not None
     t = spread(chebyshev(len(view.source.points)), start, end)
-    points = view.curve.evaluate(t)
+    points = view.present_curve.evaluate(t)
     return [Point(x, y, t=parameter) for (x, y), parameter in zip(points.tolist(), t.tolist(), strict=True)]
 
 
@@ -266,8 +264,7 @@ def crossings_of(views: Mapping[int, CurveView]) -> Crossings:
 
 def _cuts(view: CurveView, parameters: Sequence[float], size: float) -> list[float]:
     """Return parameters in order without repetitions: joints in place of those beside them, but no ends."""
-    knots, curve, cuts = view.parameters, view.curve, list[float]()
-    assert curve is not None
+    knots, curve, cuts = view.parameters, view.present_curve, list[float]()
 
     def are_same(t: float, other: float) -> bool:
         away = curve.evaluate(np.array([t, other]))

@@ -84,7 +84,7 @@ def ghost_views(
     views = dict[Ghost, GhostView]()
     for ghost in all_ghosts():
         if ghost in ghosts:
-            variant = _variant(view.source, ghost)
+            variant = with_ghost_real(Document((view.source,)), 0, ghost).curves[0]
             is_same_rule = variant.parametrization.kind is view.source.parametrization.kind
             is_real = variant.family == view.source.family and is_same_rule
             if is_real or (
@@ -113,7 +113,3 @@ def _twin(
     alike = [other_ghost for other_ghost in drawn if other_ghost.ghost.is_of_family is ghost.is_of_family]
     candidates = [(active, view), *((other_ghost.ghost, other_ghost.view) for other_ghost in alike)]
     return next((other_ghost for other_ghost, other in candidates if coincide(view_of_ghost, other)), None)
-
-
-def _variant(curve: Curve, ghost: Ghost) -> Curve:
-    return with_ghost_real(Document((curve,)), 0, ghost).curves[0]

@@ -224,10 +224,6 @@ def _keeps_points(view: CurveView, given: Curve) -> bool:
     return bool(np.abs(view.points - before).max() <= _LITTLE * size_of(before))
 
 
-def _has_three_decimals(view: CurveView, _given: Curve) -> bool:
-    return bool((np.round(view.parameters, 3) == view.parameters).all())
-
-
 KEPT: Conditions = {
     "points": Condition(_keeps_points, "the points have changed (Undo restores them)"),
     "family": Condition(lambda view, given: view.source.family == given.family, "the family has changed"),
@@ -235,7 +231,10 @@ KEPT: Conditions = {
         lambda view, given: view.source.parametrization.kind is given.parametrization.kind,
         "the rule for the parameters has changed",
     ),
-    "decimals": Condition(_has_three_decimals, "some parameters have more than three decimals"),
+    "decimals": Condition(
+        lambda view, _given: bool((np.round(view.parameters, 3) == view.parameters).all()),
+        "some parameters have more than three decimals",
+    ),
 }
 """Conditions by name."""
 

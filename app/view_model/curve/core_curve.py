@@ -228,11 +228,7 @@ def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estim
 
 def two_sided_knots(arrays: PointArrays, count: int) -> list[int]:
     """Return the knots, of `count`, that have derivatives of their own on each side."""
-    return _knots_where(arrays.corners, count)
-
-
-def _knots_where(holds: BoolArray, count: int) -> list[int]:
-    return _at_knots(holds, count).nonzero()[0].tolist()
+    return _at_knots(arrays.corners, count).nonzero()[0].tolist()
 
 
 def _at_knots(rows: NDArray[Any], count: int) -> NDArray[Any]:
