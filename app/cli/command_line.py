@@ -58,7 +58,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             code = _run(words)
         print_text(end="")  # flushes the output of others
     except BrokenPipeError:
-        return _leave_closed_pipe()
+        # The reader of the output is gone (``| head``): leave quietly, as Unix programs do. Otherwise the
+        # interpreter would try to flush, and complain, once more on its way out.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except KeyboardInterrupt:
         return _INTERRUPTED
     except RefusalError as problem:
@@ -123,10 +126,3 @@ def _editor_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"curvebench {__version__}")
     parser.add_argument("files", nargs="*", metavar="FILE", help="documents (*.curve.json), files to import")
     return parser
-
-
-def _leave_closed_pipe() -> int:
-    """Leave quietly when the reader of the output is gone (``| head``), as Unix programs do."""
-    # Otherwise the interpreter would try to flush, and complain, once more on its way out.
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return 0

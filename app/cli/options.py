@@ -48,6 +48,10 @@ def _positive(text: str, kind: type[int] | type[float]) -> float:
     return value
 
 
+POSITIVE: dict[str, Any] = {"type": positive_number, "metavar": "X"}
+"""Arguments of `add_argument` for a positive number."""
+
+
 def _unit(text: str) -> str:
     """Return the unit of length that was typed."""
     if not (unit := known_unit(text)):
@@ -87,15 +91,13 @@ def _add_size_options(parser: argparse.ArgumentParser) -> None:
     )
     sides.add_argument(
         "--dpi",
-        type=positive_number,
-        metavar="X",
+        **POSITIVE,
         help="pixels of a PNG per inch of its true size, for a document with a unit; not with --width",
     )
     add(
         "--scale",
-        type=positive_number,
+        **POSITIVE,
         default=1.0,
-        metavar="X",
         help="pixels of a PNG per unit of its width, and per 1/96 inch (default: 1)",
     )
 
@@ -180,8 +182,7 @@ def add_convert_options(convert: argparse.ArgumentParser) -> None:
     )
     add(
         "--tolerance",
-        type=positive_number,
-        metavar="X",
+        **POSITIVE,
         help=f"largest deviation where a format cannot hold the curve itself (default: {AUTOMATIC})",
     )
     add(
@@ -306,8 +307,7 @@ def _add_table_options(convert: argparse.ArgumentParser) -> None:
     add = convert.add_argument
     add(
         "--thin",
-        type=positive_number,
-        metavar="X",
+        **POSITIVE,
         help="keep only as many rows of a table as a curve within X of all rows needs",
     )
     add(
@@ -354,8 +354,7 @@ def _add_fit_options(convert: argparse.ArgumentParser) -> None:
     choice.add_argument("--fit", type=_two_or_more, metavar="K", help="K points for each curve")
     choice.add_argument(
         "--fit-tolerance",
-        type=positive_number,
-        metavar="X",
+        **POSITIVE,
         help="the fewest points for each curve that stay within X of the original",
     )
     group.add_argument(

@@ -18,13 +18,13 @@ from ..exchange.options import AUTOMATIC
 from ..view_model.motion_settings import Pace, Repeat
 from .documents import document_of
 from .options import (
+    POSITIVE,
     STYLES,
     add_format_options,
     add_motion_options,
     add_picture_options,
     options_of_formats,
     picture_options,
-    positive_number,
 )
 from .output import RefusalError, TerminalProgress, print_remarks
 
@@ -44,8 +44,7 @@ def add_options(render: argparse.ArgumentParser) -> None:
     )
     render.add_argument(
         "--tolerance",
-        type=positive_number,
-        metavar="X",
+        **POSITIVE,
         help=f"largest deviation from the true curves, in the document's unit (default: {AUTOMATIC})",
     )
     add_picture_options(render)

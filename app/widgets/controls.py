@@ -106,9 +106,9 @@ class ToolbarWidget(QWidget):
         """Use less room in a narrow window, or the usual one."""
 
 
-def menu_with_tips(name: str, parent: QWidget, label: str = "") -> QMenu:
+def menu_with_tips(name: str, parent: QWidget) -> QMenu:
     """Return an empty menu that shows the tips of its entries."""
-    menu = named(QMenu(parent), name, label)
+    menu = named(QMenu(parent), name)
     menu.setToolTipsVisible(True)
     return menu
 

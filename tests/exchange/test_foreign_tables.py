@@ -256,5 +256,5 @@ def test_the_summary_names_the_columns_left_out():
 
 @each_row("each", FORMATS.read, ids=lambda each: each.title)
 def test_every_format_has_its_reader(each):
-    assert each.plural
+    assert each.title
     assert callable(each.read) or each.kind is ContentKind.DOCUMENT or each.title == "Table"

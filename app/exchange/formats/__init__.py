@@ -52,7 +52,7 @@ format to these rules:
 - A document of one curve is written without a remark; so is a dot, a curve of length 0, unless `writes_dots`
   is False.
 
-A format that is read has `kind`, `plural` and `read`; one whose files share an ending with another says by
+A format that is read has `kind` and `read`; one whose files share an ending with another says by
 `recognises` which contents are its own. The test to copy is `tests/gui/test_new_format.py` for a format that
 is read, `tests/exchange/test_format_recipe.py` for one that is only written; add a round trip to
 `tests/exchange`.
@@ -181,7 +181,7 @@ class Format(FileKind):
     kind
         Kind of the content that is read; None if such files are not read.
     plural
-        Name of such files in the import dialog.
+        Name of such files in the import dialog; by default the title with an s.
     read
         Reader of the content of a file; None for documents and for tables of text. That of a table takes the
         content and returns a `Table`. That of a drawing takes the content and the tolerance and returns an
@@ -344,7 +344,7 @@ def is_document(data: bytes) -> bool:
 def file_filters(pictures: str = "") -> str:
     """Return the filters of a file dialog for all files that are read, and for pictures by patterns."""
     read = " ".join(form.patterns for form in FORMATS.read)
-    kinds = [f"{form.plural} ({form.patterns})" for form in FORMATS.read]
+    kinds = [f"{form.plural or form.title + 's'} ({form.patterns})" for form in FORMATS.read]
     if pictures:
         everything = f"Curves, tables and pictures ({read} {pictures})"
         return ";;".join([everything, *kinds, f"Pictures ({pictures})", "All files (*)"])

@@ -25,6 +25,5 @@ DOCUMENT = Format(
     rank=0,
     write=_write,
     kind=ContentKind.DOCUMENT,
-    plural="Curvebench documents",
     recognises=is_document,
 )

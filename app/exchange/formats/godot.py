@@ -80,6 +80,5 @@ GODOT = Format(
     title="Godot curve",
     rank=78,
     kind=ContentKind.DRAWING,
-    plural="Godot curves",
     read=read_curves,
 )

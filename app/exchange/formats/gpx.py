@@ -125,6 +125,5 @@ GPX = Format(
     title="GPX track",
     rank=79,
     kind=ContentKind.TABLE,
-    plural="GPX tracks",
     read=read_gpx,
 )

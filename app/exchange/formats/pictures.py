@@ -68,7 +68,6 @@ SVG = Format(
     write=svg_of,
     preview=lambda document, options, room: drawing.image.svg_preview(document, options, room),
     kind=ContentKind.DRAWING,
-    plural="SVG drawings",
     read=read,
 )
 PDF = Format(

@@ -94,7 +94,6 @@ PATHPLANNER = Format(
     title="PathPlanner path",
     rank=76,
     kind=ContentKind.DRAWING,
-    plural="PathPlanner paths",
     read=read_pathplanner,
     recognises=lambda data: is_object(data) and b'"prevControl"' in data,
 )
@@ -230,7 +229,6 @@ PATHWEAVER = Format(
     options=(TOLERANCE,),
     write=path_table,
     kind=ContentKind.TABLE,
-    plural="PathWeaver paths",
     read=read_pathweaver,
     recognises=lambda data: _HEAD.match(data) is not None,
     writes_dots=False,

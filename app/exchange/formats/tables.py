@@ -101,14 +101,12 @@ TEXT_TABLE = Format(
     title="Table",
     rank=60,
     kind=ContentKind.TABLE,
-    plural="Tables",
 )
 NPY = Format(
     endings=(".npy",),
     title="NumPy array",
     rank=61,
     kind=ContentKind.TABLE,
-    plural="NumPy arrays",
     read=read_array,
 )
 

@@ -145,7 +145,7 @@ class PointTable(FollowsTheme, QWidget):
         self.view.paste_requested.connect(self.paste)
         self.view.selectionModel().selectionChanged.connect(self._report_selection)
         self.view.selectionModel().currentChanged.connect(self._clear_message)
-        self._message.linkActivated.connect(self._reset_kept)
+        self._message.linkActivated.connect(lambda: self.reset_requested.emit(*self._to_reset))
         application().focusChanged.connect(self._watch_focus)
 
     # Rendering: nothing here changes the document
@@ -350,6 +350,3 @@ class PointTable(FollowsTheme, QWidget):
         sentence = keeping_sentence(indices, orders)
         self._show_message(f'⚠ {html_of(sentence)} · <a href="reset">Reset to Estimate</a>')
         self.said.emit(f"{sentence}; click “Reset to Estimate” to estimate again.")
-
-    def _reset_kept(self) -> None:
-        self.reset_requested.emit(*self._to_reset)
