@@ -1,4 +1,4 @@
-"""Rules that estimate velocities, accelerations and jerks from the points, and from what is set.
+"""Rules that estimate velocities, accelerations and jerks from the points, and from derivatives that are set.
 
 All results are per unit of t of the given parameters. Two points always give
 the straight line at constant velocity.
@@ -377,7 +377,7 @@ def natural_spline_velocities(
 
 
 def _natural_velocities(h: FloatArray, data: FloatArray, is_set: BoolArray | None) -> FloatArray:
-    """Solve for the velocities; `data` are the slopes, and behind them what is set."""
+    """Solve for the velocities; `data` are the slopes, and behind them the velocities that are set."""
     left, right = _beside(h)
     slope_before, slope_after = _beside(data[: len(h)])
     # At an end, also at a break, all of the weight is on the only segment.

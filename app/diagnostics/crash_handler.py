@@ -63,7 +63,7 @@ class CrashHandler(QObject):
     ) -> None:
         super().__init__(parent)
         self._secure, self._private = secure, private
-        self._seen: set[str] = set()
+        self._signatures: set[str] = set()
         self._waiting: list[str] = []
         self._dialog: QDialog | None = None
         self._hooks: tuple[Any, ...] = ()
@@ -111,9 +111,9 @@ class CrashHandler(QObject):
             if _keeps_window_open(problem):
                 if self._dialog is not None or self._waiting:
                     return
-            elif signature in self._seen or len(self._seen) >= _MOST_DIALOGS:
+            elif signature in self._signatures or len(self._signatures) >= _MOST_DIALOGS:
                 return
-            self._seen.add(signature)
+            self._signatures.add(signature)
             self._waiting.append(report_of(problem, self._private()))
         except Exception as another:
             _print(type(another), another, another.__traceback__)
@@ -129,11 +129,11 @@ class CrashHandler(QObject):
         )
         self._dialog = dialog
         dialog.quit_asked.connect(self.quit_asked)
-        dialog.finished.connect(self._shown)
+        dialog.finished.connect(self._forget_dialog)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def _shown(self) -> None:
+    def _forget_dialog(self) -> None:
         self._dialog = None
         self._soon.start()
 
@@ -186,8 +186,8 @@ def report_of(problem: BaseException, private: Collection[str] = ()) -> str:
 
 def signature_of(problem: BaseException) -> str:
     """Return the signature of an error, the same in every report about it: its type, file and line."""
-    place = "".join(f"{file}:{line}" for file, line in _lines_of(problem)[-1:])
-    return f"{type(problem).__qualname__} {place}"
+    line_of_error = "".join(f"{file}:{line}" for file, line in _lines_of(problem)[-1:])
+    return f"{type(problem).__qualname__} {line_of_error}"
 
 
 def place_of(problem: BaseException) -> str:

@@ -64,7 +64,7 @@ class EstimateRule(NamedEnum):
 
     @property
     def is_spline(self) -> bool:
-        """Whether one spline estimates all points: a corner is a break of it, and what is set a condition."""
+        """Whether one spline estimates all points: corners are breaks, set derivatives are conditions."""
         return bool(self.value == "natural_spline")
 
     @property

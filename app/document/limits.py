@@ -13,7 +13,7 @@ MAX_MAGNITUDE = 1e12
 
 
 class EditError(ValueError):
-    """An edit is impossible; the message for the status line says why, and what to do.
+    """An edit is impossible; the message for the status line gives the reason and a remedy.
 
     An edit raises it, ``raise EditError("“Sketch” is locked. Unlock it in the list of curves.")``;
     `Session.change` and `Drag.move` show the message and leave the document as it is.

@@ -172,7 +172,7 @@ def set_derivative(
 
 
 def explicit_points(curve: Curve, indices: Collection[int]) -> frozenset[int]:
-    """Return those of the points `indices` at which a derivative that the family has is set."""
+    """Return the points, of `indices`, at which a derivative of the family is set."""
     orders, points = range(1, curve.family.derivatives + 1), curve.points
     return frozenset(i for i in indices if any(any(points[i].explicit_sides(order)) for order in orders))
 

@@ -143,11 +143,11 @@ def reset_message(step: str, curves: Sequence[Curve], group: PointGroup) -> str:
     return f"{step} to estimate.{sides}"
 
 
-def newly_set(before: Sequence[Curve], after: Sequence[Curve], own: Collection[Vector] = ()) -> PointGroup:
+def newly_set(before: Sequence[Curve], after: Sequence[Curve], exempt: Collection[Vector] = ()) -> PointGroup:
     """Return the points of which a step has set derivatives that were estimates before it.
 
-    The points at the positions `own` are left out; points are known by their positions, for their indices may
-    have changed.
+    The points at the positions `exempt` are left out; points are known by their positions, for their indices
+    may have changed.
     """
     same = set(map(id, before)) & set(map(id, after))
     estimated = set[Vector]()
@@ -155,7 +155,7 @@ def newly_set(before: Sequence[Curve], after: Sequence[Curve], own: Collection[V
         if id(curve) not in same:
             every = frozenset(range(len(curve.points)))
             estimated |= {curve.points[index].position for index in every - explicit_points(curve, every)}
-    estimated -= set(own)
+    estimated -= set(exempt)
     parts = []
     for number, curve in enumerate(after):
         if id(curve) not in same:

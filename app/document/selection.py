@@ -53,12 +53,12 @@ def all_points(document: Document, curves: Collection[int]) -> PointGroup:
     return group_points((index, frozenset(range(len(document.curves[index].points)))) for index in curves)
 
 
-def existing_points(group: PointGroup, curves: Sequence[Curve], edited: Collection[int]) -> PointGroup:
-    """Return the points of a group that exist and belong to edited curves."""
+def existing_points(group: PointGroup, curves: Sequence[Curve], active_curves: Collection[int]) -> PointGroup:
+    """Return the points of a group that exist and belong to active curves."""
     return group_points(
         (curve, _within(indices, len(curves[curve].points)))
         for curve, indices in group.parts
-        if curve in edited
+        if curve in active_curves
     )
 
 
@@ -177,9 +177,13 @@ def followed_points(
 # Curves and points that undo brought back
 
 
-def returned_points(edited: Collection[int], before: Sequence[Curve], after: Sequence[Curve]) -> PointGroup:
-    """Return the points of edited curves that did not exist before."""
-    return group_points((curve, _returned(before[curve].points, after[curve].points)) for curve in edited)
+def returned_points(
+    active_curves: Collection[int], before: Sequence[Curve], after: Sequence[Curve]
+) -> PointGroup:
+    """Return the points of active curves that did not exist before."""
+    return group_points(
+        (curve, _returned(before[curve].points, after[curve].points)) for curve in active_curves
+    )
 
 
 def _returned(before: Sequence[Point], after: Sequence[Point]) -> frozenset[int]:

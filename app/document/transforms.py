@@ -139,7 +139,7 @@ LARGEST_SKEW = 89.0
 
 
 def skew(axis: int, degrees: float, centre: Vector) -> Affine:
-    """Return the skew along x (axis 0: what is above the centre goes right) or y (what is right goes up).
+    """Return the skew along x (axis 0: points above the centre go right) or y (points right of it go up).
 
     Raises
     ------

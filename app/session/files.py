@@ -69,7 +69,7 @@ class Files:
 
     @property
     def is_untouched(self) -> bool:
-        """Whether this is the first sketch or an empty document, unchanged."""
+        """Whether the document is the first sketch or an empty one, unchanged."""
         is_as_it_came = not self._session.undo_stack.canUndo() and not self.is_modified
         return self.origin.is_disposable and self.path is None and is_as_it_came
 

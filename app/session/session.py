@@ -176,7 +176,7 @@ class Session(SessionSignals):
         The pivot and the grips of the box around the selection.
     scrub
         The scrub line.
-    kept
+    newly_set
         Points whose estimates the last step has set to keep the shape, besides its own points.
     """
 
@@ -190,7 +190,7 @@ class Session(SessionSignals):
         self.selected = Selection(self)
         self.box = BoxState(self.pivot_changed.emit, self.grips_changed.emit)
         self.scrub = ScrubLine(lambda: self.active_view, self.scrub_changed.emit)
-        self.kept = NO_POINTS
+        self.newly_set = NO_POINTS
         self._views = Views()
         self._committed = self._document = with_plain_numbers(first_sketch())
         # The selection before the gesture in flight; None while nothing is previewed.
@@ -205,8 +205,8 @@ class Session(SessionSignals):
 
     def _report_index(self, _index: int) -> None:
         self._follow_history()
-        if self.kept.parts:
-            self.kept = NO_POINTS
+        if self.newly_set.parts:
+            self.newly_set = NO_POINTS
             self.offer("")
         self.history_changed.emit()
 
@@ -429,11 +429,11 @@ class Session(SessionSignals):
         return was_previewing
 
     def report(self, done: str, before: Sequence[Curve], own: Collection[Vector] = ()) -> None:
-        """Say what the last step has done, if anything, and offer to reset points set to keep the shape.
+        """Report the last step, if `done` says anything, and offer to reset points set to keep the shape.
 
         `before` are the curves before it, `own` the positions of its own points.
         """
-        self.kept = kept = newly_set(before, self.document.curves, own)
+        self.newly_set = kept = newly_set(before, self.document.curves, own)
         if kept.parts:
             verb = "was" if kept.count == 1 else "were"
             self.offer(f"{capitalized(kept.names)} {verb} set to keep the shape.", "resetKept")

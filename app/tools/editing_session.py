@@ -137,7 +137,7 @@ class EditingSession(Protocol):
         """The curve that gives a new one its family, rules and style."""
 
     def report(self, done: str, before: Sequence[Curve], own: Collection[Vector] = ()) -> None:
-        """Say what the last step has done, and name points that it has set to keep the shape.
+        """Report the last step in words, and name points that it has set to keep the shape.
 
         `before` are the curves before it, `own` the positions of its own points.
         """

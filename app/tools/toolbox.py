@@ -163,7 +163,7 @@ class Toolbox:
             gesture.click(self.event)
 
     def cancel(self) -> bool:
-        """Cancel the gesture in flight, with what its press has selected; return whether there was one."""
+        """Cancel the gesture in flight and the selection by its press; return whether there was one."""
         before, selected, gesture = self._selection_before, self._session.selected, self._end()
         if gesture is None:
             return False

@@ -409,15 +409,15 @@ def special_points(
             f"{view.source.family.subject} does not pass its points: none can lie at the {kind.name}. "
             f"{convert_first(view)}"
         )
-    knots, free, some_taken = view.parameters, list[float](), False
+    knots, free, is_any_occupied = view.parameters, list[float](), False
     for t in np.sort(kind.parameters(view.present_curve)).tolist():
         if segments and segment_at(knots, t) not in segments:
             continue
         if np.abs(np.append(knots, free) - t).min() > _SAME_ROOT * (knots[-1] - knots[0]):
             free.append(t)
         else:
-            some_taken = True
-    return free, some_taken
+            is_any_occupied = True
+    return free, is_any_occupied
 
 
 def with_points_at(view: CurveView, parameters: Sequence[float]) -> WithPoints:

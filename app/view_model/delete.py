@@ -165,9 +165,9 @@ def _with_jets(view: CurveView, after: CurveView, segments: Sequence[_Segment], 
             wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
     ends = {
         point
-        for each in segments
-        if each.is_new and _is_set(view, each)
-        for point in (each.begins, each.ends)
+        for segment in segments
+        if segment.is_new and _is_set(view, segment)
+        for point in (segment.begins, segment.ends)
     }
     return with_wanted(after.source, wanted, ends)
 

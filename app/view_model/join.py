@@ -101,7 +101,7 @@ def joined(*views: CurveView, model: int = 0, is_closed: bool = False) -> Joined
     curve = part_of(parts[model], points, last, parts[model].name)
     if is_closed:
         curve = set_closed(Document((curve,)), 0, closed=True).curves[0]
-    curve = _with_jets_kept(wholes, waits, curve)
+    curve = _with_same_jets(wholes, waits, curve)
     if curve.family.derivatives and (lines := [*_bridges(parts, waits)]):
         curve = with_straight_segments(view_of(curve), lines, PARALLEL)
     residual = _residual_of(views, view_of(curve), shifts)
@@ -118,7 +118,7 @@ def _with_ends_set(view: CurveView, *, start: bool, end: bool) -> Curve:
     return replace(view.source, points=tuple(points))
 
 
-def _with_jets_kept(views: Sequence[CurveView], waits: Sequence[float], curve: Curve) -> Curve:
+def _with_same_jets(views: Sequence[CurveView], waits: Sequence[float], curve: Curve) -> Curve:
     """Return the joined curve with those estimates set that would change."""
     jets = [view.sides for view in views if view.sides is not None]
     if not jets:
@@ -318,8 +318,8 @@ def nearest_links(views: Sequence[CurveView], curves: Sequence[int], first: End 
     ends = [End(curve, is_last) for curve in curves for is_last in (False, True)]
     positions = np.array([position_of(views, end) for end in ends])
     one, other = np.triu_indices(len(ends), 1)
-    chosen = ends.index(first) if first in ends else -1
-    is_later = (one != chosen) & (other != chosen)
+    first_index = ends.index(first) if first in ends else -1
+    is_later = (one != first_index) & (other != first_index)
     nearest = np.lexsort((np.hypot(*(positions[one] - positions[other]).T), is_later))
     links, free = list[Link](), {end: end.other for end in ends}
     for a, b in zip(one[nearest].tolist(), other[nearest].tolist(), strict=True):
@@ -441,7 +441,7 @@ _SHARES = np.linspace(0.0, 1.0, 65)
 
 
 class Stretch(NamedTuple):
-    """A part of a curve, or what is missing at an end of it.
+    """A part of a curve, or a missing part at an end of it.
 
     Attributes
     ----------
@@ -482,7 +482,7 @@ def stretch_along(
         if end is None or end == begin:
             return None
         both = (Stretch(begin, end, is_against=False), Stretch(end, begin, is_against=True))
-        return min(both, key=lambda way: _distance(way.positions(view)[:: 1 - 2 * way.is_against], stroke))
+        return min(both, key=lambda part: _distance(part.positions(view)[:: 1 - 2 * part.is_against], stroke))
     if end is None:
         ends = {last: (last, None), first: (None, first)}
         return Stretch(*ends[begin], begin == first, "Extend curve") if begin in ends else None
@@ -524,12 +524,12 @@ def redrawn(
     EditError
         If there is no such curve.
     """
-    source, (before, after) = view.source, _kept(view, stretch)
+    source, (before, after) = view.source, _parts_beside(view, stretch)
     line = np.array(stroke[::-1] if stretch.is_against else stroke)
     for which, t in ((0, stretch.start), (-1, stretch.end)):
         line[which] = line[which] if t is None else view.present_curve.evaluate(t)
     velocities = _end_velocity(before, -1), _end_velocity(after, 0)
-    speed = float(np.mean([np.hypot(*each) for each in velocities if each is not None])) or 1.0
+    speed = float(np.mean([np.hypot(*velocity) for velocity in velocities if velocity is not None])) or 1.0
     first, last = (
         None if velocity is None else _going_on(velocity / speed, line, which, reach)
         for which, velocity in zip((0, -1), velocities, strict=True)
@@ -539,7 +539,7 @@ def redrawn(
     duration = float(np.hypot(*fit.curve.evaluate(t, 1)) / (1.0 if held is None else np.hypot(*held))) / speed
     points = points_of_fit(fit.curve, (0.0, duration), is_closed=False)
     part = view_of(part_of(source, points, duration, source.name))
-    parts = [each for each in (before, part, after) if each is not None]
+    parts = [view for view in (before, part, after) if view is not None]
     is_closed = before is not None and before is after
     whole = joined(*parts[: 2 if is_closed else 3], model=int(before is None), is_closed=is_closed)
     curve = _from_first(view, replace(whole.curve, name=source.name))
@@ -547,15 +547,15 @@ def redrawn(
     return Fitted(curve, fit.curve, fit.deviation, fit.root_mean_square, (x, y), fit.is_scattered)
 
 
-def _kept(view: CurveView, stretch: Stretch) -> tuple[CurveView | None, CurveView | None]:
+def _parts_beside(view: CurveView, stretch: Stretch) -> tuple[CurveView | None, CurveView | None]:
     """Return the parts of a curve before and after a stretch, None for none; the same one around it."""
     (first, last), (start, end, *_) = view.present_curve.domain, stretch
     if view.source.is_closed:
         assert start is not None
         assert end is not None
         parts = [*map(view_of, split(view, start, end).curves)]
-        kept = parts[1] if start < end else parts[0]
-        return kept, kept
+        rest = parts[1] if start < end else parts[0]
+        return rest, rest
     if start is None or end is None or start > end:
         return (None if start is None else view), (None if end is None else view)
     parts = [*map(view_of, split(view, *(t for t in (start, end) if first < t < last)).curves)]

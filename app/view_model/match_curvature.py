@@ -85,10 +85,10 @@ def joints_of(views: Sequence[CurveView], points: PointGroup, whole_curves: Coll
     if not points.parts:
         ends = [end for curve in sorted(whole_curves) for end in _ends(views, curve)]
     others = [end for curve in range(len(views)) for end in _ends(views, curve)] if points.parts else []
-    taken = set[Side]()
+    joined = set[Side]()
     for one, other in chain(combinations(ends, 2), product(ends, others)):
-        if one != other and taken.isdisjoint((one, other)) and _meet(views, one, other):
-            taken |= {one, other}
+        if one != other and joined.isdisjoint((one, other)) and _meet(views, one, other):
+            joined |= {one, other}
             joints.append((one, other))
     return joints
 

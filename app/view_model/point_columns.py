@@ -383,6 +383,6 @@ COLUMNS: Sequence[Column] = (
         order=PARAMETER,
     ),
     *(_position_column(component) for component in (0, 1)),
-    *(column for each in DERIVATIVES for column in _columns_of_derivative(each)),
+    *(column for derivative in DERIVATIVES for column in _columns_of_derivative(derivative)),
 )
 """All columns, in the order in which the table shows them."""

@@ -312,7 +312,7 @@ def _moves(after: CurveView, was: FloatArray, now: FloatArray, old: IntArray, ne
 
 
 def with_older_estimates(document: Document) -> tuple[Document, int]:
-    """Return a document as it looked when estimates ignored what is set, and the number of points set for it.
+    """Return a document as it looked with estimates of old versions, and the number of points set for it.
 
     Until version 3 of the file format the rules estimated derivatives from the points alone.
     """

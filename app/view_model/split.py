@@ -245,13 +245,13 @@ def crossings_of(views: Mapping[int, CurveView]) -> Crossings:
         ends = ((boxes[one], boxes[other]), (boxes[other], boxes[one]))
         if any((low.minimum > high.maximum + reach).any() for low, high in ends):
             continue
-        found: SelfIntersections | Intersections = (
+        meetings: SelfIntersections | Intersections = (
             curvecore.self_intersections(curves[one], reach)
             if one == other
             else curvecore.intersections(curves[one], curves[other], reach)
         )
-        parameters = found.parameters
-        if not found.is_complete:
+        parameters = meetings.parameters
+        if not meetings.is_complete:
             # Where they run along each other there is a meeting at any of their points.
             v, w = curves[one].evaluate(parameters[:, 0], 1), curves[other].evaluate(parameters[:, 1], 1)
             is_crossing = np.abs(cross(v, w)) > _PARALLEL * vector_lengths(v) * vector_lengths(w)

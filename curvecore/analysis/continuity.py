@@ -322,7 +322,7 @@ def _verdicts(of: _Jumps, limits: FloatArray) -> IntArray:
 
 
 def _agreed(motion: IntArray, line: IntArray, rests: BoolArray) -> tuple[IntArray, IntArray]:
-    """Return the classes of both kinds, raised to what the other implies: a C2 joint with a tangent is G2."""
+    """Return the classes of both kinds, raised by each other: a C2 joint with a tangent is G2."""
     goes_on = np.logical_and.accumulate(motion == _NONE, axis=1)
     has_tangent = line[:, 1] == _NONE
     line = np.where(goes_on & has_tangent[:, None], _NONE, line)

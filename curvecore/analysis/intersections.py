@@ -202,9 +202,9 @@ def intersections(first: ParametricCurve, second: ParametricCurve, tolerance: fl
         begun = _pairs_between(arcs, count, float(pieces.error.max()))
         pairs, ended = _narrowed(begun, small, float(pieces.error.max()), len(arcs.start))
         both = _TwoCurves(first, second)
-        found, are_all = _finished(both, pieces, small, pairs, ended, arcs.start)
-    parameters = np.column_stack([both.parameters(found[:, side], side) for side in (0, 1)])
-    return Intersections(parameters, both.evaluate(found[:, 0]), are_all)
+        meetings, are_all = _finished(both, pieces, small, pairs, ended, arcs.start)
+    parameters = np.column_stack([both.parameters(meetings[:, side], side) for side in (0, 1)])
+    return Intersections(parameters, both.evaluate(meetings[:, 0]), are_all)
 
 
 _STARTS = (0.0, 2.0)

@@ -254,7 +254,7 @@ def _steps(points: FloatArray) -> ComplexArray:
 
 
 def _overshoot_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float, float]:
-    """Return how far a curve first recedes, from its beginning and back from its end."""
+    """Return the distances by which a curve first recedes, from its beginning and back from its end."""
     return (
         _overshoot_at_end(complex(step[0]), complex(step[1]), float(quotient[0])),
         _overshoot_at_end(complex(step[-1]), complex(step[-2]), 1.0 / float(quotient[-1])),
@@ -262,7 +262,7 @@ def _overshoot_at_ends(step: ComplexArray, quotient: FloatArray) -> tuple[float,
 
 
 def _overshoot_at_end(step: complex, following: complex, quotient: float) -> float:
-    """Return how far a curve first recedes, given the first steps from its end."""
+    """Return the distance by which a curve first recedes, given the first steps from its end."""
     change = (following / quotient - step) / (1.0 + quotient)
     velocity = step - change
     if (velocity * step.conjugate()).real > 0.0:

@@ -118,7 +118,9 @@ def fit(
     corners = _corners_of(data, count, tolerance, closed=closed) if has_corners else []
     rounds = RoundsProgress(progress)
     # Parameters by chord length: the speed is about the whole length.
-    first, last = (each if each is None else data.along[-1] * np.asarray(each) for each in end_directions)
+    first, last = (
+        None if direction is None else data.along[-1] * np.asarray(direction) for direction in end_directions
+    )
     solve = partial(
         least_squares_curve, family, closed=closed, settings=settings, end_velocities=(first, last)
     )

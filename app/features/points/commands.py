@@ -368,12 +368,12 @@ class PointCommands(CommandSet):
         icon="reset",
         short="Reset to Estimate",
         full_name="Reset Points Set to Keep the Shape to Estimate",
-        needs=Need("points that the last step has set to keep the shape", lambda state: state.has_kept),
+        needs=Need("points that the last step has set to keep the shape", lambda state: state.has_newly_set),
         keywords=_RESET_WORDS,
     )
     def _reset_kept(self) -> None:
         """Let the rules estimate the points again that the last step has set to keep the shape."""
-        self._reset(self._session.kept)
+        self._reset(self._session.newly_set)
 
     def _reset(self, group: PointGroup) -> None:
         session, curves = self._session, self._session.document.curves

@@ -56,9 +56,9 @@ def _subject(
         return document, box.for_keys, box.words, None
     curves = selected.target_curves
     copied, copies = duplicate_curves(document, curves)
-    chosen, is_editing = frozenset(copies), selected.is_editing and len(copies) == 1
-    whole = frozenset[int]() if is_editing else chosen
-    selects = SelectionState(copies[-1], NO_POINTS, chosen, whole, is_editing)
+    new_curves, is_editing = frozenset(copies), selected.is_editing and len(copies) == 1
+    whole = frozenset[int]() if is_editing else new_curves
+    selects = SelectionState(copies[-1], NO_POINTS, new_curves, whole, is_editing)
     label = f"{'a copy' if len(copies) == 1 else 'copies'} of {name_or_count(document, curves)}"
     return copied, whole_curves(copied, copies), label, selects
 
@@ -122,7 +122,7 @@ class MirrorLine(Drag, kw_only=True):
         return f"Mirror {self.label}"
 
     def amount(self, pointer: Pointer) -> str:
-        """Return what is mirrored, and the direction of the line."""
+        """Return the name of the step, and the direction of the line."""
         line = words.direction(minus(self._end(pointer), self.start))
         return f"{self.undo_text(pointer)} about a line at {line}"
 

@@ -190,7 +190,7 @@ def digits_at(view: CurveView, settings: LaboratorySettings, t: float) -> Digits
         return None
     start, end = view.parameters[[0, -1]].tolist()
     t = min(max(t, start), end)
-    piece = next(each for each in view.pieces if t <= each.parameters[-1])
+    piece = next(piece for piece in view.pieces if t <= piece.parameters[-1])
     try:
         experiment = _Experiment(piece, settings)
         rows = tuple(

@@ -220,8 +220,8 @@ def _of_moves(rule: EstimateRule, curve: Curve, coordinate: int | None) -> Estim
     def changes(both: FloatArray, t: ArrayLike, **given: FloatArray) -> FloatArray:
         if coordinate is not None:
             return np.asarray(function(both[:, [coordinate]], t, both[:, 2:], one_sided=True)[:, 0])
-        each = function(both[:, :2], t, both[:, 2:], **_further(rule, curve), **given)
-        return np.asarray(each.mean(axis=1))
+        by_coordinate = function(both[:, :2], t, both[:, 2:], **_further(rule, curve), **given)
+        return np.asarray(by_coordinate.mean(axis=1))
 
     return changes
 
@@ -247,7 +247,7 @@ def _estimate_by(rule: EstimateRule, curve: Curve) -> Estimate:
 
 
 def _further(rule: EstimateRule, curve: Curve) -> dict[str, float]:
-    """Return the arguments of a rule beside points, parameters and what is set."""
+    """Return the arguments of a rule beside points, parameters and derivatives that are set."""
     return {"alpha": curve.parametrization.alpha} if "alpha" in rule.takes else {}
 
 
@@ -312,7 +312,7 @@ def _take(sides: Sides, order: int, given: FloatArray | None) -> None:
 def _known(
     rules: Sequence[EstimateRule], order: int, given: FloatArray | None, ties: BoolArray
 ) -> dict[str, FloatArray]:
-    """Return what is given to the rule of an order, from 0: by name the values on both sides, (k, 2, dim)."""
+    """Return the data given to the rule of an order, from 0: by name those on both sides, (k, 2, dim)."""
     known = {}
     for lower, derivative in enumerate(DERIVATIVES[: len(rules)] if given is not None else ()):
         # A local rule has velocities of its own, from which other orders are not estimated.
@@ -343,7 +343,7 @@ class _Rows(NamedTuple):
 
     @property
     def sides(self) -> IntArray:
-        """The side of its knot on which what is set counts for a row, (m,)."""
+        """The side of its knot on which a derivative that is set counts for a row, (m,)."""
         sides = (~self.before).astype(np.intp)
         # At the start of an open curve only that side is used.
         sides[0] = 1

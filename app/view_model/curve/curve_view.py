@@ -167,7 +167,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def has_curve(self) -> bool:
-        """Whether there is a curve to draw, the present one or the last good one."""
+        """Whether a curve can be drawn, the present or the last good one."""
         return self.is_followed or self._core.curve is not None
 
     @property
@@ -177,7 +177,7 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
 
     @property
     def is_overdue(self) -> bool:
-        """Whether there is no curve because functions of a file take too long."""
+        """Whether the curve is refused because functions of a file take too long."""
         return not self.is_followed and self._core.is_overdue
 
     @property
