@@ -68,7 +68,8 @@ def corners_of(curve: Curve, segments: Collection[int]) -> list[int]:
 
 
 def _as_corner(curve: Curve, index: int, segments: Collection[int]) -> Point:
-    point, behind = curve.points[index], (index - 1) % len(curve.points)
+    # The handle on the other side keeps its length.
+    point, behind = replace(curve.points[index], even=False), (index - 1) % len(curve.points)
     if all(segment in segments or is_straight(curve, segment) for segment in (behind, index)):
         point = untie(point)
     return point if point.corner else point.as_corner()

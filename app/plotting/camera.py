@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import QObject, QPoint, QPointF, QRect, Signal
 
 from ..document.fields import Ranges
@@ -161,6 +162,11 @@ class Camera(QObject):
         """Show this part of the plane."""
         self.moved.emit()
         self._box.setRange(xRange=x_range, yRange=y_range, padding=0)
+
+    def return_to(self, ranges: Ranges, left: Ranges) -> None:
+        """Show this part of the plane if the one visible is still that which was left."""
+        if np.abs(np.subtract(left, self.ranges)).max() < self.pixel_size:
+            self.show_box(*ranges)
 
     def keep(self, pixel_map: PixelMap, moved: tuple[float, float]) -> None:
         """Show the plane as in `pixel_map`, on the same pixels, though the plot area has `moved`."""

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from ..document.fields import Ranges
+from ..document.fields import NO_SCROLL, Scroll
 from ..document.model import Document
 from ..document.selection import SelectionState
 from ..qt.overrides import SafeOverrides
@@ -54,15 +54,15 @@ class HistoryState(msgspec.Struct, frozen=True):
     selection
         Before a step, all that was selected: undo restores it where curves of it return, or where the curves
         selected since are removed. None after the step.
-    ranges
-        The visible part of the plane, where the step is a drag that has scrolled it; None for any other.
+    scroll
+        The visible part of the plane, and that at the other end of the step: a drag that has scrolled it.
     """
 
     document: Document
     active: int
     origin: DocumentOrigin
     selection: SelectionState | None = None
-    ranges: Ranges | None = None
+    scroll: Scroll = NO_SCROLL
 
 
 class UndoStep(SafeOverrides, QUndoCommand):

@@ -100,7 +100,8 @@ class SessionSignals(QObject):
     history_changed
         There is another step to undo or redo.
     ranges_returned
-        Undo or redo of a drag that has scrolled the view: the ranges of x and y visible before or after it.
+        Undo or redo of a drag that has scrolled the view: the ranges of x and y to show, and those that it
+        has left visible.
     gesture_ended
         No gesture is in flight any more: it has become a step, or another change, undo, another active curve
         or another document has dropped it. Emitted also where none was in flight; messages about the
@@ -399,8 +400,8 @@ class Session(SessionSignals):
         self._selection_before = self._asked = self._selects = None
         if active is None:
             active = self.active_index if selects is None else selects.active
-        after = HistoryState(document, active, self.files.origin, ranges=scroll[1])
-        self.history.push(replace(before, ranges=scroll[0]), after, text, run)
+        after = HistoryState(document, active, self.files.origin, scroll=scroll[::-1])
+        self.history.push(replace(before, scroll=scroll), after, text, run)
         if selects is not None and not selects.is_editing:
             self.selected.select_whole(selects.whole_curves)
         _log.debug("a step of the history, now %d", self.undo_stack.count())
@@ -470,8 +471,8 @@ class Session(SessionSignals):
                 self.selected.begin_opened()
             elif not self.history.is_pushing:
                 self.selected.select_returned(before, state.selection)
-                if state.ranges is not None:
-                    self.ranges_returned.emit(*state.ranges)
+                if state.scroll != NO_SCROLL:
+                    self.ranges_returned.emit(*state.scroll)
         if is_other and not self.history.is_pushing:
             self.file_changed.emit()
             self.opened.emit()

@@ -154,7 +154,7 @@ class MainWindow(SafeOverrides, QMainWindow):
         session, files = self.session, self.context.files
         self.store.changed.connect(self._show_state)
         session.gesture_ended.connect(self.status_line.reset)
-        session.ranges_returned.connect(self.canvas.camera.show_box)
+        session.ranges_returned.connect(self.canvas.camera.return_to)
         session.opened.connect(self.central.fit)
         session.opened.connect(self.canvas.tools.reset)
         readouts = self.status_line.readouts

@@ -12,6 +12,7 @@ from PySide6.QtTest import QTest
 from app.document.model import Document, ParametrizationKind, make_curve
 from app.families import FAMILIES, HERMITE, LAGRANGE
 from app.view_model.curve.handles import handles_of
+from app.view_model.point_kinds import SMOOTH, kind_at
 
 ALT = Qt.KeyboardModifier.AltModifier
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -109,6 +110,27 @@ def test_a_smooth_point_keeps_a_tangent_that_is_in_line(drawn):
             else:
                 assert now == pytest.approx(was)
             bow.session.commit(document, "Again", active=0)
+
+
+def test_a_symmetric_point_keeps_its_other_handle(editor):
+    """The straight segment's handle was longer, and the other one grew from 60 to 100 pixels with it."""
+    editor.new()
+    editor.choose_family(HERMITE)
+    editor.trigger("addTool")
+    editor.click((0.0, 0.0))
+    editor.drag((1.0, 1.0), (1.4, 1.0))
+    editor.drag((3.0, 1.0), (3.4, 1.0))
+    editor.click((4.0, 0.0))
+    editor.key(Qt.Key.Key_Return)
+    editor.trigger("selectTool")
+    before = editor.session.active_view
+    assert editor.curve.points[1].even
+    editor.select([1, 2])
+    editor.key(Qt.Key.Key_4, ALT)
+    after = editor.session.active_view
+    assert distance_from_chord(after, 1) < 1e-14
+    assert other_segments(after, [1]) == pytest.approx(other_segments(before, [1]), abs=1e-12)
+    assert kind_at(after, 1) is SMOOTH
 
 
 def test_an_end_gets_no_corner(drawn):
