@@ -44,8 +44,7 @@ from curvecore.arrays import (
     read_only,
     rows_or_nan,
 )
-from curvecore.errors import CurveError
-from curvecore.families.cubic_spline import solve_dominant
+from curvecore.families.cubic_spline import overflow_in, solve_dominant
 from curvecore.parametrization import Spaced, relative_spacing
 
 _Arguments = ParamSpec("_Arguments")
@@ -61,12 +60,7 @@ def in_range(rule: Callable[_Arguments, FloatArray]) -> Callable[_Arguments, Flo
         with np.errstate(over="ignore", under="ignore", invalid="ignore"):
             estimates = rule(*args, **kwargs)
         if not np.isfinite(estimates).all():
-            i = int(np.argmin(np.isfinite(estimates).all(axis=1)))
-            raise CurveError(
-                f"points around {i} lie too far apart for such close parameters: "
-                "the derivative there exceeds the largest number",
-                (i,),
-            )
+            raise overflow_in(estimates)
         return estimates
 
     return checked

@@ -97,11 +97,13 @@ def followed_selection(
     return SelectionState(active, points, curves, whole, is_editing)
 
 
-def _are_gone(edited: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]) -> bool:
-    """Return whether all edited curves are gone, and the active curve is another one that existed before."""
+def _are_gone(
+    active_curves: Collection[int], active: int, before: Sequence[Curve], after: Sequence[Curve]
+) -> bool:
+    """Return whether all active curves are gone, and the active curve is another one that existed before."""
     if len(after) >= len(before) or not any(map(is_, before, repeat(after[active]))):
         return False
-    shapes = {index for curve in edited for index in shape_around(before, curve)}
+    shapes = {index for curve in active_curves for index in shape_around(before, curve)}
     return not followed_indices(shapes, before, after)
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Sequence
+from functools import partial
 from itertools import chain, islice
 from typing import Final, NamedTuple
 
@@ -78,10 +79,7 @@ def step_group(document: Document, group: PointGroup, by: Vector) -> Document:
 
 def transform_group(document: Document, group: PointGroup, by: Affine) -> Document:
     """Transform the points of a group and their explicit derivatives."""
-
-    def edit(document: Document, curve: int, indices: Collection[int]) -> Document:
-        return transform_points(document, curve, indices, by)
-
+    edit = partial(transform_points, by=by)
     return _changed_whole(document, group, positions_mapped(by), edit, _has_only_positions)
 
 
@@ -140,14 +138,14 @@ def index_of(document: Document, curve: Curve) -> int:
 
 
 def active_after_removal(
-    document: Document, curves: Collection[int], active: int, edited: Collection[int] = ()
+    document: Document, curves: Collection[int], active: int, preferred: Collection[int] = ()
 ) -> int:
     """Return the index of the active curve after `curves` were removed.
 
-    It is the nearest remaining curve of the `edited` ones, or of the shape of the active one; if none
+    It is the nearest remaining curve of the `preferred` ones, or of the shape of the active one; if none
     remains, the curve at the index of the active one.
     """
-    remaining = [index for index in edited or shape_of(document, active) if index not in curves]
+    remaining = [index for index in preferred or shape_of(document, active) if index not in curves]
     nearest = min(remaining, key=lambda index: abs(index - active), default=active)
     before = sum(index not in curves for index in range(nearest))
     return max(0, min(before, len(document.curves) - len(curves) - 1))
@@ -257,11 +255,7 @@ def common_name(document: Document, curves: Collection[int]) -> str | None:
 
 def _whole_shifted(document: Document, group: PointGroup, shift: PointsChange) -> Document:
     """Move the points of a group, all in the same way; see `shift_points`."""
-
-    def edit(document: Document, curve: int, indices: Collection[int]) -> Document:
-        return shift_points(document, curve, indices, shift)
-
-    return _changed_whole(document, group, shift, edit, lambda _: True)
+    return _changed_whole(document, group, shift, partial(shift_points, shift=shift), lambda _: True)
 
 
 def _has_only_positions(curve: Curve) -> bool:

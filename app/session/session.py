@@ -429,15 +429,15 @@ class Session(SessionSignals):
             self.selected.keep_previewed()
         return was_previewing
 
-    def report(self, done: str, before: Sequence[Curve], own: Collection[Vector] = ()) -> None:
+    def report(self, done: str, before: Sequence[Curve], exempt: Collection[Vector] = ()) -> None:
         """Report the last step, if `done` says anything, and offer to reset points set to keep the shape.
 
-        `before` are the curves before it, `own` the positions of its own points.
+        `before` are the curves before it, `exempt` the positions of its own points.
         """
-        self.newly_set = kept = newly_set(before, self.document.curves, own)
-        if kept.parts:
-            verb = "was" if kept.count == 1 else "were"
-            self.offer(f"{capitalized(kept.names)} {verb} set to keep the shape.", "resetKept")
+        self.newly_set = group = newly_set(before, self.document.curves, exempt)
+        if group.parts:
+            verb = "was" if group.count == 1 else "were"
+            self.offer(f"{capitalized(group.names)} {verb} set to keep the shape.", "resetKept")
         if done:
             self.say(done)
 

@@ -136,10 +136,10 @@ class EditingSession(Protocol):
     def template_curve(self) -> Curve:
         """The curve that gives a new one its family, rules and style."""
 
-    def report(self, done: str, before: Sequence[Curve], own: Collection[Vector] = ()) -> None:
+    def report(self, done: str, before: Sequence[Curve], exempt: Collection[Vector] = ()) -> None:
         """Report the last step in words, and name points that it has set to keep the shape.
 
-        `before` are the curves before it, `own` the positions of its own points.
+        `before` are the curves before it, `exempt` the positions of its own points.
         """
 
     def preview(

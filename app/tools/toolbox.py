@@ -61,7 +61,7 @@ class Toolbox:
             lambda: self.canvas.grid_spacing(),  # noqa: PLW0108 - it is set later
         )
         self.box = SelectionBox(session)
-        self._made = {record.name: record.make()}
+        self._tools = {record.name: record.make()}
         self._gesture: Gesture | None = None
         self.is_buttonless = False
         self._selection_before: SelectionState | None = None
@@ -70,9 +70,9 @@ class Toolbox:
     @property
     def tool(self) -> Tool:
         """The tool in use."""
-        if self.record.name not in self._made:
-            self._made[self.record.name] = self.record.make()
-        return self._made[self.record.name]
+        if self.record.name not in self._tools:
+            self._tools[self.record.name] = self.record.make()
+        return self._tools[self.record.name]
 
     @property
     def event(self) -> ToolEvent:
@@ -226,7 +226,7 @@ class Toolbox:
     def reset(self) -> None:
         """Forget the state that belongs to the document: another one is open."""
         self.background.cancel()
-        self._made = {}
+        self._tools = {}
 
     # Keys
 

@@ -348,14 +348,8 @@ class CubicSplineCurve(ParametricCurve):
     def _solve(self) -> None:
         """Compute first and second derivatives at the joints."""
         velocities, _ = spline_derivatives(self.points, self._parameters, self.ends)
-        finite = np.isfinite(velocities).all(axis=1)
-        if not finite.all():
-            index = int(np.argmin(finite))
-            raise CurveError(
-                f"points around {index} lie too far apart for such close parameters: "
-                "the derivative there exceeds the largest number",
-                (index,),
-            )
+        if not np.isfinite(velocities).all():
+            raise overflow_in(velocities)
         self._bends = self._lines = None
         self._hermite = HermiteCurve(self.points, velocities, self._parameters)
 
@@ -617,6 +611,16 @@ def _periodic(h: FloatArray, shares: _Shares) -> FloatArray:
 _FEW_EQUATIONS = 48
 """Equations, up to which a full matrix takes a fifth of the time of NumPy's calls without one."""
 _WIDE = 64  # columns from which on a loop over the rows takes less than rounds over all of them
+
+
+def overflow_in(derivatives: FloatArray) -> CurveError:
+    """Return the error for derivatives, (n, dim), of which the first row that is not finite has no double."""
+    i = int(np.argmin(np.isfinite(derivatives).all(axis=1)))
+    return CurveError(
+        f"points around {i} lie too far apart for such close parameters: "
+        "the derivative there exceeds the largest number",
+        (i,),
+    )
 
 
 def solve_dominant(before: FloatArray, after: FloatArray, right_side: FloatArray) -> FloatArray:

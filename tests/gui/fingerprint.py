@@ -47,7 +47,7 @@ PASSING = {
         "_is_resting",
         "_italic",
         "_known",
-        "_made",
+        "_tools",
         "_pixmaps",
         "_reported_hints",
     ),
