@@ -271,7 +271,8 @@ def with_derivative(
         x, y = unit_vector(held)
         far = max(vector[0] * x + vector[1] * y, 0.0)
         vector = (far * x, far * y)
-        return replace(point, **{name: vector} | ({other: _in_step(held, was, vector)} if point.even else {}))
+        even = point.even and far > 0.0
+        return replace(point, **{name: vector} | ({other: _in_step(held, was, vector)} if even else {}))
     opposite = _in_step(held, was, vector) if point.even else turned_along(held, vector)
     return replace(point, **{name: vector, other: opposite})
 
@@ -279,10 +280,13 @@ def with_derivative(
 def _in_step(held: Vector, was: Vector, vector: Vector) -> Vector:
     """Return the opposite velocity of an even point: along `vector`, with the former ratio of the two speeds.
 
-    Equally long handles stay equally long, whatever the lengths of the segments are.
+    Equally long handles stay equally long, whatever the lengths of the segments are. A point that stands
+    still does so on both sides, and leaves its rest with the same velocity on both.
     """
     length = math.hypot(*was)
-    if not length or not any(held) or not any(vector):
+    if not any(vector) or not (length or any(held)):
+        return vector
+    if not length or not any(held):
         return turned_along(held, vector)
     (x, y), far = unit_vector(vector), math.hypot(*vector) * (math.hypot(*held) / length)
     return (far * x, far * y)

@@ -24,7 +24,7 @@ from msgspec.structs import replace
 from curvecore.arrays import BoolArray, FloatArray
 
 from ..document import limits, point_edits, rule_edits
-from ..document.constraints import with_derivative
+from ..document.constraints import is_straight_beside, with_derivative
 from ..document.derivatives import DERIVATIVES, Derivative
 from ..document.limits import EditError, not_after
 from ..document.model import Curve, Document, Vector
@@ -33,6 +33,9 @@ from .curve.handles import handle_offsets, with_length_or_angle
 
 PARAMETER, POSITION = -1, 0
 """Orders of columns that are no derivatives."""
+
+_SAME = 1e-9
+"""Share of the largest derivative of an order up to which both sides of a point are the same."""
 
 
 def _nothing_estimated(view: CurveView) -> BoolArray:
@@ -261,18 +264,34 @@ def _derivative_after(order: int, component: int, view: CurveView, index: int) -
     return np.nan if view.sides is None else float(view.sides.after[index, order, component])
 
 
+def sides_differ(view: CurveView, index: int, order: int) -> bool:
+    """Return whether the derivative before a point is another than that after it, beyond rounding."""
+    if view.sides is None or index not in view.two_sided:
+        return False
+    before, after = (side[:, order] for side in view.sides)
+    return bool(np.abs(before - after)[index].max() > _SAME * np.abs(after).max())
+
+
 def _set_derivatives(
     order: int, component: int, document: Document, curve: int, view: CurveView, values: Mapping[int, float]
 ) -> Document:
-    """Return the document with one component of derivatives set; the other component stays as displayed."""
-    points = list(document.curves[curve].points)
+    """Return the document with one component of derivatives set; the other component stays as displayed.
+
+    Where both sides of a point are equal, as at a new corner, both are set.
+    """
+    old = document.curves[curve]
+    points = list(old.points)
     for index, value in values.items():
-        ahead = shows_ahead(view, index)
+        ahead, differ = shows_ahead(view, index), sides_differ(view, index, order)
         present = points[index].explicit_sides(order)[ahead] or view.derivative_of(index, order, ahead=ahead)
         if present is None:
             raise EditError(f"The other component cannot be estimated. {view.problem}")
         given = with_component(present, component, float(value))
-        points[index] = with_derivative(document.curves[curve], index, order, given, ahead=ahead)
+        point = with_derivative(old, index, order, given, ahead=ahead)
+        if point.corner and not differ and not is_straight_beside(old, index, ahead=not ahead):
+            both = (DERIVATIVES[order - 1].name, DERIVATIVES[order - 1].after)
+            point = replace(point, **dict.fromkeys(both, point.explicit_sides(order)[ahead]))
+        points[index] = point
     return point_edits.set_points(document, curve, points)
 
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.document import rule_edits
+from app.document import point_edits, rule_edits
 from app.document.model import Document, make_curve
 from app.families import FAMILIES, HERMITE
 from app.features.point_table.view import CellEditor
@@ -295,3 +295,45 @@ def test_a_velocity_that_is_pulled_out_takes_length_and_angle(wave):
     wave.release((5.5, 0.5))
     # h = 3/8 ahead of it.
     assert wave.curve.points[2].velocity == pytest.approx((24.0, 0.0), abs=ROUNDING)
+
+
+# Velocities that are typed
+
+
+@pytest.mark.parametrize("kind", ["tangentCorner", "tangentSmooth", "tangentSymmetric"])
+def test_a_point_whose_velocity_is_typed_to_zero_stands_still_on_both_sides(wave, kind):
+    """After a corner the robot went on with v = (3.67, 0.148); a symmetric point kept (0, −14.2) after it."""
+    wave.select_point(1)
+    wave.trigger(kind)
+    for name in ("vx", "vy"):
+        enter(wave, 1, name, "0")
+    assert wave.curve.points[1].explicit_sides(1) == ((0.0, 0.0), (0.0, 0.0))
+    enter(wave, 1, "vx", "2")
+    assert wave.curve.points[1].explicit_sides(1) == ((2.0, 0.0), (2.0, 0.0))
+
+
+def test_a_quintic_stops_where_zero_is_typed_after_a_corner(wave):
+    wave.choose_family("quintic_hermite")
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    model = wave.window.point_table.model()
+    for name in ("vx", "vy", "ax", "ay"):
+        assert not model.shows_one_side(1, column(wave, name))
+        enter(wave, 1, name, "0")
+    before, after = wave.session.active_view.sides
+    assert not before[1, 1:].any()
+    assert not after[1, 1:].any()
+
+
+def test_a_number_typed_at_a_corner_of_two_velocities_is_the_one_before_it(wave):
+    wave.select_point(1)
+    wave.trigger("tangentCorner")
+    enter(wave, 1, "vy", "3")
+    document = point_edits.set_velocity(wave.session.document, 0, 1, (5.0, 3.0), ahead=True)
+    wave.session.change("Turn", lambda _document: document)
+    enter(wave, 1, "vx", "0")
+    assert wave.curve.points[1].explicit_sides(1) == ((0.0, 3.0), (5.0, 3.0))
+    table = wave.window.point_table.model()
+    assert "before the corner; 5.0 after it" in table.data(
+        table.index(1, column(wave, "vx")), Qt.ItemDataRole.ToolTipRole
+    )

@@ -514,6 +514,10 @@ def test_the_table_names_the_kinds(bow):
     assert [", a corner" in tip for tip in tips] == [False, True, False, False]
     assert [", smooth" in tip for tip in tips] == [False, False, True, False]
     tip = model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
+    # A point that has just become smooth has one velocity.
+    assert "before the point" not in tip
+    bow.drag_handle((3.2, 0.6), index=2)
+    tip = model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
     assert "before the point" in tip
     # A number that is typed turns what is tied.
     model.setData(model.index(2, 4), 40.0)

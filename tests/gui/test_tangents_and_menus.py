@@ -267,10 +267,12 @@ def test_the_form_shows_closed_and_the_number_of_corners(wave):
     assert "4 pieces · closed · 1 corner" in facts
 
 
-def test_the_table_marks_the_side_of_a_corner(wave):
+def test_the_table_marks_the_side_of_a_corner_where_the_other_differs(wave):
     wave.select_point(1)
     wave.trigger("tangentCorner")
     model = wave.window.point_table.model()
+    assert "before the corner" not in model.data(model.index(1, 3), Qt.ItemDataRole.ToolTipRole)
+    wave.drag_handle((1.5, 1.5), index=1)
     tip = model.data(model.index(1, 3), Qt.ItemDataRole.ToolTipRole)
     assert "before the corner" in tip
     assert "before the corner" not in model.data(model.index(2, 3), Qt.ItemDataRole.ToolTipRole)
@@ -285,6 +287,7 @@ def test_the_table_marks_a_corner(wave):
     model.dataChanged.connect(lambda top, bottom: changed.append((top.row(), bottom.row())))
     wave.trigger("tangentCorner")
     # The numbers are those before; the mark is new.
+    wave.drag_handle((1.5, 1.5), index=1)
     assert any(top <= 1 <= bottom for top, bottom in changed)
     assert [model.shows_one_side(row, 3) for row in range(4)] == [False, True, False, False]
     assert not model.shows_one_side(1, 1)

@@ -20,7 +20,7 @@ from ...document.model import Point
 from ...document.words import number, with_minus
 from ...qt.overrides import SafeOverrides
 from ...view_model.curve.curve_view import CurveView
-from ...view_model.point_columns import Column, columns_of
+from ...view_model.point_columns import Column, columns_of, sides_differ
 from ...view_model.point_kinds import CORNER, POINT_KINDS, PointKind, kinds_of
 from ...widgets.number_text import (
     EXACT,
@@ -92,8 +92,6 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         self.columns = columns_of(derivatives=0)
         self._table_values = _no_values(self.columns)
         self._numbers: tuple[TableValues, list[ColumnNumbers]] | None = None
-        # The points with two numbers in a cell, and the kinds of all.
-        self._two_sided: frozenset[int] = frozenset()
         self._kinds = np.empty(0, dtype=np.intp)
         self._is_refused = False
         self._theme = LIGHT
@@ -137,7 +135,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
         new = table_values(view, columns)
         if columns != self.columns:
             self.beginResetModel()
-            self._two_sided, self._kinds = frozenset(view.two_sided), kinds_of(view)
+            self._kinds = kinds_of(view)
             self.columns, self._table_values = columns, new
             self.endResetModel()
             return
@@ -167,8 +165,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
 
     def _rows_of_other_kinds(self, view: CurveView) -> np.ndarray:
         """Store the kinds of the points, and return which rows have changed."""
-        self._two_sided, old = frozenset(view.two_sided), self._kinds
-        self._kinds = kinds_of(view)
+        old, self._kinds = self._kinds, kinds_of(view)
         rows, both = np.zeros(len(self._kinds), dtype=bool), min(len(old), len(self._kinds))
         rows[:both] = old[:both] != self._kinds[:both]
         if rows.any():
@@ -177,7 +174,8 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
 
     def shows_one_side(self, row: int, column: int) -> bool:
         """Return whether the point has two of these numbers, of which the cell shows one."""
-        return row in self._two_sided and self.columns[column].after is not None
+        shown, view = self.columns[column], self._view
+        return view is not None and shown.after is not None and sides_differ(view, row, shown.order or 0)
 
     def _changed_rows(self, new: TableValues) -> np.ndarray:
         same = (self.values == new.values) | (np.isnan(self.values) & np.isnan(new.values))
@@ -291,7 +289,7 @@ class PointTableModel(SafeOverrides, QAbstractTableModel):
     def _corner_note(self, row: int, column: int) -> str:
         """Return the addition to a tooltip where a point has two numbers, of which the table shows one."""
         after, view = self.columns[column].after, self._view
-        if view is None or after is None or view.sides is None or row not in self._two_sided:
+        if view is None or after is None or not self.shows_one_side(row, column):
             return ""
         ahead = with_minus(exact_text(float(after(view, row)), decimal_mark()))
         point = "corner" if self._kind(row) is CORNER else "point"
