@@ -238,3 +238,15 @@ def test_columns_of_the_certificate_stay_during_a_drag(bessel):
         after = [view.columnWidth(column) for column in range(len(COLUMNS))]
         assert all(now >= then - 12 for now, then in zip(after, before, strict=True))
     bessel.release((x, y))
+
+
+def test_a_row_is_highlighted_only_as_long_as_its_point_is_selected(bessel):
+    bessel.select_point(3)
+    until(lambda: table(bessel).currentIndex().row() == 2)
+    QTest.keyClick(table(bessel), Qt.Key.Key_Down)
+    bessel.settle()
+    assert table(bessel).currentIndex().row() == 3, "the keys still go from row to row"
+    bessel.fit()
+    bessel.select([])
+    until(lambda: not table(bessel).selectionModel().hasSelection())
+    assert not table(bessel).currentIndex().isValid()

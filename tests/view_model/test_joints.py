@@ -88,10 +88,19 @@ def test_a_joint_that_keeps_the_direction_is_called_g1():
 def test_a_joint_at_rest_has_no_direction():
     result = certificate(with_point(2, velocity=(0.0, 0.0)), QUINTIC_HERMITE)
     row = result.rows[1]
-    assert result.summary == "C² everywhere except joint 2: stands still."
+    assert result.summary == "C² everywhere; stands still at joint 2."
     assert row.kind is JointKind.REST
     assert math.isnan(row.angle)
     assert "velocity is zero" in row.words
+
+
+def test_a_joint_at_rest_on_one_side_is_named_with_its_class():
+    """It was “except joint 2: stands still” beside a velocity that jumped by 14.2."""
+    rest = {"velocity": (0.0, 0.0), "corner": True, "velocity_after": (0.0, -14.2)}
+    result = certificate(with_point(2, **rest), QUINTIC_HERMITE)
+    assert result.rows[1].smoothness == "C⁰"
+    assert result.rows[1].jumps[1] == pytest.approx(14.2)
+    assert result.summary == "C² everywhere except joint 2: stands still on one side (C⁰)."
 
 
 def test_many_rough_joints_are_counted():

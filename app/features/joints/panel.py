@@ -231,6 +231,7 @@ class JointsPanel(FollowsTheme, QWidget):
         super().__init__(parent)
         self.setObjectName("jointsPanel")
         self._model = JointsModel(self)
+        self._points: Collection[int] = ()
         self._t_text: Callable[[float, str], str] = lambda t, _mark: str(t)
         self.view = JointsView(self._model)
         self._summary = Label(name="jointsSummary", label="Summary of the joints", wordWrap=True)
@@ -286,15 +287,13 @@ class JointsPanel(FollowsTheme, QWidget):
         self._show_detail()
 
     def set_selection(self, points: Collection[int]) -> None:
-        """Select the joint of the selected point, where there is just one."""
-        if len(points) != 1:
-            return
-        point = next(iter(points))
-        for row_number, row in enumerate(self._model.rows):
-            if row.joint == point:
-                if self.view.currentIndex().row() != row_number:
-                    self.view.setCurrentIndex(self._model.index(row_number, 0))
-                return
+        """Select the joint of the selected point, where there is just one; none after another selection."""
+        is_new, self._points = points != self._points, points
+        found = next((n for n, row in enumerate(self._model.rows) if {row.joint} == points), None)
+        if found is None and is_new:
+            self.view.selectionModel().clear()
+        elif found is not None and self.view.currentIndex().row() != found:
+            self.view.setCurrentIndex(self._model.index(found, 0))
 
     def _show_detail(self, _current: QModelIndex | None = None, _previous: QModelIndex | None = None) -> None:
         row_number = self.view.currentIndex().row()

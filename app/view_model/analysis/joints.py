@@ -12,7 +12,7 @@ import numpy as np
 
 from curvecore import Joint, joint_report
 
-from ...document.words import NOTHING, number
+from ...document.words import NOTHING, names_of, number
 from ..curve.curve_view import CurveView
 from ..geometry import size_of
 
@@ -246,26 +246,26 @@ def _reaches(view: CurveView) -> list[float]:
 
 
 def _summary(rows: Sequence[JointRow]) -> str:
-    """Return the class of most joints, and those that are less smooth, undecided, or without direction."""
+    """Return the class of most joints, those that are less smooth or undecided, and those at rest."""
     (orders, usual), _ = Counter((row.continuity, row.smoothness) for row in rows).most_common(1)[0]
     # Less smooth, or of the same orders but decided otherwise.
-    worse = [
-        row
-        for row in rows
-        if row.kind is JointKind.REST or (row.continuity <= orders and row.smoothness != usual)
-    ]
-    if not worse:
-        return f"{usual} everywhere." if len(rows) > 1 else f"{usual} at its only joint."
+    worse = [row for row in rows if row.continuity <= orders and row.smoothness != usual]
+    rests = [str(row.joint) for row in rows if row.kind is JointKind.REST and row not in worse]
+    text = f"{usual} everywhere" if len(rows) > 1 else f"{usual} at its only joint"
     if len(worse) > _MOST_NAMED:
-        return f"{usual} everywhere except at {len(worse)} of {len(rows)} joints."
-    named = "; ".join(f"joint {row.joint}: {_brief(row)}" for row in worse)
-    return f"{usual} everywhere except {named}."
+        text += f" except at {len(worse)} of {len(rows)} joints"
+    elif worse:
+        text += f" except {'; '.join(f'joint {row.joint}: {_brief(row)}' for row in worse)}"
+    if rests:
+        joints = f"joint {rests[0]}" if len(rests) == 1 else f"joints {names_of(rests)}"
+        text += f"; stands still at {joints}"
+    return f"{text}."
 
 
 def _brief(row: JointRow) -> str:
     """Return the class of a less smooth joint: G¹ of C⁰, G¹, for the C⁰ is obvious."""
     if row.kind is JointKind.REST:
-        return "stands still"
+        return f"stands still{' on one side' * (row.jumps[1] > 0.0)} ({row.smoothness})"
     return (
         f"{row.smoothness} (corner)" if row.kind is JointKind.CORNER else row.smoothness.removeprefix("C⁰, ")
     )
