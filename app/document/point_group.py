@@ -13,7 +13,7 @@ from .model import Curve, Document, Vector
 from .point_edits import explicit_points
 from .words import capitalized, count_of, enumerated, points_label
 
-_MOST_NAMED = 4
+_MOST_NAMED = 8
 """Largest number of points that a sentence names one by one."""
 
 PointsEdit = Callable[[Document, int, Collection[int]], Document]

@@ -68,13 +68,16 @@ def rounded_up(value: float, digits: int) -> float:
 
 
 def digits_of_range(low: float, high: float, least: int = 6) -> int:
-    """Return the number of significant digits that shows the distance of two numbers within 1 %."""
+    """Return the number of significant digits that shows two numbers exactly, where twelve are enough.
 
-    def rounded_distance(digits: int) -> float:
-        return float(f"{high:.{digits}g}") - float(f"{low:.{digits}g}")
+    Else their distance within 1 %.
+    """
 
-    distance = high - low
-    return next((n for n in range(least, 17) if abs(rounded_distance(n) - distance) <= 0.01 * distance), 17)
+    def is_shown(digits: int, share: float) -> bool:
+        return all(abs(float(f"{end:.{digits}g}") - end) <= share * (high - low) for end in (low, high))
+
+    exact = next((n for n in range(least, 13) if is_shown(n, 0.0)), 0)
+    return exact or next((n for n in range(least, 17) if is_shown(n, 0.005)), 17)
 
 
 def distance_text(value: float, other: str, *, is_bound: bool = True) -> str:

@@ -134,8 +134,8 @@ class ToolPlot(PlotWidget):
         return self.tools.canvas.hit(self.pointer_at(pixel), self.tools.tool.hits)
 
     def position_of(self, pointer: Pointer) -> object:
-        """Return the value of `pointed_at` for a pointer: t."""
-        return pointer.position[0]
+        """Return the value of `pointed_at` for a pointer: t, or None in a gesture, which says its own."""
+        return None if self.is_dragging else pointer.position[0]
 
     def show_marks(self) -> None:
         """Draw the marks of the tool over the plot."""

@@ -129,7 +129,7 @@ class RailTool(ScrubTool):
         """Return the hint."""
         hit = event.hit
         if hit is None or hit.part is Part.SCRUB:
-            return Hint("Drag to scrub: each point shows its weight at t · Escape hides the line")
+            return Hint("Drag to scrub along t · Escape hides the line")
         hint = self._hint_on(event, hit)
         return Hint(hint.text, hint.grab, hint.cursor, highlighted=hit.index)
 
@@ -264,7 +264,7 @@ class DragTicks(Drag, kw_only=True):
         by, moving = self._offset(pointer)
         if moving <= self.idle:
             return _idle_words(self.point)
-        step = (self.parameters[-1] - self.parameters[0]) / 1000.0
+        step = min((self.parameters[-1] - self.parameters[0]) / 1000.0, 1.0)
         text = f"t of point {self.point} = {words.number(self.parameters[self.grabbed] + by, step=step)}"
         if len(moving) > 1:
             text = f"{text}, {len(moving)} ticks by {words.number(by)}"

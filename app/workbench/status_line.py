@@ -212,13 +212,11 @@ class Readouts:
             self._soon.start_if_idle()
 
     def show_scrub(self, t: float | None) -> None:
-        """Show the t of the scrub line, until the pointer moves over a plot; None without one.
+        """Show the t of the scrub line in place of that under the pointer; None without one.
 
         At once: rail, plots and motion bar show the same t in the same frame.
         """
         self._t_scrub = t
-        if t is not None:
-            self._t_here = None
         self.render()
 
     def show_lebesgue(self, constant: float | None, holds: str = "") -> None:
@@ -240,7 +238,7 @@ class Readouts:
         """Write the numbers now."""
         self._soon.stop()
         self._position_label.setText(self._position_text())
-        t = self._t_scrub if self._t_here is None else self._t_here
+        t = self._t_here if self._t_scrub is None else self._t_scrub
         self._t_label.setText("" if t is None else f"t {self.view().t_text(t)}")
         self._lebesgue_label.setText(self._lebesgue_text())
 

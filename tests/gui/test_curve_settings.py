@@ -138,6 +138,20 @@ def test_an_interval_is_typed_as_an_expression_and_keeps_the_shape(quintic):
     assert quintic["intervalEnd"].text() == "1"
 
 
+@pytest.mark.parametrize("typed", ["1000001.5", "1000001", "12.3456789"])
+def test_a_typed_end_of_the_interval_is_shown_as_it_was_typed(quintic, typed):
+    """1000001 and 1000001.5 were both 1e6, in the field and in the facts."""
+    quintic.type("intervalEnd", typed)
+    assert quintic["intervalEnd"].text() == typed
+    assert f"0 ≤ t ≤ {typed}" in quintic["curveFacts"].text().replace("\N{NO-BREAK SPACE}", " ")
+
+
+def test_a_t_of_a_long_interval_is_written_to_one(quintic):
+    """It was 4e5, of four digits."""
+    quintic.type("intervalEnd", "1000001.5")
+    assert quintic.session.active_view.t_text(400000.6) == "400001"
+
+
 def test_the_scrub_line_keeps_its_relative_place_in_another_interval(quintic):
     """It stood at the same t, at another point of the curve."""
     quintic.session.scrub.set(0.25)

@@ -321,6 +321,19 @@ def test_a_shorter_domain_does_not_stop_the_motion(editor, motion):
     assert motion.t == pytest.approx(0.9)
 
 
+def test_the_scrub_line_stays_where_it_was_dragged_when_the_motion_ends(editor, motion):
+    """Dragged from 1.498 to 1.077 beside a paused motion, it went back at Escape."""
+    editor.scrub(0.4)
+    editor.trigger("playMotion")
+    motion.wait(0.2)
+    editor.trigger("playMotion")
+    editor.scrub(0.7)
+    dragged = motion.t
+    editor.escape()
+    assert motion.bar.isHidden()
+    assert motion.t == dragged
+
+
 def test_dragging_the_scrub_line_pauses_the_dot_there(editor, motion):
     editor.trigger("playMotion")
     motion.wait(0.2)

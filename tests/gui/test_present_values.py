@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from PySide6.QtCore import Qt
 
 from app.document.derivatives import VelocityRule
-from app.document.model import Document, ParametrizationKind, make_curve
+from app.document.model import Document, ParametrizationKind, Point, make_curve
 from app.document.point_edits import explicit_points
 from app.families import HERMITE
 from app.view_model.curve.curve_view import view_of
@@ -203,3 +203,14 @@ def test_under_a_local_rule_the_message_names_what_was_set_by_every_way(draw):
         set_after = sum(len(explicit(hills, k)) for k in range(len(hills.session.document.curves)))
         assert set_after < set_before, way.__name__
         assert hills.message == "", way.__name__
+
+
+def test_five_points_that_were_set_are_named(draw):
+    """“5 points were set to keep the shape.” did not say which."""
+    hills = draw(VelocityRule.AKIMA)
+    points = tuple(Point(x + 8.0 * turn, y + 0.3 * turn) for turn in (0, 1) for x, y in HILLS[:-1])
+    longer = Document((replace(hills.curve, points=points),))
+    hills.session.change("Longer", lambda _document: longer)
+    hills.select([2, 4, 6, 8])
+    hills.trigger("tangentCorner")
+    assert hills.message == "Points 1, 3, 5, 7 and 9 were set to keep the shape."

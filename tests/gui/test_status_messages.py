@@ -169,10 +169,33 @@ def test_t_disappears_when_the_pointer_leaves_the_rail(pair):
     assert displayed_t(pair) == ""
     pair.session.scrub.set(0.25)
     assert displayed_t(pair) == "t 0.25"
+
+
+def test_the_displayed_t_is_that_of_the_scrub_line_wherever_the_pointer_is(pair):
+    """One clock: beside a line at 1.545 the status line had 1.134, the t under the pointer."""
+    panel = pair.window.basis_panel
+    pair.session.scrub.set(0.25)
     pair.send(panel, QEvent.Type.MouseMove, panel.to_pixel(0.5, 0.5), held=False)
-    assert displayed_t(pair) != "t 0.25"
-    QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))
     assert displayed_t(pair) == "t 0.25"
+    start, to = panel.rail_pixel(pair.parameters[1]), panel.rail_pixel(0.4)
+    pair.send(panel, QEvent.Type.MouseButtonPress, start)
+    pair.send(panel, QEvent.Type.MouseMove, to)
+    assert displayed_t(pair) == "t 0.25"
+    pair.escape()
+    pair.send(panel, QEvent.Type.MouseButtonRelease, to, held=False)
+    assert displayed_t(pair) == "t 0.25"
+
+
+def test_the_drag_of_a_tick_has_one_t(pair):
+    """Beside “t of point 3 = 0.8472” the status line had the t under the pointer, 0.8479."""
+    panel = pair.window.basis_panel
+    start, to = panel.rail_pixel(pair.parameters[1]), panel.rail_pixel(0.4)
+    pair.send(panel, QEvent.Type.MouseButtonPress, start)
+    pair.send(panel, QEvent.Type.MouseMove, to)
+    assert displayed_t(pair) == ""
+    assert pair.status.startswith("t of point 1 = 0.4")
+    pair.send(panel, QEvent.Type.MouseButtonRelease, to)
+    assert displayed_t(pair).startswith("t 0.4")
 
 
 def test_t_disappears_when_a_drag_ends_outside(pair):

@@ -124,7 +124,7 @@ class Player(QObject):
             self.changed.emit()
 
     def stop(self) -> None:
-        """End the motion; the scrub line returns to its position before."""
+        """End the motion; the scrub line returns to where the person left it."""
         if self.is_open:
             self._timer.stop()
             self._store.change(motion_visible=False, motion_plays=False)
@@ -194,6 +194,7 @@ class Player(QObject):
             self._go_on_from(t)
             return
         self.pause()
+        self._scrub_before = t
         self._go_on_from(t)
         self.moved.emit()
 

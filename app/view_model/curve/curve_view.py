@@ -198,9 +198,9 @@ class CurveView(msgspec.Struct, frozen=True, eq=False, dict=True):
         return self.curve.parameters if self.curve is not None else np.empty(0)
 
     def t_text(self, t: float, mark: str = ".") -> str:
-        """Return the text of a parameter, with as many digits as show a thousandth of the interval."""
+        """Return the text of a parameter, with digits to a thousandth of the interval, and to 1 at least."""
         start, end = self.parameters[[0, -1]].tolist() if len(self.parameters) else (0.0, 0.0)
-        return number(t, mark=mark, step=(end - start) / 1000.0)
+        return number(t, mark=mark, step=min((end - start) / 1000.0, 1.0))
 
     @cached_property
     def ticks(self) -> FloatArray:
