@@ -34,6 +34,8 @@ class SelectionState(msgspec.Struct, frozen=True):
         The curves that are edited together, and those that are selected as wholes.
     is_editing
         Whether the active curve is edited.
+    is_implicit
+        Whether a tool began that while nothing was selected.
     """
 
     active: int
@@ -41,6 +43,7 @@ class SelectionState(msgspec.Struct, frozen=True):
     curves: frozenset[int]
     whole_curves: frozenset[int]
     is_editing: bool
+    is_implicit: bool = False
 
 
 def selectable_curves(document: Document) -> frozenset[int]:

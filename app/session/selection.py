@@ -123,7 +123,8 @@ class Selection:
     def state(self) -> SelectionState:
         """The present selection."""
         active = self._session.active_index
-        return SelectionState(active, self.group, self.curves, self.whole_curves, self.is_editing)
+        parts = (self.group, self.curves, self.whole_curves, self.is_editing, self.is_implicit)
+        return SelectionState(active, *parts)
 
     # Select
 
@@ -382,11 +383,11 @@ def _comes_back(then: SelectionState, returned: Collection[int], now: Selection,
     """Return whether the selection before a step is restored, because undo has brought back some of it.
 
     Likewise where nothing is selected any more, because the curves that the step had made are removed: then
-    points of edited curves, or whole curves.
+    edited or whole curves.
     """
     has_gone = is_left and not now.marked
     if then.is_editing:
-        has_gone = has_gone and bool(then.points.parts)
+        has_gone = has_gone and not then.is_implicit
         return not now.is_editing and (has_gone or not then.curves.isdisjoint(returned))
     return not then.whole_curves.isdisjoint(returned) or (has_gone and bool(then.whole_curves))
 

@@ -110,21 +110,30 @@ def test_deleting_one_of_several_edited_curves_leaves_the_others_edited(four):
     assert state(four) == ("ABCD".replace(gone, ""), True, "", left)
 
 
-def test_undo_of_a_curve_that_was_drawn_leaves_the_others_alone(four):
+def test_undo_of_a_curve_that_was_drawn_edits_the_curve_before_again(four):
     four.key(Qt.Key.Key_P)
     four.key(Qt.Key.Key_Return)
     four.click((1.5, 4.6))
     assert names(four) == "ABCDCurve 1"
     four.trigger("undo")
-    assert state(four) == ("ABCD", False, "", "")
-    four.key(DELETE)
-    assert names(four) == "ABCD"
-    # The pen in hand begins another curve, also on the points of the one edited before.
-    four.click((1, 4))
-    assert [len(curve.points) for curve in four.session.document.curves] == [4, 4, 4, 4, 1]
-    assert four.session.selected.is_editing
+    assert state(four) == ("ABCD", True, "", "B")
+    # The pen in hand begins another curve, as before.
+    four.hover((1.5, 4.6))
+    assert four.window.status_line.hint.startswith("Click to begin another curve")
     four.click((1.5, 4.6))
-    assert len(four.curve.points) == 2
+    assert [len(curve.points) for curve in four.session.document.curves] == [4, 4, 4, 4, 1]
+    four.trigger("undo")
+    four.trigger("redo")
+    assert state(four) == ("ABCDCurve 1", True, "", "Curve 1")
+
+
+def test_undo_of_the_first_curve_drawn_while_nothing_was_selected_edits_none(four):
+    four.key(DELETE)
+    four.trigger("rectangleTool")
+    four.drag((1.5, 4.6), (1.8, 4.8))
+    assert len(four.session.document.curves) == 4
+    four.trigger("undo")
+    assert state(four) == ("ACD", False, "", "")
 
 
 def test_escape_removes_a_curve_begun_after_the_edited_curve_was_deleted(four):

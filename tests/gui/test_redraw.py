@@ -223,6 +223,18 @@ def test_a_stroke_from_end_to_end_closes_the_curve(wave, is_against):
     assert farthest(wave, line) <= 2.2
 
 
+def test_undo_of_a_stray_stroke_leaves_the_curve_as_edited(wave):
+    """No curve was selected after it, and the stroke from end to end was a loose “Curve 2”."""
+    x, y = POINTS[1]
+    draw(wave, between((x, y), (x, y + 2.0)))
+    assert len(wave.session.document.curves) == 2
+    wave.trigger("undo")
+    assert wave.session.selected.is_editing
+    draw(wave, between(POINTS[-1], POINTS[0], bulge=2.5))
+    assert undo_text(wave) == "Close curve"
+    assert len(wave.session.document.curves) == 1
+
+
 # Closed curves
 
 
@@ -322,6 +334,24 @@ def test_a_curve_that_changed_meanwhile_is_left_alone(wave, monkeypatch):
     wave.settle()
     assert wave.session.document == before
     assert wave.status == "“Wave” has changed meanwhile; draw the line again."
+
+
+@pytest.mark.parametrize("is_on_point", [False, True])
+def test_any_outline_of_the_edited_shape_is_redrawn(ring, is_on_point):
+    """A stroke on another outline than the active one was a loose curve."""
+    inner = make_curve([(x / 3, y / 3) for x, y in RING], name="Hole", family=HERMITE)
+    ring.session.change(
+        "Begin",
+        lambda _: Document((replace(ring.curve, shape="Ring"), replace(inner, closed=True, shape="Ring"))),
+    )
+    ring.session.selected.activate(0)
+    ring.settle()
+    hole = ring.session.views[1].curve
+    begin, end = hole.evaluate(0.0 if is_on_point else 0.05).tolist(), hole.evaluate(0.4).tolist()
+    draw(ring, between(begin, end, bulge=0.3))
+    assert undo_text(ring) == "Redraw part"
+    assert len(ring.session.document.curves) == 2
+    assert ring.session.active_index == 1
 
 
 @pytest.mark.parametrize(

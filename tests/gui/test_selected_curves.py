@@ -230,7 +230,7 @@ def test_replacing_the_edited_curve_ends_the_selection(five):
     five.trigger("newCurve")
     assert selected_names(five) == "Curve 1"
     five.trigger("undo")
-    assert selected_names(five) == "B"
+    assert selected_names(five) == "BDE"
     five.trigger("selectTool")
     choose(five, "BDE")
     five.trigger("nextCurve")

@@ -24,6 +24,7 @@ from ..background import BackgroundTask
 from ..editing_session import EditingSession
 from ..marks import Marks
 from ..pointer import Hint, Part, Pointer
+from ..select_curves import activate_pressed
 from ..tool import THRESHOLD, Gesture, GestureRow, Tool, ToolEvent, ToolRecord
 
 
@@ -195,14 +196,20 @@ class PencilLine(Gesture, kw_only=True):
 def _parameter_at(event: ToolEvent) -> float | None:
     """Return the parameter of the active curve under the pointer, None where it has no part to redraw."""
     hit, view = event.hit, event.view
-    if hit is None or not event.session.selected.is_editing or not view.is_current or _refusal(event):
+    if hit is None or not _is_on_active_curve(event) or not view.is_current or _refusal(event):
         return None
     return hit.t if hit.part is Part.CURVE else float(view.parameters[hit.index])
 
 
+def _is_on_active_curve(event: ToolEvent) -> bool:
+    hit = event.hit
+    is_there = hit is not None and hit.part is not Part.OTHER_CURVE and hit.curve < 0
+    return is_there and event.session.selected.is_editing
+
+
 def _refusal(event: ToolEvent) -> str:
     """Return why the active curve under the pointer has no part to redraw; empty where it has."""
-    if event.hit is None or not event.session.selected.is_editing:
+    if not _is_on_active_curve(event):
         return ""
     source = event.view.source
     return locked_message([source.display_name]) if source.locked else straight_refusal(source.family)
@@ -282,11 +289,12 @@ def _message(result: Fitted, model: Curve, press: Pointer, tolerance: float) -> 
 class PencilTool(Tool):
     """Tool that draws freehand."""
 
-    hits = frozenset({Part.POINT, Part.CURVE})
+    hits = frozenset({Part.POINT, Part.CURVE, Part.OTHER_CURVE})
 
     def press(self, event: ToolEvent) -> PencilLine:
         """Begin a line here, if there is room for a curve."""
         _begun(event.session)
+        event = activate_pressed(event)
         pointer = event.pointer
         line = PencilLine(press=pointer, positions=[pointer.position], last=pointer.pixel)
         if not pointer.shift:
