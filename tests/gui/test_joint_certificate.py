@@ -225,6 +225,62 @@ def test_the_table_has_room_for_every_number_at_the_usual_size(editor, factor):
                 assert max(widths) + 2 <= view.columnWidth(column), (rule, COLUMNS[column])
 
 
+OUTLINE = (
+    (0, 0),
+    (3, 0),
+    (4.4, 0.5),
+    (5, 1.8),
+    (4, 3.1),
+    (4.9, 4.4),
+    (4.3, 5.6),
+    (3, 6),
+    (0, 6),
+    (0, 4),
+    (0, 2),
+)
+
+
+@pytest.mark.parametrize("factor", [1.0, 100.0, 1e-3])
+def test_the_jumps_of_the_curvature_of_a_letter_are_in_sight_as_a_whole(editor, factor):
+    """At 1440 × 900 they were cut to “−0.”, and their exponents lay beyond the edge."""
+    editor.window.resize(1440, 900)
+    points = list(make_curve([(factor * x, factor * y) for x, y in OUTLINE]).points)
+    for k in (0, 7, 8):
+        sides = {
+            "velocity": (10.0 * factor, -20.0 * factor),
+            "velocity_after": (-7.0 * factor, 40.0 * factor),
+        }
+        points[k] = replace(points[k], corner=True, **sides)
+    curve = Curve("B", HERMITE, Parametrization(), tuple(points), VelocityRule.BESSEL, closed=True)
+    editor.session.commit(Document((curve,)), "Begin")
+    editor.trigger("showJoints")
+    view, column = table(editor), COLUMNS.index("κ")
+    assert view.horizontalScrollBar().maximum() == 0
+    assert view.columnViewportPosition(column) + view.columnWidth(column) <= view.viewport().width()
+    texts = [text(editor, row, column) for row in range(len(OUTLINE))]
+    assert max(map(view.fontMetrics().horizontalAdvance, texts)) + 2 <= view.columnWidth(column)
+    assert text(editor, 6, COLUMNS.index("∠")) == "163°"
+
+
+def test_straight_sides_of_a_corner_have_no_rounding_in_their_jumps(editor):
+    """“8e−14”, “1.8e−12” and a κ of the same kind took the room, and 110° was “1.1e2°”."""
+    editor.choose_family(HERMITE)
+    editor.new()
+    editor.window.canvas.camera.show_box((-1, 2), (-2, 1))
+    editor.settle()
+    editor.trigger("addTool")
+    editor.click((0.1, 0.37))
+    for at in ((0.53, 0.36), (1.31, -1.7), (0.53, -1.69), (0.1, -0.41)):
+        editor.click(at, keys=Qt.KeyboardModifier.AltModifier)
+    editor.trigger("selectTool")
+    editor.trigger("showJoints")
+    for row in range(3):
+        for title in ("c″", "c‴", "κ"):
+            assert text(editor, row, COLUMNS.index(title)) == "0", title
+        assert "e" not in text(editor, row, COLUMNS.index("∠"))
+    assert text(editor, 1, COLUMNS.index("∠")) == "111°"
+
+
 def test_columns_of_the_certificate_stay_during_a_drag(bessel):
     bessel.window.resize(1440, 900)
     bessel.settle()

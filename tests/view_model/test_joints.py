@@ -60,6 +60,14 @@ def test_the_sizes_of_jumps_are_measured():
     assert row.angle == 0.0
 
 
+@pytest.mark.parametrize(
+    ("degrees", "text"),
+    [(0.0, "0°"), (6.56e-15, "<0.001°"), (0.0123, "0.0123°"), (72.34, "72.3°"), (110.0, "110°")],
+)
+def test_an_angle_has_no_exponent(degrees, text):
+    assert joints.angle_text(degrees) == text
+
+
 def test_a_corner_has_an_angle_and_a_name_in_the_summary():
     points = with_point(2, velocity=(2.0, 0.0), corner=True, velocity_after=(0.0, 2.0))
     result = certificate(points, QUINTIC_HERMITE)

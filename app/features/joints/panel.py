@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
@@ -23,7 +22,7 @@ from ...appearance.theme import LIGHT, FollowsTheme, Theme
 from ...document.words import number
 from ...qt.labels import MUTED, Label
 from ...qt.overrides import ENTER, ClaimsKeys, SafeOverrides
-from ...view_model.analysis.joints import Certificate, JointKind, JointRow
+from ...view_model.analysis.joints import Certificate, JointKind, JointRow, angle_text
 from ...widgets.boxes import column_of, row_of
 from ...widgets.controls import action_button, named
 from ...widgets.fields import fit_row_height, set_up_number_table
@@ -43,6 +42,8 @@ _TIPS = (
 _BAD = (JointKind.CORNER, JointKind.BREAK)
 _DIGITS = 3, 2
 """Digits of jumps, and those in a table that is too narrow for them."""
+_LEAST_EXPONENT = 1e4
+"""Size of a jump from which on it may have an exponent."""
 
 
 _Index = QModelIndex | QPersistentModelIndex
@@ -115,15 +116,15 @@ class JointsModel(SafeOverrides, QAbstractTableModel):
     def texts(self, row: JointRow) -> tuple[str, ...]:
         """Return the texts of a row."""
         mark = decimal_mark()
-        *jumps, angle, curvature, _ = row.written(lambda value: number(value, self.digits, mark))
-        is_angle = math.isfinite(row.angle) and angle != "0"
-        return (
-            f"{row.kind.value} {row.joint}",
-            row.smoothness,
-            *jumps,
-            f"{angle}°" if is_angle else angle,
-            curvature,
-        )
+
+        def written(value: float) -> str:
+            # Four digits before the mark are no longer than two with an exponent.
+            return number(value, self.digits, mark, step=float(abs(value) < _LEAST_EXPONENT))
+
+        *jumps, angle, curvature, _ = row.written(written)
+        if row.angle > 0.0:
+            angle = angle_text(row.angle, self.digits, mark)
+        return (f"{row.kind.value} {row.joint}", row.smoothness, *jumps, angle, curvature)
 
 
 _PADDING = 5
@@ -179,6 +180,10 @@ class JointsView(ClaimsKeys, QTableView):
                 break
         if before and not anew and sum(kept := list(map(max, self._needed, before))) <= room:
             self._needed = kept
+        # The jumps of the highest orders are cut to "1.8…" before κ leaves the table.
+        for column in (5, 4, 3):
+            excess = max(sum(self._needed) - room, 0)
+            self._needed[column] -= min(excess, self._needed[column] * 3 // 5)
         # Joint and class are read from the left.
         spare = max(room - sum(self._needed), 0) // (len(COLUMNS) - 2)
         for column, width in enumerate(self._needed):

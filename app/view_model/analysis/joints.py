@@ -20,7 +20,11 @@ _MOST_NAMED = 3
 """Joints named one by one in the summary; of more, it has their number."""
 
 _RESIDUE = 1e-9
-"""A jump of the curvature below this share of the curvature itself is a rounding residue."""
+"""A jump of the curvature below this share of the curvature itself is a rounding residue; likewise below this
+number over the distance of the nearer neighbour."""
+
+_LEAST_ANGLE = 1e-3
+"""Degrees; a smaller angle is shown as below it."""
 
 
 class JointKind(Enum):
@@ -160,7 +164,7 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
         reach=reaches[point],
         jumps=tuple(_displayed_jump(joint, order, size) for order, size in enumerate(sizes)),
         angle=_angle(joint),
-        curvature=_curvature_jump(joint),
+        curvature=_curvature_jump(joint, reaches[point]),
         continuity=continuity,
         smoothness=joint.label.translate(_RAISED),
         kind=kind,
@@ -171,17 +175,23 @@ def _row(view: CurveView, joint: Joint, reaches: list[float]) -> JointRow:
 
 
 def _displayed_jump(joint: Joint, order: int, size: float) -> float:
-    if order <= joint.parametric:
-        return 0.0
-    is_next = order == joint.parametric + 1
-    is_hidden = joint.is_parametric_open and (is_next or size <= joint.roundings[order])
-    return math.nan if is_hidden else size
+    is_rounding, is_next = size <= joint.roundings[order], order == joint.parametric + 1
+    if order > joint.parametric and joint.is_parametric_open and (is_next or is_rounding):
+        return math.nan
+    return 0.0 if order <= joint.parametric or is_rounding else size
 
 
 def _angle(joint: Joint) -> float:
     if joint.geometric >= 1:
         return 0.0
     return math.nan if joint.is_geometric_open else math.degrees(joint.angle)
+
+
+def angle_text(degrees: float, digits: int = 3, mark: str = ".") -> str:
+    """Return the text of an angle in degrees, never with an exponent."""
+    if 0.0 < degrees < _LEAST_ANGLE:
+        return f"<{number(_LEAST_ANGLE, mark=mark)}°"
+    return f"{number(degrees, digits, mark, step=1.0)}°"
 
 
 def _words(joint: Joint, kind: JointKind) -> str:
@@ -204,16 +214,15 @@ def _words(joint: Joint, kind: JointKind) -> str:
 
 
 def _measured(joint: Joint) -> str:
-    """Return the measured angle and speeds, without judgement of their size."""
-    angle = f"{number(math.degrees(joint.angle), 3)}°"
-    return f"∠ {angle}, speeds 1 : {number(joint.speed_ratio, 4)}"
+    """Return the measured angle and speeds."""
+    return f"∠ {angle_text(_angle(joint))}, speeds 1 : {number(joint.speed_ratio, 4)}"
 
 
-def _curvature_jump(joint: Joint) -> float:
+def _curvature_jump(joint: Joint, reach: float) -> float:
     scale = max(abs(joint.curvature_before), abs(joint.curvature_after))
     if joint.is_geometric_open and joint.geometric <= 1:
         return math.nan
-    is_none = joint.geometric >= 2 or abs(joint.curvature_jump) <= _RESIDUE * scale
+    is_none = joint.geometric >= 2 or abs(joint.curvature_jump) <= _RESIDUE * max(scale, 1.0 / reach)
     return 0.0 if is_none else joint.curvature_jump
 
 
