@@ -199,10 +199,10 @@ TRUE_SIZE = Check(name="true_size", label="Size", title="True size", default=Tru
 DARK_PAPER: OneOf[bool | None] = OneOf(
     name="dark",
     label="Colours",
-    tip="Paper of the document, if it has one; light or dark paper",
+    tip="Ink and paper: those of the paper of the document, if it is set, else of light paper",
     widget="exportColours",
     default=None,
-    choices={None: "As on the canvas", False: "Light", True: "Dark"},
+    choices={None: "Of the paper, or light", False: "Light", True: "Dark"},
 )
 TRANSPARENT = Check(name="transparent", title="Transparent", tip="Omit the background", default=True)
 
@@ -244,8 +244,8 @@ SVG_SCALE = Real(
 DECIMALS = OneOf[Any](
     name="decimals",
     label="Decimals",
-    tip="Decimals of coordinates; fewer make a smaller file that is farther from the curves",
-    help="decimals of the coordinates of an SVG (default: %(default)s)",
+    tip="Decimals of coordinates in pixels, at true size in the unit; fewer make a smaller file farther away",
+    help="decimals of the coordinates of an SVG in pixels, at true size in the unit (default: %(default)s)",
     default="all",
     choices={"all": "All"} | {count: str(count) for count in range(9)},
 )

@@ -127,16 +127,19 @@ def test_desmos_numbers_have_no_exponent():
 # SVG path data
 
 
-def test_path_data_are_cubics_with_y_down(kind):
+def test_path_data_are_cubics_and_lines_with_y_down(kind):
     written = svg_path_data(kind, Options(tolerance=1e-3))
-    numbers = [float(v) for v in re.findall(r"[-+0-9.e]+", re.sub("[MCZ]", " ", written.text))]
-    points = np.array(numbers).reshape(-1, 2) * [1, -1]
     (source,) = curves_of(kind)
     path = cubic_shape(source.core, 1e-3)
-    # Within 8 eps of a decimal of up to 12 digits that decimal is written.
-    np.testing.assert_allclose(
-        points[1:].reshape(-1, 3, 2), path.control_points[:, 1:], rtol=8 * 2.0**-52, atol=0
-    )
+    _start, *steps = [
+        line.split() for line in written.text.strip().removesuffix("Z").split("\n") if line.strip()
+    ]
+    for (letter, *numbers), piece in zip(steps, path.control_points, strict=True):
+        points = np.array(numbers, dtype=float).reshape(-1, 2) * [1, -1]
+        thirds = np.linspace(piece[0], piece[3], 4)
+        assert letter == ("L" if np.abs(piece - thirds).max() < 1e-12 else "C")
+        # Within 8 eps of a decimal of up to 12 digits that decimal is written.
+        np.testing.assert_allclose(points, piece[-len(points) :], rtol=8 * 2.0**-52, atol=0)
     assert written.deviation == path.deviation
 
 

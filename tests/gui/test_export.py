@@ -415,8 +415,9 @@ def test_an_svg_has_size_scale_and_decimals_as_options(editor, tmp_path, monkeyp
     assert float(root.get("width")) == pytest.approx(10 * box[2], rel=1e-5)
     data = next(root.iter(f"{SVG}path")).get("d")
     numbers = re.findall(r"-?[\d.]+", data)
-    assert all(len(number.partition(".")[2]) <= 2 for number in numbers)
-    assert "0.67" in data
+    # Two decimals of a pixel, of which ten are a unit.
+    assert all(len(number.partition(".")[2]) <= 3 for number in numbers)
+    assert "0.667" in data
     editor.trigger("exportPicture")
     dialog = settled(editor, editor.window.findChild(QDialog, "exportDialog"))
     assert dialog.form.fields["svg_scale"].widget.text() == "10.0"

@@ -90,11 +90,16 @@ def test_the_paper_of_a_document_is_seen_and_exported_in_each_theme(line, theme,
             assert 'id="paper" x=' in text
             assert PAPERS[paper].paper.name() in text
             assert PAPERS[paper].curve.name() in text
-    line.trigger("copyImage")
-    line.wait_for_work()
     clipboard = QGuiApplication.clipboard()
-    assert colours_of(clipboard.image()) is PAPERS[paper]
-    assert PAPERS[paper].paper.name() in bytes(clipboard.mimeData().data("image/svg+xml").data()).decode()
+    line.window.canvas.setFocus()
+    line.key(Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    for copy in ("copyImage", "copyPoints"):
+        line.trigger(copy)
+        line.wait_for_work()
+        assert colours_of(clipboard.image()) is PAPERS[paper]
+        text = bytes(clipboard.mimeData().data("image/svg+xml").data()).decode()
+        assert PAPERS[paper].paper.name() in text
+        assert f'stroke="{PAPERS[paper].curve.name()}"' in text
 
 
 def test_the_paper_is_saved_with_the_document_and_undone(line, tmp_path):
@@ -118,6 +123,8 @@ def test_the_paper_is_saved_with_the_document_and_undone(line, tmp_path):
 
 
 def test_without_a_paper_pictures_have_dark_ink_as_before(line):
+    """They were said to be as on the canvas, which has white ink in the dark theme."""
+    assert DARK_PAPER.choices[None] == "Of the paper, or light"
     document = line.session.document
     assert ExportChoice(".svg").request(document, 0).options.style is None
     explicit = ExportChoice(".svg", {DARK_PAPER.name: False})

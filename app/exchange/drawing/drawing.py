@@ -24,7 +24,17 @@ from ...view_model.extents import around_dot
 from ..cubics_in import PIECES_OF_A_TURN, arc, letters_of
 from ..errors import ExchangeError
 from ..options import automatic_tolerance
-from .outlines import LARGEST, Frame, Outline, by_shape, frame_around, frame_with, painted_extent
+from .outlines import (
+    LARGEST,
+    Frame,
+    Outline,
+    are_lines,
+    by_shape,
+    frame_around,
+    frame_with,
+    painted_extent,
+    straight_pieces,
+)
 
 POINT_RADIUS = 0.006
 """Radius of the discs at the points, against the larger side of the drawing."""
@@ -293,11 +303,12 @@ def _outline(curve: Curve, core: ParametricCurve, tolerance: float) -> Outline:
 
 
 class Circle(NamedTuple):
-    """Centre, radius, and angle of the first point of a circle, in radians."""
+    """Circle: its first point at an angle in radians, its deviation from the outline that is taken for it."""
 
     centre: FloatArray
     radius: float
     start: float
+    deviation: float
 
 
 def circle_of(outline: Outline) -> Circle | None:
@@ -310,14 +321,15 @@ def circle_of(outline: Outline) -> Circle | None:
     radius, start = math.hypot(x, y), math.atan2(y, x)
     ideal = arc(centre, radius * np.eye(2), start, math.copysign(math.tau, x * after_y - y * after_x))
     is_round = radius > 0 and np.abs(ideal.pieces - controls).max() <= _ROUND * radius
-    return Circle(centre, radius, start) if is_round else None
+    return Circle(centre, radius, start, ideal.deviation) if is_round else None
 
 
 def rounded(drawing: Drawing, decimals: int) -> Drawing:
-    """Return a drawing with coordinates of so many decimals; its deviations hold for them."""
+    """Return a drawing with coordinates of so many decimals, lines straight; its deviations hold for them."""
 
     def with_decimals(outline: Outline) -> Outline:
-        controls = outline.control_points.round(decimals)
+        controls, lines = outline.control_points.round(decimals), are_lines(outline.control_points)
+        controls[lines] = straight_pieces(controls[lines])
         if circle := circle_of(outline):
             size = round(circle.radius, decimals) / circle.radius
             controls = (outline.control_points - circle.centre) * size + circle.centre.round(decimals)

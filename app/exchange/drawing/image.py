@@ -211,7 +211,7 @@ def _image(drawing: Drawing, size: tuple[int, int], options: Options, style: Pic
     # A function of its own, as `_page` is.
     image = _painted(drawing, size, style, options)
     image.setText("Software", f"Curvebench {__version__}")
-    image.setText("Description", accuracy_of(drawing))
+    image.setText("Description", accuracy_of(drawing, drawing.deviation))
     dots = _true_dots_per_metre(drawing, options) or round(_DOTS_PER_METRE * options.scale)
     image.setDotsPerMeterX(dots)
     image.setDotsPerMeterY(dots)

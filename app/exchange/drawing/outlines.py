@@ -9,7 +9,7 @@ from operator import attrgetter
 import msgspec
 import numpy as np
 
-from curvecore.arrays import FloatArray
+from curvecore.arrays import BoolArray, FloatArray
 
 from ...document.style import PLAIN_STYLE, Style
 from ...view_model.extents import around_dot, extent_of, half_width, line_of, stroke_box, turns_within
@@ -80,6 +80,26 @@ def by_shape(outlines: Iterable[Outline]) -> list[tuple[Outline, ...]]:
         for shape, together in groupby(outlines, attrgetter("shape"))
         for group in ([tuple(together)] if shape else [(outline,) for outline in together])
     ]
+
+
+_STRAIGHT_ROUNDING = 4 * np.finfo(float).eps
+
+
+def are_lines(pieces: FloatArray) -> BoolArray:
+    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding.
+
+    The length of a handle is velocity times parameters, which are rounded as parts of the whole length.
+    """
+    off = np.abs(pieces - straight_pieces(pieces)).max(axis=(1, 2))
+    length = np.hypot(*(pieces[:, 3] - pieces[:, 0]).T).sum()
+    return np.asarray(off <= _STRAIGHT_ROUNDING * (np.abs(pieces).max(axis=(1, 2)) + length))
+
+
+def straight_pieces(pieces: FloatArray) -> FloatArray:
+    """Return straight and even pieces with the ends of these, (k, 4, 2)."""
+    start, end = pieces[:, 0], pieces[:, 3]
+    third = (end - start) / 3
+    return np.stack([start, start + third, end - third, end], axis=1)
 
 
 def length_within(shape: Iterable[Outline]) -> float:

@@ -96,7 +96,7 @@ def svg_path_data(document: Document, options: Options = DEFAULT) -> ExportResul
     """
     drawing = drawing_of(document, options.tolerance, part(options.report, 0.0, 0.7))
     shapes = with_progress(drawing.shapes, part(options.report, 0.7, 1.0), "Writing")
-    paths = [path_data(shape, has_lines=False) for shape in shapes]
+    paths = [path_data(shape) for shape in shapes]
     return ExportResult("\n\n".join(paths) + "\n", drawing.deviation, drawing.left_out, drawing.is_bound)
 
 

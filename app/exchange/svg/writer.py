@@ -10,10 +10,7 @@ import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 
-import numpy as np
 from msgspec.structs import replace
-
-from curvecore.arrays import FloatArray
 
 from ... import __version__
 from ...document.lengths import MILLIMETRES, known_unit
@@ -25,13 +22,14 @@ from ..cubics_in import guessed_letters, joined_letters
 from ..drawing.drawing import (
     POINT_RADIUS,
     Annotation,
+    Circle,
     Drawing,
     circle_of,
     drawing_of,
     rounded,
     trimmed_to_curves,
 )
-from ..drawing.outlines import Frame, Outline
+from ..drawing.outlines import Frame, Outline, are_lines
 from ..drawing.styles import INK, ON_PAPER, PictureStyle
 from ..exported_curves import deviation_text
 from ..formats import ExportResult
@@ -45,6 +43,7 @@ NOMINAL_SIDE, SMALLEST_ICON = 800, 24
 """Longer sides in CSS pixels: of a picture that would be smaller than the smallest icons, and theirs."""
 
 _CORNER_ROUNDING = 1e-9
+_SCALE_ROUNDING = 1e-9
 _CSS_UNITS = ("mm", "cm", "in", "pt", "pc", "px")
 _SPACES = f'xmlns:inkscape="{INKSCAPE_SPACE}" xmlns:sodipodi="{SODIPODI_SPACE}"'
 
@@ -74,10 +73,12 @@ def svg_of(document: Document, options: Options = DEFAULT) -> ExportResult:
             picture_of(shifted(document, by), options, style, silent, with_hidden=True)
         )
     if options[DECIMALS] != DECIMALS.default:
-        drawing = rounded(drawing, options[DECIMALS])
-    curves = _curves(drawing, style, part(options.report, 0.7, 1.0))
-    text = _text(drawing, curves, style, options)
-    return ExportResult(text, drawing.deviation, drawing.left_out, drawing.is_bound)
+        scale = 1.0 if options.is_to_scale else pixels_per_unit(drawing.frame, options)
+        drawing = rounded(drawing, options[DECIMALS] + math.ceil(math.log10(scale) - _SCALE_ROUNDING))
+    tree = _tree(drawing, style, part(options.report, 0.7, 1.0))
+    deviation = max(drawing.deviation, tree.deviation)
+    text = _text(drawing, tree.lines, accuracy_of(drawing, deviation), style, options)
+    return ExportResult(text, deviation, drawing.left_out, drawing.is_bound)
 
 
 def picture_of(
@@ -125,12 +126,11 @@ def pixels_per_unit(frame: Frame, options: Options) -> float:
     return options[SVG_SCALE] or (NOMINAL_SIDE / frame.side if 0 < frame.side < SMALLEST_ICON else 1.0)
 
 
-def _text(drawing: Drawing, curves: Sequence[str], style: PictureStyle, options: Options) -> str:
-    """Return the SVG of a drawing with the elements of its curves."""
+def _text(drawing: Drawing, curves: Sequence[str], note: str, style: PictureStyle, options: Options) -> str:
+    """Return the SVG of a drawing with the elements of its curves and a note on their accuracy."""
     frame = drawing.frame
     wide, high = _size_attributes(frame, options)
     box = " ".join(number(value) for value in (frame.left, -frame.top, frame.width, frame.height))
-    note = accuracy_of(drawing)
     parts = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f"<!-- Curvebench {__version__}. {note} -->",
@@ -164,12 +164,12 @@ def _size_attributes(frame: Frame, options: Options) -> tuple[str, str]:
     return f"{frame.width * scale:.9g}", f"{frame.height * scale:.9g}"
 
 
-def accuracy_of(drawing: Drawing) -> str:
-    """Return a sentence with the largest deviation of the drawing from the true curves."""
-    losses = "" if drawing.deviation <= drawing.tolerance else ", which was not reached"
+def accuracy_of(drawing: Drawing, deviation: float) -> str:
+    """Return a sentence with the largest deviation of a file with the drawing from the true curves."""
+    losses = "" if deviation <= drawing.tolerance else ", which was not reached"
     return (
-        f"{MARK}: {deviation_text(drawing.deviation, drawing.is_bound)} "
-        f"(tolerance {drawing.tolerance:g}{losses}), in the unit of the document."
+        f"{MARK}: {deviation_text(deviation, drawing.is_bound)} "
+        f"(tolerance {drawing.tolerance:g}{losses}), in the unit of the coordinates."
     )
 
 
@@ -178,13 +178,13 @@ def _paper(frame: Frame, colour: str) -> str:
     return f'  <rect id="paper" x="{x}" y="{y}" width="{width}" height="{height}" fill="{colour}"/>'
 
 
-def _curves(drawing: Drawing, style: PictureStyle, report: Report) -> list[str]:
-    """Return the elements of the curves, in lines."""
+def _tree(drawing: Drawing, style: PictureStyle, report: Report) -> Tree:
+    """Return the elements of the curves."""
     tree = Tree(style, drawing.usual_width)
     for shape in with_progress(drawing.all_shapes, report, "Writing"):
         tree.add(shape)
     tree.close()
-    return tree.lines
+    return tree
 
 
 def _points(drawing: Drawing, style: PictureStyle) -> list[str]:
@@ -245,7 +245,6 @@ def svg_for_clipboard(document: Document, report: Report = silent, in_pixels: bo
 # Paths in their groups
 
 
-_STRAIGHT_ROUNDING = 4 * np.finfo(float).eps
 _NOT_IN_ID = r"[^A-Za-z0-9_.-]+"
 
 
@@ -263,6 +262,8 @@ class Tree:
     ----------
     lines
         Lines written so far.
+    deviation
+        Largest distance of a circle written so far from its curve.
     """
 
     def __init__(self, style: PictureStyle, usual_width: float) -> None:
@@ -270,6 +271,7 @@ class Tree:
         self._open: tuple[str, ...] = ()
         self._ids = UniqueNames(NO_CURVES, between="_")
         self.lines: list[str] = []
+        self.deviation = 0.0
 
     def add(self, shape: tuple[Outline, ...]) -> None:
         """Write the outlines of a shape as one path."""
@@ -279,7 +281,12 @@ class Tree:
         style = _style_attributes(first.style, self._style, self._usual_width)
         unseen = "" if first.visible else ' display="none"'
         locked = ' sodipodi:insensitive="true"' if first.locked else ""
-        drawn = _circle(shape, called) or f'path{called} d="{path_data(shape)}"{_node_types(shape)}'
+        types = _node_types(shape)
+        drawn = f'path{called} d="{path_data(shape)}"{types}'
+        # A circle with kinds of points would not be read as the same.
+        if len(shape) == 1 and not types and (circle := circle_of(first)) is not None:
+            drawn = _circle(circle, called)
+            self.deviation = max(self.deviation, first.deviation + circle.deviation)
         self._write(f"<{drawn}{style}{unseen}{locked}/>")
 
     def close(self) -> None:
@@ -312,11 +319,8 @@ def _as_id(name: str) -> str:
     return word if word[:1].isalpha() else f"curve_{word}".rstrip("_")
 
 
-def _circle(shape: tuple[Outline, ...], called: str) -> str:
-    """Return a circle as an element with these attributes; empty for a shape that is not read as the same."""
-    circle = circle_of(shape[0]) if len(shape) == 1 and not _node_types(shape) else None
-    if circle is None:
-        return ""
+def _circle(circle: Circle, called: str) -> str:
+    """Return a circle as an element with these attributes."""
     x, y = circle.centre.tolist()
     angle = round(-math.degrees(circle.start), _DIGITS - 3)
     turn = f' transform="rotate({number(angle)} {point_text([x, y])})"' if angle % 90 else ""
@@ -330,36 +334,24 @@ def _node_types(shape: tuple[Outline, ...]) -> str:
     return f' sodipodi:nodetypes="{words}"' if words and joined_letters(default) != words else ""
 
 
-def path_data(shape: Iterable[Outline], *, has_lines: bool = True) -> str:
-    """Return outlines as path data, y negated, one piece per line; without lines all are cubics."""
-    return "\n      ".join(line for outline in shape for line in _data_lines(outline, has_lines))
+def path_data(shape: Iterable[Outline]) -> str:
+    """Return outlines as path data, y negated, one piece per line."""
+    return "\n      ".join(line for outline in shape for line in _data_lines(outline))
 
 
-def _data_lines(outline: Outline, has_lines: bool) -> Iterator[str]:
+def _data_lines(outline: Outline) -> Iterator[str]:
     control_points = outline.control_points
     start, *_ = control_points[0].tolist()
     yield f"M {point_text(start)}"
-    for piece, is_line in zip(control_points.tolist(), _are_lines(control_points), strict=True):
+    for piece, is_line in zip(control_points.tolist(), are_lines(control_points), strict=True):
         yield (
             f"L {point_text(piece[3])}"
-            if is_line and has_lines
+            if is_line
             else f"C {' '.join(point_text(point) for point in piece[1:])}"
         )
     # Closed, the stroke has a join at the seam like everywhere else.
     if outline.closed:
         yield "Z"
-
-
-def _are_lines(pieces: FloatArray) -> list[bool]:
-    """Whether each piece (k, 4, 2) runs straight and evenly from its start to its end, but for rounding.
-
-    The length of a handle is velocity times parameters, which are rounded as parts of the whole length.
-    """
-    start, end = pieces[:, 0], pieces[:, 3]
-    third = (end - start) / 3
-    off = np.abs(pieces[:, 1:3] - np.stack([start + third, end - third], axis=1)).max(axis=(1, 2))
-    length = np.hypot(*(end - start).T).sum()
-    return list(off <= _STRAIGHT_ROUNDING * (np.abs(pieces).max(axis=(1, 2)) + length))
 
 
 def point_text(point: list[float]) -> str:

@@ -76,7 +76,9 @@ class ClipboardContent(SafeOverrides, QMimeData):
 
 
 def _png(document: Document) -> bytes:
-    return exchange.png_file(document, exchange.options.Options(width=_WIDTH, transparent=True)).data
+    style = exchange.drawing.styles.ON_PAPER.get(document.paper)
+    options = exchange.options.Options(width=_WIDTH, style=style, transparent=style is None)
+    return exchange.png_file(document, options).data
 
 
 _MAKERS: dict[str, Callable[[Document], object]] = {

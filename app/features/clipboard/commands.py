@@ -68,7 +68,7 @@ class ClipboardCommands:
         """Return the content: for other programs, points as a table and curves as SVG."""
         session, mark = self._session, decimal_mark()
         if len(what.points.parts) != 1:
-            return ClipboardContent(CURVES, Document(self._copied_curves(what), unit=session.document.unit))
+            return ClipboardContent(CURVES, self._copied(*self._copied_curves(what)))
         ((curve, indices),) = what.points.parts
         view = session.views[curve]
         clip = copied(view, indices)
@@ -76,7 +76,11 @@ class ClipboardCommands:
             [exact_text(number, mark) for number in _row(point, timed=view.source.is_manual)]
             for point in clip.points
         ]
-        return ClipboardContent(POINTS, Document((clip,), unit=session.document.unit), write_block(rows))
+        return ClipboardContent(POINTS, self._copied(clip), write_block(rows))
+
+    def _copied(self, *curves: Curve) -> Document:
+        document = self._session.document
+        return Document(curves, unit=document.unit, paper=document.paper)
 
     def _copied_curves(self, what: ClipboardSelection) -> tuple[Curve, ...]:
         """Return the selected curves, or curves of the selected points."""
