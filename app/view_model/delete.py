@@ -1,13 +1,12 @@
-"""Points deleted from curves whose velocities are set, with the shape kept as far as possible.
+"""Points deleted, with the shape kept as far as handles that are set can keep it.
 
-Segments between points that stay do not change; where points were deleted, one segment replaces several: with
-their directions at its ends, and as near to them as lengths allow. Where rules estimate all derivatives, they
-estimate those of the remaining points.
+Estimated points stay estimated: the rules draw through the rest. Between two handles that are set, one
+segment replaces several, with their directions at its ends, and as near to them as lengths allow.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 import msgspec
 import numpy as np
@@ -17,58 +16,22 @@ from curvecore import CurveError
 from curvecore.arrays import FloatArray
 
 from ..document.constraints import is_straight, tie_if_parallel
-from ..document.model import Curve, Document, Point, Vector, derivatives_of
+from ..document.model import Curve, Document, Point, Vector
 from ..document.point_edits import delete_points
 from .curve.curve_view import CurveView, view_of
+from .curve.distances import dense
 from .fit import farthest, segment_near
 
-SAME = 1e-9
+_SAME = 1e-9
 """Share of the largest derivative of an order up to which two of them are the same."""
-
-_UNSEEN = 1e-4
-"""The same for estimates: a derivative stays an estimate where it changes by less."""
 
 Derivatives = list[Vector]
 """Derivatives at one side of a point, by their orders from 1 on."""
 
 
-Wanted = Mapping[tuple[int, bool], Derivatives]
-"""Derivatives of points, before (False) and after (True) each, that a curve shall have."""
-
-
-def with_wanted(curve: Curve, wanted: Wanted, first: Collection[int]) -> Curve:
-    """Return a curve with these derivatives, set where needed.
-
-    Points that are set already, and those of `first`, hold the estimates beyond them where a spline
-    estimates; of others, the nearest come next.
-    """
-    done = set[int]()
-    while off := [index for index in _off(view_of(curve), wanted) if index not in done]:
-        points, count = list(curve.points), len(curve.points)
-        is_set = [any(derivatives_of(point)) for point in points]
-        now = [index for index in off if is_set[index] or index in first]
-        now = now or [index for index in off if is_set[index - 1] or is_set[(index + 1) % count]] or off
-        for index in now:
-            points[index] = with_sides(points[index], wanted.get((index, False)), wanted.get((index, True)))
-        curve, done = replace(curve, points=tuple(points)), done | set(now)
-    return curve
-
-
-def _off(view: CurveView, wanted: Wanted) -> list[int]:
-    """Return the points that do not have the wanted derivatives, in order."""
-    return sorted({key[0] for key, side in wanted.items() if not _has(view, *key, side)})
-
-
-def _has(view: CurveView, index: int, ahead: bool, side: Derivatives) -> bool:
-    """Whether a point has these derivatives on a side."""
-    now = [view.derivative_of(index, order, ahead=ahead) for order in range(1, len(side) + 1)]
-    within = SAME if any(derivatives_of(view.source.points[index])) else _UNSEEN
-    return all(value is not None and _alike(value, aim, within) for value, aim in zip(now, side, strict=True))
-
-
-def _alike(one: Sequence[float], other: Sequence[float], within: float = SAME) -> bool:
+def _alike(one: Sequence[float], other: Sequence[float]) -> bool:
     largest = max(map(abs, (*one, *other)))
-    return max(abs(a - b) for a, b in zip(one, other, strict=True)) <= within * largest
+    return max(abs(a - b) for a, b in zip(one, other, strict=True)) <= _SAME * largest
 
 
 def with_sides(point: Point, before: Derivatives | None, after: Derivatives | None) -> Point:
@@ -77,7 +40,7 @@ def with_sides(point: Point, before: Derivatives | None, after: Derivatives | No
     if not point.corner and all(map(_alike, before, after)):
         return point.with_derivatives(before, ())
     was_corner = point.corner and not point.tied
-    changed = replace(point.as_corner(), tied=False).with_derivatives(before, after)
+    changed = replace(point.as_corner(), tied=False, even=False).with_derivatives(before, after)
     return changed if was_corner else tie_if_parallel(changed)
 
 
@@ -95,11 +58,14 @@ class Deletion(msgspec.Struct, frozen=True):
     curve
         The curve.
     residual
-        The largest distance of the curve before from the new segments; None where nothing was fitted.
+        The largest distance of the curve before from the new one; None where one of them is none.
+    is_fitted
+        Whether handles were set to keep the shape.
     """
 
     curve: Curve
-    residual: float | None = None
+    residual: float | None
+    is_fitted: bool
 
 
 class _Segment(msgspec.Struct, frozen=True):
@@ -123,28 +89,28 @@ class _Segment(msgspec.Struct, frozen=True):
 def without_points(view: CurveView, indices: Collection[int]) -> Deletion:
     """Return the curve of a view without the points `indices`."""
     plain = delete_points(Document((view.source,)), 0, indices).curves[0]
-    after = view_of(plain)
-    segments = list(_segments(view, plain, indices)) if _can_keep(view, after) else []
-    if not any(segment.is_new and _is_set(view, segment) for segment in segments):
-        return Deletion(plain)
+    after, segments = view_of(plain), list[_Segment]()
+    if _can_keep(view, after):
+        segments = [
+            each for each in _segments(view, plain, indices) if each.is_new and all(_set_at(view, each))
+        ]
     try:
-        fitted = _with_jets(view, after, segments, _fitted_jets)
+        curve = _with_jets(view, after, segments, _fitted_jets)
     except (CurveError, np.linalg.LinAlgError):
-        return Deletion(plain)
-    return Deletion(fitted, _largest_change(view, view_of(fitted), segments))
+        curve, segments = plain, []
+    is_both = view.is_current and after.is_current
+    residual = _largest_change(view, view_of(curve), indices) if is_both else None
+    return Deletion(curve, residual, bool(segments))
 
 
 def without_points_keeping_handles(view: CurveView, indices: Collection[int]) -> Curve:
-    """Return the curve of a view without the points `indices`, with the handles beside them unchanged.
+    """Return the curve of a view without the points `indices`, with the handles that are set unchanged.
 
-    The derivatives there change, for they are per unit of t and the segment is longer. Where rules estimate
-    all derivatives there is no handle to keep.
+    The derivatives there change, for they are per unit of t and the segment is longer.
     """
     plain = delete_points(Document((view.source,)), 0, indices).curves[0]
     after = view_of(plain)
     segments = list(_segments(view, plain, indices)) if _is_same_kind(view, after) else []
-    if not any(_is_set(view, segment) for segment in segments):
-        return plain
     return _with_jets(view, after, segments, _jets_at_ends)
 
 
@@ -153,42 +119,34 @@ _JetsOf = Callable[[CurveView, _Segment], FloatArray]
 
 
 def _with_jets(view: CurveView, after: CurveView, segments: Sequence[_Segment], new_jets: _JetsOf) -> Curve:
-    """Return the new curve with unchanged segments as they were, and these jets at the ends of new ones."""
-    wanted = dict[tuple[int, bool], Derivatives]()
+    """Return the new curve with these jets at the ends of segments, where they are set."""
+    wanted, sides = dict[tuple[int, bool], Derivatives](), after.sides
     powers = np.arange(view.source.family.derivatives + 1.0)[:, None]
     for segment in segments:
-        if segment.is_new and not _is_set(view, segment):
-            continue
         h = float(after.parameters[segment.index + 1] - after.parameters[segment.index])
-        jets = (new_jets if segment.is_new else _jets_at_ends)(view, segment) * h**-powers
-        for point, ahead, jet in ((segment.begins, True, jets[0]), (segment.ends, False, jets[1])):
-            wanted[point, ahead] = [(float(x), float(y)) for x, y in jet[1:]]
-    ends = {
-        point
-        for segment in segments
-        if segment.is_new and _is_set(view, segment)
-        for point in (segment.begins, segment.ends)
-    }
-    return with_wanted(after.source, wanted, ends)
+        jets = new_jets(view, segment) * h**-powers
+        ends = (segment.begins, True), (segment.ends, False)
+        for end, jet, is_set in zip(ends, jets, _set_at(view, segment), strict=True):
+            if is_set:
+                wanted[end] = [(float(x), float(y)) for x, y in jet[1:]]
+    points = list(after.source.points)
+    for index in {index for index, _ in wanted}:
+        for ahead in (False, True):
+            if sides is not None and after.spacing(index, ahead=ahead) is not None:
+                wanted.setdefault((index, ahead), [(float(x), float(y)) for x, y in sides[ahead][index, 1:]])
+        points[index] = with_sides(points[index], wanted.get((index, False)), wanted.get((index, True)))
+    return replace(after.source, points=tuple(points))
 
 
-def _largest_change(before: CurveView, after: CurveView, segments: Sequence[_Segment]) -> float:
-    """Return the largest distance of two curves, segment by segment."""
-    same = [(segment.start, segment.index) for segment in segments if not segment.is_new]
-    moved = 0.0
-    if same:
-        old, new = (
-            np.linspace(view.parameters[which], view.parameters[which + 1], _SAMPLES + 1).ravel()
-            for view, which in zip((before, after), np.array(same).T, strict=True)
-        )
-        away = before.present_curve.evaluate(old) - after.present_curve.evaluate(new)
-        moved = float(np.hypot(*away.T).max())
-    for segment in segments:
-        if segment.is_new:
-            between = after.parameters[segment.index : segment.index + 2]
-            samples = _samples_along(before, segment)
-            moved = max(moved, farthest(after.present_curve, samples, *between.tolist()))
-    return moved
+def _largest_change(before: CurveView, after: CurveView, indices: Collection[int]) -> float:
+    """Return the largest distance of a curve from that without the points `indices`, between those left."""
+    knots, count = before.parameters, len(before.source.points)
+    (first, last), left = before.present_curve.domain, [i for i in range(count) if i not in indices]
+    if after.source.is_closed:
+        knots, left = np.append(knots[:-1], knots + (last - first)), [*left, left[0] + count]
+    t = dense(knots[left[0] : left[-1] + 1])
+    positions = before.present_curve.evaluate(np.where(t > last, t - (last - first), t))
+    return farthest(after.present_curve, positions, np.interp(t, knots[left], after.parameters))
 
 
 def _can_keep(view: CurveView, after: CurveView) -> bool:
@@ -212,12 +170,11 @@ def _segments(view: CurveView, after: Curve, indices: Collection[int]) -> Iterat
         yield _Segment(index, index, (index + 1) % len(remaining), start, end)
 
 
-def _is_set(view: CurveView, segment: _Segment) -> bool:
-    """Whether any derivative in the segments that a new one replaces was set by hand."""
+def _set_at(view: CurveView, segment: _Segment) -> tuple[bool, bool]:
+    """Return whether the handles at the start and at the end of a segment, in the old curve, are set."""
     points = view.source.points
-    between = [points[index % len(points)] for index in range(segment.start, segment.end + 1)]
-    is_set = any(between[0].explicit_sides(1)[1:]) or any(between[-1].explicit_sides(1)[:1])
-    return is_set or any(any(derivatives_of(index)) for index in between[1:-1])
+    start, end = points[segment.start % len(points)], points[segment.end % len(points)]
+    return start.explicit_sides(1)[1] is not None, end.explicit_sides(1)[0] is not None
 
 
 def _jets_at_ends(view: CurveView, segment: _Segment) -> FloatArray:
@@ -266,5 +223,5 @@ def _directions(view: CurveView, segment: _Segment, samples: FloatArray) -> Floa
     lengths = np.hypot(handles[:, 0], handles[:, 1])
     size = float(np.ptp(samples, axis=0).max())
     chords = np.array([samples[1] - samples[0], samples[-1] - samples[-2]])
-    handles = np.where((lengths > SAME * size)[:, None], handles, chords)
+    handles = np.where((lengths > _SAME * size)[:, None], handles, chords)
     return np.asarray(handles / np.hypot(handles[:, 0], handles[:, 1])[:, None])

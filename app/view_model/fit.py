@@ -249,6 +249,9 @@ _ROUNDS = 24
 _STEPS = 6
 """Steps of Newton's to the feet of perpendiculars."""
 
+_FOLD = radians(30.0)
+"""Angle by which a segment that turns more than the piece is folded."""
+
 _LEAST = 1e-3
 """Share of the length below which a speed counts as none: the curve would stop there."""
 
@@ -262,24 +265,30 @@ def segment_near(family: Family, positions: FloatArray, directions: FloatArray) 
     length = float(steps.sum())
     u = np.concatenate([[0.0], np.cumsum(steps)]) / length
     best, least = _thirds(family, positions, directions, length), math.inf
+    most = _turning(np.diff(positions, axis=0)) + _FOLD
     for _ in range(_ROUNDS):
         jets = _solved(family, positions, directions, u, length)
         curve = family.curve_class.from_jets(jets, np.array([0.0, 1.0]))
         u = _feet(curve, positions, u, 0.0, 1.0)
         away = _largest(curve.evaluate(u) - positions)
-        if away < least:
+        if away < least and _turning(curve.evaluate(u, 1)) < most:
             best, least = jets, away
     return best
 
 
-def farthest(curve: ParametricCurve, positions: FloatArray, start: float, end: float) -> float:
-    """Return the largest distance of positions (m, 2) from a curve between the parameters of its ends."""
-    t = np.linspace(start, end, 4 * len(positions))
-    apart = positions[:, None] - curve.evaluate(t)[None]
-    feet = t[np.argmin(np.einsum("mnd,mnd->mn", apart, apart), axis=1)]
+def farthest(curve: ParametricCurve, positions: FloatArray, u: FloatArray) -> float:
+    """Return a bound of distances of positions (m, 2) from a curve; their feet are near parameters `u`."""
+    least = np.full(len(u), math.inf)
     for _ in range(_STEPS):
-        feet = _feet(curve, positions, feet, start, end)
-    return _largest(curve.evaluate(feet) - positions)
+        least = np.minimum(least, np.hypot(*(curve.evaluate(u) - positions).T))
+        u = _feet(curve, positions, u, *curve.domain)
+    return float(least.max())
+
+
+def _turning(directions: FloatArray) -> float:
+    """Return the sum of the angles between vectors (m, 2), each to the next."""
+    (x, y), (along, across) = directions[:-1].T, directions[1:].T
+    return float(np.abs(np.arctan2(x * across - y * along, x * along + y * across)).sum())
 
 
 def _largest(offsets: FloatArray) -> float:

@@ -78,13 +78,15 @@ def remove(
 
 
 def _change_text(context: WindowContext, what: ClipboardSelection, deleted: Sequence[Deletion]) -> str:
-    """Return the largest change of the curves whose shape was kept as far as possible; empty without any."""
-    fitted = [deletion for deletion in deleted if deletion.residual is not None]
-    if not fitted:
+    """Return the largest change of curves without some of their points; empty without any."""
+    left = [deletion for deletion in deleted if deletion.residual is not None]
+    if not left:
         return ""
-    words, most = what.points.count_label, max(deletion.residual or 0.0 for deletion in fitted)
-    if keeps_shape(most, [deletion.curve for deletion in fitted]):
+    words, most = what.points.count_label, max(deletion.residual or 0.0 for deletion in left)
+    if keeps_shape(most, [deletion.curve for deletion in left]):
         return f"Deleted {words}. The shape is unchanged."
     length = f"{number(most, 2)} {context.session.document.unit}".rstrip()
-    key = key_or_name(context.actions["deleteLeavingHandles"])
-    return f"Deleted {words}. The shape changed by up to {length}; {key} keeps the handles instead."
+    text = f"Deleted {words}. The shape changed by up to {length}"
+    if not any(deletion.is_fitted for deletion in deleted):
+        return f"{text}."
+    return f"{text}; {key_or_name(context.actions['deleteLeavingHandles'])} keeps the handles instead."

@@ -68,6 +68,24 @@ def distance_of(view, segment):
     return np.abs(np.hypot(*places.T) - 1).max()
 
 
+def test_the_segment_in_place_of_a_zigzag_has_no_fold(editor):
+    """The best fit had handles of 275 and 363 pixels across each other: it went back on its way."""
+    zigzag = [(0, 0), (1, 1.5), (2, 0), (3, 1.5), (4, 0), (5, 1.5), (6, 0)]
+    editor.session.commit(Document((make_curve(zigzag, family=HERMITE),)), "Begin")
+    editor.fit()
+    editor.select(range(7))
+    editor.key(Qt.Key.Key_S, Qt.KeyboardModifier.ShiftModifier)
+    for gone in ([4], [2, 3, 4]):
+        before = editor.session.active_view
+        editor.select(gone)
+        editor.key(Qt.Key.Key_Delete)
+        after = editor.session.active_view
+        assert (np.diff(sampled(after, 2000)[:, 0]) > 0).all()
+        # The zigzag is as high.
+        assert distance(before, after) < 1.5
+        editor.trigger("undo")
+
+
 def test_deleting_points_keeps_lines_straight_and_estimates_estimated(editor):
     editor.new()
     editor.choose_family(HERMITE)
