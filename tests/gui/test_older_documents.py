@@ -59,6 +59,11 @@ def test_an_older_document_keeps_its_shape_and_says_once_what_was_set(editor, pa
     assert not editor.session.files.is_modified
     assert path.read_bytes() == of_version_3()
     editor.drag_point(0, to=(0.0, 0.5))
+    # It covered the curve through edits and undo.
+    assert editor.file_bar.text == ""
+    editor.trigger("undo")
+    assert editor.file_bar.text == ""
+    editor.trigger("redo")
     editor.trigger("saveDocument")
     assert editor.file_bar.text == ""
     assert path.with_name("hills.curve.json.v3.bak").read_bytes() == of_version_3()

@@ -21,7 +21,7 @@ from ...state.window_state import FileState
 from ...storage.files import ChangedOnDiskError, Stamp, StorageError
 from ...storage.format_error import FormatError
 from ...storage.lock import Owner
-from ...storage.migration import LeftOut
+from ...storage.migration import NOTHING, LeftOut
 from ...storage.open_file import FileChange, LockedError, OpenFile
 from ...tasks.task import DelayedCall
 from ...view_model.curve.curve_view import view_of
@@ -89,6 +89,8 @@ class DiskCommands(QObject):
         if self._session.files.path != self._path:
             self._path = self._session.files.path
             self._watch.watch(self._path)
+        if file is not None and self._session.files.has_changes and not file.left_out.words:
+            file.left_out = NOTHING  # the person has read it, and goes on
         if file is not None and file.change is not self._change:
             self._note_change(file, file.change)  # another check was earlier than that of the watch
         self._show()
