@@ -81,13 +81,16 @@ class StatusLine(SafeOverrides, QStatusBar):
         self.readouts.catch_up()
 
     def show_hint(self, text: str) -> None:
-        """Show the hint about a press; a recent message stays in front."""
+        """Show the hint about a press; a recent message stays in front.
+
+        A refusal, or a hint about the next press, stays until the hint is another one.
+        """
         is_new, self._hint = text != self._hint, text
         could_be_read = self._timer.remainingTime() < _MESSAGE_MS - _READ_MS
         if is_new and text:
             self.clearMessage()
-            if could_be_read:
-                self._message = self._refusal = ""
+        if text and could_be_read and (is_new or not (self._refusal or self._is_hint)):
+            self._message = self._refusal = ""
         self._render()
 
     def show_progress(self, text: str) -> None:

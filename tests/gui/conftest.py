@@ -24,7 +24,7 @@ from app.testing import Editor
 from app.workbench import status_line
 
 # On a busy machine a sentence of the status line would have stood long enough after one event or two.
-status_line._SAID_MS, status_line._READ_MS = 600_000, 300_000
+status_line._MESSAGE_MS, status_line._READ_MS = 600_000, 300_000
 
 _shared = SharedEditor()
 

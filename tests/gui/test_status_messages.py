@@ -15,6 +15,7 @@ from app.document import rule_edits
 from app.families import HERMITE, LAGRANGE, QUINTIC_HERMITE
 from app.features.point_table.commands import PointTableCommands
 from app.features.reference_image.commands import ImageCommands
+from app.workbench import status_line
 from tests.waiting import until
 
 LEFT = Qt.MouseButton.LeftButton
@@ -127,6 +128,24 @@ def test_the_amount_of_a_cancelled_drag_disappears_at_once(pair):
     assert pair.status == "Cancelled."
     pair.release((1.3, 4.4))
     assert not pair.status.startswith("Point 1 at")
+
+
+def test_a_message_that_could_be_read_gives_way_to_the_hint_when_the_pointer_moves(pair, monkeypatch):
+    """“Cancelled.” stayed for six seconds over an empty canvas, where the hint is always the same."""
+    pair.hover((1.5, 2.0))
+    hint = pair.status
+    pair.press(pair.point(1))
+    pair.move((1.3, 4.4))
+    pair.escape()
+    pair.release((1.5, 2.0))
+    assert pair.status == "Cancelled."
+    assert pair.window.status_line.hint == hint
+    monkeypatch.setattr(status_line, "_READ_MS", -1)
+    pair.hover((1.52, 2.0))
+    assert pair.status == hint
+    pair.session.refuse("No.")
+    pair.hover((1.5, 2.0))
+    assert pair.status == "No."
 
 
 @pytest.mark.parametrize("act", ["deleteSelection", "undo", "familyLagrange"])
