@@ -453,7 +453,8 @@ def test_discard_can_be_undone(editor, is_empty):
     press(editor, "discardWork1")
     press(editor, "discardWork0")
     assert not bar(editor).isVisible()
-    assert editor.message == "The unsaved work was discarded. It is deleted when the window is closed."
+    named = "The unsaved work on “Left over” and “Untitled sketch” was discarded."
+    assert editor.message == f"{named} It is deleted when the window is closed."
     press(editor, "offeredAction")
     assert "discarded" not in editor.message
     assert bar(editor).text == "2 documents with unsaved work from the last session:"
@@ -491,6 +492,43 @@ def test_the_recovery_bar_covers_at_most_a_quarter_of_the_canvas(qtbot, tmp_path
     area.ensureWidgetVisible(button)
     editor.settle()
     assert area.viewport().rect().contains(button.mapTo(area.viewport(), button.rect().center()))
+
+
+def test_a_discarded_row_leaves_scroll_focus_and_message(qtbot, tmp_path):
+    """The list went to its top: the same place was then Discard of the first document."""
+    editor = Editor(qtbot, preferences=Preferences(tmp_path / "settings.ini"), size=(960, 540))
+    for number in range(5):
+        leave_behind(Document((make_curve([(0, 0), (1, number)], name=f"Sketch {number}"),)))
+    editor.window.commands[RecoveryCommands].offer_unsaved_work()
+    editor.settle()
+    area = bar(editor).findChild(QScrollArea, "recoveryRows")
+    area.verticalScrollBar().setValue(area.verticalScrollBar().maximum() // 2)
+    before = area.verticalScrollBar().value()
+    assert before > 0
+    button = editor.window.findChild(QPushButton, "discardWork2")
+    button.setFocus()
+    name = button.accessibleName().rpartition(" on ")[2]
+    before = area.verticalScrollBar().value()
+    QTest.keyClick(button, Qt.Key.Key_Space)
+    editor.settle()
+    assert area.verticalScrollBar().value() == before
+    assert editor.window.focusWidget() is editor.window.findChild(QPushButton, "discardWork2")
+    words = f"The unsaved work on “{name}” was discarded. It is deleted when the window is closed."
+    assert editor.message == words
+    # At the end the last row takes the place.
+    area.verticalScrollBar().setValue(area.verticalScrollBar().maximum())
+    editor.window.findChild(QPushButton, "discardWork3").setFocus()
+    QTest.keyClick(editor.window.focusWidget(), Qt.Key.Key_Space)
+    editor.settle()
+    assert area.verticalScrollBar().value() == area.verticalScrollBar().maximum() > 0
+    assert editor.window.focusWidget() is editor.window.findChild(QPushButton, "discardWork2")
+    # Another one is restored: what was discarded can still be recovered from the canvas.
+    message = editor.message
+    press(editor, "restoreWork0")
+    assert editor.message == message
+    press(editor, "offeredAction")
+    labels = [each.text() for each in bar(editor).findChildren(QLabel)]
+    assert set(re.findall("“(.*?)”", message)) <= set(labels)
 
 
 def test_the_recovery_bar_works_with_the_keyboard(editor):

@@ -87,17 +87,28 @@ class RecoveryBar(OverlayFrame):
         number = "A document" if len(unsaved) == 1 else count_of(len(unsaved), "document")
         self._title.setText(f"{number} with unsaved work from the last session:")
         self._title.setVisible(bool(unsaved))
+        scroll = self._rows.verticalScrollBar().value()
+        focused = next((i for i, button in enumerate(self._row_buttons) if button.hasFocus()), None)
         self._build_rows(note)
         self.setVisible(bool(unsaved or note))
         if unsaved or note:
             self.place()
             self.raise_()
+            self._rows.verticalScrollBar().setValue(scroll)
+        if focused is not None and unsaved:
+            # The same button of the row that is now there, or of the last one.
+            self._row_buttons[min(focused, 3 * len(unsaved) - 3 + focused % 3)].setFocus()
 
     @property
     def text(self) -> str:
         """The title and the note; empty while the bar is hidden."""
         texts = [label.text() for label in (self._title, self._note) if label and not label.isHidden()]
         return "" if self.isHidden() else "\n".join(texts)
+
+    @property
+    def _row_buttons(self) -> list[QPushButton]:
+        """The buttons of the rows, three in each."""
+        return self._rows.findChildren(QPushButton)
 
     def _build_rows(self, note: str) -> None:
         content = QWidget()

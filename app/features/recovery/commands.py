@@ -8,6 +8,7 @@ from pathlib import Path
 from ...actions.declaration import action
 from ...actions.menus import FILE_RECOVERY
 from ...document.model import Document
+from ...document.words import names_of
 from ...session import DocumentOrigin
 from ...storage.recovery import Snapshot, SnapshotListing, list_snapshots
 from ...workbench.context import WindowContext
@@ -25,8 +26,8 @@ class RecoveryCommands:
         self._context = context
         self._bar: recovery.bar.RecoveryBar | None = None
         self._listing = SnapshotListing()
-        # Deleted when the window is closed; until then "recoverWork" offers them again.
-        self._discarded: list[Snapshot] = []
+        # Names and snapshots, deleted when the window is closed; until then "recoverWork" offers them again.
+        self._discarded: list[tuple[str, Snapshot]] = []
         self._autosave: Autosave | None = None
         self._open_beside: OpenBeside | None = None
         self._set_aside: SetAside | None = None
@@ -42,7 +43,7 @@ class RecoveryCommands:
         Discarded snapshots are deleted.
         """
         self.leave()
-        for snapshot in self._discarded:
+        for _, snapshot in self._discarded:
             snapshot.discard()
         if self._set_aside is not None:
             self._set_aside.leave()
@@ -60,7 +61,7 @@ class RecoveryCommands:
     def offer_unsaved_work(self) -> None:
         """Offer unsaved work, if there is any."""
         self.leave()
-        for snapshot in self._discarded:
+        for _, snapshot in self._discarded:
             snapshot.leave()
         self._discarded = []
         self._listing = list_snapshots(snapshot_folder())
@@ -116,12 +117,20 @@ class RecoveryCommands:
         message = recovery.bar.restored_message(origin, is_unchanged=path is not None)
         if snapshot.left_out:
             message = f"{message} {snapshot.left_out.message_about('It')}"
+        self._offer_discarded()
         session.say(message)
 
     def _discard(self, index: int) -> None:
-        self._discarded.append(self._take(index))
-        text = "The unsaved work was discarded. It is deleted when the window is closed."
-        self._context.session.offer(text, "recoverWork")
+        name = recovery.bar.unsaved_work_of(self._listing.snapshots)[index].name
+        self._discarded.append((name, self._take(index)))
+        self._offer_discarded()
+
+    def _offer_discarded(self) -> None:
+        """Name the discarded work, and offer it again, if there is any."""
+        if self._discarded:
+            names = names_of([f"“{name}”" for name, _ in self._discarded])
+            text = f"The unsaved work on {names} was discarded. It is deleted when the window is closed."
+            self._context.session.offer(text, "recoverWork")
 
     def _later(self, index: int) -> None:
         self._take(index).leave()
