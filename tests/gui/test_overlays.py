@@ -45,7 +45,7 @@ def first(editor, style):
 
 
 def longest(editor, style=comb.TEETH):
-    ends = first(editor, style).reshape(-1, 2, 2)
+    ends = np.vstack([figure.points for figure in figures(editor, style)]).reshape(-1, 2, 2)
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).max()
 
 
@@ -202,6 +202,24 @@ def test_escape_reverts_a_drag_of_a_slider(dock, qtbot):
     qtbot.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=middle + QPoint(40, 0))
     assert longest(editor) == pytest.approx(before)
     assert slider.value() == 0
+
+
+@pytest.mark.parametrize("away", [0.0, 1e6])
+def test_the_comb_of_straight_lines_has_no_teeth(editor, away):
+    """Rounding was drawn at full size: zigzags of 60 pixels."""
+    editor.choose_family("hermite")
+    editor.new()
+    editor.window.canvas.camera.show_box((away - 1, away + 2), (-2, 1))
+    editor.settle()
+    editor.trigger("addTool")
+    editor.click((away + 0.1, 0.37))
+    for x, y in ((0.53, 0.36), (1.31, -1.7)):
+        editor.click((away + x, y), keys=Qt.KeyboardModifier.AltModifier)
+    editor.key(Qt.Key.Key_1, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+    assert longest(editor) == 0.0
+    editor.trigger("selectTool")
+    editor.bend(0.5, (away + 0.9, -0.3))
+    assert longest(editor) > 0.1
 
 
 def test_the_number_of_ticks(dock, qtbot):

@@ -28,6 +28,10 @@ _SHARE = 0.2
 _LONGEST = 5.0
 """Largest factor of a tooth over nine tenths of all teeth: at a cusp it would be infinite."""
 
+_STRAIGHT = 1e-10
+"""Curvature times the square of the size, relative to the largest coordinate, up to which all of it is
+rounding, as along straight lines: some hundred segments divide the size, and cancel a few digits."""
+
 
 def comb(data: OverlayInput) -> Figures:
     """Return the comb of a curve: its teeth, and the line through their ends."""
@@ -36,7 +40,9 @@ def comb(data: OverlayInput) -> Figures:
     if not pieces:
         return Figures()
     longest = usual_length(np.vstack(teeth), _LONGEST)
-    unit = _SHARE * data.size / longest * data.value(SCALE) if longest > 0 else 0.0
+    coordinate = max(float(np.abs(piece.points).max()) for piece in pieces)
+    bends = longest * data.size**2 > _STRAIGHT * coordinate
+    unit = _SHARE * data.size / longest * data.value(SCALE) if bends else 0.0
     figures = []
     for piece, tooth in zip(pieces, teeth, strict=True):
         ends = piece.points + tooth * unit
