@@ -143,6 +143,15 @@ def test_a_digit_key_keeps_selected_curves_and_the_toolbar_changes_their_family(
     assert none.curve.family.name == "septic_hermite"
 
 
+def test_a_digit_key_changes_the_family_of_one_selected_curve(none):
+    """It was refused, though the toolbar did it."""
+    none.session.selected.select_whole((1,))
+    none.key(Qt.Key.Key_3)
+    families = [curve.family.name for curve in none.session.document.curves]
+    assert families == ["hermite", "quintic_hermite", "hermite"]
+    assert none.session.selected.whole_curves == {1}
+
+
 def test_a_single_curve_can_be_selected_with_select_all(waves):
     """It said that none was left to choose, beside "Nothing is chosen"."""
     one = waves("A")

@@ -254,13 +254,16 @@ def _icon_of(family: Family) -> str:
 
 
 def _active_curve(family: Family) -> Need:
-    """Return the condition of the digit key of a family, which could be pressed by accident."""
+    """Return the condition of the digit key of a family, which several curves could get by accident."""
 
     def why(state: ActionState) -> str:
         then = f"then the same key makes it {family.title}"
         return f"Press Enter to edit “{state.curve_name}”; {then}. The toolbar changes all selected curves."
 
-    return Need("an edited curve", lambda state: state.is_editing or state.is_blank, why=why)
+    def is_one(state: ActionState) -> bool:
+        return state.has_selected_curve and state.selected_curve_count == 1
+
+    return Need("one curve", lambda state: state.is_editing or state.is_blank or is_one(state), why=why)
 
 
 class RuleCommands:
